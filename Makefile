@@ -95,13 +95,14 @@ test-postgresql:
 # once more and named at the end.
 BROWSERS := 3
 test-browser:
-	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n $(BROWSERS) --dist loadgroup --no-loadscope-reorder --reruns 1 -rR tests/browser
+	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n $(BROWSERS) --dist loadgroup --no-loadscope-reorder --reruns 1 -rR -m "not proof" tests/browser
 
 # The long runs of what make test shows on a small case: statistics, fuzz, exactness; every property by many new
 # examples.
 proofs: export OPENBLAS_NUM_THREADS := 1
-proofs: setup .build/python-dev
+proofs: setup .build/python-dev .build/chromium
 	@SIGHTLINE_PROOFS=1 SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n 2 --dist worksteal -m "proof or hypothesis" --ignore=tests/browser
+	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n $(BROWSERS) --dist loadgroup --no-loadscope-reorder -m proof tests/browser
 
 check: check-server check-pages
 

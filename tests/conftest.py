@@ -18,6 +18,7 @@ from sqlalchemy.orm import Session
 from sightline.infra.database import engine as engines
 from sightline.infra.database.engine import SessionFactory, make_engine, session_factory, writing
 from tests.support.kept import PostgresShelf, Shelf, SqliteShelf
+from tests.support.proofs import PROOFS
 
 pytest_plugins = ["tests.support.app", "tests.support.processor_time"]
 
@@ -25,7 +26,7 @@ pytest_plugins = ["tests.support.app", "tests.support.processor_time"]
 # draws new ones, and many.
 settings.register_profile("sightline", deadline=None, derandomize=True, max_examples=30)
 settings.register_profile("proofs", deadline=None, max_examples=500)
-settings.load_profile("proofs" if os.environ.get("SIGHTLINE_PROOFS") == "1" else "sightline")
+settings.load_profile("proofs" if PROOFS else "sightline")
 
 SERVER = os.environ.get("SIGHTLINE_TEST_DATABASE_URL", "")
 

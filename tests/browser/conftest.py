@@ -218,9 +218,18 @@ def page(context: BrowserContext) -> Page:
     return context.new_page()
 
 
+@pytest.fixture(scope="session", autouse=True)
+def pictures_when_asked_for() -> Iterator[None]:
+    """Pictures for people to look at are taken where SIGHTLINE_PICTURES=1 asks for them."""
+    with pytest.MonkeyPatch.context() as patch:
+        if os.environ.get("SIGHTLINE_PICTURES") != "1":
+            patch.setattr(Page, "screenshot", lambda *words, **options: b"")
+        yield
+
+
 @pytest.fixture(scope="session")
 def screenshots() -> Path:
-    """Where the tests leave pictures to look at; made anew each time, never committed."""
+    """Where the tests leave those pictures; made anew each time, never committed."""
     folder = ROOT / ".build" / "screenshots"
     folder.mkdir(parents=True, exist_ok=True)
     return folder

@@ -1,6 +1,5 @@
 """Every screen, light and dark, at two sizes: no error, no sideways overflow, nothing in axe."""
 
-import os
 import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -87,9 +86,9 @@ def complaints() -> list[str]:
     return []
 
 
-# Each size and each look once; SIGHTLINE_EVERY_LOOK=1 shows all four.
-EVERY = [(size, look) for size in SIZES for look in LOOKS]
-VARIANTS = EVERY if os.environ.get("SIGHTLINE_EVERY_LOOK") else list(zip(SIZES, LOOKS, strict=True))
+Variants = list[tuple[ViewportSize, Literal["light", "dark"]]]
+EACH_ONCE: Variants = list(zip(SIZES, LOOKS, strict=True))
+EVERY: Variants = [(size, look) for size in SIZES for look in LOOKS]
 
 
 @pytest.fixture
@@ -139,13 +138,13 @@ def look_at(page: Page, name: str, variant: str, folder: Path) -> list[str]:
     return [f"{name} {variant}: {one}" for one in overflows(page) + clipped_away(page)]
 
 
-def look_at_all(page: Page, name: str, folder: Path, first: int = 0) -> list[str]:
+def look_at_all(page: Page, name: str, folder: Path, variants: Variants) -> list[str]:
     """What is wrong with the page at each size and look, which it is changed to as a window is.
 
     All of axe's rules are asked at the look that comes first, then those alone that another look can break.
     """
     wrong, rules = [], ALL_RULES
-    for size, look in VARIANTS[first:] + VARIANTS[:first]:
+    for size, look in variants:
         page.set_viewport_size(size)
         page.emulate_media(color_scheme=look, reduced_motion="reduce")
         wrong += look_at(page, name, f"{size['width']}-{look}", folder)
@@ -210,7 +209,12 @@ def clipped_away(page: Page) -> list[str]:
 #: Of axe, best practice too.
 ALL_RULES = ("wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice")
 #: What colours and room decide; the rest follows from the document, which no look changes.
-RULES_OF_A_LOOK = ("color-contrast", "link-in-text-block", "target-size", "scrollable-region-focusable")
+RULES_OF_A_LOOK: Sequence[str] = (
+    "color-contrast",
+    "link-in-text-block",
+    "target-size",
+    "scrollable-region-focusable",
+)
 
 
 def findings(page: Page, rules: Sequence[str] = ALL_RULES) -> list[str]:
@@ -227,24 +231,28 @@ def findings(page: Page, rules: Sequence[str] = ALL_RULES) -> list[str]:
     return found
 
 
+@pytest.mark.parametrize(
+    "variants", [EACH_ONCE, pytest.param(EVERY, marks=pytest.mark.proof)], ids=["each once", "every"]
+)
 def test_every_screen_is_shown_without_fault(
     shown: tuple[BrowserContext, Page],
     complaints: list[str],
     places: dict[str, int],
     admin_state: StorageState,
     screenshots: Path,
+    variants: Variants,
 ) -> None:
     context, page = shown
     page.goto("/sign-in")
     expect(page.get_by_role("button", name=re.compile("sign in", re.I)).first).to_be_visible()
-    wrong = look_at_all(page, "sign-in", screenshots)
+    wrong = look_at_all(page, "sign-in", screenshots, variants)
     context.add_cookies(cast(Any, admin_state["cookies"]))
     for place, (name, (address, sign)) in enumerate(SCREENS.items()):
         # a screen is opened at one of the sizes, in turns, and then changed to the other
-        first = place % len(VARIANTS)
-        page.set_viewport_size(VARIANTS[first][0])
+        first = place % len(variants)
+        page.set_viewport_size(variants[first][0])
         open_screen(page, address.format(**places), sign)
-        wrong += look_at_all(page, name, screenshots, first)
+        wrong += look_at_all(page, name, screenshots, variants[first:] + variants[:first])
     assert not wrong + complaints, "\n".join(wrong + complaints)
 
 

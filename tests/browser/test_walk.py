@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable
 
+import pytest
 from playwright.sync_api import BrowserContext, Page
 
 from .walking import begin, same, shown, there_and_back, walking
@@ -32,8 +33,9 @@ def chosen(walker: Page, menu: str, name: str) -> Callable[[], None]:
     return choose
 
 
-def test_what_is_chosen_within_a_page_is_in_its_address(context: BrowserContext) -> None:
-    """Each measured vehicle, each vehicle of the line scan, the tabs and the review's queue."""
+@pytest.mark.parametrize("of_each", [2, pytest.param(None, marks=pytest.mark.proof)], ids=["two", "all"])
+def test_what_is_chosen_within_a_page_is_in_its_address(context: BrowserContext, of_each: int | None) -> None:
+    """Of measured vehicles and of the line scan's two, or all; the tabs and the review's queue."""
     with walking(context) as walker:
         survey = begin(walker)
         vehicles = walker.request.get(f"/api/surveys/{survey}/vehicles").json()
@@ -42,8 +44,10 @@ def test_what_is_chosen_within_a_page_is_in_its_address(context: BrowserContext)
         passed = walker.request.get(f"/api/scans/{scan}/vehicles").json()
         assert measured and passed
         choices = {
-            "measure": [f"[data-testid=pass-{number}]" for number in measured],
-            f"scan?scan={scan}": [f"[data-testid=scan-vehicle-{one['number']}] button" for one in passed],
+            "measure": [f"[data-testid=pass-{number}]" for number in measured[:of_each]],
+            f"scan?scan={scan}": [
+                f"[data-testid=scan-vehicle-{one['number']}] button" for one in passed[:of_each]
+            ],
             "checks": ['.page-tabs a:has-text("Direction")'],
             "planning": ['.page__head label:has-text("line scan")'],
             "review": ["[data-measurement]:not([aria-current])"],

@@ -1,13 +1,14 @@
-"""A walk through the whole app by its links: what a link, Back or Forward shows is what a reload shows.
+"""A walk through the app by its links: what a link, Back or Forward shows is what a reload shows.
 
-From the survey list to every screen of the rail and every link within a page, forth and back. A page that
-remembers too much or too little of where it was, a focus left behind, a question that fails and a complaint
-of the browser's all end the walk.
+In `make test` from a survey's overview along each of its links, to every screen of the rail; in `make proofs`
+from the survey list to every link within a page. A page that remembers too much or too little of where it
+was, a focus left behind, a question that fails and a complaint of the browser's all end the walk.
 """
 
 import re
 from collections.abc import Callable
 
+import pytest
 from playwright.sync_api import BrowserContext, Page
 
 from .walking import Shown, asked_by, back_from, begin, path_of, shown, there_and_loaded, walking
@@ -18,13 +19,17 @@ LINKS = """() => [...document.querySelectorAll("a[href^='/']")]
 
 
 # What has to be reached by links alone, so that the walk cannot become shorter unseen.
-SCREENS_BY_LINK = {"/", "/account", "/statistics", "/studies", "/catalogue", "/surveys/1"} | {
+OF_A_SURVEY = {"/statistics", "/studies", "/catalogue"} | {
     f"/surveys/1/{name}"
     for name in (
         *("settings", "history", "planning", "camera", "recordings", "pose", "measure", "checks", "review"),
-        *("lots", "repeats"),
-        *("repeats/click", "scans", "scans/results", "scan", "export"),
+        *("scans", "export"),
     )
+}
+OF_ALL = {
+    *OF_A_SURVEY,
+    *("/", "/account", "/surveys/1"),
+    *(f"/surveys/1/{name}" for name in ("lots", "repeats", "repeats/click", "scans/results", "scan")),
 }
 
 
@@ -44,12 +49,13 @@ def first(walker: Page, link: str) -> Callable[[], None]:
 
 
 class Walk:
-    """A page is walked where a link has led to it."""
+    """A page is walked where a link has led to it; of a walk that is not `whole`, the first page alone."""
 
-    def __init__(self, walker: Page) -> None:
+    def __init__(self, walker: Page, start: str, *, whole: bool) -> None:
         self.walker = walker
-        self.known = {"/"}
-        self.shapes: set[object] = {shape("/")}
+        self.whole = whole
+        self.known = {start}
+        self.shapes: set[object] = {shape(start)}
 
     def is_to_walk(self, here: str, link: str) -> bool:
         """Whether it is the first of its kind.
@@ -68,7 +74,7 @@ class Walk:
         return True
 
     def go_on_from(self, here: str, start: Shown) -> None:
-        """Every link of the page that is shown, and every link of the pages that they lead to."""
+        """Every link of the page that is shown, and of a whole walk those of the pages that they lead to."""
         for link in dict.fromkeys(self.walker.evaluate(LINKS)):
             if not self.is_to_walk(here, link):
                 continue
@@ -76,14 +82,22 @@ class Walk:
             assert asked_by(link) <= asked_by(there.address), f"{link} leads to {there.address}"
             if link not in self.known:
                 self.known.add(link)
-                self.go_on_from(link, there)
+                if self.whole:
+                    self.go_on_from(link, there)
             back_from(self.walker, start, there, link)
 
 
-def test_every_link_forth_and_back_shows_what_a_reload_shows(context: BrowserContext) -> None:
+@pytest.mark.parametrize(
+    ("start", "reached"),
+    [("/surveys/1", OF_A_SURVEY), pytest.param("/", OF_ALL, marks=pytest.mark.proof)],
+    ids=["of a survey", "of all"],
+)
+def test_links_forth_and_back_show_what_a_reload_shows(
+    context: BrowserContext, start: str, reached: set[str]
+) -> None:
     with walking(context) as walker:
         begin(walker)
-        walker.goto("/")
-        walk = Walk(walker)
-        walk.go_on_from("/", shown(walker, twice=True))
-        assert {path_of(link) for link in walk.known} >= SCREENS_BY_LINK
+        walker.goto(start)
+        walk = Walk(walker, start, whole=reached == OF_ALL)
+        walk.go_on_from(start, shown(walker, twice=True))
+        assert {path_of(link) for link in walk.known} >= reached
