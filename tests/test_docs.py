@@ -40,7 +40,8 @@ WORDS = {
 }
 FORMATS = (ROOT / "docs" / "formats.md").read_text(encoding="utf-8")
 # Variables that are no field of Settings: where the migrations are, and what only tests and errors read.
-ELSEWHERE = {"MIGRATIONS", "DEBUG", "SHARED_DATA", "PICTURES", "TEST_DATABASE_URL", "COMMIT", "TOKEN", "VERSION"}
+ELSEWHERE = {"MIGRATIONS", "DEBUG", "TEST_DATABASE_URL", "COMMIT", "TOKEN", "VERSION"}
+ELSEWHERE |= {"SHARED_DATA", "PICTURES"}
 
 
 def of(paper: Path) -> str:
