@@ -79,8 +79,8 @@ def test_every_column_of_passes_is_described() -> None:
 
 
 def test_every_table_of_the_package_that_is_named_is_there() -> None:
-    there = {table.path for table in tables_of(2)}
-    named = set(re.findall(r"`([a-z_]+\.csv)`", section("The package")))
+    there = {table.key for table in tables_of(2)}
+    named = set(re.findall(r"`((?:statistics/)?[a-z_]+\.csv)`", section("The package")))
     assert named <= there
 
 

@@ -5,7 +5,7 @@
 
 folder <- commandArgs(trailingOnly = TRUE)[1]
 read <- function(name) {
-  read.csv(file.path(folder, name), na.strings = "", encoding = "UTF-8", check.names = FALSE)
+  read.csv(file.path(folder, "tables", name), na.strings = "", encoding = "UTF-8", check.names = FALSE)
 }
 
 heights <- read("measurements.csv")

@@ -14,14 +14,14 @@ import pandas as pd
 
 folder = Path(sys.argv[1])
 
-# datapackage.json says of each column what it holds, and in which unit.
+# datapackage.json says where each table is, and of each column what it holds, and in which unit.
 described = json.loads((folder / "datapackage.json").read_text(encoding="utf-8"))["resources"]
-schema = next(one["schema"] for one in described if one["path"] == "measurements.csv")
-units = {field["name"]: field.get("unit", "") for field in schema["fields"]}
+tables = {one["name"]: one for one in described if "schema" in one}
+units = {field["name"]: field.get("unit", "") for field in tables["measurements"]["schema"]["fields"]}
 assert units["height_m"] == "m", "heights of a package are in metres"
 
-heights = pd.read_csv(folder / "measurements.csv")
-vehicles = pd.read_csv(folder / "vehicles.csv")[["id", "category"]]
+heights = pd.read_csv(folder / tables["measurements"]["path"])
+vehicles = pd.read_csv(folder / tables["vehicles"]["path"])[["id", "category"]]
 heights = heights.merge(vehicles, left_on="vehicle_id", right_on="id", suffixes=("", "_of_vehicle"))
 accepted = heights[
     heights["verdict"].isin(["accepted", "fixed"]) & (heights["status"] == "ok") & ~heights["withdrawn"]

@@ -42,13 +42,13 @@ def written(place: Path, name: str, rows: Rows) -> None:
 def enlarged(place: Path, count: int) -> None:
     """The package with `count` measurements; statistics and pictures stay those of the small one."""
     files = FolderFiles(place)
-    measured = list(read_rows(files, "measurements.csv"))
+    measured = list(read_rows(files, "tables/measurements.csv"))
     events = list(read_rows(files, "audit.csv"))
     of_id: dict[str, dict[str, str]] = {
         row["entity_id"]: row for row in events if row["entity"] == "measurement"
     }
     parts: dict[str, Rows] = {}
-    for row in read_rows(files, "budget.csv"):
+    for row in read_rows(files, "tables/budget.csv"):
         parts.setdefault(row["measurement_id"], []).append(row)
     table: Rows = []
     budget: Rows = []
@@ -59,8 +59,8 @@ def enlarged(place: Path, count: int) -> None:
         chain.append({**of_id[row["id"]], "entity_id": str(id_)})
     for number, event in enumerate(chain, start=1):
         event["number"] = str(number)
-    written(place, "measurements.csv", table)
-    written(place, "budget.csv", budget)
+    written(place, "tables/measurements.csv", table)
+    written(place, "tables/budget.csv", budget)
     written(place, "audit.csv", rehash([*chain, {**events[-1], "number": str(len(chain) + 1)}], 1))
 
 

@@ -56,7 +56,7 @@ def test_a_set_is_edited_and_a_package_of_it_is_built(page: Page, survey_id: int
     with page.expect_download() as waiting:
         row.get_by_role("link", name="Download").click()
     with zipfile.ZipFile(io.BytesIO(waiting.value.path().read_bytes())) as package:
-        assert package.read("selection.csv").decode().splitlines() == [
+        assert package.read("tables/selection.csv").decode().splitlines() == [
             "by,word",
             "lighting,daytime",
             "class_set,light_trucks",

@@ -118,12 +118,12 @@ def test_its_heights_are_those_of_verify_to_a_nanometre(whole: Path, opened: Cal
     assert set(states(page).values()) == {"fine"}, states(page)
     assert page.locator("[data-verdict]").get_attribute("data-verdict") == "fine"
     found = heights(page)
-    told = rows(whole, "measurements.csv")
+    told = rows(whole, "tables/measurements.csv")
     assert set(found) == {row["id"] for row in told} and len(told) >= 10
     assert any(row["frames"] != "1" for row in told), "several frames are computed too"
     poses = {
         row["id"]: json.loads((whole / f"poses/pose-{row['id']}.json").read_text())
-        for row in rows(whole, "poses.csv")
+        for row in rows(whole, "tables/poses.csv")
     }
     for row in told:
         height_m = answer(pose_from_dict(poses[row["pose_id"]]), clicks_of_row(row)).height_m
@@ -137,7 +137,7 @@ def test_crops_figures_tables_and_sizes_are_shown(whole: Path, opened: Callable[
         figure.scroll_into_view_if_needed()
         expect(figure).to_have_js_property("complete", True)
         assert figure.evaluate("one => one.naturalWidth") > 0
-    crop = next(row for row in rows(whole, "crops.csv") if row["file"])
+    crop = next(row for row in rows(whole, "tables/crops.csv") if row["file"])
     page.locator(f'[data-measurement="{crop["measurement_id"]}"]').get_by_role("button").click()
     assert page.locator("#measurements image").first.get_attribute("href") == crop["file"]
     expect(page.locator("#measurements circle").first).to_be_visible()
@@ -157,9 +157,9 @@ def test_a_package_that_was_changed_shows_it(
     whole: Path, opened: Callable[[Path], Page], tmp_path: Path
 ) -> None:
     place = Path(shutil.copytree(whole, tmp_path / "changed"))
-    row = next(row for row in rows(whole, "measurements.csv") if row["status"] == "ok")
+    row = next(row for row in rows(whole, "tables/measurements.csv") if row["status"] == "ok")
     index = place / "index.html"
-    index.write_text(with_table(index.read_text(), "measurements.csv", row["height_m"], "1.999999"))
+    index.write_text(with_table(index.read_text(), "tables/measurements.csv", row["height_m"], "1.999999"))
     page = opened(place)
     found = states(page)
     assert (found["heights"], found["seal"], found["rows"], found["chain"]) == (
@@ -231,7 +231,7 @@ def test_a_zip_dropped_on_the_page_is_checked_whole(
     drop(page, zipped)
     expect(check).to_contain_text("not a complete package")
     place = Path(shutil.copytree(whole, tmp_path / "changed" / "package"))
-    (place / "measurements.csv").write_text((place / "measurements.csv").read_text() + "\n")
+    (place / "tables/measurements.csv").write_text((place / "tables/measurements.csv").read_text() + "\n")
     page.locator('[data-choice="zip"]').set_input_files(
         shutil.make_archive(str(tmp_path / "other"), "zip", tmp_path / "changed")
     )
@@ -259,9 +259,9 @@ def test_a_limited_package_says_so_at_its_top_and_of_what_lies_outside(
     place, kept = limited
     page = opened(place)
     expect(page.locator("header [data-only]")).to_contain_text("cover only: SUV")
-    outside = {row["id"] for row in rows(place, "vehicles.csv") if row["category"] != kept}
-    pictured = {row["measurement_id"] for row in rows(place, "crops.csv")}
-    told = [row for row in rows(place, "measurements.csv") if row["withdrawn"] != "true"]
+    outside = {row["id"] for row in rows(place, "tables/vehicles.csv") if row["category"] != kept}
+    pictured = {row["measurement_id"] for row in rows(place, "tables/crops.csv")}
+    told = [row for row in rows(place, "tables/measurements.csv") if row["withdrawn"] != "true"]
     strange = next(row["id"] for row in told if row["vehicle_id"] in outside)
     line = page.locator(f'[data-measurement="{strange}"]')
     expect(line).to_contain_text("outside the limits")
@@ -279,7 +279,7 @@ def test_heights_that_are_out_of_date_are_counted_marked_and_found_by_the_filter
     before = states(page)
     place = built(tmp_path_factory, "stale", another_roof_inset)
     page = opened(place)
-    standing = [row for row in rows(place, "measurements.csv") if row["withdrawn"] != "true"]
+    standing = [row for row in rows(place, "tables/measurements.csv") if row["withdrawn"] != "true"]
     usual = [row for row in standing if (row["target"], row["inset_from"]) == ("roof", "usual")]
     stale = {row["id"] for row in standing if row["out_of_date"]}
     assert stale == {row["id"] for row in usual} and len(stale) > 1

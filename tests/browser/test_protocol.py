@@ -206,10 +206,10 @@ def _package(page: Page, survey_id: int, screenshots: Path) -> None:
     with page.expect_download() as waiting:
         row.get_by_role("link", name="Download").click()
     with zipfile.ZipFile(io.BytesIO(waiting.value.path().read_bytes())) as package:
-        chosen = package.read("selection.csv").decode().splitlines()
+        chosen = package.read("tables/selection.csv").decode().splitlines()
         assert chosen == ["by,word", "lighting,daytime", "filmed_from,2025-05-14"]
         report = " ".join(words(package.read("report.pdf")).split())
-        survey = package.read("survey.csv").decode()
+        survey = package.read("tables/survey.csv").decode()
     assert "Only: daytime; filmed from 2025-05-14." in report
     assert re.search(r"2025-05-14 08:10 to 21:40 \(Europe/Paris\)", report)
     assert "49.44315" in survey

@@ -34,7 +34,7 @@ def test_a_survey_by_name_or_number_is_written_and_verified(
         assert main(["export", "--survey", name, "-o", str(stored / place)]) == 0, capsys.readouterr()
         assert main(["verify", str(stored / place)]) == 0
     files = sorted(path.name for path in (stored / "by-name").iterdir())
-    assert "datapackage.json" in files and "measurements.csv" in files
+    assert "datapackage.json" in files and "tables/measurements.csv" in files
     one, two = (
         set((stored / place / "SHA256SUMS").read_text().splitlines()) for place in ("by-name", "by-number")
     )

@@ -63,7 +63,7 @@ def test_the_package_itself_passes_and_a_forged_one_ends_the_command_with_one_se
 
 
 @pytest.mark.once
-@pytest.mark.parametrize("name", ["reviews.csv", "records/pose-1.json", "audit.csv", "crops/m1-1.jpg"])
+@pytest.mark.parametrize("name", ["tables/reviews.csv", "records/pose-1.json", "audit.csv", "crops/m1-1.jpg"])
 def test_a_file_that_is_taken_out_is_missed(package: Path, name: str) -> None:
     (package / name).unlink()
     assert f"{name} is missing" in str(check(package).problem)
@@ -124,7 +124,7 @@ def test_a_name_takes_the_head(package: Path) -> None:
     changed = [{**row, "name": f"Not {row['name']}"} for row in rows(package, "people.csv")]
     rewrite(package, "people.csv", changed)
     rederive(package, drawings=True, seal=False)
-    assert str(check(package).problem).startswith("people.csv is not what the package’s seal")
+    assert str(check(package).problem).startswith("tables/people.csv is not what the package’s seal")
     reseal(package)
     assert check(package).ok
     assert "not with the given audit head" in str(check(package, kept).problem)
@@ -203,13 +203,13 @@ def test_a_checkpoints_numbers_have_one_form(package: Path, name: str) -> None:
 
 
 FORMS: dict[str, tuple[str, Callable[[bytes], bytes], str]] = {
-    "ends of lines": ("vehicles.csv", lambda b: b.replace(b"\n", b"\r\n"), "is not written as"),
-    "quotes": ("insets.csv", lambda b: b.replace(b"roof", b'"roof"', 1), "is not written as"),
-    "a byte order mark": ("frames.csv", lambda b: b"\xef\xbb\xbf" + b, "has other columns"),
-    "an empty line": ("frames.csv", lambda b: b + b"\n", "too long or too short"),
-    "no last end": ("frames.csv", lambda b: b[:-1], "is not written as"),
+    "ends of lines": ("tables/vehicles.csv", lambda b: b.replace(b"\n", b"\r\n"), "is not written as"),
+    "quotes": ("tables/insets.csv", lambda b: b.replace(b"roof", b'"roof"', 1), "is not written as"),
+    "a byte order mark": ("tables/frames.csv", lambda b: b"\xef\xbb\xbf" + b, "has other columns"),
+    "an empty line": ("tables/frames.csv", lambda b: b + b"\n", "too long or too short"),
+    "no last end": ("tables/frames.csv", lambda b: b[:-1], "is not written as"),
     "a column twice": (
-        "people.csv",
+        "tables/people.csv",
         lambda b: b"".join(b"id," + line for line in b.splitlines(keepends=True)),
         "has other columns than datapackage.json describes (id)",
     ),
@@ -228,7 +228,7 @@ FORMS: dict[str, tuple[str, Callable[[bytes], bytes], str]] = {
         lambda b: b.replace(b"0.0,", b"0.00,", 1),
         "is not written as",
     ),
-    "no text": ("insets.csv", lambda b: b.replace(b"roof", b"\xff", 1), "cannot be read as CSV"),
+    "no text": ("tables/insets.csv", lambda b: b.replace(b"roof", b"\xff", 1), "cannot be read as CSV"),
 }
 
 

@@ -101,7 +101,7 @@ def test_an_export_that_is_cancelled_leaves_nothing(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     def stopped(staging: Staging, *_rest: object, **_options: object) -> None:
-        staging.add("measurements.csv", b"half")
+        staging.add("tables/measurements.csv", b"half")
         raise Cancelled("said", sentence="Cancelled.")
 
     monkeypatch.setattr("sightline.export.build.build", stopped)
@@ -160,7 +160,7 @@ def test_pandas_reads_every_table_as_it_is_described(package: Path) -> None:
 def test_every_table_stands_as_parquet_too_typed_and_with_its_units(package: Path) -> None:
     described = json.loads((package / "datapackage.json").read_text())
     tables = [one for one in described["resources"] if "schema" in one and one["path"] != "audit.csv"]
-    assert {f"parquet/{one['path'][:-4]}.parquet" for one in tables} == {
+    assert {f"parquet/{one['path'].removeprefix('tables/')[:-4]}.parquet" for one in tables} == {
         str(path.relative_to(package)) for path in package.rglob("*.parquet")
     }
     found = pq.read_table(package / "parquet" / "measurements.parquet")

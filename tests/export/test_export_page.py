@@ -40,7 +40,8 @@ def resealed(place: Path, monkeypatch: pytest.MonkeyPatch) -> str:
 
 def test_it_carries_the_tables_and_the_chain_and_is_sealed(package: Path) -> None:
     found = carried((package / "index.html").read_text())
-    assert {"measurements.csv", "budget.csv", "crops.csv", "records/pose-1.json"} <= set(found)
+    tables = {f"tables/{name}.csv" for name in ("measurements", "budget", "crops")}
+    assert {*tables, "records/pose-1.json"} <= set(found)
     assert all((package / path).read_bytes() == content for path, content in found.items())
     sealed = json.loads(rows(package, "audit.csv")[-1]["after"])["files"]
     assert "index.html" in sealed and "audit.js" not in sealed
@@ -64,13 +65,13 @@ def test_it_carries_the_tables_and_the_chain_and_is_sealed(package: Path) -> Non
         (lambda text: text.replace('"bytes": ', '"bytes": 1', 1), "index.html is not the page"),
         (
             lambda text: text.replace(
-                'data-path="measurements.csv">', 'data-path="measurements.csv">AAAA', 1
+                'data-path="tables/measurements.csv">', 'data-path="tables/measurements.csv">AAAA', 1
             ),
-            "The page carries another measurements.csv",
+            "The page carries another tables/measurements.csv",
         ),
         (
-            lambda text: text.replace('data-path="budget.csv"', 'data-path="people.csv"', 1),
-            "The page carries another people.csv",
+            lambda text: text.replace('data-path="tables/budget.csv"', 'data-path="tables/people.csv"', 1),
+            "The page carries another tables/people.csv",
         ),
     ],
 )
@@ -121,9 +122,9 @@ def test_where_the_front_end_is_not_built_there_is_no_page(
 def test_a_table_that_is_too_large_is_named_and_not_carried(
     package: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(page, "MOST_BYTES", (package / "measurements.csv").stat().st_size - 1)
+    monkeypatch.setattr(page, "MOST_BYTES", (package / "tables/measurements.csv").stat().st_size - 1)
     reseal(package)
     text = (package / "index.html").read_text()
-    assert "measurements.csv" not in carried(text) and "budget.csv" in carried(text)
-    assert '"left_out": ["measurements.csv"' in text
+    assert "tables/measurements.csv" not in carried(text) and "tables/budget.csv" in carried(text)
+    assert '"left_out": ["tables/measurements.csv"' in text
     assert check(package).ok

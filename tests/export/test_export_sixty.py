@@ -44,6 +44,7 @@ def _written(rows: list[Cells], header: list[str]) -> bytes:
 
 
 def _table(files: Package, path: str, change: Callable[[list[Cells]], list[Cells] | None]) -> None:
+    path = path if path in files else f"tables/{path}"
     header = next(csv.reader([files[path].decode().partition("\n")[0]]))
     rows = _read(files[path])
     files[path] = _written(change(rows) or rows, header)

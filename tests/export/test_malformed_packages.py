@@ -18,6 +18,7 @@ from pathlib import Path
 import pytest
 
 from sightline.cli import main
+from sightline.infra.csv_package.files import FolderFiles, place_of
 from tests.export.keep_released import KEPT
 
 RELEASED = max(KEPT.glob("*.tar.xz"))
@@ -31,6 +32,11 @@ def place(tmp_path: Path) -> Path:
     return tmp_path / "package"
 
 
+def _table(place: Path, name: str) -> Path:
+    """A table of a package of any format."""
+    return place / place_of(FolderFiles(place), name)
+
+
 def _sum_again(place: Path) -> None:
     """What a hand does that wants it to fit: the list of hashes is made anew."""
     lines = []
@@ -41,14 +47,16 @@ def _sum_again(place: Path) -> None:
     (place / "SHA256SUMS").write_text("\n".join(lines) + "\n")
 
 
-def _written(path: Path, change: Callable[[bytes], bytes], sums: bool = True) -> None:
+def _written(place: Path, name: str, change: Callable[[bytes], bytes], sums: bool = True) -> None:
+    path = _table(place, name)
     path.write_bytes(change(path.read_bytes()))
     if sums:
-        _sum_again(path.parent)
+        _sum_again(place)
 
 
-def _cells(path: Path, change: Callable[[list[list[str]]], object]) -> None:
+def _cells(place: Path, name: str, change: Callable[[list[list[str]]], object]) -> None:
     """A table changed by its rows, written as it was."""
+    path = _table(place, name)
     table = list(csv.reader(io.StringIO(path.read_text(), newline="")))
     change(table)
     out = io.StringIO(newline="")
@@ -56,7 +64,16 @@ def _cells(path: Path, change: Callable[[list[list[str]]], object]) -> None:
         table
     )
     path.write_bytes(out.getvalue().encode())
-    _sum_again(path.parent)
+    _sum_again(place)
+
+
+def _replaced(path: Path, put: Callable[[Path], None]) -> None:
+    path.unlink()
+    put(path)
+
+
+def _capitals(path: Path) -> None:
+    path.rename(path.with_name(path.name.upper()))
 
 
 def _set(name: str, value: str) -> Callable[[list[list[str]]], None]:
@@ -81,52 +98,52 @@ def _rename(table: list[list[str]]) -> None:
 
 
 FOLDERS: dict[str, tuple[Callable[[Path], object], tuple[str, ...]]] = {
-    "a table is missing": (lambda at: (at / "revisions.csv").unlink(), ("revisions.csv", "missing")),
+    "a table is missing": (lambda at: _table(at, "revisions.csv").unlink(), ("revisions.csv", "missing")),
     "a table is missing and the list was made again": (
-        lambda at: ((at / "revisions.csv").unlink(), _sum_again(at)), ("revisions.csv",)),
-    "a table is empty": (lambda at: _written(at / "measurements.csv", lambda _: b""), ("measurements.csv",)),
+        lambda at: (_table(at, "revisions.csv").unlink(), _sum_again(at)), ("revisions.csv",)),
+    "a table is empty": (lambda at: _written(at, "measurements.csv", lambda _: b""), ("measurements.csv",)),
     "a spreadsheet saved it with semicolons": (
-        lambda at: _written(at / "measurements.csv", lambda old: old.replace(b",", b";")),
+        lambda at: _written(at, "measurements.csv", lambda old: old.replace(b",", b";")),
         ("measurements.csv",)),
     "a spreadsheet saved it without a word": (
-        lambda at: _written(at / "measurements.csv", lambda old: b"\xef\xbb\xbf" + old, sums=False),
+        lambda at: _written(at, "measurements.csv", lambda old: b"\xef\xbb\xbf" + old, sums=False),
         ("measurements.csv", "changed")),
     "a table in UTF-16": (
-        lambda at: _written(at / "measurements.csv", lambda old: old.decode().encode("utf-16")),
+        lambda at: _written(at, "measurements.csv", lambda old: old.decode().encode("utf-16")),
         ("measurements.csv",)),
     "a table cut in the middle of a line": (
-        lambda at: _written(at / "revisions.csv", lambda old: old[: len(old) * 2 // 3]), ("revisions.csv",)),
+        lambda at: _written(at, "revisions.csv", lambda old: old[: len(old) * 2 // 3]), ("revisions.csv",)),
     "a table that ends in zeros": (
-        lambda at: _written(at / "revisions.csv", lambda old: old + bytes(4096)), ("revisions.csv",)),
+        lambda at: _written(at, "revisions.csv", lambda old: old + bytes(4096)), ("revisions.csv",)),
     "a height that is no number": (
-        lambda at: _cells(at / "revisions.csv", _set("height_m", "NaN")), ("revisions.csv",)),
+        lambda at: _cells(at, "revisions.csv", _set("height_m", "NaN")), ("revisions.csv",)),
     "a height without end": (
-        lambda at: _cells(at / "revisions.csv", _set("height_m", "inf")), ("revisions.csv",)),
+        lambda at: _cells(at, "revisions.csv", _set("height_m", "inf")), ("revisions.csv",)),
     "a number with a comma": (
-        lambda at: _cells(at / "revisions.csv", _set("height_m", "1,476")), ("revisions.csv",)),
+        lambda at: _cells(at, "revisions.csv", _set("height_m", "1,476")), ("revisions.csv",)),
     "a row twice": (
-        lambda at: _cells(at / "revisions.csv", lambda rows: rows.append(rows[1])), ("revisions.csv",)),
-    "a row less": (lambda at: _cells(at / "revisions.csv", lambda rows: rows.pop()), ("revisions.csv",)),
+        lambda at: _cells(at, "revisions.csv", lambda rows: rows.append(rows[1])), ("revisions.csv",)),
+    "a row less": (lambda at: _cells(at, "revisions.csv", lambda rows: rows.pop()), ("revisions.csv",)),
     "rows in another order": (
-        lambda at: _cells(at / "revisions.csv", lambda rows: rows.insert(1, rows.pop())),
+        lambda at: _cells(at, "revisions.csv", lambda rows: rows.insert(1, rows.pop())),
         ("revisions.csv",)),
     "a vehicle that is not there": (
-        lambda at: _cells(at / "revisions.csv", _set("vehicle_id", "4000")), ("revisions.csv",)),
+        lambda at: _cells(at, "revisions.csv", _set("vehicle_id", "4000")), ("revisions.csv",)),
     "columns in another order": (
-        lambda at: _cells(at / "measurements.csv", _swap_columns), ("measurements.csv",)),
-    "a column less": (lambda at: _cells(at / "measurements.csv", _drop_column), ("measurements.csv",)),
-    "a column of another name": (lambda at: _cells(at / "measurements.csv", _rename), ("measurements.csv",)),
+        lambda at: _cells(at, "measurements.csv", _swap_columns), ("measurements.csv",)),
+    "a column less": (lambda at: _cells(at, "measurements.csv", _drop_column), ("measurements.csv",)),
+    "a column of another name": (lambda at: _cells(at, "measurements.csv", _rename), ("measurements.csv",)),
     "a cell as long as a book": (
-        lambda at: _cells(at / "vehicles.csv", _set("category", "x" * 3_000_000)), ("vehicles.csv",)),
-    "no events": (lambda at: _written(at / "audit.csv", lambda old: old.splitlines(True)[0]), ("audit",)),
+        lambda at: _cells(at, "vehicles.csv", _set("category", "x" * 3_000_000)), ("vehicles.csv",)),
+    "no events": (lambda at: _written(at, "audit.csv", lambda old: old.splitlines(True)[0]), ("audit",)),
     "the description is no JSON": (
-        lambda at: _written(at / "datapackage.json", lambda old: old[:-20]), ("datapackage.json",)),
+        lambda at: _written(at, "datapackage.json", lambda old: old[:-20]), ("datapackage.json",)),
     "the description is a list": (
-        lambda at: _written(at / "datapackage.json", lambda _: b"[]"), ("datapackage.json",)),
+        lambda at: _written(at, "datapackage.json", lambda _: b"[]"), ("datapackage.json",)),
     "the description is nested without end": (
-        lambda at: _written(at / "datapackage.json", lambda _: b"[" * 200_000), ("datapackage.json",)),
+        lambda at: _written(at, "datapackage.json", lambda _: b"[" * 200_000), ("datapackage.json",)),
     "the end of the chain is of another form": (
-        lambda at: _written(at / "checkpoint.json", lambda _: b'{"head": 5}'), ("checkpoint.json",)),
+        lambda at: _written(at, "checkpoint.json", lambda _: b'{"head": 5}'), ("checkpoint.json",)),
     "the list of hashes is words": (
         lambda at: (at / "SHA256SUMS").write_text("everything is fine\n"), ("SHA256SUMS",)),
     "the list of hashes is empty": (lambda at: (at / "SHA256SUMS").write_text(""), ("SHA256SUMS",)),
@@ -135,12 +152,12 @@ FOLDERS: dict[str, tuple[Callable[[Path], object], tuple[str, ...]]] = {
     "the list of hashes names a file twice": (
         lambda at: (at / "SHA256SUMS").write_text((at / "SHA256SUMS").read_text() * 2), ("SHA256SUMS",)),
     "a folder in a file's place": (
-        lambda at: ((at / "poses.csv").unlink(), (at / "poses.csv").mkdir()), ("poses.csv",)),
+        lambda at: _replaced(_table(at, "poses.csv"), Path.mkdir), ("poses.csv",)),
     "a link that leads out": (
-        lambda at: ((at / "poses.csv").unlink(), (at / "poses.csv").symlink_to("/etc/passwd")),
+        lambda at: _replaced(_table(at, "poses.csv"), lambda path: path.symlink_to("/etc/passwd")),
         ("poses.csv",)),
     "names in capitals": (
-        lambda at: (at / "poses.csv").rename(at / "POSES.CSV"), ("poses.csv",)),
+        lambda at: _capitals(_table(at, "poses.csv")), ("poses.csv",)),
     "a picture of another": (
         lambda at: shutil.copyfile(*sorted((at / "crops").glob("*.jpg"))[:2]), ("crops/", "changed")),
 }  # fmt: skip

@@ -2,6 +2,7 @@
 
 import json
 import re
+import shutil
 import tarfile
 from collections.abc import Callable
 from dataclasses import replace
@@ -14,6 +15,7 @@ from sightline.cli import main
 from sightline.export import contents, package_tables
 from sightline.export.contents import HEIGHTS, STATISTICS, WORDS
 from sightline.export.package_tables import PACKAGE, Part
+from sightline.export.seal import check_sealed
 from sightline.export.verify import derived, described
 from sightline.export.verify.package import PackageCheck, verify_package
 from sightline.infra import source_hash
@@ -22,6 +24,8 @@ from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.csv_package.schema import Column, Table, json_bytes
 from sightline.measurements import verify as measured
 from sightline.measurements.height_of_clicks import Answer
+from sightline.studies.packages import studied
+from sightline.studies.query import READ, StudyTables
 from tests.export.keep_released import KEPT
 from tests.support.forgeries import a_height, roof
 from tests.support.packages import (
@@ -84,6 +88,41 @@ def test_a_package_of_an_earlier_version_verifies(released: Path, capsys: pytest
     assert ("drawings" in found.not_checked) == (found.drawings == 0)
     assert main(["verify", str(released), "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["not_checked"] == found.not_checked
+
+
+def test_a_package_of_an_earlier_version_enters_a_study(released: Path, tmp_path: Path) -> None:
+    """Its tables lie in its root."""
+    assert (released / "measurements.csv").is_file() and not (released / "tables").exists()
+    accepted = [row for row in rows(released, "measurements.csv") if row["verdict"] in ("accepted", "fixed")]
+    (found,) = studied([released], lambda files: check_sealed(files, READ), tmp_path / "scratch")
+    with StudyTables([found]) as tables:
+        (counted,), (outside,) = tables.counted()
+    assert accepted and counted + outside <= len(accepted) and counted > 0
+
+
+def test_the_root_of_a_package_is_short(package: Path) -> None:
+    """And what a reader opens first lies there."""
+    root = {path.name for path in package.iterdir()}
+    assert len(root) <= 20, sorted(root)
+    assert {"README.txt", "datapackage.json", "audit.csv", "report.pdf", "tables"} <= root
+    assert [name for name in root if name.endswith(".csv")] == ["audit.csv"]
+
+
+def test_a_table_in_two_places_is_refused(package: Path, later: Callable[..., None]) -> None:
+    """By every version, for two programs could read two tables; whether it is described once or twice."""
+    shutil.copyfile(package / "tables" / "people.csv", package / "people.csv")
+    reseal(package)
+    assert "people.csv" in str(check(package).problem)
+    assert "people.csv is in the package twice" in str(check_sealed(FolderFiles(package), ["people.csv"]))
+    place = package / "datapackage.json"
+    told = json.loads(place.read_text())
+    (people,) = (one for one in told["resources"] if one["path"] == "tables/people.csv")
+    told["resources"].append({**people, "path": "people.csv"})
+    place.write_bytes(json_bytes(told))
+    reseal(package)
+    for version in ("this", "another"):
+        assert str(check(package).problem).startswith("people.csv is in the package twice"), version
+        later()
 
 
 @pytest.mark.parametrize("name", ["height_m", "u_height_m", "target_y_px", "code_version"])
@@ -236,10 +275,10 @@ def test_a_program_knows_its_own_parts(package: Path, later: Callable[..., None]
 def test_another_format_is_refused(package: Path) -> None:
     place = package / "datapackage.json"
     text = place.read_text()
-    assert json.loads(text)["format"] == 2
-    place.write_text(text.replace('"format": 2,', '"format": 3,', 1))
+    assert json.loads(text)["format"] == 3
+    place.write_text(text.replace('"format": 3,', '"format": 4,', 1))
     reseal(package)
-    assert "has format 3, which this version of Sightline does not know" in str(check(package).problem)
+    assert "has format 4, which this version of Sightline does not know" in str(check(package).problem)
 
 
 def test_what_statistics_and_drawings_rest_on_is_found_by_their_imports() -> None:

@@ -13,12 +13,12 @@ from sightline.commands.clicks import heights_csv
 from sightline.enums import Target
 from sightline.export.build import build
 from sightline.geometry.documents import pose_from_dict
-from sightline.infra.csv_package.files import Staging
+from sightline.infra.csv_package.files import Staging, place_of
 from sightline.infra.services import Services
 from sightline.measurements.second_frame import Candidate, Spot, chosen_frames
 from tests.support.app import FRAME_HEIGHT, FRAME_WIDTH, FRAMES, Client, error_of
 from tests.support.ground import Ground, add_vehicle, pixel
-from tests.support.mutations import Package, checked, load, with_sums
+from tests.support.mutations import MemoryFiles, Package, checked, load, with_sums
 
 pytestmark = pytest.mark.once
 
@@ -300,6 +300,7 @@ def exported(services: Services, survey_id: int, place: Path) -> Package:
 
 def rewritten(files: Package, path: str, column: str, text: str) -> Package:
     """The package with one cell of the first row changed and all sums made to fit, as a forger would."""
+    path = place_of(MemoryFiles(files), path)
     rows = list(csv.DictReader(io.StringIO(files[path].decode())))
     rows[0][column] = text
     out = io.StringIO()
@@ -315,10 +316,10 @@ def test_an_export_holds_all_frames_and_a_changed_one_is_found(
     stored = stored_on_two(operator, vehicle_id, more_frames=[on_frame(7, 1.8), on_frame(5, 1.0)])
     files = exported(services, ground.survey_id, tmp_path / "export")
     assert checked(files).ok, checked(files).problem
-    (row,) = csv.DictReader(io.StringIO(files["measurements.csv"].decode()))
+    (row,) = csv.DictReader(io.StringIO(files["tables/measurements.csv"].decode()))
     assert (row["frames"], row["frame2"], row["frame3"]) == ("3", "7", "5")
     assert float(row["solved_inset_m"]) == pytest.approx(INSET_M, abs=2e-6)
-    frames = [one["frame"] for one in csv.DictReader(io.StringIO(files["frames.csv"].decode()))]
+    frames = [one["frame"] for one in csv.DictReader(io.StringIO(files["tables/frames.csv"].decode()))]
     assert frames == ["2", "5", "7"]
     described = json.loads(files["datapackage.json"])
     for resource in (one for one in described["resources"] if "schema" in one):

@@ -116,13 +116,13 @@ def test_the_chain_vouches_for_the_verdict_that_came_back(
     assert newest["after"]["row"]["verdict_of_revision"] == 1 and newest["after"]["revision"] == 3
     files = exported(services, ground.survey_id, tmp_path / "export")
     assert checked(files).ok, checked(files).problem
-    (row,) = csv.DictReader(io.StringIO(files["measurements.csv"].decode()))
+    (row,) = csv.DictReader(io.StringIO(files["tables/measurements.csv"].decode()))
     assert (row["verdict"], row["verdict_of_revision"], row["revision"]) == ("accepted", "1", "3")
     forged = rewritten(files, "measurements.csv", "verdict", "to_review")
     assert "newest review" in str(checked(forged).problem)
 
     # whoever writes the events anew too is found by the clicks and the height
-    revisions = list(csv.DictReader(io.StringIO(files["revisions.csv"].decode())))
+    revisions = list(csv.DictReader(io.StringIO(files["tables/revisions.csv"].decode())))
     assert gone_over(revisions, [0, 0, 1]) is None
     assert gone_over(revisions, [0, 1, 0]) == revisions[1]  # the moved one is not the one accepted
     assert gone_over(revisions, [0, 0, 2]) == revisions[2]

@@ -202,7 +202,7 @@ def test_an_export_holds_the_pass_and_a_changed_point_is_found(
     stored = store(operator, vehicle_id)
     files = exported(services, ground.survey_id, tmp_path / "export")
     assert checked(files).ok, checked(files).problem
-    (row,) = csv.DictReader(io.StringIO(files["measurements.csv"].decode()))
+    (row,) = csv.DictReader(io.StringIO(files["tables/measurements.csv"].decode()))
     assert row["followed"] == stored["followed"] and int(row["frames"]) > 3
     kept = json.loads(row["followed"])
     kept["points"][0][4] += 3.0

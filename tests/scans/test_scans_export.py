@@ -32,6 +32,7 @@ from sightline.scans.vehicles.store import change_scan_vehicle
 from sightline.scans.verify import check_scans
 from tests.export.report.pdf_text import words
 from tests.support import samples, scans_samples
+from tests.support.packages import table_file
 from tests.support.samples import Sample
 
 
@@ -83,7 +84,7 @@ def package(request: pytest.FixtureRequest, services: Services, kept: Path, tmp_
 
 
 def rows(package: Path, name: str) -> list[dict[str, str]]:
-    with (package / f"{name}.csv").open(newline="", encoding="utf-8") as file:
+    with table_file(package, f"{name}.csv").open(newline="", encoding="utf-8") as file:
         return list(csv.DictReader(file))
 
 
@@ -335,7 +336,7 @@ def test_tampering_is_found(package: Path) -> None:
 
     assert checked() == 15
     for name, old, new, problem in TAMPERED.values():
-        path = package / name
+        path = table_file(package, name)
         text = path.read_text(encoding="utf-8")
         assert old in text
         path.write_text(text.replace(old, new), encoding="utf-8")

@@ -138,8 +138,8 @@ def test_a_real_package_is_verified_whole_first(
 ) -> None:
     assert main(["study", str(package), "-o", str(tmp_path / "study"), "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["heights"] == 2
-    text = (package / "measurements.csv").read_text()
-    (package / "measurements.csv").write_text(text.replace("1.31", "1.21"))
+    text = (package / "tables/measurements.csv").read_text()
+    (package / "tables/measurements.csv").write_text(text.replace("1.31", "1.21"))
     assert main(["study", str(package), "-o", str(tmp_path / "other")]) == 2
     said = capsys.readouterr().err
     assert "does not verify" in said and said.count("\n") == 1

@@ -357,7 +357,7 @@ def a_parquet(place: Path) -> str:
     changed = table.set_column(at, table.schema.field("height_m"), lower)
     pq.write_table(changed, path)
     reseal(place)
-    return "parquet/measurements.parquet differs from measurements.csv: column height_m"
+    return "parquet/measurements.parquet differs from tables/measurements.csv: column height_m"
 
 
 def a_unit_of_a_parquet(place: Path) -> str:
@@ -377,7 +377,7 @@ def the_description(place: Path) -> str:
         path.read_text().replace("standard uncertainty of height_m (k = 1)", "half of U95_height_m")
     )
     reseal(place)
-    return "datapackage.json describes measurements.csv differently"
+    return "datapackage.json describes tables/measurements.csv differently"
 
 
 def a_file_put_in(place: Path) -> str:

@@ -24,7 +24,7 @@ from sightline.infra.audit.merkle import root_of
 from sightline.infra.audit.records import AuditHead
 from sightline.infra.audit.signing import SigningKey
 from sightline.infra.csv_package.chain import hashed
-from sightline.infra.csv_package.files import FolderFiles, Staging, fresh_folder, sum_of
+from sightline.infra.csv_package.files import FolderFiles, Staging, fresh_folder, place_of, sum_of
 from sightline.infra.csv_package.parquet import write_parquet
 from sightline.infra.csv_package.schema import (
     CHECKSUMS,
@@ -150,14 +150,19 @@ def package(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     return shutil.copytree(_BUILT["place"], tmp_path / "export")
 
 
+def table_file(place: Path, name: str) -> Path:
+    """A table of a package of any format, by its key."""
+    return place / place_of(FolderFiles(place), name)
+
+
 def rows(place: Path, name: str) -> Rows:
-    with (place / name).open(encoding="utf-8", newline="") as file:
+    with table_file(place, name).open(encoding="utf-8", newline="") as file:
         return list(csv.DictReader(file))
 
 
 def rewrite(place: Path, name: str, changed: Rows) -> None:
     """Write a table anew."""
-    with (place / name).open("w", encoding="utf-8", newline="") as file:
+    with table_file(place, name).open("w", encoding="utf-8", newline="") as file:
         writer = csv.DictWriter(file, list(changed[0]), lineterminator="\n")
         writer.writeheader()
         writer.writerows(changed)
@@ -254,7 +259,7 @@ def columns_again(place: Path) -> None:
 
 
 def _tables(place: Path) -> tuple[AnyTable, ...]:
-    head = (place / "measurements.csv").read_text().partition("\n")[0].split(",")
+    head = table_file(place, "measurements.csv").read_text().partition("\n")[0].split(",")
     most = sum(name.startswith("frame") and name[5:].isdigit() for name in head)
     return tables_of(most + 1)
 

@@ -17,7 +17,7 @@ import pyarrow.parquet as pq
 
 from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.files import Staging
-from sightline.infra.csv_package.schema import DESCRIPTION, json_bytes
+from sightline.infra.csv_package.schema import DESCRIPTION, TABLES, json_bytes
 from sightline.results.csv import STANDARDS as STANDARDS_TABLE
 from sightline.statistics.standards import STANDARDS
 from sightline.surveys.classes import USUAL_CLASSES
@@ -99,8 +99,8 @@ def invent(folder: Path, survey: Invented, seed: int = 0, *, with_csv: bool = Tr
         with staging.file(f"parquet/{name}.parquet") as file:
             pq.write_table(pa.table(columns), file, compression="zstd")
         if with_csv or name == "survey":
-            staging.add(f"{name}.csv", _csv(columns))
-    staging.add("poses.csv", _csv({"id": list(range(1, survey.poses + 1))}))
+            staging.add(f"{TABLES}{name}.csv", _csv(columns))
+    staging.add(f"{TABLES}poses.csv", _csv({"id": list(range(1, survey.poses + 1))}))
     staging.fill(STANDARDS_TABLE, STANDARDS)
     staging.add(DESCRIPTION, json_bytes({"made_with": {"sightline": survey.version}}))
     _seal(staging, survey)

@@ -15,6 +15,6 @@ REPLAYED = Replayed(CAMERAS, "camera", cells=lambda told: {**_NOTHING, **told})
 def check_cameras(files: Files, replay: Replay) -> None:
     """Cameras are what their events made of them, and calibrations name them so. Raises Damaged."""
     names = {row["id"]: row["name"] for row in replay.hold(files, REPLAYED)}
-    for id_, camera, name in read_columns(files, CALIBRATIONS.path, ("id", "camera_id", "camera_name")):
+    for id_, camera, name in read_columns(files, CALIBRATIONS.key, ("id", "camera_id", "camera_name")):
         if name != names.get(camera):
             raise Damaged("cameras-calibration-of-another-camera", id=id_)

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from sightline.traffic.results import Results
 
 _FILE = click.Path(dir_okay=False, path_type=Path)
+_SCANS = "line_scans.csv"
 
 
 @click.command()
@@ -84,11 +85,12 @@ Rows = list[dict[str, Any]]
 
 def _of_place(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic], Rows, list[str]]:
     """The traffic of a place, its vehicles, and what is to be said of it."""
+    from sightline.infra.csv_package.files import places_of
     from sightline.traffic.results import results_in
 
     if not place.exists():
         raise BadInput("commands-flow-not-there", place=place)
-    if place.suffix.lower() == ".zip" or (place / "line_scans.csv").is_file():
+    if place.suffix.lower() == ".zip" or any((place / path).is_file() for path in places_of(_SCANS)):
         return _of_package(place, minutes)
     results, left = results_in(place)
     traffic = [each for length in minutes for one in results for each in one.traffic(length)]
@@ -104,12 +106,12 @@ def _of_place(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic], R
 def _of_package(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic], Rows, list[str]]:
     from sightline.export.scans import scanned_motions
     from sightline.export.traffic import scans_in, traffic_in
-    from sightline.infra.csv_package.files import open_package
+    from sightline.infra.csv_package.files import open_package, place_of
     from sightline.results.csv import selection_in
     from sightline.traffic.results import Results
 
     files = open_package(place)
-    if "line_scans.csv" not in files.paths:
+    if place_of(files, _SCANS) not in files.paths:
         raise BadInput("commands-flow-nothing-in-folder", place=place)
     found = traffic_in(files, minutes)
     cars, rows, filmed = list(scanned_motions(files)), Rows(), selection_in(files)

@@ -32,7 +32,7 @@ def derive_tables(staging: Staging) -> PackageStatistics:
     found = statistics_of(files)
     rows = statistics_rows(found)
     for table in TABLES:
-        staging.fill(table, rows[table.path])
+        staging.fill(table, rows[table.key])
     return found
 
 

@@ -59,7 +59,7 @@ _NAMES = (
     "corrections",
     "agreement",
 )
-#: The columns whose sentences the page shows in the language of the package.
+#: The columns whose sentences the page shows in the language of the package, by the table's key.
 _SENTENCES = {
     "measurements.csv": ("reason", "flags"),
     "crops.csv": ("reason",),
@@ -214,7 +214,7 @@ def _said(files: Files, tables: Sequence[AnyTable], carried: Set[str], language:
         if table.path not in carried:
             continue
         said |= {one.meaning: translated_meaning(one.meaning, language) for one in table.columns}
-        for column in _SENTENCES.get(table.path, ()):
+        for column in _SENTENCES.get(table.key, ()):
             code = f"{column}{CODE}"
             names = (column, code) if code in read_header(files, table.path) else (column,)
             for text, *codes in {tuple(cells) for cells in read_columns(files, table.path, names)}:

@@ -18,7 +18,7 @@ _CONTENTS = (
     ("index.html", "report-readme-page"),
     ("report.pdf", "report-readme-report"),
     ("statistics/", "report-readme-statistics"),
-    ("*.csv", "report-readme-tables"),
+    ("tables/", "report-readme-tables"),
     ("crops/ figures/ poses/ calibrations/ parquet/", "report-readme-files"),
     ("audit.csv checkpoint.json", "report-readme-audit"),
 )

@@ -201,7 +201,7 @@ def scan_heights_in(files: Files) -> tuple[ScannedHeights, ...]:
         (
             HeightSeen(target, verdict, float(height), float(U95))
             for vehicle, target, verdict, current, withdrawn, height, U95 in read_columns(
-                files, LINE_HEIGHTS.path, names
+                files, LINE_HEIGHTS.key, names
             )
             if vehicle in chosen and current == "true" and withdrawn == "false" and height and U95
         ),
@@ -263,7 +263,7 @@ def _standing(files: Files) -> dict[str, list[ReferenceValues]]:
     found: dict[str, list[ReferenceValues]] = {}
     names = ("vehicle_id", "current", "withdrawn", "quantity", "source", "value", "u")
     for vehicle, current, withdrawn, quantity, source, value, u in read_columns(
-        files, SCAN_REFERENCES.path, names
+        files, SCAN_REFERENCES.key, names
     ):
         if current == "true" and withdrawn == "false":
             one = ReferenceValues(
@@ -289,14 +289,14 @@ def _of_rig(row: Mapping[str, str], rig: Rig) -> dict[str, float]:
 def scan_rows(found: ScanStatistics, heights: tuple[ScannedHeights, ...]) -> dict[str, Iterator[Cells]]:
     """The rows of every table by its path; of motions none where no scanned vehicle is accepted."""
     return {
-        ERRORS.path: _error_rows(found),
-        BASELINES.path: _baseline_rows(found),
-        QUANTITIES.path: _quantity_rows(found),
-        PERCENTILES.path: _percentile_rows(found),
-        ECDF.path: _ecdf_rows(found),
-        HEIGHTS.path: (asdict(one) for one in heights),
-        REFERENCES.path: _reference_rows(found),
-        CARS.path: _car_rows(found),
+        ERRORS.key: _error_rows(found),
+        BASELINES.key: _baseline_rows(found),
+        QUANTITIES.key: _quantity_rows(found),
+        PERCENTILES.key: _percentile_rows(found),
+        ECDF.key: _ecdf_rows(found),
+        HEIGHTS.key: (asdict(one) for one in heights),
+        REFERENCES.key: _reference_rows(found),
+        CARS.key: _car_rows(found),
     }
 
 

@@ -16,7 +16,7 @@ from typing import Any
 
 from sightline.errors import Damaged
 from sightline.infra.csv_package.audit import AUDIT
-from sightline.infra.csv_package.files import Files, checksum_lines, sum_of
+from sightline.infra.csv_package.files import Files, checksum_lines, place_of, sum_of
 from sightline.infra.csv_package.schema import (
     CHECKSUMS,
     DESCRIPTION,
@@ -95,14 +95,16 @@ def _told_first(path: str) -> tuple[bool, bool, bool, str]:
 
 
 def check_sealed(files: Files, tables: Sequence[str]) -> str | None:
-    """Whether some tables and their Parquet are the files that the package's seal names, in one sentence what
-    is wrong, None when all is well. Nothing is computed again: the package is to have been verified before.
+    """Whether some tables, by key, and their Parquet are the files that the package's seal names, in one
+    sentence what is wrong, None when all is well. Nothing is computed again: the package is to have been
+    verified before.
     """
     try:
         seal = read_seal(files)
         if seal.before_sha256 != seal.files.get(AUDIT.path):
             raise Damaged("export-not-the-file-that-the-seal-names", path=AUDIT.path)
-        for path in (DESCRIPTION, *tables, *(parquet_path(path) for path in tables)):
+        places = (place_of(files, table) for table in tables)
+        for path in (DESCRIPTION, *places, *(parquet_path(path) for path in tables)):
             if path in files.paths and sum_of(files, path).sha256 != seal.files.get(path):
                 raise Damaged("export-not-the-file-that-the-seal-names", path=path)
     except Damaged as error:

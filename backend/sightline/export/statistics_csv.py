@@ -334,23 +334,23 @@ def statistics_rows(found: PackageStatistics) -> dict[str, Iterator[Cells]]:
     errors = [(key, one.errors) for key, one in made]
     heights = [(correction, one) for (correction, rounding), one in found.of.items() if rounding == "none"]
     return {
-        ERROR_TABLE.path: chain.from_iterable(_error_rows(key, one.groups) for key, one in errors),
-        ERRORS_BY_TARGET.path: chain.from_iterable(
+        ERROR_TABLE.key: chain.from_iterable(_error_rows(key, one.groups) for key, one in errors),
+        ERRORS_BY_TARGET.key: chain.from_iterable(
             _known_rows({"heights": heights}, one.known_errors)
             for heights, one in (("inset", found.headline), (_PAPER, found.of["none", "none"]))
         ),
-        AGREEMENT.path: chain.from_iterable(_agreement_rows(key, one) for key, one in errors),
-        ERROR_TREND.path: chain.from_iterable(_trend_rows(key, one) for key, one in errors),
-        ERROR_ECDF.path: chain.from_iterable(_error_ecdf_rows(key, one) for key, one in errors),
-        ERROR_DENSITY.path: chain.from_iterable(_error_density_rows(key, one) for key, one in errors),
-        CORRECTION_TABLE.path: chain.from_iterable(_correction_rows(*one) for one in heights),
-        PERCENTILE_TABLE.path: chain.from_iterable(_percentile_rows(*one) for one in heights),
-        TOTAL_TABLE.path: chain.from_iterable(_total_rows(one) for _, one in heights),
-        RULE_TABLE.path: _rule_rows(found.headline),
-        HEIGHT_ECDF.path: chain.from_iterable(_height_ecdf_rows(*one) for one in heights),
-        HEIGHT_DENSITY.path: chain.from_iterable(_height_density_rows(*one) for one in heights),
-        SHARES.path: chain.from_iterable(_share_rows(*one) for one in heights),
-        LATERAL_TABLE.path: _lateral_rows(found.headline),
+        AGREEMENT.key: chain.from_iterable(_agreement_rows(key, one) for key, one in errors),
+        ERROR_TREND.key: chain.from_iterable(_trend_rows(key, one) for key, one in errors),
+        ERROR_ECDF.key: chain.from_iterable(_error_ecdf_rows(key, one) for key, one in errors),
+        ERROR_DENSITY.key: chain.from_iterable(_error_density_rows(key, one) for key, one in errors),
+        CORRECTION_TABLE.key: chain.from_iterable(_correction_rows(*one) for one in heights),
+        PERCENTILE_TABLE.key: chain.from_iterable(_percentile_rows(*one) for one in heights),
+        TOTAL_TABLE.key: chain.from_iterable(_total_rows(one) for _, one in heights),
+        RULE_TABLE.key: _rule_rows(found.headline),
+        HEIGHT_ECDF.key: chain.from_iterable(_height_ecdf_rows(*one) for one in heights),
+        HEIGHT_DENSITY.key: chain.from_iterable(_height_density_rows(*one) for one in heights),
+        SHARES.key: chain.from_iterable(_share_rows(*one) for one in heights),
+        LATERAL_TABLE.key: _lateral_rows(found.headline),
         **scans.scan_rows(found.scans, found.scan_heights),
         **traffic.traffic_rows(found.scan_traffic),
     }

@@ -158,8 +158,8 @@ def _watched(row: Mapping[str, str]) -> Watched:
 def traffic_rows(found: Sequence[ScanTraffic]) -> dict[str, Iterator[Cells]]:
     """The rows of both tables by their paths."""
     return {
-        INTERVALS.path: (_interval_row(scan, one) for scan in found for one in scan.intervals),
-        CLASSES.path: (row for scan in found for one in scan.intervals for row in _class_rows(scan, one)),
+        INTERVALS.key: (_interval_row(scan, one) for scan in found for one in scan.intervals),
+        CLASSES.key: (row for scan in found for one in scan.intervals for row in _class_rows(scan, one)),
     }
 
 

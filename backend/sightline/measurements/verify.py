@@ -109,16 +109,16 @@ class MeasurementEvents:
             self.budgets[number] = _digest([cells_of(BUDGET, one) for one in budget_entries(made)])
 
     def _of_record(self, table: Table[Measurement], made: Measurement) -> bytes:
-        header = _without_words(self.headers[table.path])
+        header = _without_words(self.headers[table.key])
         return _digest({name: text for name, text in cells_of(table, made).items() if name in header})
 
     def of_row(self, table: Table[Measurement], cells: Row) -> bytes:
         """The digest of a row's cells that are not empty, as of the record that its event tells."""
-        known = self.known.get(table.path)
+        known = self.known.get(table.key)
         if known is None:
-            most = count_frames(self.headers[table.path])
+            most = count_frames(self.headers[table.key])
             header = frozenset(with_frames(table, most).header)
-            known = self.known[table.path] = header & _without_words(self.headers[table.path])
+            known = self.known[table.key] = header & _without_words(self.headers[table.key])
         return _digest({name: text for name, text in cells.items() if text and name in known})
 
 
@@ -360,7 +360,7 @@ class _Budget:
 
     def __init__(self, files: Files, told: Mapping[int, bytes]) -> None:
         self._told = told
-        rows = read_rows(files, BUDGET.path)
+        rows = read_rows(files, BUDGET.key)
         self._groups = groupby(rows, key=lambda row: row["measurement_id"])
         self._next = self._take()
 

@@ -4746,6 +4746,7 @@ csv_package-missing-take-whole-export-again = { $path } is missing; get the comp
 csv_package-file-name-folder-export-not-exist = { $target } is a file; name a folder for the export that does not exist yet.
 csv_package-holds-other-files-name-folder-empty = { $target } holds other files; name a folder that is empty or does not exist yet.
 csv_package-holds-file-twice-no-export-take = { $place } contains a file twice, so it is not an export; get the export again.
+csv_package-table-twice = { $path } is in the package twice, so nobody can tell which one holds; get the complete export again.
 csv_package-cannot-read-export-name-folder-zip = { $place } cannot be read as an export; name its folder or ZIP.
 csv_package-parquet-and-csv-not-pairs = { $path } has no counterpart: a package has every table as CSV and as Parquet; get the complete export again.
 csv_package-parquet-described-otherwise = { $path } has other columns, units or meanings than datapackage.json describes; it was changed.

@@ -4743,6 +4743,7 @@ csv_package-missing-take-whole-export-again = { $path } manque ; reprenez l’
 csv_package-file-name-folder-export-not-exist = { $target } est un fichier ; nommez pour l’export un dossier qui n’existe pas encore.
 csv_package-holds-other-files-name-folder-empty = { $target } contient d’autres fichiers ; nommez un dossier vide ou qui n’existe pas encore.
 csv_package-holds-file-twice-no-export-take = { $place } contient un fichier deux fois, ce n’est donc pas un export ; reprenez l’export.
+csv_package-table-twice = { $path } est deux fois dans l’archive, on ne peut donc savoir lequel fait foi ; reprenez l’export complet.
 csv_package-cannot-read-export-name-folder-zip = { $place } ne peut pas être lu comme un export ; nommez son dossier ou son ZIP.
 csv_package-parquet-and-csv-not-pairs = { $path } est là sans son autre forme : chaque tableau d’une archive existe en CSV et en Parquet ; reprenez l’export complet.
 csv_package-parquet-described-otherwise = { $path } a d’autres colonnes, unités ou significations que ne le décrit datapackage.json ; il a été modifié.

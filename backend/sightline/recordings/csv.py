@@ -168,13 +168,13 @@ RECORDINGS: Table[DescribedRecording] = Table(
 
 def frames_s(files: Files) -> dict[str, float]:
     """How long a frame of each recording of a package is on average, seconds; 0 where that is not known."""
-    columns = read_columns(files, RECORDINGS.path, ("id", "duration_s", "frame_count"))
+    columns = read_columns(files, RECORDINGS.key, ("id", "duration_s", "frame_count"))
     return {id_: frame_s(figure(duration), whole(frames)) for id_, duration, frames in columns}
 
 
 def filmings_in(files: Files) -> dict[str, Filming]:
     """The start of each recording of a package that has one, by its number."""
-    columns = read_columns(files, RECORDINGS.path, ("id", "started_at", "time_zone"))
+    columns = read_columns(files, RECORDINGS.key, ("id", "started_at", "time_zone"))
     return {id_: Filming(datetime.fromisoformat(at), unsafe(zone)) for id_, at, zone in columns if at}
 
 

@@ -49,7 +49,7 @@ def standards_in(files: Files) -> tuple[Standard, ...]:
 
 
 def _cells(files: Files) -> Iterator[Sequence[str]]:
-    return iter(read_columns(files, STANDARDS.path, _COLUMNS))
+    return iter(read_columns(files, STANDARDS.key, _COLUMNS))
 
 
 def _standard(row: dict[str, str]) -> Standard:
@@ -57,7 +57,7 @@ def _standard(row: dict[str, str]) -> Standard:
     kinds: dict[str, StandardHeight] = {word: word for word in get_args(StandardHeight)}
     what = kinds.get(row["what"])
     if what is None or height_m is None or row["drawn"] not in ("true", "false"):
-        raise Damaged("results-cannot-read-take-whole-export-again", path=STANDARDS.path, name=row["name"])
+        raise Damaged("results-cannot-read-take-whole-export-again", path=STANDARDS.key, name=row["name"])
     return Standard(
         name=unsafe(row["name"]),
         what=what,
@@ -110,7 +110,7 @@ def selection_rows(selection: Selection) -> list[Chosen]:
 
 def selection_in(files: Files) -> Selection:
     """What a package is of. Raises Damaged."""
-    rows = [(by, word) for by, word in read_columns(files, SELECTION.path, ("by", "word"))]
+    rows = [(by, word) for by, word in read_columns(files, SELECTION.key, ("by", "word"))]
     chosen: dict[str, list[str]] = {
         name: [word for by, word in rows if by == name] for name in (*_WORDS, *FILMED)
     }
@@ -124,5 +124,5 @@ def selection_in(files: Files) -> Selection:
         }
     )
     if selection_rows(selection) != rows or any(word not in _WORDS[by] for by, word in rows if by in _WORDS):
-        raise Damaged("results-cannot-read-take-whole-export-again", path=SELECTION.path, name="word")
+        raise Damaged("results-cannot-read-take-whole-export-again", path=SELECTION.key, name="word")
     return selection

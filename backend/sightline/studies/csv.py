@@ -37,6 +37,7 @@ PACKAGES: Table = Table(
         integer("counted", "accepted heights that count by what the survey says of its sample"),
         integer("out_of_sample", "accepted heights of vehicles out of the sample, which do not count"),
     ),
+    folder="",
 )
 FIGURES: Table = Table(
     "figures",
@@ -57,6 +58,7 @@ FIGURES: Table = Table(
         number("weighting_effect", "how much unequal weights alone widen an interval's square"),
         _REASON,
     ),
+    folder="",
 )
 ERRORS: Table = Table(
     "errors",
@@ -71,6 +73,7 @@ ERRORS: Table = Table(
         metres("low_m", "lower end of its 95 % interval"),
         metres("high_m", "upper end of its 95 % interval"),
     ),
+    folder="",
 )
 CLASSES: Table = Table(
     "classes",
@@ -84,6 +87,7 @@ CLASSES: Table = Table(
         _EFFECT,
         number("fleet_share", "its share in the fleet that was given"),
     ),
+    folder="",
 )
 PLANS: Table = Table(
     "plan",
@@ -97,6 +101,7 @@ PLANS: Table = Table(
         integer("vehicles_each", "so many vehicles each; empty: no number is enough"),
         metres("U95_m", "the U95 that is then expected"),
     ),
+    folder="",
 )
 RULES: Table = Table(
     "rules",
@@ -119,6 +124,7 @@ RULES: Table = Table(
         text("verdict", "verdict", required=True, enum=get_args(RuleVerdict)),
         _REASON,
     ),
+    folder="",
 )
 YEARS: Table = Table(
     "years",
@@ -138,6 +144,7 @@ YEARS: Table = Table(
         text("verdict", "more than noise, or not", enum=get_args(ComparisonVerdict)),
         _REASON,
     ),
+    folder="",
 )
 TABLES = (PACKAGES, FIGURES, RULES, YEARS, ERRORS, CLASSES, PLANS)
 

@@ -87,7 +87,7 @@ def insets_in(files: Files) -> dict[str, Inset]:
                 "u_inset_m": float(row["u_inset_m"]),
                 "note": unsafe(row["note"]),
             }
-            for row in read_rows(files, INSETS.path)
+            for row in read_rows(files, INSETS.key)
         }
     )
 
@@ -118,7 +118,7 @@ CLASSES: Table[VehicleClass] = Table(
 
 def class_sets_in(files: Files) -> dict[str, str]:
     """The set of each class by the class, as a package has it; empty for none."""
-    return dict(read_columns(files, CLASSES.path, ("category", "class_set")))
+    return dict(read_columns(files, CLASSES.key, ("category", "class_set")))
 
 
 SAMPLING: Table[Survey] = Table(
@@ -169,7 +169,7 @@ QUOTAS: Table[Quota] = Table(
 
 def sampling_in(files: Files) -> Sampling:
     """The rule of a package, without its quotas."""
-    (row,) = read_rows(files, SAMPLING.path)
+    (row,) = read_rows(files, SAMPLING.key)
     methods: dict[str, SamplingMethod] = {word: word for word in get_args(SamplingMethod)}
     return Sampling(
         method=methods[row["method"]],
@@ -184,7 +184,7 @@ def sampling_in(files: Files) -> Sampling:
 
 def asked_in(files: Files) -> Asked:
     """The targets that the survey of a package asks for."""
-    (row,) = read_rows(files, SAMPLING.path)
+    (row,) = read_rows(files, SAMPLING.key)
     known: dict[str, AskedTarget] = {word: word for word in get_args(AskedTarget)}
     by_day, in_low_light = (
         tuple(known[word] for word in row[f"asked_{lighting}"].split()) for lighting in get_args(Lighting)
@@ -194,6 +194,6 @@ def asked_in(files: Files) -> Asked:
 
 def place_in(files: Files) -> Place:
     """The place of a package's survey."""
-    (row,) = read_rows(files, SURVEY.path)
+    (row,) = read_rows(files, SURVEY.key)
     lamps: dict[str, StreetLamps] = {word: word for word in get_args(StreetLamps)}
     return record_in(Place, row, street_lamps=lamps.get(row["street_lamps"]))

@@ -20,7 +20,7 @@ def check_survey(files: Files, survey: Mapping[str, Any]) -> None:
     place = {name: survey.get(name) for name in PLACE}
     hold_all(files, SURVEY, [{"id": survey["id"], **words, **place}])
     insets: Mapping[str, Mapping[str, Any]] = survey.get("insets", {})
-    if {target for (target,) in read_columns(files, INSETS.path, ("target",))} != set(insets):
+    if {target for (target,) in read_columns(files, INSETS.key, ("target",))} != set(insets):
         # those of before roofs had insets by class
         insets = {name: asdict(one) for name, one in insets_of(insets).items()}
     hold_all(files, INSETS, ({**values, "target": name} for name, values in insets.items()))

@@ -31,7 +31,7 @@ export function Page() {
       </p>
     );
   }
-  const [survey] = found.rows("survey.csv");
+  const [survey] = found.rows("survey");
   return (
     <main class="opened">
       <header class="opened__head">
@@ -225,7 +225,7 @@ function Figures({ found }: { found: Opened }) {
 
 function Tables({ found }: { found: Opened }) {
   const others = found.about.tables.filter(
-    (one) => !["measurements.csv", "budget.csv", "crops.csv"].includes(one.path),
+    (one) => !["measurements", "budget", "crops"].includes(one.name),
   );
   return (
     <section class="opened__section" id="tables">
@@ -247,12 +247,12 @@ interface TableProps {
   path: string;
   name: TableName;
   columns: Readonly<Record<string, string>>;
-  rows: (path: string) => readonly Row[];
+  rows: (name: string) => readonly Row[];
 }
 
 function Table({ path, name: table, columns, rows }: TableProps) {
   const [isOpen, setOpen] = useState(false);
-  const all = isOpen ? rows(path) : [];
+  const all = isOpen ? rows(table) : [];
   const names = Object.keys(columns);
   return (
     <details class="opened__table" onToggle={(event) => setOpen(event.currentTarget.open)}>

@@ -31,7 +31,7 @@ interface About {
 export interface Opened {
   readonly about: About;
   readonly held: ReadonlyMap<string, Held>;
-  readonly rows: (path: string) => readonly Row[];
+  readonly rows: (name: string) => readonly Row[];
   /** what came out, and what was not covered */
   readonly conclusion: readonly Part[];
   readonly measurements: readonly Row[];
@@ -79,7 +79,9 @@ export async function open(): Promise<void> {
 async function read(): Promise<Opened> {
   const held = await heldFiles();
   const tables = new Map<string, readonly Row[]>();
-  const rows = (path: string) => {
+  const about = JSON.parse(document.getElementById("about")?.textContent ?? "{}") as About;
+  const rows = (name: string) => {
+    const path = about.tables.find((one) => one.name === name)?.path ?? "";
     const known = tables.get(path) ?? (held.has(path) ? rowsOf(textOf(held.get(path))) : []);
     tables.set(path, known);
     return known;
@@ -93,18 +95,17 @@ async function read(): Promise<Opened> {
     records.set(id, record);
     poses.set(id, poseOf(record.document));
   }
-  const about = JSON.parse(document.getElementById("about")?.textContent ?? "{}") as About;
-  const measurements = rows("measurements.csv");
-  const crops = grouped(rows("crops.csv"));
+  const measurements = rows("measurements");
+  const crops = grouped(rows("crops"));
   return {
     about,
     held,
     rows,
     conclusion: held.has(README) ? partsOf(textOf(held.get(README))).slice(0, 2) : [],
     measurements,
-    budget: grouped(rows("budget.csv")),
+    budget: grouped(rows("budget")),
     crops,
-    outside: about.only === null ? new Set() : outside(measurements, crops, rows("exclusions.csv")),
+    outside: about.only === null ? new Set() : outside(measurements, crops, rows("exclusions")),
     poses,
     records,
   };

@@ -64,7 +64,7 @@ def walk(files: Files, seal: Seal, headers: Mapping[str, Collection[str]]) -> Re
     """Check every link of audit.csv and gather what its events say. Raises Damaged.
 
     What came into the chain while the package was made, no table tells of. headers: the columns that the
-    package has, by table.
+    package has, by the table's key.
     """
     told = ReplayedState(MeasurementEvents(REPEATS, headers), seal.survey_id)
     for event in chain(files):

@@ -85,7 +85,7 @@ def check_heights(c: Checking) -> None:
     check_measurements(c.files, told.measurements, told.is_gone, told.drift.drift_flag, heights)
     check_repeats(c.files, told.measurements, told.is_gone, heights)
     c.found.heights = c.recomputing.equal
-    for path in (MEASUREMENTS.path, REPEATS.path):
+    for path in (MEASUREMENTS.key, REPEATS.key):
         if "out_of_date" in told.measurements.headers[path]:
             vehicles = told.replay.of("vehicle")
             follows_from = told.measurements.follows_from

@@ -52,29 +52,29 @@ def check_statistics(files: Files, *, same_program: bool) -> tuple[PackageStatis
     """
     try:
         found = statistics_of(files)
-        own = {EXCLUSIONS.path: exclusion_rows(files), RESPONSE.path: response_rows(files)}
+        own = {EXCLUSIONS.key: exclusion_rows(files), RESPONSE.key: response_rows(files)}
         rows = {**own, **statistics_rows(found)}
         compared = {
-            table.path: _compare(files, table, rows[table.path]) for table in (EXCLUSIONS, RESPONSE, *TABLES)
+            table.key: _compare(files, table, rows[table.key]) for table in (EXCLUSIONS, RESPONSE, *TABLES)
         }
     except (Damaged, BadInput, LookupError, ValueError, TypeError) as difference:
         if same_program:
             raise
         return None, 0, getattr(difference, "message", "") or repr(difference)
-    return found, sum(count for path, count in compared.items() if path != EXCLUSIONS.path), ""
+    return found, sum(count for path, count in compared.items() if path != EXCLUSIONS.key), ""
 
 
 def _compare(files: Files, table: Table, rows: Iterable[Row]) -> int:
     count = 0
-    for at, (told, row) in enumerate(zip_longest(read_rows(files, table.path), rows), start=2):
+    for at, (told, row) in enumerate(zip_longest(read_rows(files, table.key), rows), start=2):
         if told is None or row is None:
-            raise Damaged("export-too-rows-changed", path=table.path, value="few" if told is None else "many")
+            raise Damaged("export-too-rows-changed", path=table.key, value="few" if told is None else "many")
         for column in table.columns:
             found = cell_text(column, row.get(column.name))
             if not same_cell(column, told[column.name], found):
                 raise Damaged(
                     "export-line-says-rows-give-one-wrong",
-                    path=table.path,
+                    path=table.key,
                     at=at,
                     name=column.name,
                     told=told[column.name] or "nothing",

@@ -46,8 +46,8 @@ class Described:
 
     @cached_property
     def headers(self) -> Mapping[str, frozenset[str]]:
-        """The columns of each table by its path."""
-        return {table.path: frozenset(table.header) for table in self.tables}
+        """The columns of each table by its key."""
+        return {table.key: frozenset(table.header) for table in self.tables}
 
     @cached_property
     def mine(self) -> Mapping[str, str]:
@@ -74,7 +74,7 @@ class Described:
     @property
     def most_frames(self) -> int:
         """For how many frames of a measurement the package has columns."""
-        return count_frames(self.headers.get(MEASUREMENTS.path, ()))
+        return count_frames(self.headers.get(MEASUREMENTS.key, ()))
 
     def read_in_its_format(self, files: Files, mine: Sequence[AnyTable]) -> Files:
         """The package, with nothing in the tables and columns of this program (`mine`) that it lacks."""

@@ -98,7 +98,7 @@ def _check(files: Files, head: str | None, key: str | None, found: PackageCheck,
     written = checksums(files)
     tick(0.1)
     described = read_description(files)
-    check_forms(files, {CLICKS_FOLDER: CLICKS.path})
+    check_forms(files, {CLICKS_FOLDER: CLICKS.key})
     seal = read_seal(files)
     told = walk(files, seal, described.headers)
     found.checked, found.head_hash = told.count, told.head
@@ -129,14 +129,14 @@ def _check_rows(checking: Checking) -> None:
     same_words = described.is_made_alike(WORDS)
     if same_words:
         # what is excluded has the words of people too; it is derived, and held against its sources
-        headers = {path: one for path, one in described.headers.items() if path != EXCLUSIONS.path}
+        headers = {path: one for path, one in described.headers.items() if path != EXCLUSIONS.key}
         check_words(checking.files, headers)
     _check_parts(STORED, checking)
     found.keys = check_keys(checking.files, described.tables)
     if recomputing.differing:
         values: dict[str, str | int] = {"count": recomputing.differing, "first": recomputing.first}
         found.tell("heights", [say("export-heights-of-another-version", values)])
-    if not same_words and f"reason{CODE}" in described.headers[REVISIONS.path]:
+    if not same_words and f"reason{CODE}" in described.headers[REVISIONS.key]:
         found.tell("words", [say("export-words-sealed-only", {})])
 
 

@@ -26,4 +26,5 @@ AUDIT: Table[Row] = Table(
         text("hash", "hash of this event", required=True),
     ),
     primary=("number",),
+    folder="",
 )

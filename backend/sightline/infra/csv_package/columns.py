@@ -145,7 +145,7 @@ def said_in(code: str) -> Said | list[Said] | None:
 
 
 def check_words(files: Files, headers: Mapping[str, Collection[str]]) -> None:
-    """Every cell of words is what the codes beside it say in this program's words; `headers` by path.
+    """Every cell of words is what the codes beside it say in this program's words; `headers` by key.
 
     Raises Damaged.
     """

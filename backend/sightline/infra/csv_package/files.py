@@ -24,6 +24,7 @@ from typing import BinaryIO, Generic, Protocol, TypeVar, cast, get_type_hints
 from sightline.errors import BadInput, Damaged
 from sightline.infra.csv_package.schema import (
     CHECKSUMS,
+    TABLES,
     AnyTable,
     Cell,
     Column,
@@ -34,6 +35,7 @@ from sightline.infra.csv_package.schema import (
     cell_text,
     safe_text,
     sha256_hex,
+    table_key,
 )
 from sightline.media.store.local import no_room_told
 
@@ -366,16 +368,16 @@ class EarlierFiles:
     def __init__(self, files: Files, mine: Sequence[AnyTable], theirs: Sequence[AnyTable]) -> None:
         self._files = files
         self.paths = files.paths
-        headers = {table.path: table.header for table in theirs}
-        #: The columns of this program that a table lacks, by path; of a table that is not there, all.
+        headers = {table.key: table.header for table in theirs}
+        #: The columns of this program that a table lacks, by key; of a table that is not there, all.
         self.lacking = {
-            table.path: lacking
+            table.key: lacking
             for table in mine
-            if (lacking := frozenset(table.header) - set(headers.get(table.path, ())))
+            if (lacking := frozenset(table.header) - set(headers.get(table.key, ())))
         }
 
     def open(self, path: str) -> AbstractContextManager[BinaryIO]:
-        if path not in self.paths and path in self.lacking:
+        if path not in self.paths and table_key(path) in self.lacking:
             return nullcontext(io.BytesIO())
         return self._files.open(path)
 
@@ -388,7 +390,7 @@ class _EarlierRow(dict[str, str]):
 
 
 def _lacking(files: Files, path: str) -> frozenset[str]:
-    return files.lacking.get(path, frozenset()) if isinstance(files, EarlierFiles) else frozenset()
+    return files.lacking.get(table_key(path), frozenset()) if isinstance(files, EarlierFiles) else frozenset()
 
 
 def open_package(place: Path) -> Files:
@@ -397,6 +399,23 @@ def open_package(place: Path) -> Files:
         return FolderFiles(place) if place.is_dir() else ZipFiles(place)
     except (OSError, zipfile.BadZipFile, RuntimeError) as error:
         raise BadInput("csv_package-cannot-read-export-name-folder-zip", place=place) from error
+
+
+def place_of(files: Files, table: str) -> str:
+    """Where a table, by its path or key, lies in a package of any format: in its folder or in the root.
+
+    Raises Damaged for one that lies in both.
+    """
+    found = [path for path in places_of(table) if path in files.paths]
+    if len(found) > 1:
+        raise Damaged("csv_package-table-twice", path=table_key(table))
+    return found[0] if found else table
+
+
+def places_of(table: str) -> tuple[str, ...]:
+    """The paths that a table, by its path or key, may have; the present format's first."""
+    key = table_key(table)
+    return (key,) if "/" in key else (f"{TABLES}{key}", key)
 
 
 def sum_of(files: Files, path: str) -> Written:
@@ -416,7 +435,10 @@ def read_whole(files: Files, path: str) -> bytes:
 
 
 def read_rows(files: Files, path: str) -> Iterator[dict[str, str]]:
-    """The rows of one CSV, by column. Raises Damaged where it is missing or no CSV."""
+    """The rows of one CSV, by column; a table's wherever it lies (`place_of`). Raises Damaged where it is
+    missing or no CSV.
+    """
+    path = place_of(files, path)
     lacking = _lacking(files, path)
     with files.open(path) as file:
         text = io.TextIOWrapper(file, encoding="utf-8", newline="")
@@ -433,6 +455,7 @@ def read_rows(files: Files, path: str) -> Iterator[dict[str, str]]:
 
 def read_header(files: Files, path: str) -> list[str]:
     """The names of one CSV's columns. Raises Damaged where it is missing or no CSV."""
+    path = place_of(files, path)
     with files.open(path) as file:
         first = file.readline()
     try:
@@ -443,6 +466,7 @@ def read_header(files: Files, path: str) -> list[str]:
 
 def read_columns(files: Files, path: str, names: tuple[str, ...]) -> Iterator[list[str]]:
     """Some columns of one CSV, row by row: several times as quick as `read_rows`. Raises Damaged."""
+    path = place_of(files, path)
     lacking = _lacking(files, path)
     with files.open(path) as file:
         text = io.TextIOWrapper(file, encoding="utf-8", newline="")

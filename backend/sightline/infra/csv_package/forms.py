@@ -15,7 +15,7 @@ from itertools import islice
 from typing import Any, BinaryIO
 
 from sightline.errors import Damaged
-from sightline.infra.csv_package.files import Files, read_header, read_whole
+from sightline.infra.csv_package.files import Files, place_of, read_header, read_whole
 from sightline.infra.csv_package.schema import DESCRIPTION, json_bytes
 
 _ROWS_AT_ONCE = 2000
@@ -44,7 +44,7 @@ def _each_once(pairs: Sequence[tuple[str, Any]]) -> dict[str, Any]:
 
 def check_forms(files: Files, alike: Mapping[str, str]) -> None:
     """Every CSV and JSON file has its one form. `alike`: folders whose tables are like a described one, by
-    that one's path. Raises Damaged.
+    that one's key. Raises Damaged.
     """
     described = _described(files)
     for path in sorted(files.paths):
@@ -52,7 +52,7 @@ def check_forms(files: Files, alike: Mapping[str, str]) -> None:
             read_json(files, path)
         elif path.endswith(".csv"):
             folder = path.rpartition("/")[0] + "/"
-            like = path if path in described else alike.get(folder, "")
+            like = path if path in described else place_of(files, alike.get(folder, ""))
             _check_table(files, path, described.get(like, []))
 
 

@@ -96,18 +96,18 @@ def hold(
         tuple(cell_text(columns[name], one[name]) for name in names) or (str(at),): one
         for at, one in enumerate(expected, start=1)
     }
-    for at, row in enumerate(read_rows(files, table.path), start=1):
+    for at, row in enumerate(read_rows(files, table.key), start=1):
         key = tuple(row[name] for name in names) or (str(at),)
         told = wanted.pop(key, None)
         if told is None:
-            raise Damaged("csv_package-row-of-no-event", path=table.path, key=" ".join(key))
+            raise Damaged("csv_package-row-of-no-event", path=table.key, key=" ".join(key))
         name = first_difference(columns, row, told)
         if name is not None:
             said = " ".join(row[each] for each in table.primary) or str(at)
-            raise Damaged("csv_package-row-not-as-its-events", path=table.path, name=name, key=said)
+            raise Damaged("csv_package-row-not-as-its-events", path=table.key, name=name, key=said)
         yield row
     if wanted:
-        raise Damaged("csv_package-row-missing", path=table.path, key=" ".join(min(wanted)))
+        raise Damaged("csv_package-row-missing", path=table.key, key=" ".join(min(wanted)))
 
 
 def hold_all(files: Files, table: AnyTable, expected: Iterable[Cells], *, in_order: bool = False) -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
@@ -16,6 +17,8 @@ from typing import Any, Generic, Never
 import orjson
 from typing_extensions import TypeVar
 
+from sightline.errors import Damaged
+
 Cell = str | int | float | bool | None
 Cells = dict[str, Cell]
 Row = Mapping[str, Cell]
@@ -23,11 +26,11 @@ Row = Mapping[str, Cell]
 Record = TypeVar("Record", contravariant=True, default=Row)
 
 #: What a reader has to know to read a package. Another table or column is no other format: packages are read
-#: by #: their own description. Format 1 stated no number.
-FORMAT = 2
+#: by their own description. Format 1 stated no number; up to format 2 the tables of `TABLES` lay in the root.
+FORMAT = 3
 CHECKSUMS = "SHA256SUMS"
 DESCRIPTION = "datapackage.json"
-PARQUET = "parquet/"
+TABLES, PARQUET = "tables/", "parquet/"
 _JSON_FORM = (
     orjson.OPT_INDENT_2 | orjson.OPT_APPEND_NEWLINE | orjson.OPT_NON_STR_KEYS | orjson.OPT_SERIALIZE_NUMPY
 )
@@ -79,11 +82,16 @@ class Table(Generic[Record]):
     primary: tuple[str, ...] = ()
     foreign: tuple[tuple[tuple[str, ...], str, tuple[str, ...]], ...] = ()
 
-    folder: str = ""
+    folder: str = TABLES
 
     @property
     def path(self) -> str:
         return f"{self.folder}{self.name}.csv"
+
+    @property
+    def key(self) -> str:
+        """What a package of any format knows it by (`table_key`)."""
+        return table_key(self.path)
 
     @property
     def header(self) -> list[str]:
@@ -122,9 +130,14 @@ def safe_text(text: str) -> str:
     return text
 
 
+def table_key(path: str) -> str:
+    """A table's path without `TABLES`: the same in packages of every format."""
+    return path.removeprefix(TABLES)
+
+
 def parquet_path(csv_path: str) -> str:
-    """Where the Parquet of a table is."""
-    return f"{PARQUET}{csv_path.removesuffix('.csv')}.parquet"
+    """Where the Parquet of a table is, by its path or key."""
+    return f"{PARQUET}{table_key(csv_path).removesuffix('.csv')}.parquet"
 
 
 def record_path(kind: str, row_id: int) -> str:
@@ -197,8 +210,14 @@ class About:
 
 
 def tables_described(description: Mapping[str, Any]) -> tuple[AnyTable, ...]:
-    """The tables of a package by its own description. Raises KeyError, TypeError for one of another form."""
-    return tuple(_table_of(one) for one in description["resources"] if "schema" in one)
+    """The tables of a package by its own description. Raises KeyError, TypeError for one of another form,
+    Damaged for a table that is described twice.
+    """
+    tables = tuple(_table_of(one) for one in description["resources"] if "schema" in one)
+    for key, count in Counter(table.key for table in tables).items():
+        if count > 1:
+            raise Damaged("csv_package-table-twice", path=key)
+    return tables
 
 
 def _table_of(resource: Mapping[str, Any]) -> AnyTable:

@@ -66,11 +66,11 @@ def check_records(
 
     `expected`: the hash of each record's content by number; `values_of`: its cells by column. Raises Damaged.
     """
-    rows = {int(row["id"]): row for row in read_rows(files, table.path)}
+    rows = {int(row["id"]): row for row in read_rows(files, table.key)}
     columns = {column.name: column for column in table.columns}
     if set(rows) != set(expected):
         odd = min(set(rows) ^ set(expected))
-        raise Damaged("csv_package-without-audit-event-missing", path=table.path, kind_name=kind, odd=odd)
+        raise Damaged("csv_package-without-audit-event-missing", path=table.key, kind_name=kind, odd=odd)
     for id_, row in rows.items():
         path = record_path(kind, id_)
         record = json.loads(read_whole(files, path))
@@ -82,7 +82,7 @@ def check_records(
         if stamped != [stamp(record["created_at"]), str(record["created_by"] or "")]:
             raise Damaged(
                 "csv_package-made-others-another-time-says",
-                path=table.path,
+                path=table.key,
                 kind_name=kind,
                 id=id_,
                 path_2=path,
@@ -91,5 +91,5 @@ def check_records(
         told = {name: text for name, text in row.items() if text and name not in _ELSEWHERE}
         if first_difference(columns, told, values) is not None:
             raise Damaged(
-                "csv_package-differs-one-changed", path=table.path, kind_name=kind, id=id_, path_2=path
+                "csv_package-differs-one-changed", path=table.key, kind_name=kind, id=id_, path_2=path
             )

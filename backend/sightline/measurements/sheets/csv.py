@@ -135,5 +135,5 @@ def counting_in(files: Files) -> dict[str, bool]:
     """
     return {
         row["id"]: row["check_target"] != "true" and row.get("counts", "true") == "true"
-        for row in read_rows(files, VEHICLES.path)
+        for row in read_rows(files, VEHICLES.key)
     }

@@ -14,7 +14,7 @@ def check_repeats(
     files: Files, events: MeasurementEvents, is_gone: Callable[[int], bool], heights: Recomputed
 ) -> None:
     """Compute the height of every repeat again. `is_gone`: whether a vehicle was deleted. Raises Damaged."""
-    for row in read_rows(files, REPEATS.path):
+    for row in read_rows(files, REPEATS.key):
         number = int(row["id"])
         heights.check(f"repeats.csv: {number}", row, events.programs_of_repeats.get(number, ""))
         stored = {**row, "out_of_date": ""}  # its mark follows from more than its event

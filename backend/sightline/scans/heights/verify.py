@@ -48,10 +48,10 @@ def check_line_heights(
     """
     _out_of_date(files)
     marks: dict[int, list[Row]] = defaultdict(list)
-    for row in read_rows(files, LINE_MARKS.path):
+    for row in read_rows(files, LINE_MARKS.key):
         marks[int(row["pose_id"])].append(row)
     poses, versions = {}, {}
-    for row in read_rows(files, LINE_POSES.path):
+    for row in read_rows(files, LINE_POSES.key):
         number, mine = int(row["id"]), marks.pop(int(row["id"]), [])
         versions[number] = row["code_version"]
         rod = _rod(row, mine, told_poses[number])
@@ -59,7 +59,7 @@ def check_line_heights(
             poses[number] = _pose(row, rod, mine)
     if marks:
         raise Damaged(
-            "scans-calibration-no-row", path=LINE_MARKS.path, marks=min(marks), path_2=LINE_POSES.path
+            "scans-calibration-no-row", path=LINE_MARKS.key, marks=min(marks), path_2=LINE_POSES.key
         )
     _heights(files, poses, versions, recomputing)
 
@@ -103,10 +103,10 @@ def _out_of_date(files: Files) -> None:
     scans = dict(read_columns(files, "scan_vehicles.csv", ("id", "scan_id")))
     category = dict(read_columns(files, "scan_vehicles.csv", ("id", "category")))
     newest: dict[str, tuple[int, int]] = {}
-    for row in read_rows(files, LINE_POSES.path):
+    for row in read_rows(files, LINE_POSES.key):
         of_scan = newest.get(row["scan_id"], (0, 0))
         newest[row["scan_id"]] = max(of_scan, (int(row["revision"]), int(row["id"])))
-    for row in read_rows(files, LINE_HEIGHTS.path):
+    for row in read_rows(files, LINE_HEIGHTS.key):
         found: tuple[ComputingCause, ...] = ()
         if row["current"] == "true" and row["withdrawn"] != "true":
             clicks, of = _clicks(row), row["vehicle_id"]
@@ -119,7 +119,7 @@ def _out_of_date(files: Files) -> None:
                 insets=insets,
             )
         if row["out_of_date"] != joined(found):
-            raise Damaged("computing-out-of-date-not-so", path=LINE_HEIGHTS.path, id=row["id"])
+            raise Damaged("computing-out-of-date-not-so", path=LINE_HEIGHTS.key, id=row["id"])
 
 
 def line_height_put_back(then: Row, row: Row) -> bool:
@@ -132,13 +132,13 @@ def _rod(row: Row, marks: list[Row], told: Mapping[str, Any]) -> Rod:
     numbers = ("distance_m", "height_m", "row_px", "line")
     clicked = tuple(Mark(*(float(mark[column]) for column in numbers)) for mark in marks)
     if [asdict(mark) for mark in clicked] != told["marks"]:
-        raise Damaged("scans-marks-calibration-not-those-event", path=LINE_MARKS.path, id=row["id"])
+        raise Damaged("scans-marks-calibration-not-those-event", path=LINE_MARKS.key, id=row["id"])
     sigma_px = float(row["sigma_px"]) if row["sigma_px"] else None
     return Rod(clicked, sigma_px, float(row["u_distance_m"]), float(row["u_lean_rad"]))
 
 
 def _pose(row: Row, rod: Rod, marks: list[Row]) -> LinePose:
-    name = f"{LINE_POSES.path}: calibration {row['id']}"
+    name = f"{LINE_POSES.key}: calibration {row['id']}"
     try:
         pose = solve(rod)
     except LinePoseError as error:
@@ -148,7 +148,7 @@ def _pose(row: Row, rod: Rod, marks: list[Row]) -> LinePose:
     _same(name, row, "rms_px", pose.rms_px)
     for number, (mark, one) in enumerate(zip(rod.marks, marks, strict=True), 1):
         model = float(pose.rows_of(mark.distance_m, mark.height_m))
-        _same(f"{LINE_MARKS.path}: mark {number} of {row['id']}", one, "residual_px", model - mark.row_px)
+        _same(f"{LINE_MARKS.key}: mark {number} of {row['id']}", one, "residual_px", model - mark.row_px)
     return pose
 
 
@@ -157,11 +157,11 @@ def _heights(
 ) -> None:
     """`versions`: the one that solved each calibration, which this version may solve otherwise."""
     budget: dict[str, list[Row]] = defaultdict(list)
-    for row in read_rows(files, LINE_BUDGET.path):
+    for row in read_rows(files, LINE_BUDGET.key):
         budget[row["height_id"]].append(row)
     newest: dict[tuple[str, str], Row] = {}
     marked: set[str] = set()
-    for row in read_rows(files, LINE_HEIGHTS.path):
+    for row in read_rows(files, LINE_HEIGHTS.key):
         pose_id, mine = int(row["pose_id"]), budget.pop(row["id"], [])
         with recomputing.of(LINES, row["code_version"], versions[pose_id]):
             _height(row, answer(poses[pose_id], _clicks(row)), mine)
@@ -172,15 +172,15 @@ def _heights(
         if row["current"] == "true":
             marked.add(row["id"])
     if marked != {row["id"] for row in newest.values()}:
-        raise Damaged("scans-row-marked-current-not-newest-revision", path=LINE_HEIGHTS.path)
+        raise Damaged("scans-row-marked-current-not-newest-revision", path=LINE_HEIGHTS.key)
     if budget:
         raise Damaged(
-            "scans-height-no-row", path=LINE_BUDGET.path, budget=min(budget), path_2=LINE_HEIGHTS.path
+            "scans-height-no-row", path=LINE_BUDGET.key, budget=min(budget), path_2=LINE_HEIGHTS.key
         )
 
 
 def _height(row: Row, found: LineHeight, budget: list[Row]) -> None:
-    name = f"{LINE_HEIGHTS.path}: height {row['id']}"
+    name = f"{LINE_HEIGHTS.key}: height {row['id']}"
     if row["status"] != found.status:
         raise Damaged(
             "measurements-says-clicks-give-one-wrong", name=name, status=row["status"], status_2=found.status
@@ -188,9 +188,9 @@ def _height(row: Row, found: LineHeight, budget: list[Row]) -> None:
     for column in _FIGURES:
         _same(name, row, column, getattr(found, column))
     if [one["source"] for one in budget] != [one.source for one in found.budget]:
-        raise Damaged("scans-sources-height-not-those-clicks", path=LINE_BUDGET.path, id=row["id"])
+        raise Damaged("scans-sources-height-not-those-clicks", path=LINE_BUDGET.key, id=row["id"])
     for told, entry in zip(budget, found.budget, strict=True):
-        _same(f"{LINE_BUDGET.path}: {entry.source} of height {row['id']}", told, "u_m", entry.u_m)
+        _same(f"{LINE_BUDGET.key}: {entry.source} of height {row['id']}", told, "u_m", entry.u_m)
 
 
 def _clicks(row: Row) -> Clicks:

@@ -36,7 +36,7 @@ def check_references(
             if rows[one.reference.id][column.name] != cell_text(column, column.of(one)):
                 raise Damaged(
                     "scans-reference-does-not-follow",
-                    path=SCAN_REFERENCES.path,
+                    path=SCAN_REFERENCES.key,
                     name=column.name,
                     number=one.reference.id,
                 )

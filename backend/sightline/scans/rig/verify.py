@@ -38,16 +38,16 @@ def check_rig_calibrations(
 ) -> None:
     """Solve each calibration again. `told`: what their audit events say. Raises Damaged."""
     passes: dict[int, list[Row]] = defaultdict(list)
-    for row in read_rows(files, RIG_PASSES.path):
+    for row in read_rows(files, RIG_PASSES.key):
         passes[int(row["calibration_id"])].append(row)
-    for row in read_rows(files, RIG_CALIBRATIONS.path):
+    for row in read_rows(files, RIG_CALIBRATIONS.key):
         number = int(row["id"])
         rows = passes.pop(number, [])
         given = _given(row, rows, told[number])
         with recomputing.of(LINES, row["code_version"]):
             _calibration(row, rows, given)
     if passes:
-        raise Damaged("scans-rig-passes-without", path=RIG_PASSES.path, id=min(passes))
+        raise Damaged("scans-rig-passes-without", path=RIG_PASSES.key, id=min(passes))
 
 
 def _given(row: Row, rows: list[Row], told: Mapping[str, Any]) -> list[RigPass]:
@@ -56,7 +56,7 @@ def _given(row: Row, rows: list[Row], told: Mapping[str, Any]) -> list[RigPass]:
         {"name": one["pass"], **{name: float(one[name]) for name in GIVEN if one[name]}} for one in rows
     ]
     if given != told["passes"] or [int(one["number"]) for one in rows] != list(range(1, len(rows) + 1)):
-        raise Damaged("scans-rig-passes-not-those", path=RIG_PASSES.path, id=row["id"])
+        raise Damaged("scans-rig-passes-not-those", path=RIG_PASSES.key, id=row["id"])
     return [RigPass(**one) for one in given]
 
 
@@ -65,20 +65,20 @@ def _calibration(row: Row, rows: list[Row], passes: list[RigPass]) -> None:
     try:
         found = solve_passes(passes, common)
     except BadInput as error:
-        raise Damaged("scans-rig-cannot-be-solved", path=RIG_CALIBRATIONS.path, id=row["id"]) from error
+        raise Damaged("scans-rig-cannot-be-solved", path=RIG_CALIBRATIONS.key, id=row["id"]) from error
     values = calibration_values(passes, common, found)
     for name in _FIGURES:
         _same(RIG_CALIBRATIONS, row, name, getattr(values, name), row["id"])
     if int(row["degrees_of_freedom"]) != found.degrees_of_freedom:
         raise Damaged(
             "scans-rig-not-what-passes-give",
-            path=RIG_CALIBRATIONS.path,
+            path=RIG_CALIBRATIONS.key,
             name="degrees_of_freedom",
             id=row["id"],
         )
     for one, fitted in zip(rows, found.passes, strict=True):
         if one["kind"] != fitted.kind:
-            raise Damaged("scans-rig-not-what-passes-give", path=RIG_PASSES.path, name="kind", id=row["id"])
+            raise Damaged("scans-rig-not-what-passes-give", path=RIG_PASSES.key, name="kind", id=row["id"])
         for name in ("span_m", "u_span_m", "residual_m"):
             _same(RIG_PASSES, one, name, getattr(fitted, name), row["id"])
 

@@ -45,5 +45,5 @@ def photos_in(files: Files) -> tuple[PhotographFile, ...]:
     """The photographs of a package for its report."""
     return tuple(
         PhotographFile(unsafe(row["caption"]) or unsafe(row["name"]), read_whole(files, row["file"]))
-        for row in read_rows(files, PHOTOGRAPHS.path)
+        for row in read_rows(files, PHOTOGRAPHS.key)
     )

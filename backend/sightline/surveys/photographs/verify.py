@@ -26,4 +26,4 @@ def check_photographs(files: Files, replay: Replay, written: Mapping[str, Writte
             raise Damaged("surveys-not-photograph-audit-event-names-exchanged", file=row["file"])
         strange.discard(row["file"])
     if strange:
-        raise Damaged("surveys-no-row-put", strange=min(strange), path=PHOTOGRAPHS.path)
+        raise Damaged("surveys-no-row-put", strange=min(strange), path=PHOTOGRAPHS.key)
