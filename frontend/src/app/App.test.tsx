@@ -85,12 +85,12 @@ const survey: Survey = {
     rejected: 1,
   },
   steps: [
-    { key: "camera", state: "done", summary: [{ code: "overview-calibrated", values: { count: 1 } }] },
-    { key: "recordings", state: "next", summary: [{ code: "overview-drop-video", values: {} }] },
+    { key: "camera", state: "done", summary: [{ code: "overview-calibrated", values: { count: 1 }, message: "" }] },
+    { key: "recordings", state: "next", summary: [{ code: "overview-drop-video", values: {}, message: "" }] },
   ],
   scans: {
     state: "none",
-    summary: [{ code: "overview-no-scans", values: {} }],
+    summary: [{ code: "overview-no-scans", values: {}, message: "" }],
     scans: 0,
     ready: 0,
     vehicles: 0,
