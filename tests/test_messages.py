@@ -3,7 +3,6 @@
 import ast
 import re
 from collections.abc import Iterator
-from dataclasses import replace
 from datetime import date, datetime
 from functools import cache
 from pathlib import Path
@@ -21,9 +20,6 @@ from sightline.export.package_tables import tables_of
 from sightline.export.page import explained
 from sightline.media.video.sniff import OTHERS
 from sightline.messages.recognised import COLUMNS, KEYS, translated, translated_meaning
-from sightline.results.overview import query
-from sightline.results.overview.records import SurveyCounts
-from sightline.scans import progress_query
 from sightline.statistics import wording
 
 PACKAGE = Path(sightline.__file__).parent
@@ -346,29 +342,10 @@ def _template(node: ast.AST) -> str:
 
 def pieced_together() -> list[str]:
     """Sentences that functions make of several pieces, as they stand in answers."""
-    counts = SurveyCounts(recordings=3, vehicles=2, vehicles_measured=1, not_visible=1, measurements=2)
     said = []
     for n in (0, 1, 2):
-        done = {"failed": 0, "confirmed": 0, "posed": 0}
-        facts = query._Facts(cameras=2, calibrated_cameras=n, ready=n, exports=n, **done)
-        many = replace(counts, to_review=n, rejected=n, accepted=n, vehicles=max(n, 1), not_visible=n)
-        all_of = replace(many, vehicles_measured=many.vehicles)
-        said += [query._camera_words(facts), query._recording_words(many, facts), query._pose_words(facts)]
-        said += [query._pose_words(replace(facts, posed=n)), query._review_words(many, n)]
-        said += [query._vehicle_words(replace(many, vehicles_measured=0)), query._result_words(facts)]
-        reviewed = query._review_words(replace(many, to_review=0, rejected=0), 0)
-        said += [query._vehicle_words(all_of), reviewed]
-        said += [query._recording_words(many, replace(facts, confirmed=n))]
-        said += [query._recording_words(replace(many, recordings=1), replace(facts, confirmed=n))]
         said += [f"A density needs at least 10 vehicles; {wording.there_are(n)}."]
         said += [f"{wording.are_too_few(n)} for an interval{of}; 5 are needed" for of in ("", _OF_SPREAD)]
-    for n in (1, 2):
-        of_scans = {"failed": n, "reading": n, "ready": n, "heights": n, "heights_to_review": n}
-        said.append(progress_query._progress(of_scans).summary)
-        said.append(progress_query._progress({"vehicles": n, "to_review": n, "ready": n}).summary)
-        done = {"vehicles": 3, "accepted": n, "not_measurable": n, "heights": n, "heights_accepted": n}
-        said.append(progress_query._progress(done).summary)
-        said.append(progress_query._progress({**done, "vehicles": 1}).summary)
     return [*said, *(what.removesuffix(", not a video") for _, what in OTHERS)]
 
 
@@ -440,9 +417,12 @@ def told() -> dict[str, str]:
 
 
 def test_what_is_told_in_english_is_said_by_its_text() -> None:
-    two = "Review 13 measurements. Remeasure 1 rejected measurement."
+    two = "Audit event 13 of survey 2 is missing; restore a backup. The measurement was withdrawn."
     assert translated(two, "en") == two
-    assert translated(two, "fr") == "Vérifiez 13 mesures. Mesurez à nouveau une mesure rejetée."
+    first, last = translated(two, "fr").split(". ")
+    assert (
+        first.startswith("L’événement d’audit 13 de survey 2 manque") and last == "La mesure a été retirée."
+    )
 
 
 def test_every_column_that_a_package_s_page_explains_is_explained_in_every_language() -> None:

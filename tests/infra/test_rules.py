@@ -122,8 +122,8 @@ def test_the_steps_of_a_survey_lead_on(session: Session) -> None:
     confirmed: RecordingChanges = {"lighting": "daytime", "filming": filming}
     update_recording(session, recording.id, confirmed, actor=None)
     assert steps() == ["done", "done", "done", "next", "waiting", "waiting"]
-    words = [step.summary for step in survey_overview(session, survey.id).steps]
-    assert all(sentence.endswith(".") and sentence.count(".") == 1 for sentence in words)
+    words = [str(one) for step in survey_overview(session, survey.id).steps for one in step.summary]
+    assert len(words) == 6 and all(one.endswith(".") and one.count(".") == 1 for one in words)
 
 
 def test_nobody_reviews_their_own(session: Session, one: Sample) -> None:

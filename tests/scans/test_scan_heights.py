@@ -135,7 +135,8 @@ def test_a_height_is_reviewed_by_somebody_else(
     (row,) = viewer.seen(f"{asked}?accepted_only=false")["heights"]
     assert (row["n"], row["to_review"]) == (1, 1)
     progress = viewer.seen(survey)["scans"]
-    assert "Review 1 of 1 height." in progress["summary"] and progress["heights_to_review"] == 1
+    assert "Review 1 of 1 height." in [one["message"] for one in progress["summary"]]
+    assert progress["heights_to_review"] == 1
     reviewer.made(verdict, {**seen, "verdict": "accepted"})
     (row,) = viewer.seen(asked)["heights"]
     assert (row["n"], row["to_review"], row["mean_m"]) == (1, 0, made["height_m"])

@@ -7,6 +7,7 @@ import pytest
 from sqlalchemy.orm import Session
 
 from sightline.errors import Conflict
+from sightline.messages.said import Said
 from sightline.results.overview.query import survey_overview
 from sightline.scans.rig.service import rig_of_traffic
 from sightline.scans.store import update_scan
@@ -47,14 +48,16 @@ def test_a_survey_tells_of_its_line_scans(session: Session) -> None:
     told = survey_overview(session, one.survey.id).scans
     assert (told.state, told.scans) == ("none", 0)
     scans_samples.scan(session, one)
-    assert "still being imported" in survey_overview(session, one.survey.id).scans.summary
+    (said,) = survey_overview(session, one.survey.id).scans.summary
+    assert str(said) == "1 line scan still being imported."
     scan = scans_samples.ready(session, one)
-    assert "Find the vehicles of 1 line scan" in survey_overview(session, one.survey.id).scans.summary
+    assert Said("overview-scans-find", count=1) in survey_overview(session, one.survey.id).scans.summary
     measured = vehicles(session, one, scan.id, [2.6, 2.6])
     add_scan_review(session, measured[0], verdict="accepted", actor=one.rene.id)
     told = survey_overview(session, one.survey.id).scans
     assert (told.state, told.scans, told.ready, told.vehicles) == ("open", 2, 1, 2)
-    assert (told.to_review, told.accepted) == (1, 1) and "Review 1 of 2 vehicles." in told.summary
+    assert (told.to_review, told.accepted) == (1, 1)
+    assert "Review 1 of 2 vehicles." in map(str, told.summary)
     assert any(step.state == "next" for step in survey_overview(session, one.survey.id).steps)
     alone = create_survey(session, name="Scans only", site="", description="", actor=one.olga.id)
     empty = survey_overview(session, alone.id)

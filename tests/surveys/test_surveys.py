@@ -41,7 +41,10 @@ def test_recordings_are_not_done_before_their_facts_are_confirmed(
         for step in operator.seen(f"/surveys/{survey_id}")["steps"]
         if step["key"] == "recordings"
     ]
-    assert said == "1 of 1 recording ready. Confirm lighting and start of 1 recording."
+    assert [one["message"] for one in said] == [
+        "1 of 1 recording ready.",
+        "Confirm lighting and start of 1 recording.",
+    ]
     operator.put(f"/recordings/{recording_id}", {"lighting": "daytime"})
     assert states(operator, survey_id)["recordings"] == "begun"
     start = {"local": "2026-05-03T08:10:00", "time_zone": "Europe/Paris"}

@@ -3756,6 +3756,94 @@ survey-traffic = Traffic keeps { $traffic ->
 survey-asked = Targets by day: { $daytime }; in low light: { $low_light }.
 survey-traffic-unsaid = The traffic side and the camera position are not set. Eye heights are computed when you set them, for existing clicks too.
 survey-traffic-say = Set
+overview-calibrated = { $count ->
+    [one] 1 camera calibrated.
+   *[other] { $count } cameras calibrated.
+}
+overview-calibrate = Calibrate the camera from images of the checkerboard, or import a calibration.
+overview-add-camera = Add a camera and calibrate it.
+overview-ready = { $all ->
+    [one] { $count } of 1 recording ready.
+   *[other] { $count } of { $all } recordings ready.
+}
+overview-confirm = { $count ->
+    [one] Confirm lighting and start of 1 recording.
+   *[other] Confirm lighting and start of { $count } recordings.
+}
+overview-not-imported = A recording could not be imported; see its reason and upload another.
+overview-importing = Wait until the recording has been imported.
+overview-drop-video = Drop the day's video here.
+overview-posed = Every recording has its camera pose.
+overview-mark-board = { $count ->
+    [one] Mark the frames with the board at rest in 1 recording.
+   *[other] Mark the frames with the board at rest in { $count } recordings.
+}
+overview-mark-board-later = Mark the frames with the board at rest, once a recording is ready.
+overview-find-vehicles = Find the vehicles and measure the targets of the survey on each.
+overview-measured = { $count ->
+    [one] All 1 vehicle measured.
+   *[other] All { $count } vehicles measured.
+}
+overview-measure = { $count ->
+    [one] Measure { $left } of 1 vehicle.
+   *[other] Measure { $left } of { $count } vehicles.
+}
+overview-not-visible = { $count ->
+    [one] 1 target not visible.
+   *[other] { $count } targets not visible.
+}
+overview-review = { $count ->
+    [one] Review 1 measurement.
+   *[other] Review { $count } measurements.
+}
+overview-review-line-heights = { $count ->
+    [one] Review 1 height of line scans.
+   *[other] Review { $count } heights of line scans.
+}
+overview-remeasure = { $count ->
+    [one] Remeasure 1 rejected measurement.
+   *[other] Remeasure { $count } rejected measurements.
+}
+overview-reviewed = { $count ->
+    [one] 1 measurement reviewed.
+   *[other] { $count } measurements reviewed.
+}
+overview-nothing-to-review = Nothing to review yet.
+overview-packages = { $count ->
+    [one] 1 package built.
+   *[other] { $count } packages built.
+}
+overview-build-package = Build the package of results.
+overview-no-scans = None here. Two line cameras at a known baseline give speed, length and gaps.
+overview-scans-not-imported = { $count ->
+    [one] 1 line scan could not be imported; see the reason and try again.
+   *[other] { $count } line scans could not be imported; see the reason and try again.
+}
+overview-scans-importing = { $count ->
+    [one] 1 line scan still being imported.
+   *[other] { $count } line scans still being imported.
+}
+overview-scans-find = { $count ->
+    [one] Find the vehicles of 1 line scan.
+   *[other] Find the vehicles of { $count } line scans.
+}
+overview-scans-review = { $count ->
+    [one] Review { $open } of 1 vehicle.
+   *[other] Review { $open } of { $count } vehicles.
+}
+overview-scans-review-heights = { $count ->
+    [one] Review { $open } of 1 height.
+   *[other] Review { $open } of { $count } heights.
+}
+overview-scans-accepted = { $all ->
+    [one] { $count } of 1 detected vehicle accepted.
+   *[other] { $count } of { $all } detected vehicles accepted.
+}
+overview-scans-not-measurable = { $count } cannot be measured; see their reasons.
+overview-line-heights-accepted = { $all ->
+    [one] { $count } of 1 height accepted.
+   *[other] { $count } of { $all } heights accepted.
+}
 survey-scans-none = <link>Line scans</link>: { $summary }
 survey-scans-label = Line scans, separate from these steps
 survey-scan-results = <link>Motion</link>: speeds, gaps, lengths against the manufacturers’.
@@ -6852,7 +6940,6 @@ told-linescan-marks-too-few = { $count } marks are too few; click at least { $le
 told-linescan-marks-above-zero = Distances of marks and the u of their rows must be above 0.
 told-linescan-rod-upside-down = Higher marks must have smaller rows; check which end of the rod is up.
 told-media-not-decoded-at = This recording cannot be decoded at frame { $frame }: the decoder { $why } there; { $way_out }.
-told-scans-none-here = None here. Two line cameras at a known baseline give speed, length and gaps.
 told-audit-event-missing = Audit event { $number } of { $chain } is missing; restore a backup.
 told-audit-event-changed = Audit event { $number } of { $chain } was changed after it was written; restore a backup.
 told-audit-chain-ends-elsewhere = The audit chain of { $chain } ends at event { $count }, which is not where it ended; restore a backup.
@@ -6987,21 +7074,6 @@ told-scans-the-marks-miss-the = The marks fit the model to { $rms_px } px only, 
 told-scans-the-camera-height-is = The camera's height is known to { $u_height } m only; hold the rod at two distances further apart, or measure them better.
 told-scans-the-lines-of-this = The lines of this stream were not stored, so there is no image; its vehicles remain.
 told-scans-the-reading-was-cancelled = The import was cancelled; start it again or delete the line-scan recording.
-told-progress-unread = { $count } line scans could not be imported; see the reason and try again.
-told-progress-unread-1 = 1 line scan could not be imported; see the reason and try again.
-told-progress-reading = { $count } line scans still being imported.
-told-progress-reading-1 = 1 line scan still being imported.
-told-progress-find = Find the vehicles of { $count } line scans.
-told-progress-find-1 = Find the vehicles of 1 line scan.
-told-progress-review-vehicles = Review { $open } of { $count } vehicles.
-told-progress-review-vehicle = Review { $open } of 1 vehicle.
-told-progress-review-heights = Review { $open } of { $count } heights.
-told-progress-review-height = Review { $open } of 1 height.
-told-progress-accepted = { $count } of { $all } detected vehicles accepted.
-told-progress-accepted-1 = { $count } of 1 detected vehicle accepted.
-told-progress-unmeasured = { $count } cannot be measured; see their reasons.
-told-progress-heights = { $count } of { $all } heights accepted.
-told-progress-height = { $count } of 1 height accepted.
 told-scans-being-searched-for-vehicles = being searched for vehicles
 told-statistics-a-trend-needs-at = A trend needs at least { $least } vehicles; { $there_are }.
 told-statistics-all-heights-are-the = All heights are the same, so there is no trend.
@@ -7144,40 +7216,6 @@ told-linescan-plan-vehicle = The vehicle must be up to 100 m long, the gap up to
 told-linescan-plan-baseline = The baseline's uncertainty must be at least 0 and less than the baseline.
 told-request-nul = a text cannot hold the NUL character
 told-media-this-recording = This recording
-told-survey-1-camera-calibrated = 1 camera calibrated.
-told-survey-cameras-calibrated = { $count } cameras calibrated.
-told-survey-calibrate-the-camera-from = Calibrate the camera from images of the checkerboard, or import a calibration.
-told-survey-add-a-camera-and = Add a camera and calibrate it.
-told-survey-1-recording-ready-of = { $count } of 1 recording ready.
-told-survey-recordings-ready-of = { $count } of { $all } recordings ready.
-told-survey-confirm-light-and-start-of-1 = Confirm lighting and start of 1 recording.
-told-survey-confirm-light-and-start = Confirm lighting and start of { $count } recordings.
-told-survey-review-1-height-of-line = Review 1 height of line scans.
-told-survey-review-heights-of-line = Review { $count } heights of line scans.
-told-survey-a-recording-could-not = A recording could not be imported; see its reason and upload another.
-told-survey-wait-until-the-recording = Wait until the recording has been imported.
-told-survey-drop-the-day-video = Drop the day's video here.
-told-survey-every-recording-has-its = Every recording has its camera pose.
-told-survey-mark-where-the-board = Mark the frames with the board at rest in 1 recording.
-told-survey-mark-where-the-board-stands = Mark the frames with the board at rest in { $count } recordings.
-told-survey-mark-where-the-board-stands-still = Mark the frames with the board at rest, once a recording is ready.
-told-survey-add-the-vehicles-that = Find the vehicles and measure the targets of the survey on each.
-told-survey-1-target-not-visible = 1 target not visible.
-told-survey-targets-not-visible = { $count } targets not visible.
-told-survey-all-1-vehicle-measured = All 1 vehicle measured.
-told-survey-all-vehicles-measured = All { $count } vehicles measured.
-told-survey-measure-of-1-vehicle = Measure { $left } of 1 vehicle.
-told-survey-measure-of-vehicles = Measure { $left } of { $count } vehicles.
-told-survey-review-1-measurement = Review 1 measurement.
-told-survey-review-measurements = Review { $count } measurements.
-told-survey-measure-1-rejected-one = Remeasure 1 rejected measurement.
-told-survey-measure-rejected-ones-again = Remeasure { $count } rejected measurements.
-told-survey-1-measurement-reviewed = 1 measurement reviewed.
-told-survey-measurements-reviewed = { $count } measurements reviewed.
-told-survey-nothing-to-review-yet = Nothing to review yet.
-told-survey-1-package-built = 1 package built.
-told-survey-packages-built = { $count } packages built.
-told-survey-build-the-package-of = Build the package of results.
 
 
 ## App: the tour of the demonstration

@@ -3752,6 +3752,85 @@ survey-traffic = La circulation est à { $traffic ->
 survey-asked = Cibles de jour : { $daytime } ; en faible luminosité : { $low_light }.
 survey-traffic-unsaid = Le côté de circulation et la place de la caméra ne sont pas définis. Les hauteurs d’œil seront calculées dès qu’ils le seront, aussi pour les pointés existants.
 survey-traffic-say = Définir
+overview-calibrated = { $count ->
+    [one] Une caméra étalonnée.
+   *[other] { $count } caméras étalonnées.
+}
+overview-calibrate = Étalonnez la caméra à partir de photos du damier, ou importez un étalonnage.
+overview-add-camera = Ajoutez une caméra et étalonnez-la.
+overview-ready = Enregistrements prêts : { $count } sur { $all }.
+overview-confirm = { $count ->
+    [one] Confirmez la luminosité et le début de 1 enregistrement.
+   *[other] Confirmez la luminosité et le début de { $count } enregistrements.
+}
+overview-not-imported = Un enregistrement n’a pu être lu ; voyez pourquoi et envoyez-en un autre.
+overview-importing = Attendez que l’enregistrement ait été lu.
+overview-drop-video = Déposez ici la vidéo du jour.
+overview-posed = Chaque enregistrement a sa pose de la caméra.
+overview-mark-board = { $count ->
+    [one] Marquez où la mire est immobile dans un enregistrement.
+   *[other] Marquez où la mire est immobile dans { $count } enregistrements.
+}
+overview-mark-board-later = Marquez où la mire est immobile, dès qu’un enregistrement est prêt.
+overview-find-vehicles = Ajoutez les véhicules qui passent et mesurez de chacun ce que le relevé demande.
+overview-measured = { $count ->
+    [one] Le véhicule est mesuré.
+   *[other] Les { $count } véhicules sont mesurés.
+}
+overview-measure = Véhicules à mesurer : { $left } sur { $count }.
+overview-not-visible = { $count ->
+    [one] Une cible non visible.
+   *[other] { $count } cibles non visibles.
+}
+overview-review = { $count ->
+    [one] Vérifiez une mesure.
+   *[other] Vérifiez { $count } mesures.
+}
+overview-review-line-heights = { $count ->
+    [one] Vérifiez 1 hauteur de balayages.
+   *[other] Vérifiez { $count } hauteurs de balayages.
+}
+overview-remeasure = { $count ->
+    [one] Mesurez à nouveau une mesure rejetée.
+   *[other] Mesurez à nouveau { $count } mesures rejetées.
+}
+overview-reviewed = { $count ->
+    [one] Une mesure vérifiée.
+   *[other] { $count } mesures vérifiées.
+}
+overview-nothing-to-review = Rien à vérifier pour l’instant.
+overview-packages = { $count ->
+    [one] Une archive constituée.
+   *[other] { $count } archives constituées.
+}
+overview-build-package = Constituez l’archive des résultats.
+overview-no-scans = Aucun ici. Deux caméras linéaires à une base connue donnent la vitesse, la longueur et les intervalles.
+overview-scans-not-imported = { $count ->
+    [one] Un balayage n’a pu être lu ; voyez pourquoi et réessayez.
+   *[other] { $count } balayages n’ont pu être lus ; voyez pourquoi et réessayez.
+}
+overview-scans-importing = { $count ->
+    [one] Importation en cours : un balayage.
+   *[other] Importation en cours : { $count } balayages.
+}
+overview-scans-find = { $count ->
+    [one] Trouvez les véhicules d’un balayage.
+   *[other] Trouvez les véhicules de { $count } balayages.
+}
+overview-scans-review = { $count ->
+    [one] Vérifiez { $open } véhicule sur 1.
+   *[other] Vérifiez { $open } véhicules sur { $count }.
+}
+overview-scans-review-heights = { $count ->
+    [one] Vérifiez { $open } hauteur sur 1.
+   *[other] Vérifiez { $open } hauteurs sur { $count }.
+}
+overview-scans-accepted = { $all ->
+    [one] Véhicules validés : { $count } sur 1 détecté.
+   *[other] Véhicules validés : { $count } sur { $all } détectés.
+}
+overview-scans-not-measurable = Non mesurables : { $count } ; chacun dit pourquoi.
+overview-line-heights-accepted = Hauteurs validées : { $count } sur { $all }.
 survey-scans-none = <link>Balayages</link> : { $summary }
 survey-scans-label = Balayages linéaires, à part de ces étapes
 survey-scan-results = <link>Mouvement</link> : vitesses, intervalles, longueurs par rapport à celles du constructeur.
@@ -6910,7 +6989,6 @@ told-linescan-marks-too-few = { $count } repères ne suffisent pas ; pointez-e
 told-linescan-marks-above-zero = Les distances des repères et l’u de leurs rangées doivent être supérieures à 0.
 told-linescan-rod-upside-down = Les repères les plus hauts doivent avoir les rangées les plus petites ; contrôlez le sens du jalon.
 told-media-not-decoded-at = Cet enregistrement ne peut pas être décodé à l’image { $frame } : là, le décodeur { $why } ; { $way_out }.
-told-scans-none-here = Aucun ici. Deux caméras linéaires à une base connue donnent la vitesse, la longueur et les intervalles.
 told-audit-event-missing = L’événement d’audit { $number } de { $chain } manque ; restaurez une sauvegarde.
 told-audit-event-changed = L’événement d’audit { $number } de { $chain } a été modifié après son écriture ; restaurez une sauvegarde.
 told-audit-chain-ends-elsewhere = La chaîne d’audit de { $chain } se termine à l’événement { $count }, ce qui n’est pas sa vraie fin ; restaurez une sauvegarde.
@@ -7045,21 +7123,6 @@ told-scans-the-marks-miss-the = Les repères ne suivent le modèle qu’à { $rm
 told-scans-the-camera-height-is = La hauteur de la caméra n’est connue qu’à { $u_height } m ; tenez le jalon à deux distances plus éloignées, ou mesurez-les mieux.
 told-scans-the-lines-of-this = Les lignes de ce flux n’ont pas été enregistrées : il n’y a pas d’image ; ses véhicules restent.
 told-scans-the-reading-was-cancelled = L’import a été annulé ; relancez-le ou supprimez le balayage.
-told-progress-unread = { $count } balayages n’ont pu être lus ; voyez pourquoi et réessayez.
-told-progress-unread-1 = Un balayage n’a pu être lu ; voyez pourquoi et réessayez.
-told-progress-reading = Importation en cours : { $count } balayages.
-told-progress-reading-1 = Importation en cours : un balayage.
-told-progress-find = Trouvez les véhicules de { $count } balayages.
-told-progress-find-1 = Trouvez les véhicules d’un balayage.
-told-progress-review-vehicles = Vérifiez { $open } véhicules sur { $count }.
-told-progress-review-vehicle = Vérifiez { $open } véhicule sur 1.
-told-progress-review-heights = Vérifiez { $open } hauteurs sur { $count }.
-told-progress-review-height = Vérifiez { $open } hauteur sur 1.
-told-progress-accepted = Véhicules validés : { $count } sur { $all } détectés.
-told-progress-accepted-1 = Véhicules validés : { $count } sur 1 détecté.
-told-progress-unmeasured = Non mesurables : { $count } ; chacun dit pourquoi.
-told-progress-heights = Hauteurs validées : { $count } sur { $all }.
-told-progress-height = Hauteurs validées : { $count } sur 1.
 told-scans-being-searched-for-vehicles = recherche de véhicules en cours
 told-statistics-a-trend-needs-at = Une tendance demande au moins { $least } véhicules ; { $there_are }.
 told-statistics-all-heights-are-the = Toutes les hauteurs sont égales ; il n’y a pas de tendance.
@@ -7205,40 +7268,6 @@ told-linescan-plan-vehicle = Le véhicule a au plus 100 m de long, l’intervall
 told-linescan-plan-baseline = L’incertitude de la base doit être d’au moins 0 et inférieure à la base.
 told-request-nul = un texte ne peut pas contenir le caractère NUL
 told-media-this-recording = Cet enregistrement
-told-survey-1-camera-calibrated = Une caméra étalonnée.
-told-survey-cameras-calibrated = { $count } caméras étalonnées.
-told-survey-calibrate-the-camera-from = Étalonnez la caméra à partir de photos du damier, ou importez un étalonnage.
-told-survey-add-a-camera-and = Ajoutez une caméra et étalonnez-la.
-told-survey-1-recording-ready-of = Enregistrements prêts : { $count } sur 1.
-told-survey-recordings-ready-of = Enregistrements prêts : { $count } sur { $all }.
-told-survey-confirm-light-and-start-of-1 = Confirmez la luminosité et le début de 1 enregistrement.
-told-survey-confirm-light-and-start = Confirmez la luminosité et le début de { $count } enregistrements.
-told-survey-review-1-height-of-line = Vérifiez 1 hauteur de balayages.
-told-survey-review-heights-of-line = Vérifiez { $count } hauteurs de balayages.
-told-survey-a-recording-could-not = Un enregistrement n’a pu être lu ; voyez pourquoi et envoyez-en un autre.
-told-survey-wait-until-the-recording = Attendez que l’enregistrement ait été lu.
-told-survey-drop-the-day-video = Déposez ici la vidéo du jour.
-told-survey-every-recording-has-its = Chaque enregistrement a sa pose de la caméra.
-told-survey-mark-where-the-board = Marquez où la mire est immobile dans un enregistrement.
-told-survey-mark-where-the-board-stands = Marquez où la mire est immobile dans { $count } enregistrements.
-told-survey-mark-where-the-board-stands-still = Marquez où la mire est immobile, dès qu’un enregistrement est prêt.
-told-survey-add-the-vehicles-that = Ajoutez les véhicules qui passent et mesurez de chacun ce que le relevé demande.
-told-survey-1-target-not-visible = Une cible non visible.
-told-survey-targets-not-visible = { $count } cibles non visibles.
-told-survey-all-1-vehicle-measured = Le véhicule est mesuré.
-told-survey-all-vehicles-measured = Les { $count } véhicules sont mesurés.
-told-survey-measure-of-1-vehicle = Véhicules à mesurer : { $left } sur 1.
-told-survey-measure-of-vehicles = Véhicules à mesurer : { $left } sur { $count }.
-told-survey-review-1-measurement = Vérifiez une mesure.
-told-survey-review-measurements = Vérifiez { $count } mesures.
-told-survey-measure-1-rejected-one = Mesurez à nouveau une mesure rejetée.
-told-survey-measure-rejected-ones-again = Mesurez à nouveau { $count } mesures rejetées.
-told-survey-1-measurement-reviewed = Une mesure vérifiée.
-told-survey-measurements-reviewed = { $count } mesures vérifiées.
-told-survey-nothing-to-review-yet = Rien à vérifier pour l’instant.
-told-survey-1-package-built = Une archive constituée.
-told-survey-packages-built = { $count } archives constituées.
-told-survey-build-the-package-of = Constituez l’archive des résultats.
 
 
 ## Application : la visite de la démonstration

@@ -6,12 +6,11 @@ from typing import Any
 from sqlalchemy import Select, func, select
 from sqlalchemy.orm import Session
 
+from sightline.messages.said import Said
 from sightline.scans.heights.store import scan_height_states
 from sightline.scans.query import scan_vehicle_states
 from sightline.scans.records import ScanProgress, state_of
 from sightline.scans.tables import scan_vehicles, scans
-
-NOTHING = "None here. Two line cameras at a known baseline give speed, length and gaps."
 
 
 def scan_progress_of(session: Session, survey_ids: Sequence[int]) -> dict[int, ScanProgress]:
@@ -44,7 +43,7 @@ _COUNTED = tuple(name for name in ScanProgress.__slots__ if name not in ("state"
 
 def no_scans() -> ScanProgress:
     """Of a survey without line scans."""
-    return ScanProgress("none", NOTHING)
+    return ScanProgress("none", [Said("overview-no-scans")])
 
 
 def _heights(survey_ids: Sequence[int]) -> Select[Any]:
@@ -68,30 +67,27 @@ def _progress(counts: dict[str, int]) -> ScanProgress:
     of = {name: counts.get(name, 0) for name in _COUNTED}
     open_work = _open(of, counts.get("failed", 0), counts.get("reading", 0))
     if open_work:
-        return ScanProgress("open", " ".join(open_work), **of)
-    said = f"{of['accepted']} of {_number(of['vehicles'], 'detected vehicle')} accepted."
+        return ScanProgress("open", open_work, **of)
+    said = [Said("overview-scans-accepted", count=of["accepted"], all=of["vehicles"])]
     if of["not_measurable"]:
-        said += f" {of['not_measurable']} cannot be measured; see their reasons."
+        said.append(Said("overview-scans-not-measurable", count=of["not_measurable"]))
     if of["heights"]:
-        said += f" {counts.get('heights_accepted', 0)} of {_number(of['heights'], 'height')} accepted."
+        accepted = counts.get("heights_accepted", 0)
+        said.append(Said("overview-line-heights-accepted", count=accepted, all=of["heights"]))
     return ScanProgress("done", said, **of)
 
 
-def _open(of: dict[str, int], failed: int, reading: int) -> list[str]:
+def _open(of: dict[str, int], failed: int, reading: int) -> list[Said]:
     """What is to be done, what stops the rest first."""
     said = []
     if failed:
-        said.append(f"{_number(failed, 'line scan')} could not be imported; see the reason and try again.")
+        said.append(Said("overview-scans-not-imported", count=failed))
     if reading:
-        said.append(f"{_number(reading, 'line scan')} still being imported.")
+        said.append(Said("overview-scans-importing", count=reading))
     if of["ready"] and not of["vehicles"]:
-        said.append(f"Find the vehicles of {_number(of['ready'], 'line scan')}.")
+        said.append(Said("overview-scans-find", count=of["ready"]))
     if of["to_review"]:
-        said.append(f"Review {of['to_review']} of {_number(of['vehicles'], 'vehicle')}.")
+        said.append(Said("overview-scans-review", open=of["to_review"], count=of["vehicles"]))
     if of["heights_to_review"]:
-        said.append(f"Review {of['heights_to_review']} of {_number(of['heights'], 'height')}.")
+        said.append(Said("overview-scans-review-heights", open=of["heights_to_review"], count=of["heights"]))
     return said
-
-
-def _number(count: int, word: str) -> str:
-    return f"{count} {word}" if count == 1 else f"{count} {word}s"

@@ -375,7 +375,7 @@ class ScanProgress:
     """The line scans of a survey: vehicles and heights by what was done with them, and what to do next."""
 
     state: OptionalStepState
-    summary: str
+    summary: list[Said]
     scans: int = 0
     ready: int = 0
     vehicles: int = 0

@@ -85,12 +85,12 @@ const survey: Survey = {
     rejected: 1,
   },
   steps: [
-    { key: "camera", state: "done", summary: "1 camera calibrated." },
-    { key: "recordings", state: "next", summary: "Drop the day's video here." },
+    { key: "camera", state: "done", summary: [{ code: "overview-calibrated", values: { count: 1 }, message: "" }] },
+    { key: "recordings", state: "next", summary: [{ code: "overview-drop-video", values: {}, message: "" }] },
   ],
   scans: {
     state: "none",
-    summary: "None here.",
+    summary: [{ code: "overview-no-scans", values: {}, message: "" }],
     scans: 0,
     ready: 0,
     vehicles: 0,

@@ -51,10 +51,10 @@ def test_a_sentence_is_said_by_its_key_and_a_value_that_is_a_sentence_too() -> N
     body = {"error": error.message, "said": {"code": error.code, "values": error.values}}
     told = json.loads(spoken(json.dumps(body).encode(), "fr"))
     assert told["error"].startswith("Il n’y a pas de rapport dans la langue") and told["said"] == body["said"]
-    two = "Review 13 measurements. Remeasure 1 rejected measurement."
+    two = "Audit event 13 of survey 2 is missing; restore a backup. The measurement was withdrawn."
     within = SightlineError("said", sentence=two)
     kept = {"code": within.code, "values": within.values}
-    assert said_by_key(kept, two, "fr").startswith("Vérifiez 13 mesures.")
+    assert said_by_key(kept, two, "fr").startswith("L’événement d’audit 13 de survey 2 manque")
 
 
 def test_what_a_budget_is_of_is_said_and_who_measured_a_reference_is_not() -> None:

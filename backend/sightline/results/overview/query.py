@@ -12,6 +12,7 @@ from sightline.enums import StepKey
 from sightline.infra.web.person import Seen
 from sightline.measurements.query import is_current, is_first, verdict, waits, with_verdict
 from sightline.measurements.tables import measurement_series, measurements
+from sightline.messages.said import Said
 from sightline.recordings.tables import recordings
 from sightline.results.overview.package_query import changes_since_packages
 from sightline.results.overview.records import ChangesSince, Step, SurveyCounts, SurveyOverview
@@ -204,7 +205,7 @@ def _steps(
     that lacks anything is outdated, and its step not done.
     """
     outdated = since is not None and since.makes_outdated
-    told: list[tuple[StepKey, bool, bool, str]] = [
+    told: list[tuple[StepKey, bool, bool, list[Said]]] = [
         ("camera", facts.calibrated_cameras > 0, facts.cameras > 0, _camera_words(facts)),
         (
             "recordings",
@@ -238,62 +239,54 @@ def _reviewed(counts: SurveyCounts) -> bool:
     return counts.measurements > 0 and counts.to_review == 0 and counts.rejected == 0
 
 
-def _camera_words(facts: _Facts) -> str:
+def _camera_words(facts: _Facts) -> list[Said]:
     if facts.calibrated_cameras:
-        return f"{_number(facts.calibrated_cameras, 'camera')} calibrated."
-    if facts.cameras:
-        return "Calibrate the camera from images of the checkerboard, or import a calibration."
-    return "Add a camera and calibrate it."
+        return [Said("overview-calibrated", count=facts.calibrated_cameras)]
+    return [Said("overview-calibrate") if facts.cameras else Said("overview-add-camera")]
 
 
-def _recording_words(counts: SurveyCounts, facts: _Facts) -> str:
+def _recording_words(counts: SurveyCounts, facts: _Facts) -> list[Said]:
     if facts.ready:
-        said = f"{facts.ready} of {_number(counts.recordings, 'recording')} ready."
+        said = [Said("overview-ready", count=facts.ready, all=counts.recordings)]
         left = facts.ready - facts.confirmed
-        return f"{said} Confirm lighting and start of {_number(left, 'recording')}." if left else said
+        return [*said, Said("overview-confirm", count=left)] if left else said
     if facts.failed:
-        return "A recording could not be imported; see its reason and upload another."
-    if counts.recordings:
-        return "Wait until the recording has been imported."
-    return "Drop the day's video here."
+        return [Said("overview-not-imported")]
+    return [Said("overview-importing") if counts.recordings else Said("overview-drop-video")]
 
 
-def _pose_words(facts: _Facts) -> str:
+def _pose_words(facts: _Facts) -> list[Said]:
     if facts.ready and facts.ready == facts.posed:
-        return "Every recording has its camera pose."
-    if facts.ready:
-        return f"Mark the frames with the board at rest in {_number(facts.ready - facts.posed, 'recording')}."
-    return "Mark the frames with the board at rest, once a recording is ready."
+        return [Said("overview-posed")]
+    left = facts.ready - facts.posed
+    return [Said("overview-mark-board", count=left) if facts.ready else Said("overview-mark-board-later")]
 
 
-def _vehicle_words(counts: SurveyCounts) -> str:
+def _vehicle_words(counts: SurveyCounts) -> list[Said]:
     if counts.vehicles == 0:
-        return "Find the vehicles and measure the targets of the survey on each."
-    unseen = f" {_number(counts.not_visible, 'target')} not visible." if counts.not_visible else ""
+        return [Said("overview-find-vehicles")]
+    unseen = [Said("overview-not-visible", count=counts.not_visible)] if counts.not_visible else []
     if counts.vehicles == counts.vehicles_measured:
-        return f"All {_number(counts.vehicles, 'vehicle')} measured.{unseen}"
+        return [Said("overview-measured", count=counts.vehicles), *unseen]
     left = counts.vehicles - counts.vehicles_measured
-    return f"Measure {left} of {_number(counts.vehicles, 'vehicle')}.{unseen}"
+    return [Said("overview-measure", left=left, count=counts.vehicles), *unseen]
 
 
-def _review_words(counts: SurveyCounts, line_heights: int) -> str:
+def _review_words(counts: SurveyCounts, line_heights: int) -> list[Said]:
     open_work = []
     if counts.to_review:
-        open_work.append(f"Review {_number(counts.to_review, 'measurement')}.")
+        open_work.append(Said("overview-review", count=counts.to_review))
     if line_heights:
-        open_work.append(f"Review {_number(line_heights, 'height')} of line scans.")
+        open_work.append(Said("overview-review-line-heights", count=line_heights))
     if counts.rejected:
-        open_work.append(f"Remeasure {_number(counts.rejected, 'rejected measurement')}.")
+        open_work.append(Said("overview-remeasure", count=counts.rejected))
     if open_work:
-        return " ".join(open_work)
+        return open_work
     if counts.measurements:
-        return f"{_number(counts.accepted, 'measurement')} reviewed."
-    return "Nothing to review yet."
+        return [Said("overview-reviewed", count=counts.accepted)]
+    return [Said("overview-nothing-to-review")]
 
 
-def _result_words(facts: _Facts) -> str:
-    return f"{_number(facts.exports, 'package')} built." if facts.exports else "Build the package of results."
-
-
-def _number(count: int, word: str) -> str:
-    return f"{count} {word}" if count == 1 else f"{count} {word}s"
+def _result_words(facts: _Facts) -> list[Said]:
+    built = facts.exports
+    return [Said("overview-packages", count=built) if built else Said("overview-build-package")]

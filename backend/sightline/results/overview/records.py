@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from sightline.enums import StepKey, StepState
+from sightline.messages.said import Said
 from sightline.scans.records import ScanProgress
 from sightline.surveys.records import Survey
 
@@ -27,7 +28,7 @@ class Step:
 
     key: StepKey
     state: StepState
-    summary: str
+    summary: list[Said]
 
 
 @dataclass(frozen=True, slots=True)

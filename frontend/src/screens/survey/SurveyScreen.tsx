@@ -3,7 +3,7 @@ import { Button, Icon, JobProgress, Loading, Notice, PageHead, Shape } from "../
 import { Said } from "../../components/Said";
 import { api } from "../../core/api";
 import { isOver } from "../../core/jobs";
-import { say, wordsOf } from "../../core/messages";
+import { say, sentencesOf, wordsOf } from "../../core/messages";
 import { type ScreenProps, titleOf } from "../../core/places";
 import { useEvery, useResource } from "../../core/resource";
 import { may } from "../../core/session";
@@ -99,7 +99,7 @@ function LineScans({ survey }: { survey: Survey }) {
       <p class="muted" data-testid="line-scans">
         <Said
           what="survey-scans-none"
-          values={{ summary: scans.summary }}
+          values={{ summary: sentencesOf(scans.summary) }}
           parts={{ link: (text) => <a href={href}>{text}</a> }}
         />
       </p>
@@ -115,7 +115,7 @@ function LineScans({ survey }: { survey: Survey }) {
             <a href={href}>{titleOf("scans")}</a>
             <span class="step__state">{scans.state === "done" ? STATE_WORDS.done : STATE_WORDS.to_do}</span>
           </h2>
-          <p>{scans.summary}</p>
+          <p>{sentencesOf(scans.summary)}</p>
           {scans.accepted > 0 && (
             <p>
               <Said
@@ -161,7 +161,7 @@ function StepRow({ step, index, survey }: { step: Step; index: number; survey: S
           <a href={href}>{titleOf(entry.name)}</a>
           <span class="step__state">{STATE_WORDS[step.state]}</span>
         </h2>
-        <p>{step.summary}</p>
+        <p>{sentencesOf(step.summary)}</p>
         {step.key === "results" && <Outdated since={survey.since_package} />}
         {step.key === "results" && (
           <p>

@@ -4,7 +4,7 @@ import { Button, Empty, JobProgress, Loading, Notice, PageHead, Problem, StateMa
 import { Said } from "../../components/Said";
 import { api } from "../../core/api";
 import { isOver } from "../../core/jobs";
-import { say } from "../../core/messages";
+import { say, sentencesOf } from "../../core/messages";
 import { useEvery, useResource } from "../../core/resource";
 import { may, me } from "../../core/session";
 import { formatDay } from "../../core/times";
@@ -193,9 +193,9 @@ function SurveyCard({ survey }: { survey: Survey }) {
       </div>
       <footer>
         {next ? (
-          <StateMark state="next" word={next.summary} />
+          <StateMark state="next" word={sentencesOf(next.summary)} />
         ) : scans.state === "open" ? (
-          <StateMark state="next" word={say("surveys-scans", { summary: scans.summary })} />
+          <StateMark state="next" word={say("surveys-scans", { summary: sentencesOf(scans.summary) })} />
         ) : (
           <StateMark state="done" word={say("surveys-all-done")} />
         )}
