@@ -36,7 +36,9 @@ ROWS = ("1,'=A,3.000000,2.0,true,2026-01-01T00:00:00Z", "2,,3.000000,2.0,false,2
 @pytest.fixture
 def files(tmp_path: Path) -> Callable[..., FolderFiles]:
     def written(*rows: str, header: str = ",".join(CARS.header)) -> FolderFiles:
-        (tmp_path / CARS.path).write_text("\n".join([header, *rows, ""]))
+        place = tmp_path / CARS.path
+        place.parent.mkdir(exist_ok=True)
+        place.write_text("\n".join([header, *rows, ""]))
         return FolderFiles(tmp_path)
 
     return written
