@@ -18,13 +18,12 @@ import sightline
 from sightline import errors, messages
 from sightline.export.package_tables import tables_of
 from sightline.export.page import explained
-from sightline.media.video.sniff import OTHERS
+from sightline.infra.web.error_handlers import _complaint
 from sightline.messages.recognised import COLUMNS, KEYS, translated, translated_meaning
-from sightline.statistics import wording
+from sightline.messages.said import Said
 
 PACKAGE = Path(sightline.__file__).parent
 SOURCE = PACKAGE / "messages/en.ftl"
-_OF_SPREAD = " of MAE, RMSE and SD"
 
 
 class _Named(Visitor):  # type: ignore[misc]
@@ -179,7 +178,7 @@ def test_every_message_is_said_somewhere() -> None:
     made = [re.compile(f"{first}{_slot(first, last)}{last}") for first, last in set(begun)]
     for first, names in re.findall(r'wordsOf\(\s*"([\w-]+-)"((?:,\s*"[\w-]+")*)', text):
         made += [re.compile(f"{first}{name}") for name in re.findall(r'"([\w-]+)"', names) or [r"\w+"]]
-    found_again = ("told-", *COLUMNS)  # by its text
+    found_again = ("told-", "budget-of-", *COLUMNS)  # by its text
     unused = [
         key
         for key in known()
@@ -340,15 +339,6 @@ def _template(node: ast.AST) -> str:
     return ""
 
 
-def pieced_together() -> list[str]:
-    """Sentences that functions make of several pieces, as they stand in answers."""
-    said = []
-    for n in (0, 1, 2):
-        said += [f"A density needs at least 10 vehicles; {wording.there_are(n)}."]
-        said += [f"{wording.are_too_few(n)} for an interval{of}; 5 are needed" for of in ("", _OF_SPREAD)]
-    return [*said, *(what.removesuffix(", not a video") for _, what in OTHERS)]
-
-
 class _Asked(BaseModel):
     """A request with every kind of value that ours have."""
 
@@ -375,8 +365,8 @@ class _Asked(BaseModel):
     any: Annotated[list[int], Field(min_length=1)]
 
 
-def of_the_framework() -> list[str]:
-    """What Pydantic says of values that cannot be, as `complaint_of` passes it on."""
+def of_the_framework() -> dict[str, Said | str]:
+    """What is said of each kind of complaint of Pydantic."""
     words = dict.fromkeys(_Asked.model_fields, "x") | {"long": "a", "some": "", "short": "abcd", "odd": 1}
     limits = {
         "above": 0,
@@ -388,26 +378,28 @@ def of_the_framework() -> list[str]:
         "any": [],
     }
     others = {"whole": 1.5, "text": 1, "number": None, "yes": None, "each": 1, "named": 1, "formed": "b"}
-    said = set()
+    found = {}
     for values in (words, words | limits, words | others, {}, words | {"whole": None, "named": None}):
         with pytest.raises(ValidationError) as refused:
             _Asked.model_validate(values)
-        said |= {one["msg"][:1].lower() + one["msg"][1:] for one in refused.value.errors()}
-    return sorted(said)
+        found |= {one["type"]: _complaint(one) for one in refused.value.errors()}
+    return found
+
+
+def test_what_the_framework_says_of_a_request_is_said_in_every_language() -> None:
+    found = of_the_framework()
+    assert len(found) > 20
+    for kind, one in found.items():
+        assert isinstance(one, Said) and " " in str(one), kind
+        for language in set(messages.languages()) - {"en"}:
+            assert one.sentence(language) not in (str(one), one.code), (kind, language)
 
 
 def test_what_code_says_in_english_is_said_in_every_language() -> None:
     """A sentence that code writes otherwise than the catalogue would stay English on a French screen."""
     written = "\n".join(re.sub("\0+", "\0", text) for text in templates())
     source = {key: re.sub(r"\{ \$\w+ \}", "\0", text) for key, text in told().items()}
-    source = {key: text for key, text in source.items() if text.strip("\0 ") not in written}
-    source = {key: text for key, text in source.items() if key not in written.split("\n")}  # said by its key
-    pieces = [*pieced_together(), *of_the_framework()]
-    for language in set(messages.languages()) - {"en"}:
-        assert [one for one in pieces if translated(one, language) == one] == []
-    joined = "\n".join(pieces)
-    patterns = {key: ".+?".join(map(re.escape, text.split("\0"))) for key, text in source.items()}
-    assert [key for key, one in patterns.items() if not re.search(one, joined)] == []
+    assert [key for key, text in source.items() if text.strip("\0 ") not in written] == []
 
 
 def told() -> dict[str, str]:
@@ -416,13 +408,22 @@ def told() -> dict[str, str]:
     return dict(line.split(" = ", 1) for line in lines if line.startswith("told-"))  # type: ignore[misc]
 
 
+def test_each_part_of_a_budget_that_has_words_is_one_of_code() -> None:
+    keys = {key for key in known() if key.startswith("budget-of-")}
+    assert len(keys) > 20
+    assert keys <= {"budget-of-" + re.sub("[^a-z]+", "-", text) for text in templates()}
+    assert messages.name_of("budget-of", "click, target", "fr") == "pointé, cible"
+    assert messages.name_of("budget-of", "width 0.6", "fr") == "width 0.6"
+
+
 def test_what_is_told_in_english_is_said_by_its_text() -> None:
-    two = "Audit event 13 of survey 2 is missing; restore a backup. The measurement was withdrawn."
+    two = (
+        "The import was cancelled; start it again or delete the recording. "
+        "The import was cancelled; start it again or delete the line-scan recording."
+    )
     assert translated(two, "en") == two
     first, last = translated(two, "fr").split(". ")
-    assert (
-        first.startswith("L’événement d’audit 13 de survey 2 manque") and last == "La mesure a été retirée."
-    )
+    assert first.startswith("La lecture de la vidéo a été annulée") and "supprimez le balayage." in last
 
 
 def test_every_column_that_a_package_s_page_explains_is_explained_in_every_language() -> None:
@@ -446,9 +447,9 @@ def test_no_french_sign_begins_a_line() -> None:
 
 
 def test_what_is_made_by_its_key_and_sent_as_text_is_said_too() -> None:
-    """Rows of an import, what does not fit of a recording, what a job says of itself."""
+    """Rows of an import."""
     lines = [line for line in SOURCE.read_text("utf-8").splitlines() if line.startswith(KEYS[1:])]
-    assert len(lines) > 20
+    assert len(lines) > 15
     for key, english in (line.split(" = ", 1) for line in lines):
         names = re.findall(r"\$(\w+)", english)
         values = {name: str(7 + n) for n, name in enumerate(names)}

@@ -133,6 +133,24 @@ def test_a_cell_of_several_has_their_words() -> None:
     assert (words_of(None), words_of([]), code_of(None), code_of([]), said_in("")) == (None,) * 5
 
 
+@pytest.mark.parametrize(
+    ("said", "english", "french"),
+    [
+        (Said("stat-density-needs", least=10, count=0), "there is none.", "il n’y en a aucun."),
+        (Said("stat-density-needs", least=10, count=1), "there is 1.", "il y en a 1."),
+        (Said("stat-density-needs", least=10, count=2), "there are 2.", "il y en a 2."),
+        (Said("stat-too-few", count=1, needed=5), "1 vehicle is too few", "1 véhicule est trop peu"),
+        (Said("stat-too-few", count=2, needed=5), "2 vehicles are too few", "2 véhicules sont trop peu"),
+        (Said("overview-remeasure", count=1), "1 rejected measurement.", "une mesure rejetée."),
+        (Said("overview-remeasure", count=2), "2 rejected measurements.", "2 mesures rejetées."),
+        (Said("passes-were-found", found=0), "No passes were found", "Aucun passage"),
+        (Said("passes-were-found", found=1), "1 pass was found.", "Un passage trouvé."),
+    ],
+)
+def test_a_number_has_the_form_that_its_language_wants(said: Said, english: str, french: str) -> None:
+    assert english in str(said) and french in said.sentence("fr")
+
+
 def test_sayings_in_a_row_are_one_saying() -> None:
     expected = [Said("pose-expected-at", U95_height_m=0.015, distance_m=3)]
     expected.append(Said("pose-expected-at", U95_height_m=0.03, distance_m=5))

@@ -23,7 +23,7 @@ def test_a_plan_before_anything_is_there(viewer: Client, survey_id: int) -> None
     assert squares**0.5 == pytest.approx(eye["u_height_m"])
     assert eye["two_frames"]["u_height_m"] < eye["u_height_m"]
     assert len(plan["U95_over_distance"]) == 5 and len(plan["bias_over_camera_height"]) == 2
-    assert any("second frame" in sentence for sentence in plan["advice"])
+    assert any("second frame" in sentence["message"] for sentence in plan["advice"])
 
 
 def test_a_plan_with_the_surveys_calibration_and_insets(
@@ -76,8 +76,8 @@ def test_a_line_rate_is_planned_in_both_forms(viewer: Client) -> None:
     coarse = viewer.seen(f"/line-rate-plan?{rig}&error=0.01&line_rate_hz=2000&u_baseline_m=0.01")
     assert coarse["u_strips_mps"] == pytest.approx(120 / 3.6 * (0.0001**2 + (0.015 / 60) ** 2) ** 0.5)
     assert coarse["u_speed_mps"] ** 2 == pytest.approx(coarse["u_strips_mps"] ** 2 + (1.2 / 3.6) ** 2)
-    assert any("more than the 1 % allowed" in one for one in coarse["advice"])
-    assert any("baseline is the limit" in one for one in coarse["advice"])
+    assert any("more than the 1 % allowed" in one["message"] for one in coarse["advice"])
+    assert any("baseline is the limit" in one["message"] for one in coarse["advice"])
     told = {one["quantity"]: one for one in coarse["values"]}
     assert set(told) == {"speed", "length", "time_gap", "distance_gap"}
     assert told["length"]["value"] == 4.5 and told["distance_gap"]["value"] == pytest.approx(50.0)

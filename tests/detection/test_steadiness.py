@@ -82,7 +82,7 @@ def test_a_hand_held_camera_is_followed_and_said(tmp_path: Path) -> None:
     for one, mover in zip(search.passes, CARS, strict=True):
         there = [n for n in range(1000) if mover.in_view(n)]
         assert abs(one.first_frame - there[0]) <= 4 and abs(one.last_frame - there[-1]) <= 5
-    assert len(search.notes) == 1 and "The camera moves by up to" in search.notes[0]
+    assert len(search.notes) == 1 and "The camera moves by up to" in str(search.notes[0])
 
 
 def test_a_camera_that_stands_has_no_note(tmp_path: Path) -> None:
@@ -97,4 +97,4 @@ def test_a_camera_that_is_carried_away_gives_no_passes(tmp_path: Path) -> None:
     write_mp4(path, (np.repeat(gray[..., None], 3, 2) for gray in frames), 30, crf=18)
     search = find_passes(path)
     assert search.passes == ()
-    assert "mark the passes by hand" in search.notes[0]
+    assert "mark the passes by hand" in str(search.notes[0])

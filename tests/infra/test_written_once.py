@@ -28,7 +28,7 @@ from sightline.infra.audit.records import AuditHead, Verification
 from sightline.infra.audit.signing import put_in_force, replacing_key, signing_key
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.audit.verification import verify_database, verify_records
-from sightline.infra.audit.vouched import WrittenOnce, WrittenOnceApart, fingerprints, marked
+from sightline.infra.audit.vouched import ChangedByEvents, WrittenOnce, WrittenOnceApart, fingerprints, marked
 from sightline.infra.database.engine import (
     SessionFactory,
     engine_of,
@@ -39,6 +39,7 @@ from sightline.infra.database.engine import (
 )
 from sightline.measurements.again.store import add_computing
 from sightline.measurements.click_sigma_store import choose_click_sigma
+from sightline.messages.said import Said
 from sightline.people.store import person_by_email
 from sightline.quality.checks.store import add_wheel_pair
 from sightline.recordings.store import remove_recording
@@ -145,7 +146,7 @@ def test_a_guard_that_is_missing_or_off_is_told(filled: SessionFactory) -> None:
         with pytest.raises(Damaged, match="no longer protects reviews"):
             require_guards(connection)
         with Session(connection) as session:
-            assert "no longer protects reviews" in (verify_records(session).problem or "")
+            assert "no longer protects reviews" in str(verify_records(session).problem)
         connection.rollback()
 
 
@@ -155,6 +156,12 @@ def test_every_table_that_is_written_once_says_so_and_is_verified(filled: Sessio
     assert set(said) | {audit_events.name} == set(WRITTEN_ONCE) == _protected(engine_of(filled))
     apart = {mark.fingerprint for mark in said.values() if isinstance(mark, WrittenOnceApart)}
     assert apart <= {fingerprint.entity for fingerprint in fingerprints()}
+
+
+def test_everything_that_is_vouched_for_has_a_name_of_its_own() -> None:
+    entities = {mark.entity for mark, _ in marked() if isinstance(mark, WrittenOnce | ChangedByEvents)}
+    entities |= {one.entity for one in fingerprints()}
+    assert len({str(Said("audit-row-removed", entity=one, id=1)) for one in entities}) == len(entities) > 20
 
 
 def test_every_hash_that_an_event_keeps_is_compared_with_a_row(filled: SessionFactory) -> None:
@@ -332,8 +339,9 @@ def test_verify_finds(filled: SessionFactory, what: str) -> None:
     _tamper(engine, *statements)
     found = verify_database(engine.url.render_as_string(hide_password=False))
     assert not found.ok
-    assert found.problem is not None and words in found.problem, found.problem
-    assert found.problem.count(".") <= 2 and found.problem.endswith(".")
+    problem = str(found.problem)
+    assert words in problem, problem
+    assert problem.count(".") <= 2 and problem.endswith(".")
 
 
 def test_a_tail_cut_with_its_anchor_moved_is_found_by_an_export(filled: SessionFactory) -> None:
@@ -495,6 +503,8 @@ def test_the_command_says_what_the_function_finds(
     _tamper(engine_of(filled), *TAMPERED["a calibration"][0])
     assert main(["verify", database_url, "--json"]) == 1
     said = capsys.readouterr()
-    assert json.loads(said.out) == {"kind": "database", **asdict(verify_database(database_url))}
-    assert str(verify_database(database_url).problem) in said.err
+    problem = str(verify_database(database_url).problem)
+    told = {**asdict(verify_database(database_url)), "problem": problem}
+    assert json.loads(said.out) == {"kind": "database", **told}
+    assert problem in said.err
     assert main(["verify", "sqlite:////nowhere/sightline.db"]) == 2

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import pytest
 
+from sightline.errors import BadInput
 from sightline.linescan.equations import corrected, printed, solve_crossings
 from sightline.linescan.finding import STOPPED
 from sightline.linescan.gaps import gaps
@@ -71,7 +72,7 @@ def test_the_line_rate_planner_gives_the_papers_own_figures() -> None:
     expected = speed_error(70 / 3.6, BASELINE_M, RATE_HZ)
     assert expected.printed_right_side == pytest.approx(0.013, abs=0.0005)
     assert expected.corrected == pytest.approx(2 * 70 / 3.6 / (BASELINE_M * RATE_HZ))
-    with pytest.raises(ValueError, match="share"):
+    with pytest.raises(BadInput, match="share"):
         line_rate_for(1.0, 30.0, 1.0)
 
 

@@ -124,7 +124,7 @@ def test_a_speed_clicked_before_proposes_the_frame(operator: Client, ground: Gro
     path = f"/recordings/{ground.recording_id}/geometry/second-frame"
     wanted = {**two_frames(more_frames=[]), "vehicle_id": vehicle_id}
     assumed = operator.made(path, wanted)
-    assert assumed["ok"] and assumed["source"] == "assumed" and "is assumed" in assumed["words"]
+    assert assumed["ok"] and assumed["source"] == "assumed" and "is assumed" in assumed["words"]["message"]
     assert {spot["assumed_kmh"] for spot in assumed["spots"]} == {50.0}  # either way, as none is known
     stored_on_two(operator, vehicle_id)
     found = operator.made(path, wanted)

@@ -229,8 +229,8 @@ def corrections_do_what_they_say(viewer: Client, ground: Ground) -> None:
     }
     assert found["none"]["mean_m"] == pytest.approx(eyes, abs=1e-12)
     assert found["shift"]["mean_m"] == pytest.approx(eyes - shift, abs=1e-12)
-    assert f"{len(roofs)} vehicles" in found["shift"]["words"]
-    assert "extrapolates" in found["regression"]["warning"]
+    assert f"{len(roofs)} vehicles" in found["shift"]["words"]["message"]
+    assert "extrapolates" in found["regression"]["warning"]["message"]
     narrower = found["deconvolution"]["sd_m"] or 0.0
     assert found["deconvolution"]["reason"] or narrower < found["shift"]["sd_m"]
 
@@ -250,8 +250,8 @@ def test_statistics_are_a_recount(viewer: Client, services: Services, ground: Gr
 def test_empty_one_and_few_have_reasons(viewer: Client, services: Services) -> None:
     empty = viewer.seen("/statistics")
     assert empty["counted"]["measurements"] == 0 and len(empty["standards"]) == len(USUAL)
-    assert "no counted height" in empty["errors"]["groups"][0]["reason"]
-    assert "at least 4" in empty["errors"]["trend"]["reason"]
+    assert "no counted height" in empty["errors"]["groups"][0]["reason"]["message"]
+    assert "at least 4" in empty["errors"]["trend"]["reason"]["message"]
     assert "reason" in empty["targets"][0]["corrected"]["ecdf"]
     assert empty["targets"][0]["corrected"]["percentiles"] == []
     assert viewer.seen("/statistics?correction=shift")["targets"][0]["corrected"]["reason"]
@@ -272,7 +272,7 @@ def test_empty_one_and_few_have_reasons(viewer: Client, services: Services) -> N
     }
     found = viewer.seen(f"/statistics?state=all&survey={one.survey.id}&survey={second.id}")
     overall = found["errors"]["groups"][2]
-    assert overall["n"] == 1 and "too few" in overall["reason"]
+    assert overall["n"] == 1 and "too few" in overall["reason"]["message"]
     assert overall["figures"]["bias_m"]["value"] == pytest.approx(0.018034, abs=1e-12)
     # 1.618 against 1.600: 2 cm when both are rounded
     paper = viewer.seen(f"/statistics?state=all&survey={one.survey.id}&rounding=cm")["errors"]["groups"][2]
@@ -281,9 +281,9 @@ def test_empty_one_and_few_have_reasons(viewer: Client, services: Services) -> N
     assert overall["figures"]["sd_m"] == none
     roof = found["targets"][3]["raw"]
     assert [one["low"] for one in roof["percentiles"]] == [None] * 11
-    assert roof["percentiles"][0]["reason"] == "P2 needs 183; there is 1"
+    assert roof["percentiles"][0]["reason"]["message"] == "P2 needs 183; there is 1"
     assert [one["value"] for one in roof["percentiles"]] == [None] * 11
-    assert "at least 10" in found["targets"][3]["density"]["reason"]
+    assert "at least 10" in found["targets"][3]["density"]["reason"]["message"]
 
 
 REST = {
@@ -365,7 +365,7 @@ def test_the_paper_stands_beside(viewer: Client) -> None:
     ]
     day, low, both = paper
     pooled = (400 * day["mae_m"] + 250 * low["mae_m"]) / 650
-    assert f"{pooled:.4f} m" in both["note"] and abs(pooled - both["mae_m"]) > 0.0004
+    assert f"{pooled:.4f} m" in both["note"]["message"] and abs(pooled - both["mae_m"]) > 0.0004
 
 
 @pytest.mark.once

@@ -60,7 +60,7 @@ def test_from_the_rod_to_a_height_and_back(
     seen = viewer.made(f"{scan}/line-pose/preview", {k: v for k, v in given.items() if k != "revision"})
     assert seen["camera_height_m"] == pytest.approx(CAMERA_M, abs=1e-6) and len(seen["residuals_px"]) == 8
     few = viewer.made(f"{scan}/line-pose/preview", {"marks": given["marks"][:3]})
-    assert few["status"] == "not_solvable" and "too few" in few["reason"]
+    assert few["status"] == "not_solvable" and "too few" in few["reason"]["message"]
     stored = operator.put(f"{scan}/line-pose", given).json()
     assert stored["revision"] == 1 and stored["solved"] == seen
     again = operator.put(f"{scan}/line-pose", given)
@@ -238,4 +238,4 @@ def test_what_cannot_be_is_said_in_words(operator: Client, viewer: Client, vehic
     crooked = viewer.made(
         f"{scan}/line-pose/preview", {"marks": [{**rod()["marks"][0], "row_px": 300.0}, *rod()["marks"][1:]]}
     )
-    assert "check the distances" in crooked["warnings"][0]
+    assert "check the distances" in crooked["warnings"][0]["message"]

@@ -29,6 +29,10 @@ SOURCE = (StripSource("a.tif", "aa/a.tif", "aa" * 32), StripSource("b.tif", "bb/
 LENGTHS_M = (4.740, 4.745, 4.751, 4.738)
 
 
+def words_of(row: dict[str, Any]) -> str:
+    return " ".join(one["message"] for one in row["words"])
+
+
 @pytest.fixture
 def scan_id(services: Services, survey_id: int) -> int:
     """Four measured vehicles at 19.31415 +- 0.011 m/s, and a fifth without a motion; none is reviewed."""
@@ -137,7 +141,7 @@ def test_a_csv_is_previewed_and_imported_line_by_line(operator: Client, scan_id:
     plan = sent(operator, scan_id, "preview").json()
     assert plan["counts"] == {"new": 3, "replaces": 0, "same": 0, "ambiguous": 0, "refused": 7}
     assert all(one["references"] == [] for one in vehicles(operator, scan_id))
-    refused = {row["line"]: row["words"] for row in plan["rows"] if row["change"] == "refused"}
+    refused = {row["line"]: words_of(row) for row in plan["rows"] if row["change"] == "refused"}
     for line, said in {
         4: "has no vehicle 9",
         5: "no uncertainty; give u_speed",
@@ -163,7 +167,7 @@ def test_a_csv_is_previewed_and_imported_line_by_line(operator: Client, scan_id:
     other = CSV.replace("70.0;0.5", "71;0.4").replace("The Golf", "The Polo")
     plan = sent(operator, scan_id, "preview", other).json()
     assert plan["counts"]["replaces"] == 3
-    words = " ".join(row["words"] for row in plan["rows"] if row["change"] == "replaces")
+    words = " ".join(words_of(row) for row in plan["rows"] if row["change"] == "replaces")
     assert "Replaces the speed 19.4444 m/s" in words and "Was a run of The Golf." in words
 
 
@@ -255,7 +259,7 @@ def test_a_spoiled_table_is_refused_where_it_is_wrong(operator: Client, scan_id:
             said: Any = error_of(answer) if answer.status_code == 422 else answer.text
             fits = answer.status_code == 422 and all(word in said for word in ("refs.csv", *right))
         else:
-            said = {one["line"]: (one["change"], one["words"]) for one in answer.json().get("rows", [])}
+            said = {one["line"]: (one["change"], words_of(one)) for one in answer.json().get("rows", [])}
             fits = said.keys() == right.keys() and all(
                 said[at][0] == change and all(word in said[at][1] for word in words)
                 for at, (change, *words) in right.items()
@@ -346,8 +350,8 @@ def test_lines_find_their_vehicles_by_time_of_day(operator: Client, services: Se
         ("4", False),
     ]
     assert rows[2]["apart_s"] == pytest.approx(0.003, abs=0.0011)  # both are written to the millisecond
-    assert "0.00 s later (median)" in plan["notes"][0]
-    assert "known to ± 0.0098 s only" in plan["notes"][1]  # beyond the tolerance of 0.005 s
+    assert "0.00 s later (median)" in plan["notes"][0]["message"]
+    assert "known to ± 0.0098 s only" in plan["notes"][1]["message"]  # beyond the tolerance of 0.005 s
     assert timed(operator, scan_id, "import", lines)["values"] == 4
     told = [one["references"][0]["value"] * 3.6 for one in vehicles(operator, scan_id)[:4]]
     assert told == [pytest.approx(value) for value in (70, 71, 72, 73)]
@@ -387,10 +391,10 @@ def test_what_fits_several_is_named_and_nothing_of_it_is_stored(operator: Client
         9: "“08:10” is not a time with seconds",
         10: "line 11 names another car",
     }.items():
-        assert said in rows[line]["words"], rows[line]["words"]
+        assert said in words_of(rows[line]), rows[line]
     wide = by_line(timed(operator, scan_id, "preview", lines[:1], tolerance_s=0.05))
     assert wide[2]["change"] == "ambiguous" and wide[2]["number"] == ""
-    assert "Vehicles 1, 2, 3 passed within 0.05 s" in wide[2]["words"]
+    assert "Vehicles 1, 2, 3 passed within 0.05 s" in words_of(wide[2])
     assert timed(operator, scan_id, "import", lines)["values"] == 2
     first, second, *rest = vehicles(operator, scan_id)
     assert [one["source"] for one in first["references"]] == ["gps"]

@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sightline.errors import BadInput
+from sightline.messages.said import Said
 from sightline.sightdistance.curves import crest_constants_m
 from sightline.sightdistance.workbench import (
     Bounded,
@@ -117,7 +118,7 @@ def test_the_papers_percentiles_change_nothing() -> None:
         (Bounded(1.18, 1.17, 1.19), "shorter"),
         (Bounded(1.00, 0.99, 1.01), "longer"),
         (Bounded(1.09, 1.06, 1.12), "alike"),
-        (Bounded(1.18, reason="too few vehicles"), "unknown"),
+        (Bounded(1.18, reason=Said("stat-trend-needs", least=4, count=1)), "unknown"),
         (Bounded(1.18), "unknown"),
     ],
 )
@@ -126,8 +127,9 @@ def test_verdicts(eye: Bounded, verdict: str) -> None:
 
 
 def test_a_missing_interval_keeps_its_reason() -> None:
-    crest = crest_of(Bounded(1.18, reason="few"), Bounded(0.6, 0.5, 0.7), 185.0, 6.0, AASHTO_M)
-    assert {one.reason for one in (crest.constant_m, crest.k_m, crest.length_m, crest.seen_m)} == {"few"}
+    few = Said("stat-heights-needed", needed=36, count=3)
+    crest = crest_of(Bounded(1.18, reason=few), Bounded(0.6, 0.5, 0.7), 185.0, 6.0, AASHTO_M)
+    assert {one.reason for one in (crest.constant_m, crest.k_m, crest.length_m, crest.seen_m)} == {few}
 
 
 def test_every_kind_has_a_distance() -> None:

@@ -6,6 +6,7 @@ It is imported by the tests: half a second that a process which runs none of the
 import numpy as np
 import pytest
 
+from sightline.messages.said import Said
 from sightline.statistics.agreement import trend
 from sightline.statistics.distributions import ecdf, share_below, sorted_values
 from sightline.statistics.repeatability import gauge
@@ -16,7 +17,7 @@ def test_regression_and_its_band_are_those_of_least_squares() -> None:
     height = rng.normal(1.5, 0.12, 60)
     error = 0.01 - 0.05 * (height - 1.5) + rng.normal(0, 0.02, 60)
     found = trend(height, error)
-    assert not isinstance(found, str)
+    assert not isinstance(found, Said)
     import statsmodels.api as sm
 
     fit = sm.OLS(error, sm.add_constant(height)).fit()

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
+from sightline.messages.said import Said
 from sightline.statistics.agreement import bland_altman, reference_part, trend
 from sightline.statistics.corrections import CORRECTIONS, Known, corrected
 
@@ -17,12 +18,12 @@ def test_trend_is_scipys_and_its_band_holds() -> None:
     for _ in range(400):
         error = 0.01 - 0.05 * (height - 1.5) + rng.normal(0, 0.02, 80)
         found = trend(height, error)
-        assert not isinstance(found, str)
+        assert not isinstance(found, Said)
         true = 0.01 - 0.05 * (found.at[10] - 1.5)
         held.append(found.low[10] <= true <= found.high[10])
         held.append(found.slope_ci95.low <= -0.05 <= found.slope_ci95.high)
     assert np.mean(held) == pytest.approx(0.95, abs=0.025)
-    assert not isinstance(found, str)
+    assert not isinstance(found, Said)
     line = stats.linregress(height, error)
     assert (found.slope, found.intercept) == pytest.approx((line.slope, line.intercept))
     assert found.correlation == pytest.approx(line.rvalue)
@@ -32,14 +33,14 @@ def test_trend_is_scipys_and_its_band_holds() -> None:
 def test_limits_of_agreement() -> None:
     error = np.random.default_rng(3).normal(0.01, 0.02, 200)
     found = bland_altman(error)
-    assert not isinstance(found, str)
+    assert not isinstance(found, Said)
     assert found.bias_m == pytest.approx(error.mean())
     assert found.upper_m - found.bias_m == pytest.approx(1.959964 * error.std(ddof=1), rel=1e-6)
     rng = np.random.default_rng(4)
     held = []
     for _ in range(500):
         one = bland_altman(rng.normal(0.0, 0.02, 120))
-        assert not isinstance(one, str)
+        assert not isinstance(one, Said)
         held.append(one.upper_ci95.low <= 1.959964 * 0.02 <= one.upper_ci95.high)
     assert np.mean(held) == pytest.approx(0.95, abs=0.03)
     assert "at least 4" in str(bland_altman([0.1]))
@@ -53,14 +54,14 @@ def test_what_an_uncertain_reference_explains() -> None:
     for camera_sd in (0.0067, 0.019):
         error = true + rng.normal(0, camera_sd, len(true)) - reference
         found = reference_part(error, reference, U_TRUTH)
-        assert not isinstance(found, str) and found.camera_sd_m is not None
+        assert not isinstance(found, Said) and found.camera_sd_m is not None
         assert found.camera_sd_m == pytest.approx(camera_sd, rel=0.06)
         assert found.share_of_variance == pytest.approx(U_TRUTH**2 / (U_TRUTH**2 + camera_sd**2), rel=0.03)
         assert found.correlation_alone == pytest.approx(float(np.corrcoef(error, reference)[0, 1]), abs=0.015)
     nothing = reference_part(0.5 * (true - reference), reference, U_TRUTH)
-    assert not isinstance(nothing, str) and nothing.camera_sd_m is None and "all of" in nothing.words
+    assert not isinstance(nothing, Said) and nothing.camera_sd_m is None and "all of" in str(nothing.words)
     rounded = reference_part(error, reference, U_TRUTH, rounded=True)
-    assert not isinstance(rounded, str) and rounded.camera_sd_m is not None
+    assert not isinstance(rounded, Said) and rounded.camera_sd_m is not None
     assert rounded.rounding_share * np.var(error, ddof=1) == pytest.approx(2 * 0.01**2 / 12)
 
 
@@ -81,17 +82,17 @@ def test_corrections_as_the_paper_may_be_read() -> None:
     apart = {}
     for kind in CORRECTIONS:
         found = corrected(kind, by_inset, paper, known, camera_sd_m=0.006)
-        assert not isinstance(found, str) and found.words
+        assert not isinstance(found, Said) and found.words
         apart[kind] = 1000 * (np.percentile(found.height_m, 50) - np.percentile(eye, 50))
     # raw is tens of millimetres too high, a shift by roofs does not mend it, the inset does
     assert apart["none"] > 25 and apart["shift"] > 25 and abs(apart["inset"]) < 2
     shifted = corrected("shift", by_inset, paper, known)
-    assert not isinstance(shifted, str)
+    assert not isinstance(shifted, Said)
     assert np.allclose(shifted.height_m, paper - known.error_m.mean())
     regressed = corrected("regression", by_inset, paper, known)
-    assert not isinstance(regressed, str) and regressed.warning and "extrapolates" in regressed.warning
+    assert not isinstance(regressed, Said) and regressed.warning and "extrapolates" in str(regressed.warning)
     narrower = corrected("deconvolution", by_inset, paper, known, camera_sd_m=0.03)
-    assert not isinstance(narrower, str)
+    assert not isinstance(narrower, Said)
     assert np.var(narrower.height_m, ddof=1) == pytest.approx(np.var(paper, ddof=1) - 0.03**2)
 
 

@@ -5,6 +5,7 @@ import pytest
 from scipy import stats
 
 from sightline.errors import BadInput
+from sightline.messages.said import Said
 from sightline.statistics.distributions import (
     density,
     ecdf,
@@ -103,7 +104,7 @@ def test_ecdf_is_scipys_and_its_band_holds_everywhere_at_once() -> None:
 def test_density_is_scipys_and_its_band_holds_its_mean() -> None:
     sample = sorted_values(heights(500))
     found = density(sample)
-    assert not isinstance(found, str)
+    assert not isinstance(found, Said)
     kde = stats.gaussian_kde(sample, found.bandwidth / np.std(sample, ddof=1))
     assert np.allclose(found.density, kde(found.value), atol=0.004 * found.density.max())
     step = found.value[1] - found.value[0]
@@ -121,7 +122,7 @@ def test_the_band_of_a_density_holds_the_mean_of_the_estimate_as_often_as_it_say
     held = []
     for _ in range(runs):
         found = density(sorted_values(rng.normal(size=200)))
-        assert not isinstance(found, str)
+        assert not isinstance(found, Said)
         mean = stats.norm.pdf(at, scale=np.hypot(1.0, found.bandwidth))
         low, high = (np.interp(at, found.value, side) for side in (found.low, found.high))
         held.append((low <= mean) & (mean <= high))
@@ -131,7 +132,7 @@ def test_the_band_of_a_density_holds_the_mean_of_the_estimate_as_often_as_it_say
 def test_whole_centimetres_do_not_draw_a_comb() -> None:
     rounded = sorted_values(np.rint(np.random.default_rng(2).normal(0.0, 1.8, 3000)) / 100.0)
     comb, smooth = density(rounded), density(rounded, step=0.01)
-    assert not isinstance(comb, str) and not isinstance(smooth, str)
+    assert not isinstance(comb, Said) and not isinstance(smooth, Said)
     assert peaks(comb.density) > 5
     assert peaks(smooth.density) == 1
     assert smooth.bandwidth == pytest.approx(0.005)

@@ -43,7 +43,7 @@ def test_figures_of_three_lamps_by_hand() -> None:
     # the error of the pose, which all three share, is in the interval of the bias, and alone is 98 mm wide
     interval = overall.ci95["bias_m"]
     assert interval is not None and interval.high - interval.low > 2 * 1.96 * 0.05
-    assert "errors that heights share" in overall.words and "shared_errors" in overall.holds["bias_m"]
+    assert "errors that heights share" in str(overall.words) and "shared_errors" in overall.holds["bias_m"]
     assert overall.ci95["mae_m"] is None and "of MAE, RMSE and SD; 5 are needed" in str(overall.reason)
     # 10 mm is more than 1.96 x 5 mm = 9.8 mm; 20 mm is less than 1.96 x 20.02 mm; the third has no u
     assert isinstance(found.inside, Inside)
@@ -69,7 +69,7 @@ def test_its_figures_are_those_of_the_error_table() -> None:
 
 def test_without_an_uncertainty_there_is_a_reason() -> None:
     found = inside_uncertainty([0.01], [0.01], [np.nan])
-    assert found == "no known height has an uncertainty to be compared with"
+    assert str(found) == "no known height has an uncertainty to be compared with"
 
 
 def test_honest_uncertainties_hold_95_percent() -> None:

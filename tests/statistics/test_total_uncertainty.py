@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy import stats
 
+from sightline.messages.said import Said
 from sightline.statistics.deconvolution import noise_of, smooth_density
 from sightline.statistics.distributions import PERCENTILES
 from sightline.statistics.shared_errors import SharedErrors
@@ -152,14 +153,14 @@ def test_a_difference_of_two_surveys_has_the_uncertainty_of_both() -> None:
     first, second = (TotalUncertainty(sample(400, seed, shared_m=0.006)) for seed in (8, 9))
     moved = TotalUncertainty(HeightSample(sample(400, 9, shared_m=0.006).height_m + 0.1, np.zeros(400)))
     found = difference(first, second, P10)
-    assert not isinstance(found, str)
+    assert not isinstance(found, Said)
     one, other = first.percentile(P10), second.percentile(P10)
     assert found.value == pytest.approx(other.value - one.value)
     assert found.U95_low is not None and found.U95_high is not None
     halves = [(p.U95_high or 0) - (p.U95_low or 0) for p in (one, other)]
     assert found.U95_high - found.U95_low == pytest.approx(np.hypot(*halves), rel=0.05)
     apart = difference(first, moved, P10)
-    assert not isinstance(apart, str) and apart.U95_low is not None and apart.U95_low > 0.05
+    assert not isinstance(apart, Said) and apart.U95_low is not None and apart.U95_low > 0.05
 
 
 def test_what_is_too_small_says_so() -> None:
@@ -167,10 +168,10 @@ def test_what_is_too_small_says_so() -> None:
     assert few.percentile(50.0).U95_low is not None
     outer = few.percentile(2.5)
     assert outer.value is None and outer.U95_low is None and outer.needs == 146
-    assert outer.reason == "P2.5 needs 146; there are 30"
+    assert str(outer.reason) == "P2.5 needs 146; there are 30"
     assert outer.raw == pytest.approx(float(np.quantile(sample(30, 1).height_m, 0.025)), abs=1e-12)
     same = TotalUncertainty(HeightSample(np.full(50, 1.2), np.zeros(50)))
-    assert same.percentile(50.0).reason == "the heights are all the same"
+    assert str(same.percentile(50.0).reason) == "the heights are all the same"
     assert TotalUncertainty(HeightSample(np.array([1.2]), np.zeros(1))).mean().U95_low is None
 
 

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from sightline.messages.said import Said
 from sightline.studies.beside import shared_surveys, study_differences
 from sightline.studies.records import StudyResult
 
@@ -44,13 +45,18 @@ def test_a_difference_is_told_from_noise_by_both_intervals(moved_m: float, verdi
 
 
 def test_what_one_of_them_lacks_is_left_out_and_a_missing_figure_keeps_its_reason() -> None:
-    none = row(None, target="taillight", reason="all are alike")
+    none = row(None, target="taillight", reason=Said("stat-true-heights-alike").document)
     first = result(row(1.4), row(0.2, figure="sd", percent=None), none)
     second = result(
         row(1.4, target="driver_eye"), row(0.2, figure="sd", percent=None), row(0.8, target="taillight")
     )
     (one,) = study_differences(first, second)
-    assert (one.target, one.value_m, one.verdict, one.reason) == ("taillight", None, None, "all are alike")
+    assert (one.target, one.value_m, one.verdict, one.reason) == (
+        "taillight",
+        None,
+        None,
+        Said("stat-true-heights-alike"),
+    )
 
 
 def test_surveys_of_both_are_named() -> None:

@@ -193,7 +193,7 @@ def _a_study_of_simulated_surveys_says_so(operator: Client, page: dict[str, Any]
     listed = {one["id"]: one["simulated"] for one in operator.seen("/studies")}
     assert page["study"]["simulated"] and listed[page["study"]["id"]]
     result = page["result"]
-    assert any(note.startswith("Simulated:") for note in result["found"]["notes"])
+    assert any(note["message"].startswith("Simulated:") for note in result["found"]["notes"])
     assert "Simulated." in pages(operator.http.get(result["report_url"]).content)[0]
     with zipfile.ZipFile(io.BytesIO(operator.http.get(result["package_url"]).content)) as archive:
         assert "Simulated:" in archive.read("datapackage.json").decode()

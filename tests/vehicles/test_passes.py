@@ -11,6 +11,7 @@ import pytest
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from sightline.media.video.writer import write_mp4
+from sightline.messages.said import Said
 from tests.media.street import car, street
 from tests.support.app import Client, error_of, upload
 from tests.support.ground import Ground, add_vehicle, lay_ground, measure
@@ -45,6 +46,8 @@ def search(operator: Client, recording_id: int, work: Work) -> dict[str, Any]:
     job = work()[-1]
     assert job.state == "done" and job.kind == "passes", job
     assert job.result is not None
+    shown = operator.seen(f"/jobs/{job.id}")["result"]["message"]
+    assert [one["message"] for one in shown] == [str(Said.read(one)) for one in job.result["message"]]
     return job.result
 
 
@@ -52,7 +55,8 @@ def test_what_is_found_is_stored_once_and_leaves_alone_what_people_did(
     operator: Client, survey_id: int, street_id: int, work: Work
 ) -> None:
     result = search(operator, street_id, work)
-    assert (result["found"], result["added"], result["message"]) == (2, 2, "2 passes were found.")
+    assert (result["found"], result["added"]) == (2, 2)
+    assert [str(Said.read(one)) for one in result["message"]] == ["2 passes were found."]
     first, second = operator.seen(f"/surveys/{survey_id}/vehicles")
     assert (first["origin"], first["direction"], second["direction"]) == ("found", "right", "left")
     assert first["lighting"] is None and first["detection"]["lighting_proposed"] == "daytime"
@@ -65,7 +69,8 @@ def test_what_is_found_is_stored_once_and_leaves_alone_what_people_did(
     assert operator.delete(f"/vehicles/{second['id']}").status_code == 204
     again = search(operator, street_id, work)
     assert (again["found"], again["added"]) == (2, 0)
-    assert again["message"] == "2 passes were found: none new, 2 known or discarded before."
+    (told,) = map(Said.read, again["message"])
+    assert str(told) == "2 passes were found: none new, 2 known or discarded before."
     assert operator.seen(f"/surveys/{survey_id}/vehicles") == [edited]
 
 

@@ -183,8 +183,8 @@ def _json(found: TotalUncertainty, percents: Sequence[tuple[str, float]]) -> dic
     }
 
 
-def _figure(one: Figure) -> dict[str, float | str | None]:
-    ends: dict[str, float | str | None] = {
+def _figure(one: Figure) -> dict[str, Any]:
+    ends: dict[str, Any] = {
         "value": one.value,
         "U95_low": one.U95_low,
         "U95_high": one.U95_high,
@@ -238,7 +238,7 @@ def _compared_text(
     for name, one in _compared(pair, found, percents):
         label = name if name == "mean" else f"P{name}"
         value = "-" if one.verdict is None else f"{one.difference.value:+.4f}"
-        said = (one.verdict or one.difference.reason or "").replace("_", " ")
+        said = str(one.verdict or one.difference.reason or "").replace("_", " ")
         lines.append(f"{label:>8} {value:>9} {_ends(one.difference, '{:.4f}'.format):>20}  {said}")
     lines.append("Higher or lower: the 95 % interval of the difference excludes 0 (risk at most 2.5 %).")
     return "\n".join(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, cast, get_args
@@ -12,6 +11,7 @@ import numpy as np
 
 from sightline.commands.distribution import Rows, length_in, sample_of
 from sightline.commands.files import read_csv
+from sightline.commands.options import print_json
 from sightline.enums import Rounding, Target
 from sightline.errors import BadInput
 
@@ -56,7 +56,7 @@ def errors(heights: Path, rounding: Rounding, by: str | None, as_json: bool) -> 
     table = error_table(rows.height_m, rows.reference_m, rows.lighting, rounding, _parts(rows))
     if as_json:
         groups = {name: group_json(group) for name, group in table.items()}
-        click.echo(json.dumps({"rounding": rounding, "groups": groups}))
+        print_json({"rounding": rounding, "groups": groups})
         return
     click.echo(as_text(table, rounding))
     _tell_left_out(left_out)
@@ -100,7 +100,7 @@ def _by_target(found: dict[Key, _Rows], left_out: int, as_json: bool) -> None:
             }
             for one in told
         ]
-        click.echo(json.dumps({"rounding": "none", "targets": listed}))
+        print_json({"rounding": "none", "targets": listed})
         return
     heads = {"bias_m": "bias", "mae_m": "MAE", "rmse_m": "RMSE", "sd_m": "SD"}
     lines = [f"{'':34}{'n':>6}" + "".join(f"{head:>42}" for head in heads.values())]

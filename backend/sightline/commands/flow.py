@@ -224,7 +224,7 @@ def _row(traffic: ScanTraffic, shown: ShownInterval) -> dict[str, Any]:
 
 def _too_few(shown: ShownInterval) -> list[str]:
     """Why percentiles are missing where some speeds count."""
-    return [each.reason for each in shown.percentiles if each.reason] if shown.interval.measured else []
+    return [str(each.reason) for each in shown.percentiles if each.reason] if shown.interval.measured else []
 
 
 def _vehicle_rows(of: Results) -> Iterator[dict[str, Any]]:

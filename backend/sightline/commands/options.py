@@ -13,6 +13,7 @@ import click
 
 from sightline.enums import FILMED_HZ
 from sightline.errors import BadInput
+from sightline.messages.said import Said
 
 if TYPE_CHECKING:
     from sightline.infra.services import Services
@@ -101,9 +102,15 @@ def opened_services(data_dir: Path | None) -> Iterator[Services]:
         services.close()
 
 
+def _in_words(value: object) -> str:
+    if isinstance(value, Said):
+        return str(value)
+    raise TypeError(f"{value!r} is no JSON")
+
+
 def print_json(value: object) -> None:
     """One JSON object, full precision, no NaN."""
-    json.dump(value, sys.stdout, indent=2, ensure_ascii=False, allow_nan=False)
+    json.dump(value, sys.stdout, indent=2, ensure_ascii=False, allow_nan=False, default=_in_words)
     sys.stdout.write("\n")
 
 

@@ -19,7 +19,7 @@ def passes(video: Path, stream_number: int | None, filmed_hz: float | None, as_j
 
     search = find_passes(video, rate_hz=filmed_hz, name=str(video), stream_number=stream_number)
     if as_json:
-        print_json({"passes": [_told(one) for one in search.passes], "notes": list(search.notes)})
+        print_json({"passes": [_told(one) for one in search.passes], "notes": search.notes})
         return
     click.echo(f"{video}: {len(search.passes)} found in {search.frames} frames")
     for one in search.passes:

@@ -1,6 +1,5 @@
 """The command plan: what heights, or a line scan's speeds, will be worth, before going out."""
 
-import json
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -9,6 +8,7 @@ import click
 import numpy as np
 
 from sightline.commands.geometry import height_to_dict, parse_size, read_camera_file
+from sightline.commands.options import print_json
 from sightline.enums import PlannedQuantity
 from sightline.errors import BadInput
 from sightline.geometry.camera import Camera
@@ -80,7 +80,7 @@ def plan(
             raise BadInput("commands-line-scan-planned-without-camera-place")
         vehicle = (length or USUAL_LENGTH_M, time_gap or USUAL_TIME_GAP_S)
         lines = _lines(baseline, speed, speed_error, line_rate, u_baseline or 0.0, vehicle)
-        click.echo(json.dumps(_lines_to_dict(lines)) if as_json else _lines_text(lines))
+        print_json(_lines_to_dict(lines)) if as_json else click.echo(_lines_text(lines))
         return
     if any(one is not None for one in of_lines):
         raise BadInput("commands-speed-speed-error-line-rate-u")
@@ -96,7 +96,7 @@ def plan(
         travel_m=travel,
     )
     planned = plan_site(camera, site)
-    click.echo(json.dumps(_plan_to_dict(planned)) if as_json else _plan_text(planned))
+    print_json(_plan_to_dict(planned)) if as_json else click.echo(_plan_text(planned))
 
 
 def _lines(
@@ -145,7 +145,7 @@ def _lines_text(plan: LinePlan) -> str:
             f"corrected, 2 / n         {wanted.corrected_hz:12.0f}   {100 * expected.corrected:.3g} %",
             f"u of the speed, registering and baseline: {plan.u_speed_mps:.4f} m/s",
             *(f"{_WORDS[one.quantity]:<13}{one.value:9.3f} {one.u:8.4f} (u)" for one in plan.values),
-            *plan.words,
+            *map(str, plan.words),
         ]
     )
 
@@ -205,7 +205,7 @@ def _plan_text(planned: Plan) -> str:
     eye = next(t for t in planned.targets if t.target == "driver_eye")
     if eye.result.status == "ok" and eye.two_frames.reason is not None:
         lines.append(str(eye.two_frames.reason))
-    return "\n".join([*lines, *planned.advice])
+    return "\n".join([*lines, *map(str, planned.advice)])
 
 
 def _mm(metres: float | None) -> str:

@@ -196,7 +196,7 @@ def _sag(headlight: Bounded, seen_m: float, difference_percent: float | None) ->
 
 
 def _notes(eye: Bounded, thing: Bounded) -> list[str]:
-    notes = [one.reason for one in (eye, thing) if one.reason]
+    notes = [str(one.reason) for one in (eye, thing) if one.reason]
     if (eye.low is None) == (thing.low is None):
         return notes
     return [

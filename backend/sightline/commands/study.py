@@ -112,7 +112,7 @@ def _text(made: Study, output: Path, notes: list[str]) -> str:
         f"vehicles at {sites} sites. Written to {output}."
     ]
     lines += [line for one in made.targets for line in _target_lines(one)]
-    return "\n".join([*lines, *made.notes, *notes])
+    return "\n".join([*lines, *map(str, made.notes), *notes])
 
 
 def _target_lines(one: TargetFigures) -> list[str]:

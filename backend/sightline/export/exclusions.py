@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from sightline.export.chosen import chosen_vehicles
+from sightline.infra.csv_package.columns import code_in, code_of
 from sightline.infra.csv_package.files import Files, read_columns, unsafe
 from sightline.infra.csv_package.schema import Cell, Column, Table
 from sightline.measurements.csv import TARGETS
 from sightline.measurements.sheets.csv import counting_in
+from sightline.messages.said import Said
 
 STATES = (
     "withdrawn",
@@ -33,18 +35,15 @@ EXCLUSIONS = Table(
         Column("target", "string", "what was measured", required=True, enum=TARGETS),
         Column("state", "string", "state for which it is excluded", required=True, enum=STATES),
         Column("reason", "string", "the reason in words", required=True),
-        Column("reason_code", "string", "of a height that is missing: why, by code and values (JSON)"),
+        Column("reason_code", "string", "reason by code and values (JSON)"),
     ),
     primary=("measurement_id",),
     foreign=((("measurement_id",), "measurements", ("id",)), (("vehicle_id",), "vehicles", ("id",))),
 )
-_CHECK = "check_target", "It checks the measuring: its errors are in statistics/errors_by_target.csv."
-_OTHER = "not_selected", "It is not among the vehicles of this package."
-_TIMELESS = (
-    "not_selected",
-    "This package is of days or hours of filming, and the start of its recording is not confirmed.",
-)
-_OUTSIDE = "out_of_sample", "Its vehicle is out of the survey's sample."
+_CHECK = "check_target", Said("excluded-check-target")
+_OTHER = "not_selected", Said("excluded-not-selected")
+_TIMELESS = "not_selected", Said("excluded-without-time")
+_OUTSIDE = "out_of_sample", Said("excluded-out-of-sample")
 _READ = (
     "id",
     "vehicle_id",
@@ -80,21 +79,30 @@ def exclusion_rows(files: Files) -> Iterator[dict[str, Cell]]:
                 "target": row["target"],
                 "state": why[0],
                 "reason": why[1],
-                "reason_code": unsafe(row["reason_code"]) or None if why[0] == "not_measurable" else None,
+                "reason_code": code_of(why[1]),
             }
 
 
-def _why(row: Mapping[str, str]) -> tuple[str, str] | None:
+def _why(row: Mapping[str, str]) -> tuple[str, Said] | None:
     if row["withdrawn"] == "true":
-        return "withdrawn", "The measurement was withdrawn."
+        return "withdrawn", Said("excluded-withdrawn")
     if row["status"] != "ok":
-        return "not_measurable", unsafe(row["reason"]) or "There is no height."
+        return "not_measurable", _reason(row) or Said("excluded-no-height")
     if row["verdict"] == "rejected":
-        return "rejected", unsafe(row["review_reason"]) or "It was rejected by a reviewer."
+        return "rejected", _of_person(row) or Said("excluded-rejected")
     if row["verdict"] == "to_review":
-        return "to_review", "It has not been reviewed yet."
+        return "to_review", Said("excluded-not-reviewed")
     if row["verdict"] == "reopened":
-        return "to_review", unsafe(row["review_reason"]) or (
-            "It was reopened and is waiting for another review."
-        )
+        return "to_review", _of_person(row) or Said("excluded-reopened")
     return None
+
+
+def _reason(row: Mapping[str, str]) -> Said | None:
+    """Of a height that is missing; a package of an earlier program may have its words alone."""
+    return code_in(unsafe(row["reason_code"])) or (
+        Said.read(unsafe(row["reason"])) if row["reason"] else None
+    )
+
+
+def _of_person(row: Mapping[str, str]) -> Said | None:
+    return Said("said", sentence=unsafe(row["review_reason"])) if row["review_reason"] else None

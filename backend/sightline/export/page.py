@@ -28,7 +28,7 @@ from sightline.infra.csv_package.columns import CODE, said_in, words_of
 from sightline.infra.csv_package.files import Files, Staging, read_columns, read_header, read_whole
 from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, AnyTable, Written, sha256_hex
 from sightline.infra.version import code_version
-from sightline.messages import SOURCE, languages
+from sightline.messages import SOURCE, languages, name_of
 from sightline.messages.recognised import translated, translated_meaning
 from sightline.results.csv import selection_in
 from sightline.settings import default_frontend_dir
@@ -63,7 +63,6 @@ _NAMES = (
 _SENTENCES = {
     "measurements.csv": ("reason", "flags"),
     "crops.csv": ("reason",),
-    "budget.csv": ("source",),
 }
 _POSES = re.compile(r"records/pose-\d+\.json")
 _ABOUT = re.compile(r'<script type="application/json" id="about">(.*?)</script>\n', re.DOTALL)
@@ -214,6 +213,9 @@ def _said(files: Files, tables: Sequence[AnyTable], carried: Set[str], language:
         if table.path not in carried:
             continue
         said |= {one.meaning: translated_meaning(one.meaning, language) for one in table.columns}
+        if table.key == "budget.csv":
+            sources = {source for (source,) in read_columns(files, table.path, ("source",))}
+            said |= {source: name_of("budget-of", source, language) for source in sources}
         for column in _SENTENCES.get(table.key, ()):
             code = f"{column}{CODE}"
             names = (column, code) if code in read_header(files, table.path) else (column,)

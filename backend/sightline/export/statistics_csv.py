@@ -11,6 +11,7 @@ from sightline.export import scans, traffic
 from sightline.export.measured import AS_PAPER, PackageStatistics
 from sightline.infra.csv_package.columns import flag, metres, number
 from sightline.infra.csv_package.schema import Cell, Column, Row, Table
+from sightline.messages.said import Said
 from sightline.results.survey_statistics import Statistics, standards_of
 from sightline.statistics.distributions import Ecdf
 from sightline.statistics.errors import ErrorGroup
@@ -363,7 +364,7 @@ def _known_rows(key: Row, found: Iterable[KnownErrors]) -> Iterator[Cells]:
             yield from _error_rows({**of, "grouping": part.grouping}, {part.group: part.errors})
         inside = one.inside
         row: Cells = {**of, "grouping": "all", "group": "all", "figure": "inside_u95"}
-        if isinstance(inside, str):
+        if isinstance(inside, Said):
             yield {**row, "n": 0, "reason": inside}
         else:
             yield {**row, "n": inside.n, "value": inside.share, "low": inside.low, "high": inside.high}
@@ -386,7 +387,7 @@ def _agreement_rows(key: Row, errors: Errors) -> Iterator[Cells]:
         ("absolute_trend", errors.absolute_trend, ("slope", "intercept")),
         ("reference", errors.reference_part, _OF_REFERENCE),
     ):
-        if isinstance(part, str):
+        if isinstance(part, Said):
             yield {**key, "figure": name, "reason": part}
             continue
         for figure in figures:
@@ -400,7 +401,7 @@ _OF_REFERENCE = ("u_reference_m", "share_of_variance", "rounding_share", "camera
 
 def _trend_rows(key: Row, errors: Errors) -> Iterator[Cells]:
     for of, part in (("signed", errors.trend), ("absolute", errors.absolute_trend)):
-        if not isinstance(part, str):
+        if not isinstance(part, Said):
             for at, value, low, high in _points(part.at, part.value, part.low, part.high):
                 yield {**key, "of": of, "reference_m": at, "error_m": value, "low_m": low, "high_m": high}
 
@@ -424,7 +425,7 @@ def _error_ecdf_rows(key: Row, errors: Errors) -> Iterator[Cells]:
 
 def _error_density_rows(key: Row, errors: Errors) -> Iterator[Cells]:
     for group, found in errors.density.items():
-        if not isinstance(found, str):
+        if not isinstance(found, Said):
             for at, density, low, high in _points(found.value, found.density, found.low, found.high):
                 yield {**key, "group": group, "error_m": at, "density": density, "low": low, "high": high}
 
@@ -432,8 +433,8 @@ def _error_density_rows(key: Row, errors: Errors) -> Iterator[Cells]:
 def _correction_rows(correction: Correction, found: Statistics) -> Iterator[Cells]:
     for target, one in found.targets.items():
         done = one.correction
-        said: Cells = {"reason": done} if isinstance(done, str) else {"words": done.words}
-        if not isinstance(done, str):
+        said: Cells = {"reason": done} if isinstance(done, Said) else {"words": done.words}
+        if not isinstance(done, Said):
             said["warning"] = done.warning
         left = one.corrected
         row: Cells = {"target": target, "correction": correction, "n": left.n}
@@ -509,7 +510,7 @@ def _height_ecdf_rows(correction: Correction, found: Statistics) -> Iterator[Cel
 
 def _height_density_rows(correction: Correction, found: Statistics) -> Iterator[Cells]:
     for target, one in found.targets.items():
-        if not isinstance(one.density, str):
+        if not isinstance(one.density, Said):
             part = one.density
             for at, density, low, high in _points(part.value, part.density, part.low, part.high):
                 row: Cells = {"target": target, "correction": correction, "height_m": at}

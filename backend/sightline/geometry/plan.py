@@ -17,6 +17,7 @@ from sightline.geometry.plan_targets import (
     planned_target,
 )
 from sightline.geometry.site import Outlook, Site, level_pose, outlook, require_site, site_pose, track_shown_m
+from sightline.messages.said import Said
 
 _DISTANCES_M = np.linspace(2.0, 8.0, 49)
 _CAMERA_HEIGHTS_M = np.linspace(0.6, 2.4, 37)
@@ -34,7 +35,7 @@ class Curve:
 
 @dataclass(frozen=True)
 class Plan:
-    """Expected uncertainties of a set-up, with advice in words.
+    """Expected uncertainties of a set-up, with advice.
 
     `U95_over_distance`: vehicles at other distances, camera and board as planned. `bias_over_height`: error
     of a driver's eye whose inset is ignored, by the camera's height. `track_shown_m`: length of the wheel
@@ -43,7 +44,7 @@ class Plan:
 
     site: Site
     targets: tuple[PlannedTarget, ...]
-    advice: tuple[str, ...]
+    advice: tuple[Said, ...]
     U95_over_distance: tuple[Curve, ...]
     bias_over_height: tuple[Curve, ...]
     outlook: Outlook

@@ -23,6 +23,8 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike, NDArray
 
+from sightline.errors import BadInput
+
 LEAST_MARKS = 4
 # Beyond this, columns of the scaled Jacobian cannot be told apart: the marks do not fix the pose.
 _WORST_CONDITION = 1e7
@@ -30,7 +32,7 @@ _WORST_CONDITION = 1e7
 Floats = NDArray[np.float64]
 
 
-class LinePoseError(ValueError):
+class LinePoseError(BadInput):
     """The marks do not give a pose; the message says what to do."""
 
 
@@ -135,15 +137,10 @@ def solve_line_pose(
         or norms.min() == 0
         or np.linalg.cond(jacobian / norms) > _WORST_CONDITION
     ):
-        raise LinePoseError(
-            "The marks do not determine the camera height: hold the rod upright at two distances, "
-            "such as the near and the far edge of the lane."
-        )
+        raise LinePoseError("line-pose-open")
     parameters = found.x * scale
     if parameters[3] <= 0:
-        raise LinePoseError(
-            "The marks put the camera below the road; check their distances, heights and rows."
-        )
+        raise LinePoseError("line-pose-below-road")
     freedom = len(row) - 4
     squares = float(found.fun @ found.fun)
     variance = sigma_px**2 if sigma_px is not None else squares / freedom
@@ -172,19 +169,16 @@ def _stand_shifts(
 
 def _check(distance: Floats, height: Floats, row: Floats, sigma_px: float | None) -> None:
     if not len(distance) == len(height) == len(row):
-        raise LinePoseError("Each mark needs a distance, a height and a row.")
+        raise LinePoseError("line-pose-mark-incomplete")
     if not all(np.all(np.isfinite(one)) for one in (distance, height, row)):
-        raise LinePoseError("Distances, heights and rows of the marks must be numbers.")
+        raise LinePoseError("line-pose-not-numbers")
     least = LEAST_MARKS if sigma_px is not None else LEAST_MARKS + 1
     if len(row) < least:
-        raise LinePoseError(f"{len(row)} marks are too few; click at least {least}.")
+        raise LinePoseError("line-pose-too-few", count=len(row), least=least)
     if np.any(distance <= 0) or (sigma_px is not None and sigma_px <= 0):
-        raise LinePoseError("Distances of marks and the u of their rows must be above 0.")
+        raise LinePoseError("line-pose-above-zero")
     if np.ptp(distance) < 1e-3 * distance.mean():
-        raise LinePoseError(
-            "All marks are at one distance, so the camera height cannot be determined; hold the "
-            "rod upright at two."
-        )
+        raise LinePoseError("line-pose-one-distance")
 
 
 def _start(distance: Floats, height: Floats, row: Floats) -> Floats:
@@ -192,7 +186,7 @@ def _start(distance: Floats, height: Floats, row: Floats) -> Floats:
     design = np.column_stack([distance, height, -np.ones_like(distance)])
     (p0, p1, product), *_ = np.linalg.lstsq(design, row * distance, rcond=None)
     if p1 >= 0:
-        raise LinePoseError("Higher marks must have smaller rows; check which end of the rod is up.")
+        raise LinePoseError("line-pose-upside-down")
     return np.array([p0, p1, 0.0, product / p1])
 
 

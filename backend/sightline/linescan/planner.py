@@ -13,10 +13,12 @@ from math import hypot, sqrt
 
 from sightline.coverage import COVERAGE_95
 from sightline.enums import PlannedQuantity
+from sightline.errors import BadInput
 from sightline.linescan.boundaries import U_LINE_LINES
 from sightline.linescan.budget import U_EDGE_M
 from sightline.linescan.direct import MOST_MOVED
 from sightline.linescan.fineness import GOOD_LINE_M
+from sightline.messages.said import Said
 
 # By how much registering both strips errs along the road, standard u: so much whatever the lines, and a share
 # of what the vehicle moves from line to line. Of 111 simulated vehicles (11 to 36 m/s, 1,221 to 9,766 Hz,
@@ -48,9 +50,9 @@ class SpeedError:
 
 
 def line_rate_for(error: float, speed_mps: float, baseline_m: float) -> LineRatePlan:
-    """The line rate for a relative speed `error` (0 to 1). Raises ValueError outside."""
+    """The line rate for a relative speed `error` (0 to 1). Raises BadInput outside."""
     if not (0 < error < 1 and speed_mps > 0 and baseline_m > 0):
-        raise ValueError("The error must be a share between 0 and 1; speed and baseline greater than 0.")
+        raise BadInput("plan-lines-no-share")
     per_metre = 2 * speed_mps / baseline_m
     return LineRatePlan(per_metre * (1 - error) / error, per_metre / error)
 
@@ -58,7 +60,7 @@ def line_rate_for(error: float, speed_mps: float, baseline_m: float) -> LineRate
 def speed_error(speed_mps: float, baseline_m: float, line_rate_hz: float) -> SpeedError:
     """The relative speed error that equation (2) expects, and the n lines between the cameras."""
     if min(speed_mps, baseline_m, line_rate_hz) <= 0:
-        raise ValueError("Speed, baseline and line rate must be greater than 0.")
+        raise BadInput("plan-lines-above-zero")
     lines = baseline_m * line_rate_hz / speed_mps
     return SpeedError(2 / (lines + 2), 2 / lines, lines)
 
@@ -102,7 +104,7 @@ class LinePlan:
     u_speed_mps: float
     U95_speed_mps: float
     values: tuple[PlannedValue, ...]
-    words: tuple[str, ...]
+    words: tuple[Said, ...]
 
 
 def plan_lines(
@@ -138,7 +140,7 @@ def plan_lines(
 
     Raises
     ------
-    ValueError
+    BadInput
         For what cannot be planned with.
 
     Examples
@@ -149,9 +151,9 @@ def plan_lines(
     (1390.0, 0.0025)
     """
     if not (0 < length_m <= 100 and 0 < time_gap_s <= 3600):
-        raise ValueError("The vehicle must be up to 100 m long, the gap up to 3600 s; both greater than 0.")
+        raise BadInput("plan-lines-vehicle")
     if not 0 <= u_baseline_m < baseline_m:
-        raise ValueError("The baseline's uncertainty must be at least 0 and less than the baseline.")
+        raise BadInput("plan-lines-u-baseline")
     wanted = line_rate_for(error, speed_mps, baseline_m)
     fine_hz = speed_mps / GOOD_LINE_M
     rate_hz = fine_hz if line_rate_hz is None else line_rate_hz
@@ -250,54 +252,39 @@ class _Rig:
         )
 
 
-def _words(error: float, lines: float, speed: PlannedValue, line_m: float, fine_hz: float) -> tuple[str, ...]:
+def _words(
+    error: float, lines: float, speed: PlannedValue, line_m: float, fine_hz: float
+) -> tuple[Said, ...]:
     """What to do about it, what stops the work first."""
-    out = []
+    out, rate_hz = [], _digits(fine_hz, 3)
     if lines < _FEW_LINES:
-        out.append(
-            f"Only {lines:.1f} lines lie between the cameras; use a higher line rate or a longer "
-            "baseline, otherwise this vehicle can hardly be measured."
-        )
+        out.append(Said("plan-lines-few", lines=round(lines, 1)))
     if line_m > COARSE_LINE_M:
         out.append(
-            f"The vehicle moves {1000 * line_m:.1f} mm from line to line; beyond "
-            f"{1000 * COARSE_LINE_M:.0f} mm most vehicles are refused. Use {_rate(fine_hz)} Hz or more."
+            Said("plan-lines-coarse", line_m=round(line_m, 4), coarse_m=COARSE_LINE_M, rate_hz=rate_hz)
         )
     elif line_m > GOOD_LINE_M * (1 + 1e-9):
-        out.append(
-            f"The vehicle moves {1000 * line_m:.1f} mm from line to line, which can be measured; "
-            f"{_rate(fine_hz)} Hz brings it to {1000 * GOOD_LINE_M:.0f} mm."
-        )
+        out.append(Said("plan-lines-apart", line_m=round(line_m, 4), good_m=GOOD_LINE_M, rate_hz=rate_hz))
     reached = speed.U95 / speed.value
     if reached > error * (1 + 1e-9):
-        out.append(
-            f"The speed's U95 is {_percent(reached)}, more than the {_percent(error)} allowed; use a "
-            f"baseline {reached / error:.1f} times as long, measured as accurately."
-        )
+        times = round(reached / error, 1)
+        allowed = _percent(error)
+        out.append(Said("plan-lines-U95", reached=_percent(reached), allowed=allowed, times=times))
     by_strips, by_baseline = speed.u_strips / speed.value, speed.u_baseline / speed.value
+    strips, baseline = _percent(by_strips), _percent(by_baseline)
     if by_baseline == 0:
-        out.append("The baseline is taken as exact; enter its uncertainty, which is part of every speed.")
+        out.append(Said("plan-lines-baseline-exact"))
     elif by_baseline > by_strips:
-        out.append(
-            "The baseline is the limit, not the line rate: its standard uncertainty is "
-            f"{_percent(by_baseline)}, registering the strips adds {_percent(by_strips)}. Measure the "
-            "baseline more accurately first."
-        )
+        out.append(Said("plan-lines-baseline-limits", strips=strips, baseline=baseline))
     else:
-        out.append(
-            f"Registering the strips is the limit, not the baseline: it adds {_percent(by_strips)} (standard "
-            f"uncertainty), the baseline {_percent(by_baseline)}. Use a longer baseline."
-        )
-    out.append(
-        "Expected of the default method, from simulated vehicles that fill the image; little texture, strong "
-        "noise or rain make it worse, and each vehicle's own uncertainty states what was reached."
-    )
-    return tuple(out)
+        out.append(Said("plan-lines-strips-limit", strips=strips, baseline=baseline))
+    return (*out, Said("plan-lines-expected"))
 
 
-def _rate(hz: float) -> str:
-    return f"{float(f'{hz:.3g}'):.0f}"
+def _percent(share: float) -> float:
+    return _digits(100 * share, 2)
 
 
-def _percent(share: float) -> str:
-    return f"{100 * share:.2g} %"
+def _digits(value: float, digits: int) -> float:
+    """To so many that count."""
+    return float(f"{value:.{digits}g}")

@@ -45,6 +45,7 @@ from sightline.coverage import expanded
 from sightline.enums import RigPassKind
 from sightline.errors import BadInput
 from sightline.linescan.rig import BASELINE_M, DISTANCE_M, DIVERGENCE_RAD, baseline_at
+from sightline.messages.said import Said
 
 LEAST_PASSES = 3
 DEFAULT_U_LINE = 2.0  # standard uncertainty of a line that a person clicked, as of a wheel
@@ -57,15 +58,10 @@ DOUBT = 0.025
 _ROUNDS = 4  # of the weights, which hang on the fitted spans; the second changes the last digits already
 _BEYOND = 0.5  # of the span of distances: a lane so far outside is told
 
-_NO_ORDER = (
-    "The board's lines are not in order: its front passes each camera before its rear, and both cameras "
-    "see the same edge first."
-)
-
 Floats = NDArray[np.float64]
 
 
-class RigPassError(ValueError):
+class RigPassError(BadInput):
     """A pass tells nothing of the baseline; the message says why and what to do."""
 
 
@@ -154,7 +150,7 @@ class LaneBaseline:
     u_distance_m: float
     baseline_m: float
     u_baseline_m: float
-    warning: str | None = None
+    warning: Said | None = None
 
 
 @dataclass(frozen=True)
@@ -176,21 +172,19 @@ class RigCalibration:
     nearest_m: float
     farthest_m: float
     passes: tuple[FittedPass, ...]
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Said, ...] = ()
 
 
 def kind_of(one: RigPass) -> RigPassKind:
     """Which way a pass has the values of. Raises RigPassError where none is whole or two are begun."""
     begun = [kind for kind, names in VALUES.items() if any(getattr(one, name) is not None for name in names)]
     if not begun:
-        raise RigPassError("It has neither positions nor lines; give the values of one method.")
+        raise RigPassError("rig-pass-no-way")
     if len(begun) > 1:
-        raise RigPassError(
-            f"It has values of two methods ({begun[0]} and {begun[1]}); use a row of its own for each."
-        )
+        raise RigPassError("rig-pass-two-ways", one=begun[0], two=begun[1])
     lacking = [name for name in VALUES[begun[0]] if getattr(one, name) is None]
     if lacking:
-        raise RigPassError(f"The value {lacking[0]} is missing; fill it in.")
+        raise RigPassError("rig-pass-lacks", column=lacking[0])
     return begun[0]
 
 
@@ -268,10 +262,11 @@ def lane_baseline(found: RigCalibration, distance_m: float, u_distance_m: float 
     beyond = max(found.nearest_m - distance_m, distance_m - found.farthest_m)
     warning = None
     if beyond > _BEYOND * (found.farthest_m - found.nearest_m):
-        warning = (
-            f"{distance_m:.2f} m is far outside the passes ({found.nearest_m:.2f} to "
-            f"{found.farthest_m:.2f} m), so the baseline there is extrapolated; add a pass at this "
-            "distance."
+        warning = Said(
+            "rig-passes-outside",
+            distance_m=round(distance_m, 2),
+            nearest_m=round(found.nearest_m, 2),
+            farthest_m=round(found.farthest_m, 2),
         )
     return LaneBaseline(distance_m, u_distance_m, baseline, u, warning)
 
@@ -280,7 +275,7 @@ def _span_by_name(one: RigPass, common: Common) -> Span:
     try:
         return span_of(one, common)
     except RigPassError as error:
-        raise BadInput("linescan-rig-pass", name=one.name, sentence=error) from None
+        raise BadInput("linescan-rig-pass", name=one.name, sentence=error.said) from None
 
 
 def _by_positions(one: RigPass, common: Common) -> Span:
@@ -299,7 +294,7 @@ def _by_positions(one: RigPass, common: Common) -> Span:
 def _by_speed(one: RigPass, common: Common) -> Span:
     speed, u_speed, first, second = _numbers(one, *VALUES["speed"])
     if common.line_rate_hz is None:
-        raise RigPassError("Its speed needs the line rate of the cameras; give it.")
+        raise RigPassError("rig-pass-no-rate")
     return Span(
         name=one.name,
         kind="speed",
@@ -322,15 +317,15 @@ def _by_board(one: RigPass) -> Span:
         lines = [*lines[2:], *lines[:2]]  # it went the other way: camera 2 saw it first
     rear_1, front_2, rear_2 = (line - lines[0] for line in lines[1:])
     if not (rear_1 > 0 and rear_2 > front_2 > 0):
-        raise RigPassError(_NO_ORDER)
+        raise RigPassError("rig-pass-no-order")
     ways = np.array([[rear_1, rear_1**2 / 2], [rear_2 - front_2, (rear_2**2 - front_2**2) / 2]])
     if abs(np.linalg.det(ways)) < 1e-9 * rear_2**3:
-        raise RigPassError(_NO_ORDER)
+        raise RigPassError("rig-pass-no-order")
     reach = np.array([front_2, front_2**2 / 2])
     motion = np.linalg.solve(ways, [width, width])
     gone = np.array([motion[0] + motion[1] * t for t in (0.0, rear_1, front_2, rear_2)])
     if gone.min() < 0.2 * gone.max():
-        raise RigPassError("The board stopped or nearly stopped between the planes; carry it through evenly.")
+        raise RigPassError("rig-pass-stopped")
     by_width = np.linalg.solve(ways.T, reach)
     due = np.array([-by_width[0] * gone[1], gone[2] * (1 + by_width[1]), -by_width[1] * gone[3]])
     span = _span(one, float(reach @ motion))
@@ -351,10 +346,8 @@ def _numbers(one: RigPass, *names: str) -> list[float]:
 
 def _span(one: RigPass, span_m: float) -> float:
     if not BASELINE_M.least <= span_m <= BASELINE_M.most:
-        raise RigPassError(
-            f"It gives a baseline of {span_m:.4g} m, outside the range of {BASELINE_M.least:g} to "
-            f"{BASELINE_M.most:g} m; correct its values."
-        )
+        span_m = float(f"{span_m:.4g}")
+        raise RigPassError("rig-pass-span", span_m=span_m, least=BASELINE_M.least, most=BASELINE_M.most)
     return span_m
 
 
@@ -366,9 +359,9 @@ def _require_values(one: RigPass, kind: RigPassKind) -> None:
         positive = name in ("distance_m", "speed_mps", "width_m", "u_line", "u_position_m")
         least = 0.0 if name.startswith("u_") or positive else -np.inf
         if not isfinite(value) or value < least or (positive and value == 0):
-            raise RigPassError(f"The value {name} is out of range: {value:.6g}; correct it.")
+            raise RigPassError("rig-pass-value", column=name, value=f"{value:.6g}")
     if not DISTANCE_M.least <= one.distance_m <= DISTANCE_M.most:
-        raise RigPassError(f"The value distance_m is out of range: {one.distance_m:.6g}; correct it.")
+        raise RigPassError("rig-pass-value", column="distance_m", value=f"{one.distance_m:.6g}")
 
 
 def _require_common(common: Common) -> None:
@@ -447,16 +440,13 @@ def _contradict(fitted: Sequence[FittedPass], chi2: float, degrees: int) -> None
     )
 
 
-def _warnings(p_value: float, fitted: Sequence[FittedPass]) -> tuple[str, ...]:
+def _warnings(p_value: float, fitted: Sequence[FittedPass]) -> tuple[Said, ...]:
     worst = max(fitted, key=lambda one: abs(one.normalised))
     said = []
     if p_value < DOUBT:
-        said.append(
-            f"The passes differ by more than their uncertainties explain (p = {100 * p_value:.2g} "
-            f"%); check pass {worst.name} first."
-        )
+        said.append(Said("rig-passes-differ", chance=float(f"{100 * p_value:.2g}"), name=worst.name))
     if p_value > 1 - DOUBT:
-        said.append("The passes agree better than their stated uncertainties; these may be too large.")
+        said.append(Said("rig-passes-too-wide"))
     if len({one.distance_m for one in fitted}) == 2:
-        said.append("Two distances cannot test whether the baseline changes linearly; add a third.")
+        said.append(Said("rig-passes-two-distances"))
     return tuple(said)

@@ -29,4 +29,4 @@ def _text(place: Mapping[str, Any]) -> str:
     return str(sorted(place.items()))
 
 
-register(Fingerprint("series", "measurement", _promise, _stored))
+register(Fingerprint("series", _promise, _stored))

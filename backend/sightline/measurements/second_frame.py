@@ -83,7 +83,7 @@ class Proposal(FrameForTarget):
     """That of the target asked about, what it rests on, and those of the others, as they were asked about."""
 
     source: TravelSource | None = None
-    words: str = ""
+    words: Said | None = None
     others: tuple[FrameForTarget, ...] = ()
 
 
@@ -256,7 +256,7 @@ def _refused(target: Target, u_now_m: float | None, reason: Said | None) -> Fram
 
 def _answered(found: Sequence[FrameForTarget], source: TravelSource | None = None) -> Proposal:
     first, *others = found
-    said = filled_from(Proposal, first, source=None, words="", others=tuple(others))
+    said = filled_from(Proposal, first, source=None, words=None, others=tuple(others))
     if source is None or not any(one.ok for one in found):
         return said
     return replace(said, source=source, words=_WORDS[source])
@@ -478,10 +478,8 @@ def _offered(one: Candidate, frame: int | None, more_frames: bool) -> FrameForTa
     )
 
 
-_WORDS: dict[TravelSource, str] = {
-    "followed": "The vehicle was followed through its pass.",
-    "measured": "Its speed is that of the points clicked on two frames.",
-    "assumed": (
-        "The vehicle could not be followed; its speed is assumed, so look for the points around the marks."
-    ),
+_WORDS: dict[TravelSource, Said] = {
+    "followed": Said("second-frame-followed"),
+    "measured": Said("second-frame-measured"),
+    "assumed": Said("second-frame-assumed"),
 }

@@ -81,7 +81,7 @@ computings = Table(
     *made_columns(),
     enum_check("kind", ComputingKind),
     CheckConstraint("(kind = 'undo') = (undoes IS NOT NULL)", name="undo_names_another"),
-    info=vouched(WrittenOnce("computing", "record of heights computed again")),
+    info=vouched(WrittenOnce("computing")),
 )
 
 
@@ -189,7 +189,7 @@ measurements = Table(
         "(status = 'ok' AND height_m IS NOT NULL) OR (status <> 'ok' AND reason IS NOT NULL)",
         name="height_or_reason",
     ),
-    info=vouched(WrittenOnce("measurement", "measurement revision")),
+    info=vouched(WrittenOnce("measurement")),
 )
 
 
@@ -204,7 +204,7 @@ click_sigmas = Table(
     Column("pairs", Integer, nullable=False),
     *made_columns(),
     CheckConstraint("sigma_px > 0", name="sigma_positive"),
-    info=vouched(WrittenOnce("click_sigma", "click sigma")),
+    info=vouched(WrittenOnce("click_sigma")),
 )
 
 
@@ -228,7 +228,7 @@ lots = Table(
     *made_columns(),
     UniqueConstraint("survey_id", "number"),
     CheckConstraint("acceptance_number < sample_size AND sample_size <= size", name="plan_fits"),
-    info=vouched(WrittenOnce("lot", "lot")),
+    info=vouched(WrittenOnce("lot")),
 )
 
 
@@ -261,7 +261,7 @@ lot_decisions = Table(
     Column("left_out", CanonicalJson, nullable=False),
     *made_columns(),
     enum_check("choice", LotChoice),
-    info=vouched(WrittenOnce("lot_decision", "decision on a lot")),
+    info=vouched(WrittenOnce("lot_decision")),
 )
 
 
@@ -281,7 +281,7 @@ reviews = Table(
     enum_check("verdict", ReviewVerdict),
     CheckConstraint("verdict <> 'rejected' OR reason IS NOT NULL", name="rejected_has_reason"),
     CheckConstraint("lot_id IS NULL OR verdict IN ('accepted', 'reopened')", name="lot_accepts_or_reopens"),
-    info=vouched(WrittenOnce("review", "review")),
+    info=vouched(WrittenOnce("review")),
 )
 
 
@@ -306,5 +306,5 @@ wheel_pairs = Table(
     Column("second_y_px", Float, nullable=False),
     Column("withdrawn", Boolean, nullable=False),
     *made_columns(),
-    info=vouched(WrittenOnce("wheel_pair", "pair of tyre contacts")),
+    info=vouched(WrittenOnce("wheel_pair")),
 )

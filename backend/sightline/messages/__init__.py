@@ -22,6 +22,7 @@ SOURCE = "en"
 _MOST_DIGITS = 15
 # An entry: from its key, which begins a line, up to the next line that begins with a key or a comment.
 _ENTRY = re.compile(r"^(-?[A-Za-z][\w-]*) *=.*(?:\n(?![-A-Za-z#]).*)*", re.MULTILINE)
+_BETWEEN = re.compile("[^a-z]+")
 _NAMED = re.compile(r"\{\s*(-?[A-Za-z][\w-]*)")
 
 
@@ -32,6 +33,14 @@ def say(key: str, values: Mapping[str, Value], language: str = SOURCE) -> str:
         if found.has(key):
             return _formatted(found.with_message(key), key, values)
     raise KeyError(key)
+
+
+def name_of(kind: str, name: str, language: str) -> str:
+    """What a name in stored data is called, by its key: "click, target" of "budget-of" is
+    budget-of-click-target. The name itself where there is no such key.
+    """
+    key = f"{kind}-{_BETWEEN.sub('-', name)}"
+    return say(key, {}, language) if _bundle(language).has(key) else name
 
 
 def say_formatted(key: str, values: Mapping[str, Any], language: str) -> str:

@@ -636,6 +636,32 @@ figure-standard = { $standards } { $height } { $unit }
 
 ## Vehicles: budget, history, catalogue, passes
 
+budget-of-click-target = click, target
+budget-of-click-contact = click, contact
+budget-of-clicks = clicks
+budget-of-inset = inset
+budget-of-lens-and-pose = lens and pose
+budget-of-board-lean = board lean
+budget-of-board-roll = board roll
+budget-of-board-height = board height
+budget-of-square-size = square size
+budget-of-board-bow = board bow
+budget-of-heading = heading
+budget-of-row-time = row time
+budget-of-confirmed-points = confirmed points
+budget-of-drift = drift
+budget-of-baseline = baseline
+budget-of-clock = clock
+budget-of-misalignment = misalignment
+budget-of-fit = fit
+budget-of-boundaries = boundaries
+budget-of-regression = regression
+budget-of-following = following
+budget-of-frame-times = frame times
+budget-of-depth-of-what-is-followed = depth of what is followed
+budget-of-seen-from-another-side = seen from another side
+budget-of-front-and-rear = front and rear
+budget-of-pose-of-the-line-camera = pose of the line camera
 budget-title = Uncertainty budget
 budget-note = standard uncertainty
 budget-together = Combined
@@ -3240,6 +3266,66 @@ statistics-reference-u-millimetres = Enter a number of millimetres.
 
 ## Statistics: the error table
 
+stat-trend-needs = A trend needs at least { $least } vehicles; { stat-there-are }.
+stat-heights-alike = All heights are the same, so there is no trend.
+stat-limits-need = Limits of agreement need at least { $least } vehicles; { stat-there-are }.
+stat-variance-shares-need = Shares of the variance need at least { $least } vehicles; { stat-there-are }.
+stat-errors-alike = All errors are the same; there is no variance to divide.
+stat-reference-explains-all = The reference heights' own uncertainty explains all of the errors' variance: nothing remains for the measurement.
+stat-reference-explains = The reference heights' own uncertainty explains { $share } % of the errors' variance; { SMALL($camera_sd_m, digits: 0) } remain for the measurement.
+stat-shifted = The mean signed error of { $count } vehicles of known height, { SMALL($mean_m, digits: 1) }, was subtracted from every height (as in Dupuis et al.).
+stat-by-inset = Each height is corrected by the inset of its measurement; no other correction is made.
+stat-correction-needs = This correction needs at least { $least } vehicles with a reference height; { stat-there-are }.
+stat-known-alike = The vehicles of known height are all of one height, so their error has no trend with it.
+stat-variance-unknown = The reference heights alone explain the errors' variance, so the variance of the measurement is unknown and cannot be removed.
+stat-variance-needs = A variance needs at least 2 heights.
+stat-variance-too-large = The variance of the measurement is larger than that of the heights, so it cannot be removed.
+stat-uncorrected = Heights as in Dupuis et al. (inset 0), without a correction.
+stat-deconvolved = After the shift by { SMALL($mean_m, digits: 1) }, the measurement's own standard deviation of { SMALL($camera_sd_m, digits: 1) } was removed: every height moved towards the mean by { $keep } %.
+stat-percentile-needs = P{ $percent } needs { $needed }; { stat-there-are }
+stat-percentile-needs-alike = P{ $percent } needs { $needed }; { stat-there-are }, as good as { $like } of equal weight
+stat-density-needs = A density needs at least { $least } vehicles; { stat-there-are }.
+stat-values-alike = All values are the same; a density needs values that differ.
+stat-no-reference = no counted height of this group has a reference height
+stat-none-of-class = no accepted heights of its class
+stat-vehicles-give = { $vehicles } vehicles give percentile { $percent } a 95 % interval about { SMALL($width_m, digits: 0) } wide, for normally distributed heights with a standard deviation of { SMALL($sd_m, digits: 0) }.
+stat-heights-needed = needs { $needed } heights; { stat-there-are }
+stat-sites = differences between { $sites } sites
+stat-shared-errors = errors that heights share
+stat-random-error-removed = random error (removed from the values)
+stat-random-errors = random errors of heights
+stat-known-heights = errors of the known heights (both left in the values)
+stat-known-without-u = no known height has an uncertainty to be compared with
+stat-true-heights-alike = the heights are all the same
+stat-sampling = sampling
+stat-alone = { $part } alone
+stat-too-few-errors = too few different errors for a bootstrap interval
+stat-no-value = No vehicle has this value.
+stat-group-empty = no vehicle in this group
+stat-regressed = The error's regression on the measured height of { $count } vehicles ({ SMALL($intercept_m, digits: 1) } at height 0 and { $slope } mm more per m) was subtracted from every height.
+stat-extrapolated = { $outside } % of the heights lie outside the { NUMBER($low_m, minimumFractionDigits: 2) } to { NUMBER($high_m, minimumFractionDigits: 2) } m of the regression; the correction extrapolates there and is not reliable.
+stat-there-are = { $count ->
+    [0] there is none
+    [one] there is { $count }
+   *[other] there are { $count }
+}
+stat-too-few = { $count ->
+    [one] { $count } vehicle is too few for an interval; { $needed } are needed
+   *[other] { $count } vehicles are too few for an interval; { $needed } are needed
+}
+stat-too-few-of-spread = { $count ->
+    [one] { $count } vehicle is too few for an interval of MAE, RMSE and SD; { $needed } are needed
+   *[other] { $count } vehicles are too few for an interval of MAE, RMSE and SD; { $needed } are needed
+}
+stat-holding-sites = { $parts }; they apply to roads like those of these sites
+stat-holding-place = { $parts }; they apply to the site of the survey only
+stat-errors-of = { $heights ->
+    [inset] Heights corrected by each measurement's inset
+   *[paper] Heights as in Dupuis et al. (inset 0)
+} against manufacturers' heights, { $rounded ->
+    [cm] both rounded to whole centimetres, as in Dupuis et al.
+   *[none] not rounded
+}; all values from the individual errors.
 statistics-errors-title = Error against manufacturers’ heights
 statistics-errors-save = Error table as CSV
 statistics-errors-head = Error = measured − reference
@@ -3255,6 +3341,10 @@ statistics-errors-holds = The intervals include { $words }. Those of correlation
 statistics-shares-title = Shares of errors in per cent, with exact 95 % CIs, and skewness
 statistics-skewness = Skewness
 statistics-within = Within { $within }
+paper-day = SD is that of the signed error and differs from the RMSE, so there was a bias of 7 to 13 mm that is not printed. The text's “less than 10 % below 2 cm” is possible here: MAE and MSE allow as little as 0 to 3 % where errors reach 7 cm.
+paper-low-light = A perfect clicker (within 1 px, reference heights within 3 cm) scores MAE 0.016 m, RMSE 0.019 m: this column bounds the reference, not the method. The printed SD of 0.059 ft should be 0.062 ft. “Less than 10 % below 2 cm” is impossible here: MAE and MSE allow no less than 26.5 %.
+paper-overall = Not the pool of 400 and 250 vehicles: their MAE pools to 0.0198 m, their RMSE to 0.0249 m. The abstract's “MAE < 1.8 cm” is not in the table; the MSE in feet has a wrong factor and exponent. “Less than 10 % below 2 cm” needs an error of more than 10 cm here.
+paper-sizes = Printed sizes are 3.1 to 9.1 % longer than the true lengths (5.6 % in the mean), which the text blames on shadow, while it claims less than 1 %; braking “within 1 %” is off by up to 1.5 % against the other runs of the same car. Speed was never held against truth, only against the car's own counter.
 statistics-paper-inconsistent = Inconsistencies in Table 1 of Dupuis et al.
 statistics-paper-note = <strong>{ $group }:</strong> { $note }
 statistics-paper-printed = Dupuis et al., as printed
@@ -3516,6 +3606,35 @@ planning-what-lines = Speeds (line scan)
 planning-loading-cameras = the cameras
 planning-loading-rig = the survey’s rig
 planning-loading = the plan
+plan-board-square = Set the board perpendicular to the road, not plumb: on a crossfall of { $crossfall } % a plumb board biases heights by { SMALL($here_m, digits: 0) } at { $distance_m } m and by { SMALL($further_m, digits: 0) } at 1 m more.
+plan-out-of-sight = Road or target are outside the picture for: { $targets }; step back or use a wider lens.
+plan-oblique = A board seen obliquely determines the camera's direction better than one seen frontally, while clicks are slightly less precise: with the camera turned 30 degrees along the road, an eye has ±{ SMALL($U95_turned_m, digits: 0) } instead of ±{ SMALL($U95_square_m, digits: 0) }.
+plan-second-frame = Click eye and contact in a second frame where possible: with { $travel_m } m of travel the inset is computed instead of assumed, and ±{ SMALL($U95_one_m, digits: 0) } becomes ±{ SMALL($U95_two_m, digits: 0) }. At 50 km/h and 25 frames/s, this is { $frames } frames later.
+plan-board-at-wheel-path = Put the board at the wheel path, { $distance_m } m away, not at { $board_m } m: errors of pose, tilt and focal length vanish at the board's distance and grow away from it.
+plan-lane-close = The lane is very close; step back to at least 2 m.
+plan-board-unseen = The picture would not show a board at { $board_m } m with its top row { $board_top_m } m above the road; put it at the wheel path, step back, or use a wider lens.
+plan-camera-at-eye = The camera is at about the height of a driver's eye ({ $height_m } m), where the inset has little effect; for roofs or lamps, place it at their height.
+plan-second-frame-no-gain = A second frame { $travel_m } m on does not reduce the uncertainty here (±{ SMALL($U95_two_m, digits: 0) } for an eye); use frames further apart.
+plan-camera-height = Put the camera at the height to be measured, where the inset has no effect: { $height_m } m for a driver's eye. At { $camera_height_m } m, ignoring the inset biases the height by { SMALL($near_m, digits: 0) } for a driver on the near side and { SMALL($far_m, digits: 0) } on the far side.
+plan-target = { $target ->
+    [driver_eye] driver's eye
+    [driver_eye_far] driver's eye on the far side
+    [taillight] taillight
+    [headlight] headlight
+   *[roof] roof
+}
+plan-lines-expected = Expected of the default method, from simulated vehicles that fill the image; little texture, strong noise or rain make it worse, and each vehicle's own uncertainty states what was reached.
+plan-lines-few = Only { $lines } lines lie between the cameras; use a higher line rate or a longer baseline, otherwise this vehicle can hardly be measured.
+plan-lines-coarse = The vehicle moves { SMALL($line_m, digits: 1) } from line to line; beyond { SMALL($coarse_m, digits: 0) } most vehicles are refused. Use { $rate_hz } Hz or more.
+plan-lines-apart = The vehicle moves { SMALL($line_m, digits: 1) } from line to line, which can be measured; { $rate_hz } Hz brings it to { SMALL($good_m, digits: 0) }.
+plan-lines-U95 = The speed's U95 is { $reached } %, more than the { $allowed } % allowed; use a baseline { $times } times as long, measured as accurately.
+plan-lines-baseline-exact = The baseline is taken as exact; enter its uncertainty, which is part of every speed.
+plan-lines-baseline-limits = The baseline is the limit, not the line rate: its standard uncertainty is { $baseline } %, registering the strips adds { $strips } %. Measure the baseline more accurately first.
+plan-lines-strips-limit = Registering the strips is the limit, not the baseline: it adds { $strips } % (standard uncertainty), the baseline { $baseline } %. Use a longer baseline.
+plan-lines-no-share = The error must be a share between 0 and 1; speed and baseline greater than 0.
+plan-lines-above-zero = Speed, baseline and line rate must be greater than 0.
+plan-lines-vehicle = The vehicle must be up to 100 m long, the gap up to 3600 s; both greater than 0.
+plan-lines-u-baseline = The baseline's uncertainty must be at least 0 and less than the baseline.
 planning-advice = Advice
 planning-lens-exact = Assumes no calibration uncertainty.
 planning-lens-exact-plain = Assumes an ideal lens: no distortion, no calibration uncertainty.
@@ -3945,6 +4064,18 @@ studies-computed = Computed
 studies-not-computed = not computed
 study-loading = the study
 study-simulated = simulated
+study-none-counts = { $name } has no accepted height that counts; it does not contribute.
+study-versions = Packages come from { $count } versions with identical tables: { $versions }.
+study-one-site = One site: the intervals apply to that site only.
+study-outside-sample = { $count } accepted heights are of vehicles outside their survey's sample; they do not count.
+study-without-class = { $count } heights of { $target } have no class of the fleet; they do not count.
+study-all-simulated = Simulated: no value describes real roads.
+study-some-simulated = { $count } of { $surveys } surveys are simulated: no figure of it says anything of real roads.
+study-heights-needed = its figures need at least { $least } heights
+study-no-weights = no weights meet all shares of the fleet at once
+study-one-site-of-stratum = { $stratum } has one site: join it with another stratum, so that sites can differ
+study-class-not-counted = no height of { $variable } { $name } counts, which the fleet has
+study-class-at-one-site = a stratum has its class at one site only, so that sites cannot differ
 study-simulated-note = Simulated: nothing was filmed. The vehicles were drawn from known fleets; no value describes real roads.
 study-name = Name
 study-description = Description
@@ -4212,6 +4343,40 @@ audit-whole = { $count ->
     [one] { $count } event checked; the last hash is <code>{ $hash }</code>.
    *[other] { $count } events checked; the last hash is <code>{ $hash }</code>.
 }
+audit-event-missing = Audit event { $number } of { $chain } is missing; restore a backup.
+audit-event-changed = Audit event { $number } of { $chain } was changed after it was written; restore a backup.
+audit-chain-ends-elsewhere = The audit chain of { $chain } ends at event { $count }, which is not where it ended; restore a backup.
+audit-chains-not-signed = The audit chains are not those signed on { $at }; restore a backup.
+audit-chain-not-in-export = The audit chain is not the one in export { $id }; restore a backup.
+audit-row-not-events = The { audit-thing } { $id } is not what its events say; restore a backup.
+audit-row-not-first = The { audit-thing } { $id } is not what was written at first; restore a backup.
+audit-row-removed = The { audit-thing } { $id } was removed without an audit event; restore a backup.
+audit-thing = { $entity ->
+    [calibration] calibration
+    [click_sigma] click sigma
+    [computing] record of heights computed again
+    [frames] frame table of recording
+    [line_pose] calibration of a line camera
+    [lot] lot
+    [lot_decision] decision on a lot
+    [lot_items] items of lot
+    [measurement] measurement revision
+    [photograph] photograph of the set-up
+    [pose] camera pose
+    [review] review
+    [rig_calibration] calibration of a rig
+    [scan] line-scan recording
+    [scan_measurement] scanned vehicle's measurement
+    [scan_reference] reference value of a scanned vehicle
+    [scan_review] scanned vehicle's review
+    [scan_run] run over a line-scan recording
+    [scan_vehicle] scanned vehicle
+    [series] measurement
+    [study] study
+    [study_result] result of a study
+    [wheel_pair] pair of tyre contacts
+   *[vehicle] vehicle
+}
 audit-broken-title = The chain is broken
 
 ## Audit: what was done, and to what
@@ -4327,6 +4492,15 @@ audit-row = database row { $id }
 
 ## Export: the page
 
+excluded-withdrawn = The measurement was withdrawn.
+excluded-not-reviewed = It has not been reviewed yet.
+excluded-not-selected = It is not among the vehicles of this package.
+excluded-no-height = There is no height.
+excluded-rejected = It was rejected by a reviewer.
+excluded-reopened = It was reopened and is waiting for another review.
+excluded-check-target = It checks the measuring: its errors are in statistics/errors_by_target.csv.
+excluded-without-time = This package is of days or hours of filming, and the start of its recording is not confirmed.
+excluded-out-of-sample = Its vehicle is out of the survey's sample.
 export-lead = Download the data, report and audit trail.
 export-crops = with images of the clicks
 export-of-title = Vehicles in statistics and report
@@ -4435,6 +4609,9 @@ proposals-made = Suggestions in { $some } of { $passes } passes, points in all: 
 proposals-cancelled = Suggesting points was cancelled; earlier suggestions are kept. You can start it again.
 proposals-being-made-already = Points are already being suggested for { $name }; wait until that has finished.
 proposals-no-found-passes = { $name } has no passes found by Sightline. Find the passes first.
+second-frame-followed = The vehicle was followed through its pass.
+second-frame-measured = Its speed is that of the points clicked on two frames.
+second-frame-assumed = The vehicle could not be followed; its speed is assumed, so look for the points around the marks.
 snap-measured-free = This vehicle was drawn to be measured without suggestions.
 anchoring-too-few = Too few: five vehicles of each kind are needed.
 proposals-withheld = Suggestions are hidden for this vehicle, drawn at random to learn how much they influence people. Click it yourself.
@@ -4919,6 +5096,29 @@ web-larger-mb-make-smaller-try-again = { $name } is larger than { $most_bytes } 
 linescan-strips-rows-high-least-8-needed = The strips are { $rows } rows high; at least 8 are needed to find a vehicle.
 linescan-strips-differ-lines-rows-rows-expected = The strips differ: { $shape } and { $shape_2 } lines by rows, { $rows } rows expected; both cameras must record the same lines.
 linescan-cannot-used-give = { $name } of { $value } { $unit } is out of range; give { $least } to { $most } { $unit }.
+line-pose-mark-incomplete = Each mark needs a distance, a height and a row.
+line-pose-not-numbers = Distances, heights and rows of the marks must be numbers.
+line-pose-too-few = { $count } marks are too few; click at least { $least }.
+line-pose-above-zero = Distances of marks and the u of their rows must be above 0.
+line-pose-upside-down = Higher marks must have smaller rows; check which end of the rod is up.
+line-pose-open = The marks do not determine the camera height: hold the rod upright at two distances, such as the near and the far edge of the lane.
+line-pose-below-road = The marks put the camera below the road; check their distances, heights and rows.
+line-pose-one-distance = All marks are at one distance, so the camera height cannot be determined; hold the rod upright at two.
+line-pose-wide = The marks fit the model to { $rms_px } px only, worse than clicks of { $sigma_px } px explain; check the distances and the mark with the largest residual.
+line-pose-vague = The camera's height is known to { $u_height } m only; hold the rod at two distances further apart, or measure them better.
+rig-pass-no-way = It has neither positions nor lines; give the values of one method.
+rig-pass-two-ways = It has values of two methods ({ $one } and { $two }); use a row of its own for each.
+rig-pass-lacks = The value { $column } is missing; fill it in.
+rig-pass-no-rate = Its speed needs the line rate of the cameras; give it.
+rig-pass-no-order = The board's lines are not in order: its front passes each camera before its rear, and both cameras see the same edge first.
+rig-pass-stopped = The board stopped or nearly stopped between the planes; carry it through evenly.
+rig-pass-span = It gives a baseline of { $span_m } m, outside the range of { $least } to { $most } m; correct its values.
+rig-pass-value = The value { $column } is out of range: { $value }; correct it.
+rig-passes-differ = The passes differ by more than their uncertainties explain (p = { $chance } %); check pass { $name } first.
+rig-passes-too-wide = The passes agree better than their stated uncertainties; these may be too large.
+rig-passes-two-distances = Two distances cannot test whether the baseline changes linearly; add a third.
+rig-passes-outside = { $distance_m } m is far outside the passes ({ $nearest_m } to { $farthest_m } m), so the baseline there is extrapolated; add a pass at this distance.
+rig-pass-twice = Another row has the same name; name each pass once.
 linescan-rig-pass = Pass { $name }: { $sentence }
 linescan-rig-common = Uncertainties of line rate, tape and speed are relative, from 0 to 0.1 (1e-4 is 0.01 %); correct them.
 linescan-lane-needs-name = A lane has no name; give it one.
@@ -5034,13 +5234,19 @@ strips-give-dropped-lines-no-list-line = { $what } give dropped_lines that are n
 strips-larger-mb-correct-remove-file = { $what } are larger than { $sidecar_bytes } MB; correct or remove that file.
 strips-not-readable-json-correct-remove-file = { $what } are not readable JSON; correct or remove that file.
 strips-cut-off-header-copy-again-recorder = { $name } is cut off in its header; copy it again from the recorder.
-strips-problem = { $name } { $kinds }; { $grey }.
-strips-bits-pixel = { $name } has { $depth } bits per pixel; { $grey }.
+strips-in-colour = { $name } is in colour, and a line scan is grey; { strips-save-grey }.
+strips-transparency = { $name } has a transparency channel, and a line scan has none; { strips-save-grey }.
+strips-colour-with-transparency = { $name } is in colour with transparency, and a line scan is grey; { strips-save-grey }.
+strips-save-grey = save it as 8-bit or 16-bit greyscale and try again
+strips-copy-again = copy it again from the recorder
+strips-give-one-strip = give one camera's strip
+strips-say-time-axis = if time runs along its { $axis }, say so
+strips-bits-pixel = { $name } has { $depth } bits per pixel; { strips-save-grey }.
 strips-interlaced-cannot-read-pieces-save-without = { $name } is interlaced and cannot be read in pieces; save it without interlacing.
 strips-pixels-wide-png-here-save-tiff = { $name } is { $width_px } pixels wide, more than a PNG may have here ({ $most_wide_px }); save it as TIFF or with time along the height.
 strips-damaged-checksum-inside-not-match-copy = { $name } is damaged: a checksum inside does not match; copy it again from the recorder.
-strips-no-plain-picture-animation-damaged = { $name } is not a plain image (an animation, or damaged); { $grey }.
-strips-give-png-tiff-line-scan-camera = { $name } { $what }; give a PNG or TIFF of the line-scan camera.
+strips-no-plain-picture-animation-damaged = { $name } is not a plain image (an animation, or damaged); { strips-save-grey }.
+strips-give-png-tiff-line-scan-camera = { $name } { media-kind }; give a PNG or TIFF of the line-scan camera.
 strips-pixels-line-give-two-strips-equal = { $name } has { $rows } pixels per line and { $name_2 } { $rows_2 }; give two strips of equal height, or crop them to the part of the scene that both show.
 strips-bits-pixel-save-both-alike = { $name } has { $value } bits per pixel and { $name_2 } { $value_2 }; save both alike.
 strips-lines-both-begin-end-together-give = { $name } has { $lines } lines and { $name_2 } { $lines_2 }; both must begin and end together, so give the two strips of one recording, or crop them to the same time.
@@ -5063,20 +5269,20 @@ strips-spool-damaged = { $path } is not a strip of a stream, or is damaged; leav
 strips-strip-no-level-only-0 = The strip { $name } has no level { $level }, only 0 to { $count }.
 strips-gain-cannot-shown-choose-one-0 = A gain of { $gain } is out of range; choose 0.1 to 50.
 strips-strip-no-tile-level = The strip { $name } has no tile { $index } in level { $level }.
-strips-index-pixels-not-fit-size = has a pixel index that does not fit its size; { $again }
+strips-index-pixels-not-fit-size = has a pixel index that does not fit its size; { strips-copy-again }
 strips-holds-several-pictures-give-each-strip = { $name } holds several images; give each strip as one long image.
-strips-palette-line-scan-grey = { $name } has a palette, and a line scan is grey; { $grey }.
-strips-colour-transparency-channel-line-scan-grey = { $name } is in colour or has a transparency channel, a line scan is grey; { $grey }.
-strips-holds-signed-floating-point-numbers = { $name } holds signed or floating-point numbers; { $grey }.
-strips-bits-pixel-2 = { $name } has { $bitspersample } bits per pixel; { $grey }.
+strips-palette-line-scan-grey = { $name } has a palette, and a line scan is grey; { strips-save-grey }.
+strips-colour-transparency-channel-line-scan-grey = { $name } is in colour or has a transparency channel, a line scan is grey; { strips-save-grey }.
+strips-holds-signed-floating-point-numbers = { $name } holds signed or floating-point numbers; { strips-save-grey }.
+strips-bits-pixel-2 = { $name } has { $bitspersample } bits per pixel; { strips-save-grey }.
 strips-packed-which-not-read-here-save = { $name } is compressed with { $kind_name }, which is not supported; save it with zstd, deflate or LZW compression, or with none.
 strips-packed-unusual-way-save-zstd-deflate = { $name } is compressed in an unusual way; save it with zstd, deflate or LZW compression, or with none.
 strips-marked-turned-mirrored-save-upright = { $name } is marked as rotated or mirrored; save it upright.
-strips-tiff-cut-off-whose-directory-damaged = { $name } is a TIFF that is cut off or whose directory is damaged; { $again }.
+strips-tiff-cut-off-whose-directory-damaged = { $name } is a TIFF that is cut off or whose directory is damaged; { strips-copy-again }.
 strips-packed-pieces-more-mb-save-smaller = { $name } is compressed in pieces of more than { $piece_bytes } MB; save it in smaller strips or tiles.
 strips-rows-tiles-more-mb-save-smaller = { $name } has rows of tiles of more than { $piece_bytes } MB; save it in smaller tiles.
 strips-problem-2 = { $name } { $message }.
-strips-tiff-whose-directory-damaged = { $name } is a TIFF whose directory is damaged; { $again }.
+strips-tiff-whose-directory-damaged = { $name } is a TIFF whose directory is damaged; { strips-copy-again }.
 strips-frames-too-few-line-scan-choose = { $name } has { $count } frames, too few for a line scan; choose another recording.
 strips-no-constant-frame-rate-time-stamps = { $name } has no constant frame rate (its time stamps are uneven, most of all after frame { $at }), and a line scan needs one; cut out an even part, or record with a fixed frame rate.
 strips-cuts-cannot-cut-choose-two-different = The { $what ->
@@ -5088,7 +5294,56 @@ strips-now-gives-frames-not-ingest-again = { $name } now has { $count } frames, 
 ## Errors: video
 
 video-not-file-choose-video-file = { $name } is not a file; choose a video file.
-video-problem = { $name } { $reason }; { $way_out }.
+video-is-no-video = { $name } { media-kind }, not a video; choose a video file.
+video-is-empty = { $name } { media-kind }; choose a video file.
+video-is-cut-off = { $name } { media-kind }; copy it again from the recorder, or repair it there.
+video-this-recording = This recording
+video-not-decoded-at = This recording cannot be decoded at frame { $frame }: the decoder { $why } there; convert the recording to MP4 with H.264 and upload it again.
+video-too-large-at = This recording cannot be decoded at frame { $frame }: the decoder { $why } there; convert the recording to smaller pictures and upload it again.
+video-decoder-memory = needed more than { $gigabytes } GB of memory, alone in a fresh process,
+video-decoder-hung = hung
+video-decoder-killed = was killed again and again, also alone in a fresh process,
+video-decoder-crashed = crashed
+video-decoder-ended = ended
+video-decoder-silent = made no progress for { $seconds } s
+passes-camera-moves = The camera moves by up to { $far_px } px; the search compensates for it. A camera pose is valid only while the camera is at rest.
+passes-camera-moves-too-far = The camera moves (by { $far_px } px and more), so road and vehicles cannot be separated; mark the passes by hand.
+passes-were-found = { $found ->
+    [0] No passes were found; mark them by hand.
+    [one] 1 pass was found.
+   *[other] { $found } passes were found.
+}
+passes-were-found-again = { $found ->
+    [one] 1 pass was found
+   *[other] { $found } passes were found
+}: { $new ->
+    [0] none new
+   *[other] { $new } new
+}, { $known } known or discarded before.
+scan-vehicles-found = { $found } found, { $added } new, { $revised } measured again.
+scan-vehicles-left = { $count } left as somebody changed them meanwhile.
+media-kind = { $kind ->
+    [empty] is empty
+    [playlist] is a playlist that points to other files
+    [png] is a PNG picture
+    [jpeg] is a JPEG picture
+    [gif] is a GIF picture
+    [bmp] is a BMP picture
+    [tiff] is a TIFF picture
+    [webp] is a WebP picture
+    [heif] is a HEIF or AVIF picture
+    [zip] is a zip archive
+    [pdf] is a PDF document
+    [gzip] is a gzip archive
+    [rar] is a RAR archive
+    [seven_zip] is a 7z archive
+    [audio] is an audio file
+    [ogg] is an Ogg file, which this program does not read
+    [text] is a text file
+    [cut_before_index] is cut off before its index (moov) was written
+    [cut_in_index] is cut off in the middle of its index (moov)
+   *[other] is not an image format that is supported
+}
 video-holds-no-moving-picture-only-sound = { $name } contains no video, only sound or data; choose a video file.
 video-no-such-stream = { $name } has no video track { $number }; it has { $count }, counted from 1.
 video-stream-is-a-still = Video track { $number } of { $name } is a still image; choose another track.
@@ -5276,7 +5531,10 @@ scans-read-already-nothing-done = { $name } was already imported; there is nothi
 scans-could-not-read-see-error-try = { $name } could not be imported; see its error and try again.
 scans-still-being-recorded = { $name } is still being recorded; its image is available when this part of the stream ends.
 scans-still-being-read-wait-until-ready = { $name } is still being imported; wait until it is ready.
-scans-already-wait-cancel = { $name } is already { $what }; wait for that or cancel it.
+scans-already-wait-cancel = { $name } is already { $what ->
+    [read] being read
+   *[searched] being searched for vehicles
+}; wait for that or cancel it.
 scans-strip-uploaded-another-survey-upload-one = The { $word } strip was uploaded to another survey; upload it to this one.
 scans-uploaded-video-upload-again-strip = { $filename } was uploaded as a video; upload it again as a strip.
 scans-belongs-line-scan-recording-already-upload = { $filename } belongs to a line-scan recording already; upload it again.
@@ -5399,6 +5657,37 @@ request-from-another-site = This request comes from another site and was refused
 request-no-json = The request’s body is not valid JSON; send a JSON object.
 request-cannot-be-used = The { $place } of the request cannot be used: { $said }; correct it and send it again.
 request-value-cannot-be-used = The value "{ $name }" of the { $place } cannot be used: { $said }; correct it and send it again.
+request-extra = extra inputs are not permitted
+request-missing = field required
+request-finite = input should be a finite number
+request-boolean = input should be a valid boolean
+request-integer = input should be a valid integer
+request-number = input should be a valid number
+request-text = input should be a valid string
+request-list = input should be a valid list
+request-object = input should be a valid dictionary
+request-above = input should be greater than { $gt }
+request-least = input should be greater than or equal to { $ge }
+request-below = input should be less than { $lt }
+request-most = input should be less than or equal to { $le }
+request-text-long = string should have at most { $max_length } characters
+request-pattern = string should match pattern { $pattern }
+request-nul = a text cannot hold the NUL character
+request-one-of = input should be one of { $expected }
+request-date = input should be a valid date, such as 2026-05-04
+request-datetime = input should be a valid date and time, such as 2026-05-04T08:10:00
+request-list-short = list should have at least { $min_length ->
+    [one] { $min_length } item
+   *[other] { $min_length } items
+}, not { $actual_length }
+request-list-long = list should have at most { $max_length ->
+    [one] { $max_length } item
+   *[other] { $max_length } items
+}, not { $actual_length }
+request-text-short = string should have at least { $min_length ->
+    [one] { $min_length } character
+   *[other] { $min_length } characters
+}
 request-nothing-there = There is nothing at { $path }; check the address.
 request-bad-method = { $method } is not possible at { $path }; see /docs for the methods there.
 request-refused = { $detail }; correct it and try again.
@@ -6195,7 +6484,6 @@ column-crops-reason = why there is no crop
 column-exclusions-measurement-id = excluded measurement
 column-exclusions-state = state for which it is excluded
 column-exclusions-reason = the reason in words
-column-exclusions-reason-code = of a height that is missing: why, by code and values (JSON)
 column-response-lighting = all, daytime, low_light, or unknown
 column-response-class-set = all, a set of classes (classes.csv), or none
 column-response-target = what is asked for; empty: the vehicle as a whole
@@ -6934,52 +7222,6 @@ job-demo-saving = Saving the demonstration survey.
 
 ## What the server says in English, found again by its text (sightline/messages/recognised.py)
 
-told-linescan-mark-incomplete = Each mark needs a distance, a height and a row.
-told-linescan-marks-not-numbers = Distances, heights and rows of the marks must be numbers.
-told-linescan-marks-too-few = { $count } marks are too few; click at least { $least }.
-told-linescan-marks-above-zero = Distances of marks and the u of their rows must be above 0.
-told-linescan-rod-upside-down = Higher marks must have smaller rows; check which end of the rod is up.
-told-media-not-decoded-at = This recording cannot be decoded at frame { $frame }: the decoder { $why } there; { $way_out }.
-told-audit-event-missing = Audit event { $number } of { $chain } is missing; restore a backup.
-told-audit-event-changed = Audit event { $number } of { $chain } was changed after it was written; restore a backup.
-told-audit-chain-ends-elsewhere = The audit chain of { $chain } ends at event { $count }, which is not where it ended; restore a backup.
-told-audit-chain-not-in = The audit chain is not the one in { $what } { $id }; restore a backup.
-told-audit-chains-not-signed = The audit chains are not those signed on { $at }; restore a backup.
-told-audit-row-not-events = The { $what } { $id } is not what its events say; restore a backup.
-told-audit-row-not-first = The { $what } { $id } is not what was written at first; restore a backup.
-told-audit-row-removed = The { $what } { $id } was removed without an audit event; restore a backup.
-told-budget-click-target = click, target
-told-budget-click-contact = click, contact
-told-budget-clicks = clicks
-told-budget-inset = inset
-told-budget-lens-and-pose = lens and pose
-told-budget-board-lean = board lean
-told-budget-board-roll = board roll
-told-budget-board-height = board height
-told-budget-square-size = square size
-told-budget-board-bow = board bow
-told-budget-heading = heading
-told-budget-row-time = row time
-told-budget-confirmed-points = confirmed points
-told-budget-drift = drift
-told-budget-baseline = baseline
-told-budget-clock = clock
-told-budget-misalignment = misalignment
-told-budget-fit = fit
-told-budget-boundaries = boundaries
-told-budget-regression = regression
-told-budget-following = following
-told-budget-frame-times = frame times
-told-budget-depth-of-what-is-followed = depth of what is followed
-told-budget-seen-from-another-side = seen from another side
-told-budget-front-and-rear = front and rear
-told-budget-pose-of-the-line-camera = pose of the line camera
-told-export-the-measurement-was-taken = The measurement was withdrawn.
-told-export-nobody-has-reviewed-it = It has not been reviewed yet.
-told-export-this-package-is-of = It is not among the vehicles of this package.
-told-export-there-is-no-height = There is no height.
-told-export-a-reviewer-rejected-it = It was rejected by a reviewer.
-told-export-it-was-reopened-and = It was reopened and is waiting for another review.
 told-inset-roof-edge = near edge of the roof (estimate)
 told-inset-upright-sides = a body with upright sides (estimate)
 told-inset-less-certain = as of a car, less certain (estimate)
@@ -6988,116 +7230,11 @@ told-geometry-driver-on-the-side = driver on the side of the camera (estimate)
 told-geometry-driver-on-the-side-away = driver on the side away from the camera (estimate)
 told-geometry-not-known = not known
 told-geometry-outer-edge-of-the = outer edge of the lamp (estimate)
-told-geometry-stand-the-board-square = Set the board perpendicular to the road, not plumb: on a crossfall of { $crossfall } % a plumb board biases heights by { $mm } mm at { $distance_m } m and by { $mm2 } mm at 1 m more.
-told-geometry-road-or-target-lie = Road or target are outside the picture for: { $join }; step back or use a wider lens.
-told-geometry-a-board-seen-obliquely = A board seen obliquely determines the camera's direction better than one seen frontally, while clicks are slightly less precise: with the camera turned 30 degrees along the road, an eye has ±{ $U95_mm } mm instead of ±{ $U95_mm2 } mm.
-told-geometry-click-eye-and-contact = Click eye and contact in a second frame where possible: with { $travel_m } m of travel the inset is computed instead of assumed, and ±{ $U95_mm } mm becomes ±{ $U95_mm2 } mm. At 50 km/h and 25 frames/s, this is { $frames } frames later.
-told-geometry-put-the-board-at = Put the board at the wheel path, { $distance_m } m away, not at { $board_m } m: errors of pose, tilt and focal length vanish at the board's distance and grow away from it.
-told-geometry-the-lane-is-very = The lane is very close; step back to at least 2 m.
-told-geometry-the-picture-would-not = The picture would not show a board at { $board_m } m with its top row { $board_top_m } m above the road; put it at the wheel path, step back, or use a wider lens.
-told-geometry-the-camera-stands-at = The camera is at about the height of a driver's eye ({ $height_m } m), where the inset has little effect; for roofs or lamps, place it at their height.
-told-geometry-a-second-frame-m = A second frame { $travel_m } m on does not reduce the uncertainty here (±{ $U95_mm } mm for an eye); use frames further apart.
-told-jobs-gave-up = The job stopped { $attempts } times; check the input and the available memory.
-told-jobs-broke = An error in the program stopped this ({ $name }); try again, and report it if it comes back.
-told-linescan-the-marks-do-not = The marks do not determine the camera height: hold the rod upright at two distances, such as the near and the far edge of the lane.
-told-linescan-the-marks-put-the = The marks put the camera below the road; check their distances, heights and rows.
-told-linescan-all-marks-are-at = All marks are at one distance, so the camera height cannot be determined; hold the rod upright at two.
-told-linescan-rig-no-way = It has neither positions nor lines; give the values of one method.
-told-linescan-rig-two-ways = It has values of two methods ({ $one } and { $two }); use a row of its own for each.
-told-linescan-rig-lacks = The value { $column } is missing; fill it in.
-told-linescan-rig-no-rate = Its speed needs the line rate of the cameras; give it.
-told-linescan-rig-no-order = The board's lines are not in order: its front passes each camera before its rear, and both cameras see the same edge first.
-told-linescan-rig-stopped = The board stopped or nearly stopped between the planes; carry it through evenly.
-told-linescan-rig-span = It gives a baseline of { $span_m } m, outside the range of { $least } to { $most } m; correct its values.
-told-linescan-rig-value = The value { $column } is out of range: { $value }; correct it.
-told-linescan-rig-differ = The passes differ by more than their uncertainties explain (p = { $chance } %); check pass { $name } first.
-told-linescan-rig-too-wide = The passes agree better than their stated uncertainties; these may be too large.
-told-linescan-rig-two-distances = Two distances cannot test whether the baseline changes linearly; add a third.
-told-linescan-rig-outside = { $distance_m } m is far outside the passes ({ $nearest_m } to { $farthest_m } m), so the baseline there is extrapolated; add a pass at this distance.
-told-rig-pass-twice = Another row has the same name; name each pass once.
-told-linescan-expected-of-the-default = Expected of the default method, from simulated vehicles that fill the image; little texture, strong noise or rain make it worse, and each vehicle's own uncertainty states what was reached.
-told-linescan-only-lines-lie-between = Only { $lines } lines lie between the cameras; use a higher line rate or a longer baseline, otherwise this vehicle can hardly be measured.
-told-linescan-lines-too-far-apart = The vehicle moves { $line_mm } mm from line to line; beyond { $coarse_mm } mm most vehicles are refused. Use { $rate } Hz or more.
-told-linescan-lines-a-little-apart = The vehicle moves { $line_mm } mm from line to line, which can be measured; { $rate } Hz brings it to { $good_mm } mm.
-told-linescan-the-speeds-u95-is = The speed's U95 is { $percent }, more than the { $percent2 } allowed; use a baseline { $times } times as long, measured as accurately.
-told-linescan-the-baseline-is-taken = The baseline is taken as exact; enter its uncertainty, which is part of every speed.
-told-linescan-the-baseline-limits-not = The baseline is the limit, not the line rate: its standard uncertainty is { $percent }, registering the strips adds { $percent2 }. Measure the baseline more accurately first.
-told-linescan-registering-limits-not = Registering the strips is the limit, not the baseline: it adds { $percent } (standard uncertainty), the baseline { $percent2 }. Use a longer baseline.
-told-measurements-the-vehicle-was-followed = The vehicle was followed through its pass.
-told-measurements-its-speed-is-that = Its speed is that of the points clicked on two frames.
-told-measurements-the-vehicle-could-not = The vehicle could not be followed; its speed is assumed, so look for the points around the marks.
-told-media-is-in-colour-and = is in colour, and a line scan is grey
-told-media-has-a-palette-and = has a palette, and a line scan is grey
-told-media-has-a-transparency-channel = has a transparency channel, and a line scan has none
-told-media-is-in-colour-with = is in colour with transparency, and a line scan is grey
-told-media-give-one-camera-strip = give one camera's strip
-told-media-is-not-a-picture = is not an image format that is supported
-told-media-save-it-as-8 = save it as 8-bit or 16-bit greyscale and try again
-told-media-copy-it-again-from = copy it again from the recorder
-told-media-choose-a-video-file = choose a video file
-told-media-copy-it-again-from-the = copy it again from the recorder, or repair it there
-told-media-the-camera-moves-by = The camera moves by up to { $far }; the search compensates for it. A camera pose is valid only while the camera is at rest.
-told-media-the-camera-moves-by-and = The camera moves (by { $far } and more), so road and vehicles cannot be separated; mark the passes by hand.
-told-media-is-cut-off-before = is cut off before its index (moov) was written
-told-media-is-a-playlist-that = is a playlist that points to other files, not a video
-told-media-is-a-webp-picture = is a WebP picture, not a video
-told-media-is-png-not-a-video = is a PNG picture, not a video
-told-media-is-jpeg-not-a-video = is a JPEG picture, not a video
-told-media-is-gif-not-a-video = is a GIF picture, not a video
-told-media-is-bmp-not-a-video = is a BMP picture, not a video
-told-media-is-tiff-not-a-video = is a TIFF picture, not a video
-told-media-is-zip-not-a-video = is a zip archive, not a video
-told-media-is-pdf-not-a-video = is a PDF document, not a video
-told-media-is-gzip-not-a-video = is a gzip archive, not a video
-told-media-is-rar-not-a-video = is a RAR archive, not a video
-told-media-is-seven-zip-not-a-video = is a 7z archive, not a video
-told-media-is-ogg-not-a-video = is an Ogg file, which this program does not read, not a video
-told-media-is-audio = is an audio file
-told-media-is-zip = is a zip archive
-told-media-is-pdf = is a PDF document
-told-media-is-gzip = is a gzip archive
-told-media-is-rar = is a RAR archive
-told-media-is-seven-zip = is a 7z archive
-told-media-is-ogg = is an Ogg file, which this program does not read
-told-media-is-a-heif-or = is a HEIF or AVIF picture, not a video
-told-media-is-an-audio-file = is an audio file, not a video
-told-media-is-a-text-file = is a text file, not a video
-told-media-is-cut-off-in = is cut off in the middle of its index (moov)
+jobs-gave-up = The job stopped { $attempts } times; check the input and the available memory.
+jobs-broke = An error in the program stopped this ({ $name }); try again, and report it if it comes back.
 told-recordings-the-ingest-was-cancelled = The import was cancelled; start it again or delete the recording.
-told-results-too-few-different-errors = too few different errors for a bootstrap interval
-told-results-no-vehicle-in-this = no vehicle in this group
-told-results-heights-corrected-by-each = Heights corrected by each measurement's inset
-told-results-the-paper-heights-inset = Heights as in Dupuis et al. (inset 0)
-told-results-both-rounded-to-whole = both rounded to whole centimetres, as in Dupuis et al.
-told-results-against-manufacturers-heights-every = { $heights } against manufacturers' heights, { $rounded }; all values from the individual errors.
-told-scans-the-marks-miss-the = The marks fit the model to { $rms_px } px only, worse than clicks of { $sigma_px } px explain; check the distances and the mark with the largest residual.
-told-scans-the-camera-height-is = The camera's height is known to { $u_height } m only; hold the rod at two distances further apart, or measure them better.
 told-scans-the-lines-of-this = The lines of this stream were not stored, so there is no image; its vehicles remain.
 told-scans-the-reading-was-cancelled = The import was cancelled; start it again or delete the line-scan recording.
-told-scans-being-searched-for-vehicles = being searched for vehicles
-told-statistics-a-trend-needs-at = A trend needs at least { $least } vehicles; { $there_are }.
-told-statistics-all-heights-are-the = All heights are the same, so there is no trend.
-told-statistics-limits-of-agreement-need = Limits of agreement need at least { $least } vehicles; { $there_are }.
-told-statistics-shares-of-the-variance = Shares of the variance need at least { $least } vehicles; { $there_are }.
-told-statistics-all-errors-are-the = All errors are the same; there is no variance to divide.
-told-statistics-the-reference-heights-own = The reference heights' own uncertainty explains all of the errors' variance: nothing remains for the measurement.
-told-statistics-the-mean-signed-error = The mean signed error of { $error_m } vehicles of known height, { $mean } mm, was subtracted from every height (as in Dupuis et al.).
-told-statistics-the-error-regression-on = The error's regression on the measured height of { $error_m } vehicles, { $intercept } mm { $slope } mm per m, was subtracted from every height.
-told-statistics-each-height-is-corrected = Each height is corrected by the inset of its measurement; no other correction is made.
-told-statistics-this-correction-needs-at = This correction needs at least { $least } vehicles with a reference height; { $there_are }.
-told-statistics-the-vehicles-of-known = The vehicles of known height are all of one height, so their error has no trend with it.
-told-statistics-of-the-heights-lie = { $outside } % of the heights lie outside the { $low } to { $high } m of the regression; the correction extrapolates there and is not reliable.
-told-statistics-the-errors-variance-is = The reference heights alone explain the errors' variance, so the variance of the measurement is unknown and cannot be removed.
-told-statistics-a-variance-needs-at = A variance needs at least 2 heights.
-told-statistics-the-measurement-own-variance = The variance of the measurement is larger than that of the heights, so it cannot be removed.
-told-statistics-heights-as-the-paper = Heights as in Dupuis et al. (inset 0), without a correction.
-told-statistics-percentile-needs = P{ $percent } needs { $needed }; { $there_are }
-told-statistics-percentile-needs-alike = P{ $percent } needs { $needed }; { $there_are }, as good as { $like } of equal weight
-told-statistics-a-density-needs-at = A density needs at least { $least_for_density } vehicles; { $there_are }.
-told-statistics-all-values-are-the = All values are the same; a density needs values that differ.
-told-statistics-no-vehicle-in-this = no counted height of this group has a reference height
-told-statistics-no-height-of-its = no accepted heights of its class
-told-statistics-vehicles-give-percentile-an = { $large } vehicles give percentile { $percent } a 95 % interval about { $width_m } mm wide, for normally distributed heights with a standard deviation of { $sd_m } mm.
 told-statistics-nobody-whose-text-was = no text consulted; check before use
 told-statistics-taillights-of-passenger-cars = taillights of passenger cars
 told-statistics-the-percentile-by-the = { $dupuis }; the percentile by the abstract of Fitzpatrick et al.
@@ -7132,90 +7269,14 @@ told-statistics-taillights-of-cars = taillights of cars
 told-statistics-design-value-of-the = design value of the time
 told-statistics-the-abstract-of-barker = the abstract of Barker and Yue, Australian Road Research 21(2), 1991
 told-statistics-ral-ras-l-before = RAL (formerly RAS-L)
-told-statistics-they-speak-of = { $listed }; they apply to { $where }
-told-statistics-needs-heights = needs { $needed } heights; { $there_are }
-told-statistics-differences-between-sites = differences between { $sites } sites
-told-statistics-errors-that-heights-share = errors that heights share
-told-statistics-random-error-taken-out = random error (removed from the values)
-told-statistics-random-errors-of-heights = random errors of heights
-told-statistics-errors-of-known-heights = errors of the known heights (both left in the values)
-told-statistics-roads-like-these-sites = roads like those of these sites
-told-statistics-the-place-of-the = the site of the survey only
-told-statistics-the-heights-are-all = the heights are all the same
-told-statistics-there-is-none = there is none
-told-studies-has-no-accepted-height = { $name } has no accepted height that counts; it does not contribute.
-told-studies-packages-come-from-versions = Packages come from { $made_with } versions with identical tables: { $join }.
-told-studies-one-site-intervals-speak = One site: the intervals apply to that site only.
-told-studies-accepted-heights-are-of = { $sum } accepted heights are of vehicles outside their survey's sample; they do not count.
-told-studies-heights-of-have-no = { $left_out } heights of { $target } have no class of the fleet; they do not count.
-told-studies-simulated-no-figure-of = Simulated: no value describes real roads.
-told-studies-of-surveys-are-simulated = { $invented } of { $surveys } surveys are simulated: no figure of it says anything of real roads.
-told-studies-its-figures-need-at = its figures need at least { $least } heights
-told-studies-no-weights-meet-all = no weights meet all shares of the fleet at once
-told-studies-has-one-site-join = { $stratum } has one site: join it with another stratum, so that sites can differ
-told-studies-no-height-of-counts = no height of { $variable } { $words } counts, which the fleet has
-told-studies-a-stratum-has-its = a stratum has its class at one site only, so that sites cannot differ
-told-vehicles-new-known-or-discarded = { $passes }: { $new } new, { $found } known or discarded before.
-told-vehicles-no-passes-were-found = No passes were found; mark them by hand.
-told-vehicles-1-pass-was-found = 1 pass was found
-told-vehicles-passes-were-found = { $found } passes were found
-told-geometry-put-the-camera-at = Put the camera at the height to be measured, where the inset has no effect: { $height_m } m for a driver's eye. At { $camera_height_m } m, ignoring the inset biases the height by { $mm } mm for a driver on the near side and { $mm2 } mm on the far side.
-told-statistics-after-the-shift-by = After the shift by { $mean } mm, the measurement's own standard deviation of { $camera_sd_m } mm was removed: every height moved towards the mean by { $keep } %.
-told-paper-sd-is-that-of = SD is that of the signed error and differs from the RMSE, so there was a bias of 7 to 13 mm that is not printed. The text's “less than 10 % below 2 cm” is possible here: MAE and MSE allow as little as 0 to 3 % where errors reach 7 cm.
-told-paper-a-perfect-clicker-within = A perfect clicker (within 1 px, reference heights within 3 cm) scores MAE 0.016 m, RMSE 0.019 m: this column bounds the reference, not the method. The printed SD of 0.059 ft should be 0.062 ft. “Less than 10 % below 2 cm” is impossible here: MAE and MSE allow no less than 26.5 %.
-told-paper-not-the-pool-of = Not the pool of 400 and 250 vehicles: their MAE pools to 0.0198 m, their RMSE to 0.0249 m. The abstract's “MAE < 1.8 cm” is not in the table; the MSE in feet has a wrong factor and exponent. “Less than 10 % below 2 cm” needs an error of more than 10 cm here.
-told-paper-printed-sizes-are-3 = Printed sizes are 3.1 to 9.1 % longer than the true lengths (5.6 % in the mean), which the text blames on shadow, while it claims less than 1 %; braking “within 1 %” is off by up to 1.5 % against the other runs of the same car. Speed was never held against truth, only against the car's own counter.
 scan-simulated = Simulated, so true values are known: invented makes, one camera 0.6 px lower than the other, a rod held upright in the plane of camera 1 at 2.7 m and at 4.5 m before the first vehicle.
-told-results-not-rounded = not rounded
-told-statistics-vehicle-is-too-few = { $there } vehicle is too few for an interval; { $needed } are needed
-told-statistics-vehicle-is-too-few-but = { $there } vehicle is too few for an interval of MAE, RMSE and SD; { $needed } are needed
-told-statistics-vehicles-are-too-few-but = { $there } vehicles are too few for an interval of MAE, RMSE and SD; { $needed } are needed
-told-statistics-vehicles-are-too-few = { $there } vehicles are too few for an interval; { $needed } are needed
-told-statistics-there-is = there is { $count }
-told-statistics-there-are = there are { $count }
-told-statistics-sampling = sampling
-told-statistics-alone = { $part } alone
 told-statistics-passenger-cars = passenger cars
-told-statistics-the-reference-heights-own-uncertainty = The reference heights' own uncertainty explains { $share } % of the errors' variance; { $left } mm remain for the measurement.
-told-words-and = { $first } and { $last }
 told-thing-camera-pose = camera pose
 told-thing-line-scan = line-scan recording
 told-thing-scanned-vehicle = scanned vehicle
 told-thing-calibration-image = calibration image
 told-thing-tyre-contacts = pair of tyre contacts
 told-thing-catalogue-row = catalogue row
-told-request-extra = extra inputs are not permitted
-told-request-missing = field required
-told-request-one-of-two = input should be { $first } or { $last }
-told-request-finite = input should be a finite number
-told-request-boolean = input should be a valid boolean
-told-request-boolean-word = input should be a valid boolean, unable to interpret input
-told-request-date = input should be a valid date or datetime, input is too short
-told-request-datetime = input should be a valid datetime or date, input is too short
-told-request-integer = input should be a valid integer
-told-request-integer-text = input should be a valid integer, unable to parse string as an integer
-told-request-integer-fraction = input should be a valid integer, got a number with a fractional part
-told-request-number = input should be a valid number
-told-request-number-text = input should be a valid number, unable to parse string as a number
-told-request-text = input should be a valid string
-told-request-list = input should be a valid list
-told-request-object = input should be a valid dictionary
-told-request-above = input should be greater than { $limit }
-told-request-least = input should be greater than or equal to { $limit }
-told-request-below = input should be less than { $limit }
-told-request-most = input should be less than or equal to { $limit }
-told-request-list-short = list should have at least { $least } item after validation, not { $count }
-told-request-list-long = list should have at most { $most } items after validation, not { $count }
-told-request-text-least-1 = string should have at least { $least } character
-told-request-text-least = string should have at least { $least } characters
-told-request-text-most = string should have at most { $most } characters
-told-request-pattern = string should match pattern { $pattern }
-told-linescan-plan-error = The error must be a share between 0 and 1; speed and baseline greater than 0.
-told-linescan-plan-above-zero = Speed, baseline and line rate must be greater than 0.
-told-linescan-plan-vehicle = The vehicle must be up to 100 m long, the gap up to 3600 s; both greater than 0.
-told-linescan-plan-baseline = The baseline's uncertainty must be at least 0 and less than the baseline.
-told-request-nul = a text cannot hold the NUL character
-told-media-this-recording = This recording
 
 
 ## App: the tour of the demonstration

@@ -634,6 +634,32 @@ figure-standard = { $standards } { $height } { $unit }
 
 ## Véhicules : bilan, historique, catalogue, passages
 
+budget-of-click-target = pointé, cible
+budget-of-click-contact = pointé, contact
+budget-of-clicks = pointés
+budget-of-inset = retrait
+budget-of-lens-and-pose = objectif et pose
+budget-of-board-lean = inclinaison de la mire
+budget-of-board-roll = roulis de la mire
+budget-of-board-height = hauteur de la mire
+budget-of-square-size = côté d’une case
+budget-of-board-bow = flèche de la mire
+budget-of-heading = cap
+budget-of-row-time = durée d’une ligne
+budget-of-confirmed-points = points confirmés
+budget-of-drift = dérive
+budget-of-baseline = base
+budget-of-clock = horloge
+budget-of-misalignment = désalignement
+budget-of-fit = ajustement
+budget-of-boundaries = limites
+budget-of-regression = régression
+budget-of-following = suivi
+budget-of-frame-times = instants des images
+budget-of-depth-of-what-is-followed = profondeur du point suivi
+budget-of-seen-from-another-side = vu sous un autre angle
+budget-of-front-and-rear = avant et arrière
+budget-of-pose-of-the-line-camera = pose de la caméra linéaire
 budget-title = Bilan d’incertitude
 budget-note = incertitude-type
 budget-together = Composée
@@ -3236,6 +3262,65 @@ statistics-reference-u-millimetres = Indiquez un nombre de millimètres.
 
 ## Statistiques : le tableau d'erreurs
 
+stat-trend-needs = Une tendance demande au moins { $least } véhicules ; { stat-there-are }.
+stat-heights-alike = Toutes les hauteurs sont égales ; il n’y a pas de tendance.
+stat-limits-need = Des limites de concordance demandent au moins { $least } véhicules ; { stat-there-are }.
+stat-variance-shares-need = Des parts de la variance demandent au moins { $least } véhicules ; { stat-there-are }.
+stat-errors-alike = Toutes les erreurs sont égales ; il n’y a pas de variance à partager.
+stat-reference-explains-all = L’incertitude des hauteurs de référence explique toute la variance des erreurs : il ne reste rien pour la mesure.
+stat-reference-explains = L’incertitude des hauteurs de référence explique { $share } % de la variance des erreurs ; { SMALL($camera_sd_m, digits: 0) } restent pour la mesure.
+stat-shifted = L’erreur signée moyenne de { $count } véhicules de hauteur connue, { SMALL($mean_m, digits: 1) }, a été retranchée de chaque hauteur (comme dans Dupuis et al.).
+stat-by-inset = Chaque hauteur est corrigée du retrait de sa mesure ; aucune autre correction n’est faite.
+stat-correction-needs = Cette correction demande au moins { $least } véhicules à hauteur de référence ; { stat-there-are }.
+stat-known-alike = Les véhicules de hauteur connue ont tous la même hauteur ; leur erreur n’a pas de tendance.
+stat-variance-unknown = Les hauteurs de référence expliquent à elles seules la variance des erreurs : celle de la mesure est inconnue et ne peut être retirée.
+stat-variance-needs = Une variance demande au moins 2 hauteurs.
+stat-variance-too-large = La variance de la mesure dépasse celle des hauteurs ; elle ne peut être retirée.
+stat-uncorrected = Hauteurs comme dans Dupuis et al. (retrait 0), sans correction.
+stat-deconvolved = Après le décalage de { SMALL($mean_m, digits: 1) }, l’écart-type propre de la mesure, { SMALL($camera_sd_m, digits: 1) }, a été retiré : chaque hauteur s’est rapprochée de la moyenne de { $keep } %.
+stat-percentile-needs = P{ $percent } exige { $needed } véhicules ; { stat-there-are }
+stat-percentile-needs-alike = P{ $percent } exige { $needed } véhicules ; { stat-there-are }, équivalant à { $like } de même poids
+stat-density-needs = Une densité demande au moins { $least } véhicules ; { stat-there-are }.
+stat-values-alike = Toutes les valeurs sont égales ; une densité en demande de différentes.
+stat-no-reference = aucune hauteur comptée de ce groupe n’a de référence
+stat-none-of-class = aucune hauteur validée de sa classe
+stat-vehicles-give = { $vehicles } véhicules donnent au centile { $percent } un intervalle à 95 % d’environ { SMALL($width_m, digits: 0) }, pour des hauteurs de loi normale et d’écart-type { SMALL($sd_m, digits: 0) }.
+stat-heights-needed = demande { $needed } hauteurs ; { stat-there-are }
+stat-sites = les écarts entre { $sites } sites
+stat-shared-errors = les erreurs communes aux hauteurs
+stat-random-error-removed = l’erreur aléatoire (retirée des valeurs)
+stat-random-errors = les erreurs aléatoires des hauteurs
+stat-known-heights = les erreurs des hauteurs connues (les deux restent dans les valeurs)
+stat-known-without-u = aucune hauteur connue n’a d’incertitude à comparer
+stat-true-heights-alike = les hauteurs sont toutes égales
+stat-sampling = l’échantillonnage
+stat-alone = { $part } seulement
+stat-too-few-errors = trop peu d’erreurs différentes pour un intervalle par bootstrap
+stat-no-value = Aucun véhicule n’a cette valeur.
+stat-group-empty = aucun véhicule dans ce groupe
+stat-regressed = La régression de l’erreur sur la hauteur mesurée de { $count } véhicules ({ SMALL($intercept_m, digits: 1) } à la hauteur 0 et { $slope } mm de plus par m) a été retranchée de chaque hauteur.
+stat-extrapolated = { $outside } % des hauteurs sont hors des { NUMBER($low_m, minimumFractionDigits: 2) } à { NUMBER($high_m, minimumFractionDigits: 2) } m sur lesquels s’appuie la régression : elle y extrapole et peut nuire.
+stat-there-are = { $count ->
+    [0] il n’y en a aucun
+   *[other] il y en a { $count }
+}
+stat-too-few = { $count ->
+    [one] { $count } véhicule est trop peu pour un intervalle ; il en faut { $needed }
+   *[other] { $count } véhicules sont trop peu pour un intervalle ; il en faut { $needed }
+}
+stat-too-few-of-spread = { $count ->
+    [one] { $count } véhicule est trop peu pour un intervalle de MAE, RMSE et SD ; il en faut { $needed }
+   *[other] { $count } véhicules sont trop peu pour un intervalle de MAE, RMSE et SD ; il en faut { $needed }
+}
+stat-holding-sites = { $parts } ; ils valent pour des routes comme celles de ces sites
+stat-holding-place = { $parts } ; ils valent pour le seul site du relevé
+stat-errors-of = { $heights ->
+    [inset] Hauteurs corrigées du retrait de chaque mesure
+   *[paper] Hauteurs comme dans Dupuis et al. (retrait 0)
+} par rapport aux hauteurs du constructeur, { $rounded ->
+    [cm] arrondies au centimètre comme dans Dupuis et al.
+   *[none] non arrondies
+} ; toutes les valeurs viennent des erreurs individuelles.
 statistics-errors-title = Erreur par rapport aux hauteurs du constructeur
 statistics-errors-save = Tableau d’erreurs en CSV
 statistics-errors-head = Erreur = mesure − référence
@@ -3251,6 +3336,10 @@ statistics-errors-holds = Les intervalles comprennent { $words }. Ceux des corr�
 statistics-shares-title = Parts des erreurs en pour cent, avec intervalles exacts à 95 %, et asymétrie
 statistics-skewness = Asymétrie
 statistics-within = À { $within } près
+paper-day = Le SD est celui de l’erreur signée et diffère du RMSE ; il y avait donc un biais de 7 à 13 mm, qui n’est pas imprimé. Le « moins de 10 % sous 2 cm » du texte est possible ici : MAE et MSE permettent 0 à 3 % si des erreurs atteignent 7 cm.
+paper-low-light = Un opérateur parfait (à 1 px près, hauteurs de référence à 3 cm près) obtient MAE 0,016 m, RMSE 0,019 m : cette colonne borne la référence, non la méthode. Le SD imprimé de 0,059 ft devrait être 0,062 ft. « Moins de 10 % sous 2 cm » est impossible ici : MAE et MSE imposent au moins 26,5 %.
+paper-overall = Ce n’est pas la réunion des 400 et 250 véhicules : leur MAE réunie vaut 0,0198 m, leur RMSE 0,0249 m. Le « MAE < 1,8 cm » du résumé n’est pas dans le tableau ; le MSE en pieds a un facteur et un exposant faux. « Moins de 10 % sous 2 cm » demande ici une erreur de plus de 10 cm.
+paper-sizes = Les tailles imprimées dépassent de 3,1 à 9,1 % les longueurs vraies (5,6 % en moyenne), ce que le texte attribue à l’ombre, alors qu’il annonce moins de 1 % ; le freinage « à 1 % près » s’écarte jusqu’à 1,5 % des autres passages de la même voiture. La vitesse n’a jamais été comparée à la vérité, seulement au compteur de la voiture.
 statistics-paper-inconsistent = Incohérences du tableau 1 de Dupuis et al.
 statistics-paper-note = <strong>{ $group } :</strong> { $note }
 statistics-paper-printed = Dupuis et al., tel qu’imprimé
@@ -3512,6 +3601,35 @@ planning-what-lines = Vitesses (balayage linéaire)
 planning-loading-cameras = caméras
 planning-loading-rig = dispositif du relevé
 planning-loading = plan
+plan-board-square = Placez la mire perpendiculaire à la route, pas à la verticale : avec un dévers de { $crossfall } %, une mire verticale fausse les hauteurs de { SMALL($here_m, digits: 0) } à { $distance_m } m et de { SMALL($further_m, digits: 0) } à 1 m de plus.
+plan-out-of-sight = La route ou la cible est hors de l’image pour : { $targets } ; reculez ou prenez un objectif plus large.
+plan-oblique = Une mire vue en biais fixe mieux la direction de la caméra qu’une mire vue de face, mais les pointés valent un peu moins : caméra tournée de 30 degrés le long de la route, un œil a ±{ SMALL($U95_turned_m, digits: 0) } au lieu de ±{ SMALL($U95_square_m, digits: 0) }.
+plan-second-frame = Pointez l’œil et le contact sur une deuxième image quand la vitesse le permet : avec { $travel_m } m parcourus, le retrait est calculé au lieu d’être supposé, et ±{ SMALL($U95_one_m, digits: 0) } deviennent ±{ SMALL($U95_two_m, digits: 0) }. À 50 km/h et 25 images par seconde, c’est { $frames } images plus loin.
+plan-board-at-wheel-path = Placez la mire à la trace de roues, à { $distance_m } m, et non à { $board_m } m : les erreurs de pose, d’inclinaison et de focale s’annulent à la distance de la mire et croissent en s’en éloignant.
+plan-lane-close = La voie est très proche ; reculez à 2 m au moins.
+plan-board-unseen = L’image ne montrerait pas une mire à { $board_m } m dont la rangée du haut est à { $board_top_m } m au-dessus de la route ; placez-la à la trace de roues, reculez ou prenez un objectif plus large.
+plan-camera-at-eye = La caméra est à peu près à la hauteur de l’œil du conducteur ({ $height_m } m), où le retrait ne compte guère ; pour les toits ou les feux, placez-la à leur hauteur.
+plan-second-frame-no-gain = Une deuxième image { $travel_m } m plus loin ne réduit pas l’incertitude ici (±{ SMALL($U95_two_m, digits: 0) } pour un œil) ; prenez des images plus éloignées.
+plan-camera-height = Placez la caméra à la hauteur à mesurer, où le retrait ne compte pas : { $height_m } m pour l’œil du conducteur. À { $camera_height_m } m, ignorer le retrait fausse la hauteur de { SMALL($near_m, digits: 0) } pour un conducteur côté proche et { SMALL($far_m, digits: 0) } côté éloigné.
+plan-target = { $target ->
+    [driver_eye] œil du conducteur
+    [driver_eye_far] œil du conducteur du côté éloigné
+    [taillight] feu arrière
+    [headlight] projecteur
+   *[roof] toit
+}
+plan-lines-expected = Attendu de la méthode par défaut, d’après des véhicules simulés qui remplissent l’image ; peu de texture, un bruit fort ou la pluie l’aggravent, et l’incertitude de chaque véhicule dit ce qui est atteint.
+plan-lines-few = Seules { $lines } lignes séparent les caméras ; prenez une cadence plus élevée ou une base plus longue, sinon ce véhicule est à peine mesurable.
+plan-lines-coarse = Le véhicule avance de { SMALL($line_m, digits: 1) } d’une ligne à la suivante ; au-delà de { SMALL($coarse_m, digits: 0) } la plupart des véhicules sont refusés. Prenez { $rate_hz } Hz ou plus.
+plan-lines-apart = Le véhicule avance de { SMALL($line_m, digits: 1) } d’une ligne à la suivante, ce qui se mesure ; { $rate_hz } Hz ramènent ce pas à { SMALL($good_m, digits: 0) }.
+plan-lines-U95 = L’U95 de la vitesse est de { $reached } %, plus que les { $allowed } % admis ; prenez une base { $times } fois plus longue, mesurée aussi bien.
+plan-lines-baseline-exact = La base est tenue pour exacte ; saisissez son incertitude, car elle entre dans toute vitesse.
+plan-lines-baseline-limits = La base est la limite, non la cadence : elle est connue à { $baseline } % (incertitude-type), la superposition des bandes ajoute { $strips } %. Mesurez d’abord mieux la base.
+plan-lines-strips-limit = La superposition des bandes est la limite, non la base : elle ajoute { $strips } % (incertitude-type), la base { $baseline } %. Prenez une base plus longue.
+plan-lines-no-share = L’erreur doit être une part entre 0 et 1 ; vitesse et base, supérieures à 0.
+plan-lines-above-zero = Vitesse, base et cadence de lignes doivent être supérieures à 0.
+plan-lines-vehicle = Le véhicule a au plus 100 m de long, l’intervalle au plus 3600 s ; tous deux supérieurs à 0.
+plan-lines-u-baseline = L’incertitude de la base doit être d’au moins 0 et inférieure à la base.
 planning-advice = Conseils
 planning-lens-exact = Incertitude d’étalonnage supposée nulle.
 planning-lens-exact-plain = Objectif supposé idéal : sans distorsion ni incertitude d’étalonnage.
@@ -3932,6 +4050,18 @@ studies-computed = Calculée
 studies-not-computed = non calculée
 study-loading = étude
 study-simulated = simulée
+study-none-counts = { $name } n’a pas de hauteur validée qui compte ; il ne contribue pas.
+study-versions = Les archives viennent de { $count } versions aux tables identiques : { $versions }.
+study-one-site = Un seul site : les intervalles ne valent que pour lui.
+study-outside-sample = { $count } hauteurs validées sont de véhicules hors de l’échantillon de leur relevé ; elles ne comptent pas.
+study-without-class = { $count } hauteurs ({ $target }) n’ont pas de classe du parc ; elles ne comptent pas.
+study-all-simulated = Simulé : aucune valeur ne décrit des routes réelles.
+study-some-simulated = { $count } relevés sur { $surveys } sont simulés : aucun de ses chiffres ne dit rien de routes réelles.
+study-heights-needed = ses chiffres demandent au moins { $least } hauteurs
+study-no-weights = aucun poids ne satisfait à la fois toutes les parts du parc
+study-one-site-of-stratum = { $stratum } n’a qu’un site : réunissez-la à une autre strate, pour que des sites puissent différer
+study-class-not-counted = aucune hauteur de { $variable } { $name } ne compte, que le parc contient
+study-class-at-one-site = une strate n’a sa classe que sur un site ; des sites ne peuvent différer
 study-simulated-note = Simulée : rien n’a été filmé. Les véhicules ont été tirés de parcs connus ; aucune valeur ne décrit des routes réelles.
 study-name = Nom
 study-description = Description
@@ -4199,6 +4329,40 @@ audit-whole = { $count ->
     [one] { $count } événement contrôlé ; la dernière empreinte est <code>{ $hash }</code>.
    *[other] { $count } événements contrôlés ; la dernière empreinte est <code>{ $hash }</code>.
 }
+audit-event-missing = L’événement d’audit { $number } de { $chain } manque ; restaurez une sauvegarde.
+audit-event-changed = L’événement d’audit { $number } de { $chain } a été modifié après son écriture ; restaurez une sauvegarde.
+audit-chain-ends-elsewhere = La chaîne d’audit de { $chain } se termine à l’événement { $count }, ce qui n’est pas sa vraie fin ; restaurez une sauvegarde.
+audit-chains-not-signed = Les chaînes d’audit ne sont pas celles signées le { $at } ; restaurez une sauvegarde.
+audit-chain-not-in-export = La chaîne d’audit n’est pas celle de l’export { $id } ; restaurez une sauvegarde.
+audit-row-not-events = { audit-thing } { $id } diffère de ses événements ; restaurez une sauvegarde.
+audit-row-not-first = { audit-thing } { $id } diffère de ce qui a été écrit à l’origine ; restaurez une sauvegarde.
+audit-row-removed = { audit-thing } { $id } a disparu sans événement ; restaurez une sauvegarde.
+audit-thing = { $entity ->
+    [calibration] L’étalonnage
+    [click_sigma] L’incertitude de pointé
+    [computing] Le recalcul de hauteurs
+    [frames] La table d’images de l’enregistrement
+    [line_pose] L’étalonnage d’une caméra linéaire
+    [lot] Le lot
+    [lot_decision] La décision sur un lot
+    [lot_items] Le contenu du lot
+    [measurement] La révision d’une mesure
+    [photograph] La photo de l’installation
+    [pose] La pose de la caméra
+    [review] La vérification
+    [rig_calibration] L’étalonnage du banc
+    [scan] Le balayage
+    [scan_measurement] La mesure d’un véhicule balayé
+    [scan_reference] La valeur de référence d’un véhicule balayé
+    [scan_review] La vérification d’un véhicule balayé
+    [scan_run] La recherche dans un balayage
+    [scan_vehicle] Le véhicule balayé
+    [series] La mesure
+    [study] L’étude
+    [study_result] Le résultat d’une étude
+    [wheel_pair] La paire de contacts du pneu
+   *[vehicle] Le véhicule
+}
 audit-broken-title = La chaîne est rompue
 
 ## Audit : ce qui a été fait, et à quoi
@@ -4314,6 +4478,15 @@ audit-row = ligne { $id } de la base de données
 
 ## Export : la page
 
+excluded-withdrawn = La mesure a été retirée.
+excluded-not-reviewed = Elle n’est pas encore vérifiée.
+excluded-not-selected = Elle n’est pas des véhicules de cette archive.
+excluded-no-height = Il n’y a pas de hauteur.
+excluded-rejected = Elle a été rejetée par un vérificateur.
+excluded-reopened = Elle a été rouverte et attend une nouvelle vérification.
+excluded-check-target = Elle contrôle la mesure : ses erreurs sont dans statistics/errors_by_target.csv.
+excluded-without-time = Cette archive est de certains jours ou heures de prise de vue, et le début de son enregistrement n’est pas confirmé.
+excluded-out-of-sample = Son véhicule est hors de l’échantillon du relevé.
 export-lead = Téléchargez les données, le rapport et le journal d’audit.
 export-crops = avec les images des pointés
 export-of-title = Véhicules des statistiques et du rapport
@@ -4421,6 +4594,9 @@ proposals-made = Propositions pour { $some } passages sur { $passes }, points en
 proposals-cancelled = La proposition de points a été annulée ; les propositions antérieures restent. Vous pouvez la relancer.
 proposals-being-made-already = Les propositions pour { $name } sont déjà en cours ; attendez la fin.
 proposals-no-found-passes = { $name } n’a pas de passages trouvés par Sightline ; faites d’abord chercher les passages.
+second-frame-followed = Le véhicule a été suivi pendant son passage.
+second-frame-measured = Sa vitesse est celle des points cliqués sur deux images.
+second-frame-assumed = Le véhicule n’a pu être suivi ; sa vitesse est supposée : cherchez les points autour des repères.
 snap-measured-free = Ce véhicule a été tiré au sort pour être mesuré sans propositions.
 anchoring-too-few = Trop peu : il faut cinq véhicules de chaque groupe.
 proposals-withheld = Les propositions sont masquées pour ce véhicule, tiré au sort pour savoir à quel point elles influencent. Pointez-le vous-même.
@@ -4945,6 +5121,29 @@ web-larger-mb-make-smaller-try-again = { $name } dépasse { $most_bytes } Mo ;
 linescan-strips-rows-high-least-8-needed = Les bandes ont { $rows } rangées de haut ; il en faut au moins 8 pour trouver un véhicule.
 linescan-strips-differ-lines-rows-rows-expected = Les bandes diffèrent : { $shape } et { $shape_2 } lignes par rangées, { $rows } rangées attendues ; les deux caméras doivent enregistrer les mêmes lignes.
 linescan-cannot-used-give = { $name } de { $value } { $unit } est inutilisable ; indiquez de { $least } à { $most } { $unit }.
+line-pose-mark-incomplete = Chaque repère a besoin d’une distance, d’une hauteur et d’une rangée.
+line-pose-not-numbers = Les distances, hauteurs et rangées des repères doivent être des nombres.
+line-pose-too-few = { $count } repères ne suffisent pas ; pointez-en au moins { $least }.
+line-pose-above-zero = Les distances des repères et l’u de leurs rangées doivent être supérieures à 0.
+line-pose-upside-down = Les repères les plus hauts doivent avoir les rangées les plus petites ; contrôlez le sens du jalon.
+line-pose-open = Les repères ne déterminent pas la hauteur de la caméra : tenez le jalon vertical à deux distances, par exemple aux bords proche et éloigné de la voie.
+line-pose-below-road = Les repères placent la caméra sous la route ; contrôlez leurs distances, hauteurs et rangées.
+line-pose-one-distance = Tous les repères sont à une même distance : la hauteur de la caméra ne peut être déterminée ; tenez le jalon vertical à deux distances.
+line-pose-wide = Les repères ne suivent le modèle qu’à { $rms_px } px près, moins bien que des pointés de { $sigma_px } px ne l’expliquent ; contrôlez les distances et le repère au plus grand résidu.
+line-pose-vague = La hauteur de la caméra n’est connue qu’à { $u_height } m ; tenez le jalon à deux distances plus éloignées, ou mesurez-les mieux.
+rig-pass-no-way = Il n’a ni positions ni lignes ; donnez les valeurs d’une méthode.
+rig-pass-two-ways = Il a des valeurs de deux méthodes ({ $one } et { $two }) ; donnez à chacune sa propre ligne.
+rig-pass-lacks = La valeur { $column } manque ; indiquez-la.
+rig-pass-no-rate = Sa vitesse demande la cadence de lignes des caméras ; indiquez-la.
+rig-pass-no-order = Les lignes du panneau ne sont pas dans l’ordre : son avant passe devant chaque caméra avant son arrière, et les deux caméras voient d’abord le même bord.
+rig-pass-stopped = Le panneau s’est arrêté ou presque entre les plans ; passez-le d’un mouvement régulier.
+rig-pass-span = Il donne une base de { $span_m } m, hors de la plage de { $least } à { $most } m ; corrigez ses valeurs.
+rig-pass-value = La valeur { $column } est hors plage : { $value } ; corrigez-la.
+rig-passes-differ = Les passages diffèrent plus que leurs incertitudes ne l’expliquent (p = { $chance } %) ; contrôlez d’abord le passage { $name }.
+rig-passes-too-wide = Les passages concordent mieux que leurs incertitudes indiquées ; celles-ci sont peut-être trop grandes.
+rig-passes-two-distances = Deux distances ne permettent pas de vérifier que la base varie linéairement ; ajoutez-en une troisième.
+rig-passes-outside = { $distance_m } m est loin des passages ({ $nearest_m } à { $farthest_m } m) : la base y est extrapolée ; ajoutez un passage à cette distance.
+rig-pass-twice = Une autre ligne a le même nom ; nommez chaque passage une fois.
 linescan-rig-pass = Passage { $name } : { $sentence }
 linescan-rig-common = Les incertitudes de la cadence de lignes, du mètre ruban et de la vitesse sont des parts de 0 à 0,1 (1e-4 vaut 0,01 %) ; corrigez-les.
 linescan-lane-needs-name = Une voie n’a pas de nom ; donnez-lui-en un.
@@ -5060,13 +5259,22 @@ strips-give-dropped-lines-no-list-line = { $what } donnent des dropped_lines qui
 strips-larger-mb-correct-remove-file = { $what } dépassent { $sidecar_bytes } Mo ; corrigez ou supprimez ce fichier.
 strips-not-readable-json-correct-remove-file = { $what } ne sont pas un JSON lisible ; corrigez ou supprimez ce fichier.
 strips-cut-off-header-copy-again-recorder = { $name } est tronqué dans son en-tête ; copiez-le à nouveau depuis l’enregistreur.
-strips-problem = { $name } { $kinds } ; { $grey }.
-strips-bits-pixel = { $name } a { $depth } bits par pixel ; { $grey }.
+strips-in-colour = { $name } est en couleur, alors qu’un balayage est en gris ; { strips-save-grey }.
+strips-transparency = { $name } a une couche de transparence, alors qu’un balayage n’en a pas ; { strips-save-grey }.
+strips-colour-with-transparency = { $name } est en couleur avec transparence, alors qu’un balayage est en gris ; { strips-save-grey }.
+strips-save-grey = enregistrez-la en niveaux de gris 8 ou 16 bits et réessayez
+strips-copy-again = copiez de nouveau le fichier depuis l’enregistreur
+strips-give-one-strip = donnez la bande d’une caméra
+strips-say-time-axis = si le temps suit sa { $axis ->
+    [width] largeur
+   *[height] hauteur
+}, dites-le
+strips-bits-pixel = { $name } a { $depth } bits par pixel ; { strips-save-grey }.
 strips-interlaced-cannot-read-pieces-save-without = { $name } est entrelacé et ne peut pas être lu par morceaux ; enregistrez-le sans entrelacement.
 strips-pixels-wide-png-here-save-tiff = { $name } fait { $width_px } pixels de large, un PNG peut en avoir { $most_wide_px } ici ; enregistrez-le en TIFF ou avec le temps selon la hauteur.
 strips-damaged-checksum-inside-not-match-copy = { $name } est endommagé : une somme de contrôle interne ne concorde pas ; copiez-le à nouveau depuis l’enregistreur.
-strips-no-plain-picture-animation-damaged = { $name } n’est pas une image simple (animation, ou endommagée) ; { $grey }.
-strips-give-png-tiff-line-scan-camera = { $name } { $what } ; indiquez un PNG ou TIFF de la caméra linéaire.
+strips-no-plain-picture-animation-damaged = { $name } n’est pas une image simple (animation, ou endommagée) ; { strips-save-grey }.
+strips-give-png-tiff-line-scan-camera = { $name } { media-kind } ; indiquez un PNG ou TIFF de la caméra linéaire.
 strips-pixels-line-give-two-strips-equal = { $name } a { $rows } pixels par ligne et { $name_2 } { $rows_2 } ; indiquez deux bandes de même hauteur, ou rognez-les à la partie de la scène que les deux montrent.
 strips-bits-pixel-save-both-alike = { $name } a { $value } bits par pixel et { $name_2 } { $value_2 } ; enregistrez les deux de la même façon.
 strips-lines-both-begin-end-together-give = { $name } a { $lines } lignes et { $name_2 } { $lines_2 } ; toutes deux commencent et finissent ensemble : indiquez les deux bandes d’un même enregistrement, ou rognez-les à la même durée.
@@ -5095,20 +5303,20 @@ strips-spool-damaged = { $path } n’est pas une bande d’un flux, ou est endom
 strips-strip-no-level-only-0 = La bande { $name } n’a pas de niveau { $level }, seulement 0 à { $count }.
 strips-gain-cannot-shown-choose-one-0 = Le gain { $gain } ne peut pas être affiché ; choisissez-en un de 0,1 à 50.
 strips-strip-no-tile-level = La bande { $name } n’a pas de tuile { $index } au niveau { $level }.
-strips-index-pixels-not-fit-size = a un index de pixels qui ne correspond pas à sa taille ; { $again }
+strips-index-pixels-not-fit-size = a un index de pixels qui ne correspond pas à sa taille ; { strips-copy-again }
 strips-holds-several-pictures-give-each-strip = { $name } contient plusieurs images ; donnez chaque bande en une seule longue image.
-strips-palette-line-scan-grey = { $name } a une palette, et un balayage linéaire est en gris ; { $grey }.
-strips-colour-transparency-channel-line-scan-grey = { $name } est en couleur ou a un canal de transparence, un balayage linéaire est en gris ; { $grey }.
-strips-holds-signed-floating-point-numbers = { $name } contient des nombres signés ou à virgule flottante ; { $grey }.
-strips-bits-pixel-2 = { $name } a { $bitspersample } bits par pixel ; { $grey }.
+strips-palette-line-scan-grey = { $name } a une palette, et un balayage linéaire est en gris ; { strips-save-grey }.
+strips-colour-transparency-channel-line-scan-grey = { $name } est en couleur ou a un canal de transparence, un balayage linéaire est en gris ; { strips-save-grey }.
+strips-holds-signed-floating-point-numbers = { $name } contient des nombres signés ou à virgule flottante ; { strips-save-grey }.
+strips-bits-pixel-2 = { $name } a { $bitspersample } bits par pixel ; { strips-save-grey }.
 strips-packed-which-not-read-here-save = { $name } est compressé ({ $kind_name }), illisible ici ; enregistrez-le avec une compression zstd, deflate ou LZW, ou sans.
 strips-packed-unusual-way-save-zstd-deflate = { $name } est compressé de façon inhabituelle ; enregistrez-le avec une compression zstd, deflate ou LZW, ou sans.
 strips-marked-turned-mirrored-save-upright = { $name } est marqué comme tourné ou en miroir ; enregistrez-le droit.
-strips-tiff-cut-off-whose-directory-damaged = { $name } est un TIFF tronqué ou dont le répertoire est endommagé ; { $again }.
+strips-tiff-cut-off-whose-directory-damaged = { $name } est un TIFF tronqué ou dont le répertoire est endommagé ; { strips-copy-again }.
 strips-packed-pieces-more-mb-save-smaller = { $name } est compressé en morceaux de plus de { $piece_bytes } Mo ; enregistrez-le en bandes ou tuiles plus petites.
 strips-rows-tiles-more-mb-save-smaller = { $name } a des rangées de tuiles de plus de { $piece_bytes } Mo ; enregistrez-le en tuiles plus petites.
 strips-problem-2 = { $name } { $message }.
-strips-tiff-whose-directory-damaged = { $name } est un TIFF dont le répertoire est endommagé ; { $again }.
+strips-tiff-whose-directory-damaged = { $name } est un TIFF dont le répertoire est endommagé ; { strips-copy-again }.
 strips-frames-too-few-line-scan-choose = { $name } a { $count } images, trop peu pour un balayage linéaire ; choisissez un autre enregistrement.
 strips-no-constant-frame-rate-time-stamps = { $name } n’a pas une cadence d’images constante (ses horodatages sont irréguliers, surtout après l’image { $at }), et un balayage linéaire en demande une ; extrayez une partie régulière, ou enregistrez à cadence fixe.
 strips-cuts-cannot-cut-choose-two-different = Les { $what ->
@@ -5120,7 +5328,56 @@ strips-now-gives-frames-not-ingest-again = { $name } donne maintenant { $count }
 ## Erreurs : vidéo
 
 video-not-file-choose-video-file = { $name } n’est pas un fichier ; choisissez un fichier vidéo.
-video-problem = { $name } { $reason } ; { $way_out }.
+video-is-no-video = { $name } { media-kind }, non une vidéo ; choisissez un fichier vidéo.
+video-is-empty = { $name } { media-kind } ; choisissez un fichier vidéo.
+video-is-cut-off = { $name } { media-kind } ; copiez de nouveau le fichier depuis l’enregistreur, ou réparez-le sur place.
+video-this-recording = Cet enregistrement
+video-not-decoded-at = Cet enregistrement ne peut pas être décodé à l’image { $frame } : là, le décodeur { $why } ; convertissez-le en MP4 avec H.264 et envoyez-le de nouveau.
+video-too-large-at = Cet enregistrement ne peut pas être décodé à l’image { $frame } : là, le décodeur { $why } ; convertissez-le en images plus petites et envoyez-le de nouveau.
+video-decoder-memory = a eu besoin de plus de { $gigabytes } Go de mémoire, seul dans un nouveau processus
+video-decoder-hung = s’est bloqué
+video-decoder-killed = a été arrêté plusieurs fois, même seul dans un nouveau processus
+video-decoder-crashed = s’est arrêté sur une erreur
+video-decoder-ended = s’est arrêté
+video-decoder-silent = n’a pas avancé pendant { $seconds } s
+passes-camera-moves = La caméra bouge de { $far_px } px au plus ; la recherche en tient compte. Une pose de la caméra ne vaut que tant que la caméra est immobile.
+passes-camera-moves-too-far = La caméra bouge (de { $far_px } px et plus) ; la chaussée et les véhicules ne peuvent être séparés ; marquez les passages à la main.
+passes-were-found = { $found ->
+    [0] Aucun passage n’a été trouvé ; marquez-les à la main.
+    [one] Un passage trouvé.
+   *[other] Passages trouvés : { $found }.
+}
+passes-were-found-again = { $found ->
+    [one] Un passage trouvé
+   *[other] Passages trouvés : { $found }
+} : { $new ->
+    [0] aucun nouveau
+   *[other] nouveaux : { $new }
+}, connus ou écartés avant : { $known }.
+scan-vehicles-found = Trouvés : { $found }, nouveaux : { $added }, mesurés de nouveau : { $revised }.
+scan-vehicles-left = Laissés parce que quelqu’un les a modifiés entre-temps : { $count }.
+media-kind = { $kind ->
+    [empty] est vide
+    [playlist] est une liste de lecture qui renvoie à d’autres fichiers
+    [png] est une image PNG
+    [jpeg] est une image JPEG
+    [gif] est une image GIF
+    [bmp] est une image BMP
+    [tiff] est une image TIFF
+    [webp] est une image WebP
+    [heif] est une image HEIF ou AVIF
+    [zip] est une archive zip
+    [pdf] est un document PDF
+    [gzip] est une archive gzip
+    [rar] est une archive RAR
+    [seven_zip] est une archive 7z
+    [audio] est un fichier audio
+    [ogg] est un fichier Ogg, que ce programme ne lit pas
+    [text] est un fichier texte
+    [cut_before_index] est coupé avant que son index (moov) soit écrit
+    [cut_in_index] est coupé au milieu de son index (moov)
+   *[other] n’est pas d’un format d’image pris en charge
+}
 video-holds-no-moving-picture-only-sound = { $name } ne contient pas d’images animées, seulement du son ou des données ; choisissez un fichier vidéo.
 video-no-such-stream = { $name } n’a pas de piste vidéo { $number } ; il en contient { $count }, comptées à partir de 1.
 video-stream-is-a-still = La piste vidéo { $number } de { $name } est une image fixe ; choisissez une autre piste.
@@ -5313,7 +5570,10 @@ scans-read-already-nothing-done = { $name } a déjà été lu ; il n’y a rie
 scans-could-not-read-see-error-try = { $name } n’a pas pu être lu ; voyez son erreur et réessayez.
 scans-still-being-recorded = { $name } est encore en cours d’enregistrement ; son image arrive quand cette partie du flux se termine.
 scans-still-being-read-wait-until-ready = { $name } est encore en cours de lecture ; attendez qu’il soit prêt.
-scans-already-wait-cancel = { $name } : déjà en cours ({ $what }) ; attendez ou annulez.
+scans-already-wait-cancel = { $name } : { $what ->
+    [read] lecture
+   *[searched] recherche de véhicules
+} déjà en cours ; attendez ou annulez.
 scans-strip-uploaded-another-survey-upload-one = La { $word ->
     [first] première
    *[second] seconde
@@ -5442,6 +5702,37 @@ request-from-another-site = Cette requête vient d’un autre site et a été re
 request-no-json = Le corps de la requête n’est pas un JSON valide ; envoyez un objet JSON.
 request-cannot-be-used = La partie { $place } de la requête est inutilisable : { $said } ; corrigez-la et renvoyez.
 request-value-cannot-be-used = La valeur « { $name } » de la partie { $place } est inutilisable : { $said } ; corrigez-la et renvoyez.
+request-extra = champ inconnu
+request-missing = champ obligatoire
+request-finite = doit être un nombre fini
+request-boolean = doit être vrai ou faux (true, false)
+request-integer = doit être un nombre entier
+request-number = doit être un nombre
+request-text = doit être un texte
+request-list = doit être une liste
+request-object = doit être un objet
+request-above = doit être supérieur à { $gt }
+request-least = doit être au moins { $ge }
+request-below = doit être inférieur à { $lt }
+request-most = doit être au plus { $le }
+request-text-long = le texte a au plus { $max_length } caractères
+request-pattern = le texte doit suivre le modèle { $pattern }
+request-nul = un texte ne peut pas contenir le caractère NUL
+request-date = doit être une date, comme 2026-05-04
+request-datetime = doit être une date et une heure, comme 2026-05-04T08:10:00
+request-one-of = doit être l’une de ces valeurs : { $expected }
+request-list-short = la liste a { $actual_length ->
+    [one] { $actual_length } élément
+   *[other] { $actual_length } éléments
+}, il en faut au moins { $min_length }
+request-list-long = la liste a { $actual_length } éléments, au plus { $max_length ->
+    [one] { $max_length } est admis
+   *[other] { $max_length } sont admis
+}
+request-text-short = le texte a au moins { $min_length ->
+    [one] { $min_length } caractère
+   *[other] { $min_length } caractères
+}
 request-nothing-there = Il n’y a rien à { $path } ; vérifiez l’adresse.
 request-bad-method = { $method } n’est pas possible à { $path } ; voyez /docs pour ce qui l’est.
 request-refused = { $detail } ; corrigez et réessayez.
@@ -6242,7 +6533,6 @@ column-crops-reason = pourquoi il n’y a pas de vue
 column-exclusions-measurement-id = mesure exclue
 column-exclusions-state = état pour lequel elle est exclue
 column-exclusions-reason = le motif en toutes lettres
-column-exclusions-reason-code = d’une hauteur manquante : le motif, par code et valeurs (JSON)
 column-response-lighting = all : toutes, daytime : jour, low_light : faible luminosité, ou unknown : inconnue
 column-response-class-set = all : tout, un groupe de classes (classes.csv), ou none : aucun
 column-response-target = ce qui est demandé ; vide : le véhicule dans son ensemble
@@ -6983,52 +7273,6 @@ job-demo-saving = Enregistrement du relevé de démonstration.
 
 ## What the server says in English, found again by its text (sightline/messages/recognised.py)
 
-told-linescan-mark-incomplete = Chaque repère a besoin d’une distance, d’une hauteur et d’une rangée.
-told-linescan-marks-not-numbers = Les distances, hauteurs et rangées des repères doivent être des nombres.
-told-linescan-marks-too-few = { $count } repères ne suffisent pas ; pointez-en au moins { $least }.
-told-linescan-marks-above-zero = Les distances des repères et l’u de leurs rangées doivent être supérieures à 0.
-told-linescan-rod-upside-down = Les repères les plus hauts doivent avoir les rangées les plus petites ; contrôlez le sens du jalon.
-told-media-not-decoded-at = Cet enregistrement ne peut pas être décodé à l’image { $frame } : là, le décodeur { $why } ; { $way_out }.
-told-audit-event-missing = L’événement d’audit { $number } de { $chain } manque ; restaurez une sauvegarde.
-told-audit-event-changed = L’événement d’audit { $number } de { $chain } a été modifié après son écriture ; restaurez une sauvegarde.
-told-audit-chain-ends-elsewhere = La chaîne d’audit de { $chain } se termine à l’événement { $count }, ce qui n’est pas sa vraie fin ; restaurez une sauvegarde.
-told-audit-chain-not-in = La chaîne d’audit n’est pas celle de { $what } { $id } ; restaurez une sauvegarde.
-told-audit-chains-not-signed = Les chaînes d’audit ne sont pas celles signées le { $at } ; restaurez une sauvegarde.
-told-audit-row-not-events = La ligne { $id } ({ $what }) diffère de ses événements ; restaurez une sauvegarde.
-told-audit-row-not-first = La ligne { $id } ({ $what }) diffère de ce qui a été écrit à l’origine ; restaurez une sauvegarde.
-told-audit-row-removed = La ligne { $id } ({ $what }) a été supprimée sans événement ; restaurez une sauvegarde.
-told-budget-click-target = pointé, cible
-told-budget-click-contact = pointé, contact
-told-budget-clicks = pointés
-told-budget-inset = retrait
-told-budget-lens-and-pose = objectif et pose
-told-budget-board-lean = inclinaison de la mire
-told-budget-board-roll = roulis de la mire
-told-budget-board-height = hauteur de la mire
-told-budget-square-size = côté d’une case
-told-budget-board-bow = flèche de la mire
-told-budget-heading = cap
-told-budget-row-time = durée d’une ligne
-told-budget-confirmed-points = points confirmés
-told-budget-drift = dérive
-told-budget-baseline = base
-told-budget-clock = horloge
-told-budget-misalignment = désalignement
-told-budget-fit = ajustement
-told-budget-boundaries = limites
-told-budget-regression = régression
-told-budget-following = suivi
-told-budget-frame-times = instants des images
-told-budget-depth-of-what-is-followed = profondeur du point suivi
-told-budget-seen-from-another-side = vu sous un autre angle
-told-budget-front-and-rear = avant et arrière
-told-budget-pose-of-the-line-camera = pose de la caméra linéaire
-told-export-the-measurement-was-taken = La mesure a été retirée.
-told-export-nobody-has-reviewed-it = Elle n’est pas encore vérifiée.
-told-export-this-package-is-of = Elle n’est pas des véhicules de cette archive.
-told-export-there-is-no-height = Il n’y a pas de hauteur.
-told-export-a-reviewer-rejected-it = Elle a été rejetée par un vérificateur.
-told-export-it-was-reopened-and = Elle a été rouverte et attend une nouvelle vérification.
 told-inset-roof-edge = bord proche du toit (estimation)
 told-inset-upright-sides = caisse à parois verticales (estimation)
 told-inset-less-certain = comme une voiture, moins certain (estimation)
@@ -7037,116 +7281,11 @@ told-geometry-driver-on-the-side = conducteur du côté de la caméra (estimatio
 told-geometry-driver-on-the-side-away = conducteur du côté opposé à la caméra (estimation)
 told-geometry-not-known = retrait inconnu
 told-geometry-outer-edge-of-the = bord extérieur du feu (estimation)
-told-geometry-stand-the-board-square = Placez la mire perpendiculaire à la route, pas à la verticale : avec un dévers de { $crossfall } %, une mire verticale fausse les hauteurs de { $mm } mm à { $distance_m } m et de { $mm2 } mm à 1 m de plus.
-told-geometry-road-or-target-lie = La route ou la cible est hors de l’image pour : { $join } ; reculez ou prenez un objectif plus large.
-told-geometry-a-board-seen-obliquely = Une mire vue en biais fixe mieux la direction de la caméra qu’une mire vue de face, mais les pointés valent un peu moins : caméra tournée de 30 degrés le long de la route, un œil a ±{ $U95_mm } mm au lieu de ±{ $U95_mm2 } mm.
-told-geometry-click-eye-and-contact = Pointez l’œil et le contact sur une deuxième image quand la vitesse le permet : avec { $travel_m } m parcourus, le retrait est calculé au lieu d’être supposé, et ±{ $U95_mm } mm deviennent ±{ $U95_mm2 } mm. À 50 km/h et 25 images par seconde, c’est { $frames } images plus loin.
-told-geometry-put-the-board-at = Placez la mire à la trace de roues, à { $distance_m } m, et non à { $board_m } m : les erreurs de pose, d’inclinaison et de focale s’annulent à la distance de la mire et croissent en s’en éloignant.
-told-geometry-the-lane-is-very = La voie est très proche ; reculez à 2 m au moins.
-told-geometry-the-picture-would-not = L’image ne montrerait pas une mire à { $board_m } m dont la rangée du haut est à { $board_top_m } m au-dessus de la route ; placez-la à la trace de roues, reculez ou prenez un objectif plus large.
-told-geometry-the-camera-stands-at = La caméra est à peu près à la hauteur de l’œil du conducteur ({ $height_m } m), où le retrait ne compte guère ; pour les toits ou les feux, placez-la à leur hauteur.
-told-geometry-a-second-frame-m = Une deuxième image { $travel_m } m plus loin ne réduit pas l’incertitude ici (±{ $U95_mm } mm pour un œil) ; prenez des images plus éloignées.
-told-jobs-gave-up = Le processus s’est arrêté { $attempts } fois au milieu de la tâche ; contrôlez le fichier et la mémoire.
-told-jobs-broke = Une erreur du programme a arrêté la tâche ({ $name }) ; réessayez, et signalez-la si elle revient.
-told-linescan-the-marks-do-not = Les repères ne déterminent pas la hauteur de la caméra : tenez le jalon vertical à deux distances, par exemple aux bords proche et éloigné de la voie.
-told-linescan-the-marks-put-the = Les repères placent la caméra sous la route ; contrôlez leurs distances, hauteurs et rangées.
-told-linescan-all-marks-are-at = Tous les repères sont à une même distance : la hauteur de la caméra ne peut être déterminée ; tenez le jalon vertical à deux distances.
-told-linescan-rig-no-way = Il n’a ni positions ni lignes ; donnez les valeurs d’une méthode.
-told-linescan-rig-two-ways = Il a des valeurs de deux méthodes ({ $one } et { $two }) ; donnez à chacune sa propre ligne.
-told-linescan-rig-lacks = La valeur { $column } manque ; indiquez-la.
-told-linescan-rig-no-rate = Sa vitesse demande la cadence de lignes des caméras ; indiquez-la.
-told-linescan-rig-no-order = Les lignes du panneau ne sont pas dans l’ordre : son avant passe devant chaque caméra avant son arrière, et les deux caméras voient d’abord le même bord.
-told-linescan-rig-stopped = Le panneau s’est arrêté ou presque entre les plans ; passez-le d’un mouvement régulier.
-told-linescan-rig-span = Il donne une base de { $span_m } m, hors de la plage de { $least } à { $most } m ; corrigez ses valeurs.
-told-linescan-rig-value = La valeur { $column } est hors plage : { $value } ; corrigez-la.
-told-linescan-rig-differ = Les passages diffèrent plus que leurs incertitudes ne l’expliquent (p = { $chance } %) ; contrôlez d’abord le passage { $name }.
-told-linescan-rig-too-wide = Les passages concordent mieux que leurs incertitudes indiquées ; celles-ci sont peut-être trop grandes.
-told-linescan-rig-two-distances = Deux distances ne permettent pas de vérifier que la base varie linéairement ; ajoutez-en une troisième.
-told-linescan-rig-outside = { $distance_m } m est loin des passages ({ $nearest_m } à { $farthest_m } m) : la base y est extrapolée ; ajoutez un passage à cette distance.
-told-rig-pass-twice = Une autre ligne a le même nom ; nommez chaque passage une fois.
-told-linescan-expected-of-the-default = Attendu de la méthode par défaut, d’après des véhicules simulés qui remplissent l’image ; peu de texture, un bruit fort ou la pluie l’aggravent, et l’incertitude de chaque véhicule dit ce qui est atteint.
-told-linescan-only-lines-lie-between = Seules { $lines } lignes séparent les caméras ; prenez une cadence plus élevée ou une base plus longue, sinon ce véhicule est à peine mesurable.
-told-linescan-lines-too-far-apart = Le véhicule avance de { $line_mm } mm d’une ligne à la suivante ; au-delà de { $coarse_mm } mm la plupart des véhicules sont refusés. Prenez { $rate } Hz ou plus.
-told-linescan-lines-a-little-apart = Le véhicule avance de { $line_mm } mm d’une ligne à la suivante, ce qui se mesure ; { $rate } Hz ramènent ce pas à { $good_mm } mm.
-told-linescan-the-speeds-u95-is = L’U95 de la vitesse est de { $percent }, plus que les { $percent2 } admis ; prenez une base { $times } fois plus longue, mesurée aussi bien.
-told-linescan-the-baseline-is-taken = La base est tenue pour exacte ; saisissez son incertitude, car elle entre dans toute vitesse.
-told-linescan-the-baseline-limits-not = La base est la limite, non la cadence : elle est connue à { $percent } (incertitude-type), la superposition des bandes ajoute { $percent2 }. Mesurez d’abord mieux la base.
-told-linescan-registering-limits-not = La superposition des bandes est la limite, non la base : elle ajoute { $percent } (incertitude-type), la base { $percent2 }. Prenez une base plus longue.
-told-measurements-the-vehicle-was-followed = Le véhicule a été suivi pendant son passage.
-told-measurements-its-speed-is-that = Sa vitesse est celle des points cliqués sur deux images.
-told-measurements-the-vehicle-could-not = Le véhicule n’a pu être suivi ; sa vitesse est supposée : cherchez les points autour des repères.
-told-media-is-in-colour-and = est en couleur, alors qu’un balayage est en gris
-told-media-has-a-palette-and = a une palette, alors qu’un balayage est en gris
-told-media-has-a-transparency-channel = a une couche de transparence, alors qu’un balayage n’en a pas
-told-media-is-in-colour-with = est en couleur avec transparence, alors qu’un balayage est en gris
-told-media-give-one-camera-strip = donnez la bande d’une caméra
-told-media-is-not-a-picture = n’est pas d’un format d’image pris en charge
-told-media-save-it-as-8 = enregistrez-la en niveaux de gris 8 ou 16 bits et réessayez
-told-media-copy-it-again-from = copiez de nouveau le fichier depuis l’enregistreur
-told-media-choose-a-video-file = choisissez un fichier vidéo
-told-media-copy-it-again-from-the = copiez de nouveau le fichier depuis l’enregistreur, ou réparez-le sur place
-told-media-the-camera-moves-by = La caméra bouge de { $far } au plus ; la recherche en tient compte. Une pose de la caméra ne vaut que tant que la caméra est immobile.
-told-media-the-camera-moves-by-and = La caméra bouge (de { $far } et plus) ; la chaussée et les véhicules ne peuvent être séparés ; marquez les passages à la main.
-told-media-is-cut-off-before = est coupé avant que son index (moov) soit écrit
-told-media-is-a-playlist-that = est une liste de lecture qui renvoie à d’autres fichiers, non une vidéo
-told-media-is-a-webp-picture = est une image WebP, non une vidéo
-told-media-is-png-not-a-video = est une image PNG, non une vidéo
-told-media-is-jpeg-not-a-video = est une image JPEG, non une vidéo
-told-media-is-gif-not-a-video = est une image GIF, non une vidéo
-told-media-is-bmp-not-a-video = est une image BMP, non une vidéo
-told-media-is-tiff-not-a-video = est une image TIFF, non une vidéo
-told-media-is-zip-not-a-video = est une archive zip, non une vidéo
-told-media-is-pdf-not-a-video = est un document PDF, non une vidéo
-told-media-is-gzip-not-a-video = est une archive gzip, non une vidéo
-told-media-is-rar-not-a-video = est une archive RAR, non une vidéo
-told-media-is-seven-zip-not-a-video = est une archive 7z, non une vidéo
-told-media-is-ogg-not-a-video = est un fichier Ogg, que ce programme ne lit pas, non une vidéo
-told-media-is-audio = est un fichier audio
-told-media-is-zip = est une archive zip
-told-media-is-pdf = est un document PDF
-told-media-is-gzip = est une archive gzip
-told-media-is-rar = est une archive RAR
-told-media-is-seven-zip = est une archive 7z
-told-media-is-ogg = est un fichier Ogg, que ce programme ne lit pas
-told-media-is-a-heif-or = est une image HEIF ou AVIF, non une vidéo
-told-media-is-an-audio-file = est un fichier audio, non une vidéo
-told-media-is-a-text-file = est un fichier texte, non une vidéo
-told-media-is-cut-off-in = est coupé au milieu de son index (moov)
+jobs-gave-up = Le processus s’est arrêté { $attempts } fois au milieu de la tâche ; contrôlez le fichier et la mémoire.
+jobs-broke = Une erreur du programme a arrêté la tâche ({ $name }) ; réessayez, et signalez-la si elle revient.
 told-recordings-the-ingest-was-cancelled = La lecture de la vidéo a été annulée ; relancez-la ou supprimez l’enregistrement.
-told-results-too-few-different-errors = trop peu d’erreurs différentes pour un intervalle par bootstrap
-told-results-no-vehicle-in-this = aucun véhicule dans ce groupe
-told-results-heights-corrected-by-each = Hauteurs corrigées du retrait de chaque mesure
-told-results-the-paper-heights-inset = Hauteurs comme dans Dupuis et al. (retrait 0)
-told-results-both-rounded-to-whole = arrondies au centimètre comme dans Dupuis et al.
-told-results-against-manufacturers-heights-every = { $heights } par rapport aux hauteurs du constructeur, { $rounded } ; toutes les valeurs viennent des erreurs individuelles.
-told-scans-the-marks-miss-the = Les repères ne suivent le modèle qu’à { $rms_px } px près, moins bien que des pointés de { $sigma_px } px ne l’expliquent ; contrôlez les distances et le repère au plus grand résidu.
-told-scans-the-camera-height-is = La hauteur de la caméra n’est connue qu’à { $u_height } m ; tenez le jalon à deux distances plus éloignées, ou mesurez-les mieux.
 told-scans-the-lines-of-this = Les lignes de ce flux n’ont pas été enregistrées : il n’y a pas d’image ; ses véhicules restent.
 told-scans-the-reading-was-cancelled = L’import a été annulé ; relancez-le ou supprimez le balayage.
-told-scans-being-searched-for-vehicles = recherche de véhicules en cours
-told-statistics-a-trend-needs-at = Une tendance demande au moins { $least } véhicules ; { $there_are }.
-told-statistics-all-heights-are-the = Toutes les hauteurs sont égales ; il n’y a pas de tendance.
-told-statistics-limits-of-agreement-need = Des limites de concordance demandent au moins { $least } véhicules ; { $there_are }.
-told-statistics-shares-of-the-variance = Des parts de la variance demandent au moins { $least } véhicules ; { $there_are }.
-told-statistics-all-errors-are-the = Toutes les erreurs sont égales ; il n’y a pas de variance à partager.
-told-statistics-the-reference-heights-own = L’incertitude des hauteurs de référence explique toute la variance des erreurs : il ne reste rien pour la mesure.
-told-statistics-the-mean-signed-error = L’erreur signée moyenne de { $error_m } véhicules de hauteur connue, { $mean } mm, a été retranchée de chaque hauteur (comme dans Dupuis et al.).
-told-statistics-the-error-regression-on = La régression de l’erreur sur la hauteur mesurée de { $error_m } véhicules, { $intercept } mm { $slope } mm par m, a été retranchée de chaque hauteur.
-told-statistics-each-height-is-corrected = Chaque hauteur est corrigée du retrait de sa mesure ; aucune autre correction n’est faite.
-told-statistics-this-correction-needs-at = Cette correction demande au moins { $least } véhicules à hauteur de référence ; { $there_are }.
-told-statistics-the-vehicles-of-known = Les véhicules de hauteur connue ont tous la même hauteur ; leur erreur n’a pas de tendance.
-told-statistics-of-the-heights-lie = { $outside } % des hauteurs sont hors des { $low } à { $high } m sur lesquels s’appuie la régression : elle y extrapole et peut nuire.
-told-statistics-the-errors-variance-is = Les hauteurs de référence expliquent à elles seules la variance des erreurs : celle de la mesure est inconnue et ne peut être retirée.
-told-statistics-a-variance-needs-at = Une variance demande au moins 2 hauteurs.
-told-statistics-the-measurement-own-variance = La variance de la mesure dépasse celle des hauteurs ; elle ne peut être retirée.
-told-statistics-heights-as-the-paper = Hauteurs comme dans Dupuis et al. (retrait 0), sans correction.
-told-statistics-percentile-needs = P{ $percent } exige { $needed } véhicules ; { $there_are }
-told-statistics-percentile-needs-alike = P{ $percent } exige { $needed } véhicules ; { $there_are }, équivalant à { $like } de même poids
-told-statistics-a-density-needs-at = Une densité demande au moins { $least_for_density } véhicules ; { $there_are }.
-told-statistics-all-values-are-the = Toutes les valeurs sont égales ; une densité en demande de différentes.
-told-statistics-no-vehicle-in-this = aucune hauteur comptée de ce groupe n’a de référence
-told-statistics-no-height-of-its = aucune hauteur validée de sa classe
-told-statistics-vehicles-give-percentile-an = { $large } véhicules donnent au centile { $percent } un intervalle à 95 % d’environ { $width_m } mm, pour des hauteurs de loi normale et d’écart-type { $sd_m } mm.
 told-statistics-nobody-whose-text-was = aucun texte consulté ; à contrôler avant usage
 told-statistics-taillights-of-passenger-cars = feux arrière de voitures particulières
 told-statistics-the-percentile-by-the = { $dupuis } ; le centile d’après le résumé de Fitzpatrick et al.
@@ -7181,93 +7320,14 @@ told-statistics-taillights-of-cars = feux arrière de voitures
 told-statistics-design-value-of-the = valeur de conception de l’époque
 told-statistics-the-abstract-of-barker = le résumé de Barker et Yue, Australian Road Research 21(2), 1991
 told-statistics-ral-ras-l-before = RAL (auparavant RAS-L)
-told-statistics-they-speak-of = { $listed } ; ils valent pour { $where }
-told-statistics-needs-heights = demande { $needed } hauteurs ; { $there_are }
-told-statistics-differences-between-sites = les écarts entre { $sites } sites
-told-statistics-errors-that-heights-share = les erreurs communes aux hauteurs
-told-statistics-random-error-taken-out = l’erreur aléatoire (retirée des valeurs)
-told-statistics-random-errors-of-heights = les erreurs aléatoires des hauteurs
-told-statistics-errors-of-known-heights = les erreurs des hauteurs connues (les deux restent dans les valeurs)
-told-statistics-roads-like-these-sites = des routes comme celles de ces sites
-told-statistics-the-place-of-the = le seul site du relevé
-told-statistics-the-heights-are-all = les hauteurs sont toutes égales
-told-statistics-there-is-none = il n’y en a aucun
-told-studies-has-no-accepted-height = { $name } n’a pas de hauteur validée qui compte ; il ne contribue pas.
-told-studies-packages-come-from-versions = Les archives viennent de { $made_with } versions aux tables identiques : { $join }.
-told-studies-one-site-intervals-speak = Un seul site : les intervalles ne valent que pour lui.
-told-studies-accepted-heights-are-of = { $sum } hauteurs validées sont de véhicules hors de l’échantillon de leur relevé ; elles ne comptent pas.
-told-studies-heights-of-have-no = { $left_out } hauteurs ({ $target }) n’ont pas de classe du parc ; elles ne comptent pas.
-told-studies-simulated-no-figure-of = Simulé : aucune valeur ne décrit des routes réelles.
-told-studies-of-surveys-are-simulated = { $invented } relevés sur { $surveys } sont simulés : aucun de ses chiffres ne dit rien de routes réelles.
-told-studies-its-figures-need-at = ses chiffres demandent au moins { $least } hauteurs
-told-studies-no-weights-meet-all = aucun poids ne satisfait à la fois toutes les parts du parc
-told-studies-has-one-site-join = { $stratum } n’a qu’un site : réunissez-la à une autre strate, pour que des sites puissent différer
-told-studies-no-height-of-counts = aucune hauteur de { $variable } { $words } ne compte, que le parc contient
-told-studies-a-stratum-has-its = une strate n’a sa classe que sur un site ; des sites ne peuvent différer
-told-vehicles-new-known-or-discarded = { $passes } : { $new ->
-       [none] aucun nouveau
-       *[other] nouveaux : { $new }
-    }, connus ou écartés avant : { $found }.
-told-vehicles-no-passes-were-found = Aucun passage n’a été trouvé ; marquez-les à la main.
-told-vehicles-1-pass-was-found = un passage trouvé
-told-vehicles-passes-were-found = passages trouvés : { $found }
-told-geometry-put-the-camera-at = Placez la caméra à la hauteur à mesurer, où le retrait ne compte pas : { $height_m } m pour l’œil du conducteur. À { $camera_height_m } m, ignorer le retrait fausse la hauteur de { $mm } mm pour un conducteur côté proche et { $mm2 } mm côté éloigné.
-told-statistics-after-the-shift-by = Après le décalage de { $mean } mm, l’écart-type propre de la mesure, { $camera_sd_m } mm, a été retiré : chaque hauteur s’est rapprochée de la moyenne de { $keep } %.
-told-paper-sd-is-that-of = Le SD est celui de l’erreur signée et diffère du RMSE ; il y avait donc un biais de 7 à 13 mm, qui n’est pas imprimé. Le « moins de 10 % sous 2 cm » du texte est possible ici : MAE et MSE permettent 0 à 3 % si des erreurs atteignent 7 cm.
-told-paper-a-perfect-clicker-within = Un opérateur parfait (à 1 px près, hauteurs de référence à 3 cm près) obtient MAE 0,016 m, RMSE 0,019 m : cette colonne borne la référence, non la méthode. Le SD imprimé de 0,059 ft devrait être 0,062 ft. « Moins de 10 % sous 2 cm » est impossible ici : MAE et MSE imposent au moins 26,5 %.
-told-paper-not-the-pool-of = Ce n’est pas la réunion des 400 et 250 véhicules : leur MAE réunie vaut 0,0198 m, leur RMSE 0,0249 m. Le « MAE < 1,8 cm » du résumé n’est pas dans le tableau ; le MSE en pieds a un facteur et un exposant faux. « Moins de 10 % sous 2 cm » demande ici une erreur de plus de 10 cm.
-told-paper-printed-sizes-are-3 = Les tailles imprimées dépassent de 3,1 à 9,1 % les longueurs vraies (5,6 % en moyenne), ce que le texte attribue à l’ombre, alors qu’il annonce moins de 1 % ; le freinage « à 1 % près » s’écarte jusqu’à 1,5 % des autres passages de la même voiture. La vitesse n’a jamais été comparée à la vérité, seulement au compteur de la voiture.
 scan-simulated = Simulé, pour que les valeurs vraies soient connues : marques inventées, une caméra 0,6 px plus bas que l’autre, un jalon tenu vertical dans le plan de la caméra 1 à 2,7 m et à 4,5 m avant le premier véhicule.
-told-results-not-rounded = non arrondies
-told-statistics-vehicle-is-too-few = { $there } véhicule est trop peu pour un intervalle ; il en faut { $needed }
-told-statistics-vehicle-is-too-few-but = { $there } véhicule est trop peu pour un intervalle de MAE, RMSE et SD ; il en faut { $needed }
-told-statistics-vehicles-are-too-few-but = { $there } véhicules sont trop peu pour un intervalle de MAE, RMSE et SD ; il en faut { $needed }
-told-statistics-vehicles-are-too-few = { $there } véhicules sont trop peu pour un intervalle ; il en faut { $needed }
-told-statistics-there-is = il y en a { $count }
-told-statistics-there-are = il y en a { $count }
-told-statistics-sampling = l’échantillonnage
-told-statistics-alone = { $part } seulement
 told-statistics-passenger-cars = voitures particulières
-told-statistics-the-reference-heights-own-uncertainty = L’incertitude des hauteurs de référence explique { $share } % de la variance des erreurs ; { $left } mm restent pour la mesure.
-told-words-and = { $first } et { $last }
 told-thing-camera-pose = pose de la caméra
 told-thing-line-scan = balayage
 told-thing-scanned-vehicle = véhicule balayé
 told-thing-calibration-image = image d’étalonnage
 told-thing-tyre-contacts = paire de contacts des pneus
 told-thing-catalogue-row = ligne du catalogue
-told-request-extra = champ inconnu
-told-request-missing = champ obligatoire
-told-request-one-of-two = doit valoir { $first } ou { $last }
-told-request-finite = doit être un nombre fini
-told-request-boolean = doit être vrai ou faux (true, false)
-told-request-boolean-word = doit être vrai ou faux (true, false)
-told-request-date = doit être une date, comme 2026-05-04
-told-request-datetime = doit être une date et une heure, comme 2026-05-04T08:10:00
-told-request-integer = doit être un nombre entier
-told-request-integer-text = doit être un nombre entier
-told-request-integer-fraction = doit être un nombre entier
-told-request-number = doit être un nombre
-told-request-number-text = doit être un nombre
-told-request-text = doit être un texte
-told-request-list = doit être une liste
-told-request-object = doit être un objet
-told-request-above = doit être supérieur à { $limit }
-told-request-least = doit être au moins { $limit }
-told-request-below = doit être inférieur à { $limit }
-told-request-most = doit être au plus { $limit }
-told-request-list-short = la liste a { $count } éléments, il en faut au moins { $least }
-told-request-list-long = la liste a { $count } éléments, au plus { $most } sont admis
-told-request-text-least-1 = le texte a au moins { $least } caractère
-told-request-text-least = le texte a au moins { $least } caractères
-told-request-text-most = le texte a au plus { $most } caractères
-told-request-pattern = le texte doit suivre le modèle { $pattern }
-told-linescan-plan-error = L’erreur doit être une part entre 0 et 1 ; vitesse et base, supérieures à 0.
-told-linescan-plan-above-zero = Vitesse, base et cadence de lignes doivent être supérieures à 0.
-told-linescan-plan-vehicle = Le véhicule a au plus 100 m de long, l’intervalle au plus 3600 s ; tous deux supérieurs à 0.
-told-linescan-plan-baseline = L’incertitude de la base doit être d’au moins 0 et inférieure à la base.
-told-request-nul = un texte ne peut pas contenir le caractère NUL
-told-media-this-recording = Cet enregistrement
 
 
 ## Application : la visite de la démonstration

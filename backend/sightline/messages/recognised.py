@@ -20,14 +20,11 @@ from sightline import messages
 if TYPE_CHECKING:
     from fluent.syntax import ast as ftl
 
-#: Those that are made by their key and sent as text stand here too, each of one line and without a choice.
-KEYS = (
-    "told-", "proposals-looking", "proposals-made", "recordings-misfit-", "reference-line-",
-    "csv-", "snap-measured-free", "height-side-unknown",
-)  # fmt: skip
+#: Those of tables that are imported are made by their key and sent as text, each of one line and without a
+#: choice.
+KEYS = ("told-", "csv-")
 #: Meanings of the columns that a package's page explains.
 COLUMNS = ("column-",)
-_JOINING = len(" and ")
 _NUMBER = re.compile(r"-?\d+(?:\.(\d+))?")
 _QUANTITY = re.compile(r"[-+±]?\d+\.\d+\W{0,2}[A-Za-z°%]{0,3}")
 _NEXT_SENTENCE = re.compile(r"(?<=[.!?]) (?=[A-Z±\d])")
@@ -65,21 +62,10 @@ def _said(text: str, language: str) -> str | None:
 def _whole(text: str, language: str, keys: tuple[str, ...] = KEYS) -> str | None:
     for known in _catalogue(keys):
         made = known.pattern.fullmatch(text)
-        if made and (said := _by(known, made.groupdict(), language)):
-            return said
+        if made:
+            given = {name: _given(value, language) for name, value in made.groupdict().items()}
+            return messages.say_formatted(known.key, given, language)
     return None
-
-
-def _by(known: _Known, values: dict[str, str], language: str) -> str | None:
-    """By one message. What two words alone hold together has to be known itself: "and" is no sentence."""
-    given = {name: _given(value, language) for name, value in values.items()}
-    if (
-        known.literal <= _JOINING
-        and len(values) > 1
-        and any(given[n] == values[n] for n in values if not _NUMBER.fullmatch(values[n]))
-    ):
-        return None
-    return messages.say_formatted(known.key, given, language)
 
 
 def _given(value: str, language: str) -> Any:

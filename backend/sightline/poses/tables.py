@@ -35,5 +35,5 @@ road_poses = Table(
     Column("adjusted_from", ForeignKey("road_poses.id")),
     *made_columns(),
     CheckConstraint("first_frame >= 0 AND last_frame >= first_frame", name="span_forward"),
-    info=vouched(WrittenOnce("pose", "camera pose")),
+    info=vouched(WrittenOnce("pose")),
 )

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from sightline.enums import StreetLamps, StreetLighting
 from sightline.errors import BadInput
 from sightline.infra.local_time import instant_of, local_text, local_us
-from sightline.messages import say
+from sightline.messages.said import Said
 
 _EARLIEST = datetime(1990, 1, 1, tzinfo=UTC)
 _FILM_DIAGONAL_MM = hypot(36.0, 24.0)
@@ -130,22 +130,29 @@ def start_of(local: str, zone: str, present: datetime) -> Filming:
     return Filming(at, zone)
 
 
-def lamps_misfits(street_lighting: StreetLighting | None, lamps: StreetLamps | None) -> list[str]:
-    """A sentence where street lighting is said to have been on along a road that is said to have none."""
-    return [say("recordings-misfit-lamps", {})] if street_lighting == "on" and lamps == "none" else []
+def lamps_misfits(street_lighting: StreetLighting | None, lamps: StreetLamps | None) -> list[Said]:
+    """What is said where street lighting is said to have been on along a road that is said to have none."""
+    return [Said("recordings-misfit-lamps")] if street_lighting == "on" and lamps == "none" else []
 
 
 def misfits(
     size_px: tuple[int | None, int | None], focal_35mm_mm: float | None, lens: Mapping[str, Any]
-) -> list[str]:
-    """Sentences on where a recording does not fit its camera's calibration (`sightline-camera-1`)."""
+) -> list[Said]:
+    """Where a recording does not fit its camera's calibration (`sightline-camera-1`)."""
     width, height = size_px
     lens_width, lens_height = lens.get("width_px"), lens.get("height_px")
     if width is None or height is None or lens_width is None or lens_height is None:
         return []
     if (width, height) != (lens_width, lens_height):
-        sizes = {"width": width, "height": height, "lens_width": lens_width, "lens_height": lens_height}
-        return [say("recordings-misfit-size", sizes)]
+        return [
+            Said(
+                "recordings-misfit-size",
+                width=width,
+                height=height,
+                lens_width=lens_width,
+                lens_height=lens_height,
+            )
+        ]
     fx, fy = lens.get("fx_px"), lens.get("fy_px")
     if focal_35mm_mm is None or fx is None or fy is None:
         return []
@@ -153,7 +160,5 @@ def misfits(
     ratio = (float(fx) * float(fy)) ** 0.5 / stated_px
     if 1.0 / _FOCAL_RATIO <= ratio <= _FOCAL_RATIO:
         return []
-    fits_mm = focal_35mm_mm * ratio
-    return [
-        say("recordings-misfit-focal", {"stated_mm": f"{focal_35mm_mm:.3g}", "lens_mm": f"{fits_mm:.3g}"})
-    ]
+    stated_mm, lens_mm = (float(f"{one:.3g}") for one in (focal_35mm_mm, focal_35mm_mm * ratio))
+    return [Said("recordings-misfit-focal", stated_mm=stated_mm, lens_mm=lens_mm)]

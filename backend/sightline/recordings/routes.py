@@ -83,7 +83,7 @@ class RecordingBody(Out):
     weather: str | None
     street_lighting: StreetLighting | None
     misfits: Annotated[
-        list[str],
+        list[Said],
         Field(description="Where it does not fit its camera's calibration or its survey, in sentences."),
     ]
     created_at: datetime

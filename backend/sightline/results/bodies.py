@@ -27,6 +27,7 @@ from sightline.infra.web.figures import (
     ReasonBody,
 )
 from sightline.infra.web.named import SurveyId
+from sightline.messages.said import Said
 from sightline.results.survey_comparison import ComparedSurveys
 from sightline.results.survey_statistics import Filter, SampleCounts
 from sightline.statistics.agreement import BlandAltman, ReferencePart
@@ -71,8 +72,8 @@ class ErrorGroupBody(Out):
     title: str = Field(description="The column of the paper's table that it stands for.")
     n: int
     figures: dict[str, FigureBody]
-    reason: str | None = Field(description="Why a figure or its interval is missing.")
-    words: str = Field(
+    reason: Said | None = Field(description="Why a figure or its interval is missing.")
+    words: Said | None = Field(
         description="What the intervals of all but correlations and skewness hold, and for which roads."
     )
 
@@ -102,7 +103,7 @@ Ecdfs = dict[str, EcdfBody | ReasonBody]
 
 class ErrorsBody(Out):
     rounding: Rounding
-    words: str = Field(description="Which heights were compared, and how they were rounded.")
+    words: Said = Field(description="Which heights were compared, and how they were rounded.")
     groups: list[ErrorGroupBody]
     paper: list[PaperColumn]
     reference_part: ReferencePart | ReasonBody
@@ -122,8 +123,8 @@ class KnownGroupBody(Out):
     group: str
     n: int
     figures: dict[str, FigureBody]
-    reason: str | None
-    words: str = Field(description="What the intervals hold, and for which roads.")
+    reason: Said | None
+    words: Said | None = Field(description="What the intervals hold, and for which roads.")
 
 
 class KnownErrorsBody(Out):
@@ -176,9 +177,9 @@ class DistributionBody(Out):
 
 
 class CorrectedBody(DistributionBody):
-    words: str | None = Field(description="What was done.")
-    warning: str | None
-    reason: str | None = Field(description="Why the correction could not be made; all else is then empty.")
+    words: Said | None = Field(description="What was done.")
+    warning: Said | None
+    reason: Said | None = Field(description="Why the correction could not be made; all else is then empty.")
 
 
 class GroupBody(DistributionBody):

@@ -18,6 +18,7 @@ from sightline.errors import BadInput
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Id
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
+from sightline.messages.said import Said
 from sightline.recordings.bodies import FilmedAsked
 from sightline.results import standards_store
 from sightline.results.bodies import HeightsAsked, StandardsIn, StatisticsBody
@@ -131,20 +132,11 @@ def statistics_body(found: Statistics, correction: Correction) -> StatisticsBody
 
 
 def _errors(found: Errors, correction: Correction) -> dict[str, Any]:
-    heights = (
-        "Heights corrected by each measurement's inset"
-        if correction == "inset"
-        else "Heights as in Dupuis et al. (inset 0)"
-    )
-    rounded = (
-        "both rounded to whole centimetres, as in Dupuis et al." if found.rounding == "cm" else "not rounded"
-    )
+    heights = "inset" if correction == "inset" else "paper"
     points = found.points
     return {
         "rounding": found.rounding,
-        "words": (
-            f"{heights} against manufacturers' heights, {rounded}; all values from the individual errors."
-        ),
+        "words": Said("stat-errors-of", heights=heights, rounded=found.rounding),
         "groups": [_group(name, found.groups[name]) for name in GROUPS],
         "paper": PAPER,
         "reference_part": _part(found.reference_part),
@@ -192,18 +184,18 @@ def _known(one: KnownErrors) -> dict[str, Any]:
     }
 
 
-def _no_interval(one: ErrorGroup, key: str) -> str | None:
+def _no_interval(one: ErrorGroup, key: str) -> Said | None:
     """Why one figure alone has no interval."""
     if one.reason is not None or one.figures[key] is None or one.ci95[key] is not None:
         return None
-    return "too few different errors for a bootstrap interval"
+    return Said("stat-too-few-errors")
 
 
 def _target(name: StatisticsTarget, one: Target, table: list[Standard]) -> dict[str, Any]:
     done = one.correction
     corrected = _distribution(one.corrected, table) | (
         {"words": None, "warning": None, "reason": done}
-        if isinstance(done, str)
+        if isinstance(done, Said)
         else {"words": done.words, "warning": done.warning, "reason": None}
     )
     return {
@@ -242,11 +234,11 @@ def _distribution(one: Distribution, table: list[Standard]) -> dict[str, Any]:
     }
 
 
-def _part(one: Any, empty: Any = "no vehicle in this group") -> Any:
+def _part(one: Any, empty: Said | None = Said("stat-group-empty")) -> Any:
     """A part as it goes out: arrays as lists to the micrometre, its reason where there is none."""
     if one is None:
-        return empty if empty is None else {"reason": empty}
-    if isinstance(one, str):
+        return empty and {"reason": empty}
+    if isinstance(one, Said):
         return {"reason": one}
     return {field.name: _plain(getattr(one, field.name)) for field in fields(one)}
 

@@ -11,6 +11,7 @@ from pydantic import Field
 
 from sightline.enums import ComparisonVerdict, StatisticsTarget
 from sightline.infra.audit.records import Who
+from sightline.messages.said import Said
 from sightline.results.measured_columns_query import Measured
 from sightline.statistics.comparison import Compared, compare
 from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
@@ -31,7 +32,7 @@ class ComparedFigure:
     U95_low_m: float | None
     U95_high_m: float | None
     verdict: ComparisonVerdict | None
-    reason: str | None
+    reason: Said | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -34,5 +34,5 @@ exports = Table(
     # that of the figures and the report
     Column("language", String(20), nullable=False),
     *made_columns(),
-    info=vouched(CarriesHead("export")),
+    info=vouched(CarriesHead()),
 )

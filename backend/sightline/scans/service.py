@@ -173,7 +173,7 @@ def require_idle(session: Session, scan: Scan) -> None:
     """Raises Conflict while a job of this scan waits or runs."""
     job = latest_jobs_of_scans(session, [scan.id]).get(scan.id)
     if job is not None and job.state in ("queued", "running"):
-        what = "being read" if job.kind == READ else "being searched for vehicles"
+        what = "read" if job.kind == READ else "searched"
         raise Conflict("scans-already-wait-cancel", name=scan.name, what=what)
 
 

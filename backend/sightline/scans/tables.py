@@ -115,7 +115,7 @@ scans = Table(
         "state <> 'ready' OR (lines IS NOT NULL AND first_key IS NOT NULL)", name="ready_has_lines"
     ),
     CheckConstraint("state <> 'failed' OR error IS NOT NULL", name="failed_has_error"),
-    info=vouched(ChangedByEvents("scan", "line-scan recording")),
+    info=vouched(ChangedByEvents("scan")),
 )
 
 # One search for vehicles (or one measuring again of those that are known); written once.
@@ -135,7 +135,7 @@ scan_runs = Table(
     Column("code_version", String(60), nullable=False),
     *made_columns(),
     enum_check("method", ScanMethod),
-    info=vouched(WrittenOnce("scan_run", "run over a line-scan recording")),
+    info=vouched(WrittenOnce("scan_run")),
 )
 
 scan_vehicles = Table(
@@ -165,7 +165,7 @@ scan_vehicles = Table(
     enum_check("origin", VehicleOrigin),
     enum_check("category", Category),
     enum_check("lighting", Lighting),
-    info=vouched(ChangedByEvents("scan_vehicle", "scanned vehicle")),
+    info=vouched(ChangedByEvents("scan_vehicle")),
 )
 
 # One row a revision of a vehicle's motion, with the rig that it was computed with; written once.
@@ -241,7 +241,7 @@ scan_measurements = Table(
         "(front_wheel_line IS NULL) = (rear_wheel_line IS NULL)",
         name="two_wheels",
     ),
-    info=vouched(WrittenOnce("scan_measurement", "scanned vehicle's measurement")),
+    info=vouched(WrittenOnce("scan_measurement")),
 )
 
 # Verdicts on a revision; written once, the newest of a revision counts.
@@ -256,7 +256,7 @@ scan_reviews = Table(
     *made_columns(),
     enum_check("verdict", ScanVerdict),
     CheckConstraint("verdict <> 'rejected' OR reason IS NOT NULL", name="rejected_has_reason"),
-    info=vouched(WrittenOnce("scan_review", "scanned vehicle's review")),
+    info=vouched(WrittenOnce("scan_review")),
 )
 Index("ix_scan_reviews_measurement_id", scan_reviews.c.measurement_id)
 
@@ -283,5 +283,5 @@ scan_references = Table(
     enum_check("source", ReferenceSource),
     CheckConstraint("revision >= 1", name="revision_counts"),
     CheckConstraint("value > 0 AND u > 0", name="value_with_u"),
-    info=vouched(WrittenOnce("scan_reference", "reference value of a scanned vehicle")),
+    info=vouched(WrittenOnce("scan_reference")),
 )

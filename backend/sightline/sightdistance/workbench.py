@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from sightline.coverage import expanded
 from sightline.enums import CrestVerdict, Crossing, Manoeuvre, SightKind
 from sightline.errors import BadInput
+from sightline.messages.said import Said
 from sightline.sightdistance.curves import (
     crest_constant,
     crest_distance_m,
@@ -49,7 +50,7 @@ class Bounded:
     value: float
     low: float | None = None
     high: float | None = None
-    reason: str | None = None
+    reason: Said | None = None
 
 
 @dataclass(frozen=True)

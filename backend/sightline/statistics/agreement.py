@@ -12,8 +12,8 @@ import scipy
 from numpy.typing import ArrayLike, NDArray
 
 from sightline.coverage import COVERAGE_95
+from sightline.messages.said import Said
 from sightline.statistics.errors import Interval
-from sightline.statistics.wording import there_are
 
 Floats = NDArray[np.float64]
 
@@ -68,10 +68,10 @@ class ReferencePart:
     rounding_share: float
     camera_sd_m: float | None
     correlation_alone: float
-    words: str
+    words: Said
 
 
-def trend(at: ArrayLike, value: ArrayLike, points: int = 64) -> Trend | str:
+def trend(at: ArrayLike, value: ArrayLike, points: int = 64) -> Trend | Said:
     """Regression of `value` (N,) on `at` (N,), both finite and in any unit; or the reason why there is none.
 
     The band is that of the line, at `points` places: +- t s sqrt(1/n + (x - mean)^2 / sum (x - mean)^2), t
@@ -80,9 +80,9 @@ def trend(at: ArrayLike, value: ArrayLike, points: int = 64) -> Trend | str:
     x, y = np.asarray(at, dtype=np.float64), np.asarray(value, dtype=np.float64)
     n = len(x)
     if n < LEAST:
-        return f"A trend needs at least {LEAST} vehicles; {there_are(n)}."
+        return Said("stat-trend-needs", least=LEAST, count=n)
     if np.ptp(x) <= 0:
-        return "All heights are the same, so there is no trend."
+        return Said("stat-heights-alike")
     line = scipy.stats.linregress(x, y)
     t = float(scipy.stats.t.ppf(0.5 + 0.5 * CONFIDENCE, n - 2))
     grid = np.linspace(x.min(), x.max(), points)
@@ -105,7 +105,7 @@ def trend(at: ArrayLike, value: ArrayLike, points: int = 64) -> Trend | str:
     )
 
 
-def bland_altman(error_m: ArrayLike) -> BlandAltman | str:
+def bland_altman(error_m: ArrayLike) -> BlandAltman | Said:
     """Limits of agreement from errors `error_m` (N,), metres: bias +- 1.96 sd, or the reason why there are
     none.
 
@@ -114,7 +114,7 @@ def bland_altman(error_m: ArrayLike) -> BlandAltman | str:
     error = np.asarray(error_m, dtype=np.float64)
     n = len(error)
     if n < LEAST:
-        return f"Limits of agreement need at least {LEAST} vehicles; {there_are(n)}."
+        return Said("stat-limits-need", least=LEAST, count=n)
     z = COVERAGE_95
     t = float(scipy.stats.t.ppf(0.5 + 0.5 * CONFIDENCE, n - 1))
     bias, sd = float(error.mean()), float(error.std(ddof=1))
@@ -135,7 +135,7 @@ def reference_part(
     reference_m: ArrayLike,
     u_reference_m: ArrayLike = U_MANUFACTURER_M,
     rounded: bool = False,
-) -> ReferencePart | str:
+) -> ReferencePart | Said:
     """How much of the errors' variance the reference explains: `error_m`, `reference_m` (N,), `u_reference_m`
     a number or (N,), all in metres; or the reason why that cannot be told.
 
@@ -148,10 +148,10 @@ def reference_part(
     error, reference = np.asarray(error_m, dtype=np.float64), np.asarray(reference_m, dtype=np.float64)
     n = len(error)
     if n < LEAST:
-        return f"Shares of the variance need at least {LEAST} vehicles; {there_are(n)}."
+        return Said("stat-variance-shares-need", least=LEAST, count=n)
     variance = float(error.var(ddof=1))
     if variance <= 0:
-        return "All errors are the same; there is no variance to divide."
+        return Said("stat-errors-alike")
     truth = float(np.mean(np.square(np.broadcast_to(u_reference_m, (n,)))))
     rounding = 2.0 * float(ROUNDING_M) ** 2 if rounded else 0.0
     left = variance - truth - rounding
@@ -168,13 +168,7 @@ def reference_part(
     )
 
 
-def _words(share: float, camera_sd_m: float | None) -> str:
+def _words(share: float, camera_sd_m: float | None) -> Said:
     if camera_sd_m is None:
-        return (
-            "The reference heights' own uncertainty explains all of the errors' variance: nothing "
-            "remains for the measurement."
-        )
-    return (
-        f"The reference heights' own uncertainty explains {100 * share:.0f} % of the errors' variance; "
-        f"{1000 * camera_sd_m:.0f} mm remain for the measurement."
-    )
+        return Said("stat-reference-explains-all")
+    return Said("stat-reference-explains", share=round(100 * share), camera_sd_m=round(camera_sd_m, 3))

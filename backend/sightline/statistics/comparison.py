@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sightline.enums import ComparisonVerdict
+from sightline.messages.said import Said
 from sightline.statistics.figures import Figure, TotalFigure
 from sightline.statistics.total_uncertainty import TotalUncertainty, difference
 
@@ -45,8 +46,8 @@ def compare(first: TotalUncertainty, second: TotalUncertainty, percents: Sequenc
     )
 
 
-def _figure(found: TotalFigure | str) -> TotalFigure:
-    return TotalFigure(float("nan"), None, None, found) if isinstance(found, str) else found
+def _figure(found: TotalFigure | Said | None) -> TotalFigure:
+    return found if isinstance(found, TotalFigure) else TotalFigure(float("nan"), None, None, found)
 
 
 def difference_of_figures(first: Figure, second: Figure) -> Compared:
@@ -59,7 +60,7 @@ def difference_of_figures(first: Figure, second: Figure) -> Compared:
 
 def _apart(first: Figure, second: Figure) -> TotalFigure:
     if first.value is None or second.value is None:
-        return _figure((first.reason if first.value is None else second.reason) or "")
+        return _figure(first.reason if first.value is None else second.reason)
     value = second.value - first.value
     if first.U95_low is None or first.U95_high is None or second.U95_low is None or second.U95_high is None:
         return TotalFigure(value, None, None, first.reason or second.reason)

@@ -14,8 +14,8 @@ import scipy
 from numpy.typing import ArrayLike, NDArray
 
 from sightline.enums import Correction
+from sightline.messages.said import Said
 from sightline.statistics.agreement import LEAST
-from sightline.statistics.wording import there_are
 
 Floats = NDArray[np.float64]
 CORRECTIONS: tuple[Correction, ...] = get_args(Correction)
@@ -27,8 +27,8 @@ class Corrected:
     """Heights (N,) after a correction, what was done in words, and what to beware of."""
 
     height_m: Floats
-    words: str
-    warning: str | None = None
+    words: Said
+    warning: Said | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +45,7 @@ def corrected(
     paper_m: ArrayLike,
     known: Known,
     camera_sd_m: float | None = None,
-) -> Corrected | str:
+) -> Corrected | Said:
     """Heights (N,) under a correction, metres, or the reason why it cannot be made.
 
     inset_m (N,): heights corrected by each measurement's inset; paper_m (N,): the paper's, with inset 0;
@@ -57,16 +57,12 @@ def corrected(
     "deconvolution" c - mean(e) + (h - c) sqrt(1 - camera_sd^2 / var(h)), c the mean of h.
     """
     if kind == "inset":
-        words = "Each height is corrected by the inset of its measurement; no other correction is made."
-        return Corrected(np.asarray(inset_m, dtype=np.float64), words)
+        return Corrected(np.asarray(inset_m, dtype=np.float64), Said("stat-by-inset"))
     heights = np.asarray(paper_m, dtype=np.float64)
     if kind == "none":
-        return Corrected(heights, "Heights as in Dupuis et al. (inset 0), without a correction.")
+        return Corrected(heights, Said("stat-uncorrected"))
     if len(known.error_m) < LEAST:
-        return (
-            f"This correction needs at least {LEAST} vehicles with a reference height; "
-            f"{there_are(len(known.error_m))}."
-        )
+        return Said("stat-correction-needs", least=LEAST, count=len(known.error_m))
     if kind == "shift":
         return _shifted(heights, known)
     if kind == "regression":
@@ -76,50 +72,40 @@ def corrected(
 
 def _shifted(heights: Floats, known: Known) -> Corrected:
     mean = float(known.error_m.mean())
-    words = (
-        f"The mean signed error of {len(known.error_m)} vehicles of known height, "
-        f"{1000 * mean:+.1f} mm, was subtracted from every height (as in Dupuis et al.)."
-    )
+    words = Said("stat-shifted", count=len(known.error_m), mean_m=round(mean, 4))
     return Corrected(heights - mean, words)
 
 
-def _regressed(heights: Floats, known: Known) -> Corrected | str:
+def _regressed(heights: Floats, known: Known) -> Corrected | Said:
     if np.ptp(known.measured_m) <= 0:
-        return "The vehicles of known height are all of one height, so their error has no trend with it."
+        return Said("stat-known-alike")
     line = scipy.stats.linregress(known.measured_m, known.error_m)
     low, high = float(known.measured_m.min()), float(known.measured_m.max())
     outside = float(np.mean((heights < low) | (heights > high))) if len(heights) else 0.0
-    words = (
-        f"The error's regression on the measured height of {len(known.error_m)} vehicles, "
-        f"{1000 * line.intercept:+.1f} mm {1000 * line.slope:+.1f} mm per m, was subtracted from "
-        "every height."
-    )
+    intercept_m, slope = round(float(line.intercept), 4), round(1000 * float(line.slope), 1)
+    words = Said("stat-regressed", count=len(known.error_m), intercept_m=intercept_m, slope=slope)
     warning = None
     if outside > _MANY_OUTSIDE:
-        warning = (
-            f"{100 * outside:.0f} % of the heights lie outside the {low:.2f} to {high:.2f} m of the "
-            "regression; the correction extrapolates there and is not reliable."
-        )
+        share = round(100 * outside)
+        warning = Said("stat-extrapolated", outside=share, low_m=round(low, 2), high_m=round(high, 2))
     return Corrected(heights - (line.intercept + line.slope * heights), words, warning)
 
 
-def _deconvolved(heights: Floats, known: Known, camera_sd_m: float | None) -> Corrected | str:
+def _deconvolved(heights: Floats, known: Known, camera_sd_m: float | None) -> Corrected | Said:
     if camera_sd_m is None:
-        return (
-            "The reference heights alone explain the errors' variance, so the variance of the "
-            "measurement is unknown and cannot be removed."
-        )
+        return Said("stat-variance-unknown")
     if len(heights) < 2:
-        return "A variance needs at least 2 heights."
+        return Said("stat-variance-needs")
     variance = float(heights.var(ddof=1))
     keep = 1.0 - camera_sd_m**2 / variance if variance > 0 else 0.0
     if keep <= 0:
-        return "The variance of the measurement is larger than that of the heights, so it cannot be removed."
+        return Said("stat-variance-too-large")
     centre = float(heights.mean())
     mean = float(known.error_m.mean())
-    words = (
-        f"After the shift by {1000 * mean:+.1f} mm, the measurement's own standard deviation of "
-        f"{1000 * camera_sd_m:.1f} mm was removed: every height moved towards the mean by "
-        f"{100 * (1 - np.sqrt(keep)):.1f} %."
+    words = Said(
+        "stat-deconvolved",
+        mean_m=round(mean, 4),
+        camera_sd_m=round(camera_sd_m, 4),
+        keep=round(100 * (1 - float(np.sqrt(keep))), 1),
     )
     return Corrected(centre - mean + (heights - centre) * np.sqrt(keep), words)

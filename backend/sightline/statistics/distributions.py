@@ -12,7 +12,7 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike, NDArray
 
-from sightline.statistics.wording import there_are
+from sightline.messages.said import Said
 
 Floats = NDArray[np.float64]
 
@@ -35,7 +35,7 @@ class Percentile:
     low: float | None
     high: float | None
     needs: int
-    reason: str | None = None
+    reason: Said | None = None
 
 
 @dataclass(frozen=True)
@@ -122,14 +122,14 @@ def _percentile(
     return Percentile(percent=percent, value=value, low=ends[0], high=ends[1], needs=needs)
 
 
-def too_few_for(percent: float, n: int, like: int | None = None, confidence: float = CONFIDENCE) -> str:
+def too_few_for(percent: float, n: int, like: int | None = None, confidence: float = CONFIDENCE) -> Said:
     """Why a percentile of n vehicles has no value: how many it needs, and how many there are. like: as how
     many of equal weight they count.
     """
     needs = vehicles_for_interval(percent, confidence)
     if like is None or like == n:
-        return f"P{percent:g} needs {needs}; {there_are(n)}"
-    return f"P{percent:g} needs {needs}; {there_are(n)}, as good as {like} of equal weight"
+        return Said("stat-percentile-needs", percent=percent, needed=needs, count=n)
+    return Said("stat-percentile-needs-alike", percent=percent, needed=needs, count=n, like=like)
 
 
 def vehicles_for_interval(percent: float, confidence: float = CONFIDENCE) -> int:
@@ -180,7 +180,7 @@ def ecdf(ordered: Floats, most: int = 600, confidence: float = CONFIDENCE) -> Ec
 
 def density(
     ordered: Floats, points: int = 256, confidence: float = CONFIDENCE, step: float = 0.0
-) -> Density | str:
+) -> Density | Said:
     """Kernel density of a sorted sample, `ordered` (N,), on a grid of `points`, or the reason why there is
     none; per unit of the values.
 
@@ -195,12 +195,12 @@ def density(
     """
     n = len(ordered)
     if n < _LEAST_FOR_DENSITY:
-        return f"A density needs at least {_LEAST_FOR_DENSITY} vehicles; {there_are(n)}."
+        return Said("stat-density-needs", least=_LEAST_FOR_DENSITY, count=n)
     quartiles = np.quantile(ordered, [0.25, 0.75])
     spreads = [float(np.std(ordered, ddof=1)), float(quartiles[1] - quartiles[0]) / 1.349]
     spread = min((s for s in spreads if s > _LEAST_SPREAD), default=0.0)
     if spread == 0.0:
-        return "All values are the same; a density needs values that differ."
+        return Said("stat-values-alike")
     width = max(0.9 * spread * n**-0.2, 0.5 * step)
     inner = ordered[[0, -1]] + np.array([-3.0, 3.0]) * width
     edges = np.linspace(inner[0], inner[1], points + 1)

@@ -14,10 +14,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from sightline.coverage import COVERAGE_95
 from sightline.enums import IntervalPart, Lighting, Rounding
+from sightline.messages.said import Said
 from sightline.statistics.distributions import share_interval
 from sightline.statistics.error_totals import ErrorTotals
 from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
-from sightline.statistics.wording import are_too_few, holding
+from sightline.statistics.wording import holding
 
 Floats = NDArray[np.float64]
 
@@ -70,9 +71,9 @@ class ErrorGroup:
     n: int
     figures: dict[str, float | None]
     ci95: dict[str, Interval | None]
-    reason: str | None = None
+    reason: Said | None = None
     holds: dict[str, tuple[IntervalPart, ...]] = field(default_factory=dict)
-    words: str = ""
+    words: Said | None = None
 
 
 def round_to_cm(height_m: ArrayLike) -> Floats:
@@ -230,9 +231,7 @@ def error_group(
     n = len(error)
     if n == 0:
         none: dict[str, float | None] = dict.fromkeys(names)
-        return ErrorGroup(
-            0, none, dict.fromkeys(names), "no counted height of this group has a reference height"
-        )
+        return ErrorGroup(0, none, dict.fromkeys(names), Said("stat-no-reference"))
     values = _figures(error, height)
     figures = {name: float(v) if np.isfinite(v) else None for name, v in zip(FIGURES, values, strict=True)}
     shares, shares_ci95 = _shares(error)
@@ -242,10 +241,10 @@ def error_group(
     holds = {name: sampled if name in _SAMPLED_ALONE else parts for name in names}
     if n < _LEAST_FOR_INTERVALS:
         none_yet: dict[str, Interval | None] = dict.fromkeys(names)
-        few = f"{are_too_few(n)} for an interval"
         if "bias_m" not in total:
-            return ErrorGroup(n, figures, none_yet, f"{few}; {_LEAST_FOR_INTERVALS} are needed")
-        why = f"{few} of MAE, RMSE and SD; {_LEAST_FOR_INTERVALS} are needed"
+            few = Said("stat-too-few", count=n, needed=_LEAST_FOR_INTERVALS)
+            return ErrorGroup(n, figures, none_yet, few)
+        why = Said("stat-too-few-of-spread", count=n, needed=_LEAST_FOR_INTERVALS)
         ci95 = {**none_yet, "bias_m": total["bias_m"]}
         return ErrorGroup(n=n, figures=figures, ci95=ci95, reason=why, holds=holds, words=words)
     ci95 = {}
@@ -262,7 +261,7 @@ def error_group(
 
 def _totals(
     error: Floats, measured: HeightSample | None, names: tuple[str, ...]
-) -> tuple[dict[str, Interval], tuple[IntervalPart, ...], str]:
+) -> tuple[dict[str, Interval], tuple[IntervalPart, ...], Said]:
     """Total intervals of what has them, what they hold, and that in words; of few errors the bias alone."""
     found: dict[str, Interval] = {}
     sites = None
@@ -276,12 +275,12 @@ def _totals(
                 found["bias_m"] = Interval(bias.U95_low, bias.U95_high)
             if len(error) >= _LEAST_FOR_INTERVALS:
                 found |= _spread_totals(ErrorTotals(error, measured.shared, measured.site), names)
-    there: dict[IntervalPart, tuple[bool, str]] = {
-        "sampling": (True, "sampling"),
-        "sites": (sites is not None, f"differences between {sites} sites"),
-        "shared_errors": (shared, "errors that heights share"),
-        "random_error": (True, "random errors of heights"),
-        "known_heights": (True, "errors of the known heights (both left in the values)"),
+    there: dict[IntervalPart, tuple[bool, Said]] = {
+        "sampling": (True, Said("stat-sampling")),
+        "sites": (sites is not None, Said("stat-sites", sites=sites)),
+        "shared_errors": (shared, Said("stat-shared-errors")),
+        "random_error": (True, Said("stat-random-errors")),
+        "known_heights": (True, Said("stat-known-heights")),
     }
     parts = tuple(part for part, (held, _) in there.items() if held)
     return found, parts, holding([words for held, words in there.values() if held], sites)

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from sightline.messages.said import Said
+
 
 @dataclass(frozen=True)
 class TotalFigure:
@@ -14,7 +16,7 @@ class TotalFigure:
     value: float
     U95_low: float | None
     U95_high: float | None
-    reason: str | None = None
+    reason: Said | None = None
     effect: float | None = None
 
 
@@ -33,7 +35,7 @@ class TotalPercentile:
     U95_high: float | None
     raw: float
     needs: int
-    reason: str | None = None
+    reason: Said | None = None
     effect: float | None = None
 
 

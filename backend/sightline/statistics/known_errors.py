@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from sightline.coverage import COVERAGE_95
 from sightline.enums import Category, ErrorGrouping, Lighting, Target
+from sightline.messages.said import Said
 from sightline.statistics.distributions import share_interval
 from sightline.statistics.errors import LENGTHS, ErrorGroup, error_group
 from sightline.statistics.total_uncertainty import HeightSample
@@ -53,7 +54,7 @@ class KnownErrors:
     target: Target
     check_target: bool
     groups: tuple[KnownGroup, ...]
-    inside: Inside | str
+    inside: Inside | Said
 
     @property
     def overall(self) -> ErrorGroup:
@@ -107,7 +108,7 @@ def shown_groups(groups: Sequence[KnownGroup]) -> list[KnownGroup]:
     return [groups[0], *(one for one in groups[1:] if one.errors.n < groups[0].errors.n)]
 
 
-def inside_uncertainty(error_m: ArrayLike, u_measured_m: ArrayLike, u_known_m: ArrayLike) -> Inside | str:
+def inside_uncertainty(error_m: ArrayLike, u_measured_m: ArrayLike, u_known_m: ArrayLike) -> Inside | Said:
     """How many differences error_m (N,) are not larger than their own U95, of those whose standard
     uncertainties u_measured_m (N,) and u_known_m (N,) are both known, all in metres; else the reason.
 
@@ -119,6 +120,6 @@ def inside_uncertainty(error_m: ArrayLike, u_measured_m: ArrayLike, u_known_m: A
     rows = np.isfinite(u_m) & np.isfinite(error)
     n = int(np.count_nonzero(rows))
     if n == 0:
-        return "no known height has an uncertainty to be compared with"
+        return Said("stat-known-without-u")
     inside = int(np.count_nonzero(np.abs(error[rows]) <= COVERAGE_95 * u_m[rows]))
     return Inside(n, inside, inside / n, *share_interval(inside, n))

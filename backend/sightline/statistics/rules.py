@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from sightline.enums import RuleVerdict
+from sightline.messages.said import Said
 from sightline.statistics.standards import Standard
 from sightline.statistics.total_uncertainty import TotalUncertainty
 
@@ -40,7 +41,7 @@ class RuleToday:
     lower: float | None
     risk: float | None
     verdict: RuleVerdict
-    reason: str | None = None
+    reason: Said | None = None
     by_pose_m: Mapping[int, float] = field(default_factory=dict)
 
 
@@ -53,9 +54,9 @@ def rule_today(standard: Standard, found: TotalUncertainty | None, by_class: boo
     if standard.percent is None:
         return None
     if found is None:
-        return unknown_rule(standard, 0, by_class, None, "no accepted heights of its class")
+        return unknown_rule(standard, 0, by_class, None, Said("stat-none-of-class"))
     figure, draws = found.percentile(standard.percent), found.percentile_draws(standard.percent)
-    if isinstance(draws, str):
+    if isinstance(draws, Said):
         return unknown_rule(standard, found.n, by_class, figure.value, draws)
     value, error = draws
     lower = float(np.mean(value + error < standard.height_m))
@@ -83,7 +84,9 @@ def _verdict(lower: float) -> tuple[RuleVerdict, float | None]:
     return "alike", None
 
 
-def unknown_rule(standard: Standard, n: int, by_class: bool, value_m: float | None, reason: str) -> RuleToday:
+def unknown_rule(
+    standard: Standard, n: int, by_class: bool, value_m: float | None, reason: Said
+) -> RuleToday:
     """A rule without a verdict, and why."""
     return RuleToday(
         standard=standard,

@@ -7,6 +7,7 @@ import scipy
 
 from sightline.coverage import COVERAGE_95
 from sightline.errors import BadInput
+from sightline.messages.said import Said
 from sightline.statistics.distributions import vehicles_for_interval
 
 
@@ -17,7 +18,7 @@ class SampleSize:
     percent: float
     width_m: float
     vehicles: int
-    words: str
+    words: Said
 
 
 def vehicles_needed(percent: float, width_m: float, sd_m: float) -> SampleSize:
@@ -36,9 +37,12 @@ def vehicles_needed(percent: float, width_m: float, sd_m: float) -> SampleSize:
     at_percentile = float(scipy.stats.norm.pdf(scipy.stats.norm.ppf(p))) / sd_m
     large = int(np.ceil((2.0 * z / (width_m * at_percentile)) ** 2 * p * (1.0 - p)))
     least = vehicles_for_interval(percent)
-    words = (
-        f"{max(large, least)} vehicles give percentile {percent:g} a 95 % interval about "
-        f"{1000 * width_m:.0f} mm wide, for normally distributed heights with a standard deviation "
-        f"of {1000 * sd_m:.0f} mm."
+    vehicles = max(large, least)
+    words = Said(
+        "stat-vehicles-give",
+        vehicles=vehicles,
+        percent=percent,
+        width_m=round(width_m, 3),
+        sd_m=round(sd_m, 3),
     )
-    return SampleSize(percent, width_m, max(large, least), words)
+    return SampleSize(percent, width_m, vehicles, words)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.enums import Correction, Lighting, Rounding
+from sightline.messages.said import Said
 from sightline.statistics.agreement import (
     BlandAltman,
     ReferencePart,
@@ -69,13 +70,13 @@ class Errors:
 
     rounding: Rounding
     groups: dict[str, ErrorGroup]
-    reference_part: ReferencePart | str
-    bland_altman: BlandAltman | str
-    trend: Trend | str
-    absolute_trend: Trend | str
+    reference_part: ReferencePart | Said
+    bland_altman: BlandAltman | Said
+    trend: Trend | Said
+    absolute_trend: Trend | Said
     absolute: dict[str, Ecdf | None]
     relative: dict[str, Ecdf | None]
-    density: dict[str, Density | str]
+    density: dict[str, Density | Said]
     points: Floats
 
 
@@ -121,8 +122,8 @@ class Target:
 
     raw: Distribution
     corrected: Distribution
-    correction: Corrected | str
-    density: Density | str
+    correction: Corrected | Said
+    density: Density | Said
     groups: dict[str, Groups]
     total: TotalFigures | None = None
     by_pose_m: Mapping[float, Mapping[int, float]] = field(default_factory=dict)
@@ -178,9 +179,9 @@ def target_of(
         groupings = {name: one.where(measured) for name, one in groupings.items()}
     known = roofs.known()
     part = reference_part(known.error_m, roofs.reference_m, roofs.u_reference_m)
-    camera_sd_m = None if isinstance(part, str) else part.camera_sd_m
+    camera_sd_m = None if isinstance(part, Said) else part.camera_sd_m
     done = corrected(correction, inset_m, paper_m, known, camera_sd_m)
-    if isinstance(done, str):
+    if isinstance(done, Said):
         return Target(raw, distribution(np.empty(0)), done, done, {})
     heights = done.height_m
     by = {name: groups_of(heights, one, limits_m) for name, one in groupings.items()}

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from sightline.coverage import COVERAGE_95
 from sightline.enums import IntervalPart
+from sightline.messages.said import Said
 from sightline.statistics.deconvolution import SmoothDensity, noise_of, smooth_density
 from sightline.statistics.distributions import PERCENTILES, too_few_for, vehicles_for_interval
 from sightline.statistics.drawn import Drawn, Sampled, ordered
@@ -29,7 +30,7 @@ from sightline.statistics.shared_errors import SharedErrors
 from sightline.statistics.sites import sites_of
 from sightline.statistics.study_plan import Components
 from sightline.statistics.survey_design import Design
-from sightline.statistics.wording import holding, there_are
+from sightline.statistics.wording import holding
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -201,13 +202,13 @@ class TotalUncertainty:
         return tuple(part for part, there in parts.items() if there)
 
     @property
-    def holds_in_words(self) -> str:
+    def holds_in_words(self) -> Said:
         """What the intervals hold, and for which roads, as the end of a sentence."""
-        words: dict[IntervalPart, str] = {
-            "sampling": "sampling",
-            "sites": f"differences between {self.sites} sites",
-            "shared_errors": "errors that heights share",
-            "random_error": "random error (removed from the values)",
+        words: dict[IntervalPart, Said] = {
+            "sampling": Said("stat-sampling"),
+            "sites": Said("stat-sites", sites=self.sites),
+            "shared_errors": Said("stat-shared-errors"),
+            "random_error": Said("stat-random-error-removed"),
         }
         return holding([words[part] for part in self.holds], self.sites)
 
@@ -223,7 +224,7 @@ class TotalUncertainty:
         raw = float(self._quantile(percent / 100.0, 0.5, -1.0))
         needs = vehicles_for_interval(percent)
         found = self._known(percent)
-        if isinstance(found, str):
+        if isinstance(found, Said):
             value = self._at(percent / 100.0) if self._supported(percent) else None
             return TotalPercentile(
                 percent=percent,
@@ -246,14 +247,14 @@ class TotalUncertainty:
             effect=found.effect,
         )
 
-    def percentile_draws(self, percent: float) -> tuple[float, Floats] | str:
+    def percentile_draws(self, percent: float) -> tuple[float, Floats] | Said:
         """A percentile's value and draws of its error (D,), metres, ascending, or the reason why there are
         none.
 
         The same as `percentile`'s.
         """
         found = self._known(percent)
-        return found if isinstance(found, str) else (found.value_m, found.error_m)
+        return found if isinstance(found, Said) else (found.value_m, found.error_m)
 
     @cached_property
     def _in_order(self) -> dict[float, _Confidence]:
@@ -271,11 +272,11 @@ class TotalUncertainty:
             for percent, value, draws, one in zip(there, values, possible, found, strict=True)
         }
 
-    def _known(self, percent: float) -> _Confidence | str:
+    def _known(self, percent: float) -> _Confidence | Said:
         if not self._supported(percent):
             return too_few_for(percent, self.n, int(self._n + 1e-9))
         if self._density is None:
-            return "the heights are all the same"
+            return Said("stat-true-heights-alike")
         if percent in self._in_order:
             return self._in_order[percent]
         own = self._confidence(percent / 100.0)
@@ -407,10 +408,10 @@ class TotalUncertainty:
         wider = float(scipy.special.stdtrit(found.freedom, 1.0 - TAIL)) / COVERAGE_95 if compares else 1.0
         return min(share * (1.0 - share) / max(found.variance * wider**2, 1e-12), float(self.n))
 
-    def _too_few(self, needed: int) -> str:
+    def _too_few(self, needed: int) -> Said:
         if self.n >= needed:
-            return "the heights are all the same"
-        return f"needs {needed} heights; {there_are(self.n)}"
+            return Said("stat-true-heights-alike")
+        return Said("stat-heights-needed", needed=needed, count=self.n)
 
     def _unseen(self, found: Sampled, near: Ints) -> float:
         """Variance of what heights share that sites do not show; of one site, all of it, by the rows `near`
@@ -500,7 +501,7 @@ class TotalFigures:
     n: int
     sites: int | None
     holds: tuple[IntervalPart, ...]
-    words: str
+    words: Said
     mean: TotalFigure
     sd: TotalFigure
     percentiles: list[TotalPercentile]
@@ -555,14 +556,16 @@ def total_figures(
     )
 
 
-def difference(one: TotalUncertainty, other: TotalUncertainty, percent: float) -> TotalFigure | str:
+def difference(one: TotalUncertainty, other: TotalUncertainty, percent: float) -> TotalFigure | Said:
     """A percentile of `other` less that of `one`, metres, with its interval, or the reason why there is none.
 
     The two are taken to share no error.
     """
     first, second = one.percentile_draws(percent), other.percentile_draws(percent)
-    if isinstance(first, str) or isinstance(second, str):
-        return first if isinstance(first, str) else str(second)
+    if isinstance(first, Said):
+        return first
+    if isinstance(second, Said):
+        return second
     value = second[0] - first[0]
     low, high = ends_of(second[1] - first[1][OTHER])
     return TotalFigure(value, value + low, value + high)

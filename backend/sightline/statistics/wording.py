@@ -1,28 +1,13 @@
-"""Pieces of sentences: numbers of vehicles, what intervals hold."""
+"""What intervals hold, in words."""
 
 from collections.abc import Sequence
 
-
-def vehicles(n: int) -> str:
-    """ "1 vehicle", "2 vehicles"."""
-    return f"{n} vehicle" if n == 1 else f"{n} vehicles"
+from sightline.messages.said import Said, listed
 
 
-def there_are(n: int) -> str:
-    """ "there is 1", "there are 2", "there is none"."""
-    return "there is none" if n == 0 else f"there {'is' if n == 1 else 'are'} {n}"
-
-
-def are_too_few(n: int) -> str:
-    """ "1 vehicle is too few", "2 vehicles are too few"."""
-    return f"{vehicles(n)} {'is' if n == 1 else 'are'} too few"
-
-
-def holding(parts: Sequence[str], sites: int | None) -> str:
+def holding(parts: Sequence[Said], sites: int | None) -> Said:
     """What intervals hold, one part or more, and for which roads, as the end of a sentence; sites: how many
     clusters, None: one site.
     """
-    where = "the site of the survey only" if sites is None else "roads like those of these sites"
-    *most, last = parts
-    listed = f"{', '.join(most)} and {last}" if most else f"{last} alone"
-    return f"{listed}; they apply to {where}"
+    held = listed(parts) if len(parts) > 1 else Said("stat-alone", part=parts[0])
+    return Said("stat-holding-place", parts=held) if sites is None else Said("stat-holding-sites", parts=held)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from sightline.messages.said import Said
 from sightline.statistics.comparison import difference_of_figures
 from sightline.statistics.figures import TotalFigure
 from sightline.studies.records import StudyDifference, StudyResult
@@ -42,7 +43,7 @@ def _name(row: Row) -> tuple[str, str, float | None]:
 def _difference(before: Row, after: Row) -> StudyDifference:
     if before["value_m"] is None or after["value_m"] is None:
         value, low, high, verdict = None, None, None, None
-        reason = before["reason"] if before["value_m"] is None else after["reason"]
+        reason = _reason(before if before["value_m"] is None else after)
     else:
         one = difference_of_figures(_figure(before), _figure(after))
         told, verdict = one.difference, one.verdict
@@ -61,4 +62,8 @@ def _difference(before: Row, after: Row) -> StudyDifference:
 
 
 def _figure(row: Row) -> TotalFigure:
-    return TotalFigure(row["value_m"], row["low_m"], row["high_m"], row.get("reason"))
+    return TotalFigure(row["value_m"], row["low_m"], row["high_m"], _reason(row))
+
+
+def _reason(row: Row) -> Said | None:
+    return Said.read(row["reason"]) if row.get("reason") else None

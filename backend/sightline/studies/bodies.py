@@ -10,6 +10,7 @@ from sightline.enums import RuleVerdict, StandardHeight, StatisticsTarget
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Finite, In, JobBody, Name, Out, Text
 from sightline.infra.web.named import SurveyId
+from sightline.messages.said import Said
 from sightline.studies.records import StudyDifference, StudyFacts, StudySurvey
 
 _MOST_SURVEYS = 2000
@@ -100,7 +101,7 @@ class FigureRow(Out):
     design_effect: float | None = None
     effective_n: float | None = None
     weighting_effect: float | None = None
-    reason: str | None = None
+    reason: Said | None = None
 
 
 class RuleRow(Out):
@@ -119,7 +120,7 @@ class RuleRow(Out):
     lower: float | None
     risk: float | None
     verdict: RuleVerdict
-    reason: str | None
+    reason: Said | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -188,7 +189,7 @@ class FiguresBody(Out):
 
     heights: int
     vehicles: int
-    notes: list[str]
+    notes: list[Said]
     consequence: str | None
     curves: list[StudyCurveBody]
     packages: list[StudiedRow]

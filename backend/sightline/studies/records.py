@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from sightline.enums import ComparisonVerdict, JsonObject, StatisticsTarget
 from sightline.infra.audit.records import Who
+from sightline.messages.said import Said
 from sightline.statistics.figures import TotalFigure, TotalPercentile
 from sightline.statistics.rules import RuleToday
 from sightline.statistics.standards import Standard
@@ -95,7 +96,7 @@ class TargetFigures:
     mean: TotalFigure | None = None
     sd: TotalFigure | None = None
     percentiles: list[TotalPercentile] = field(default_factory=list)
-    reason: str | None = None
+    reason: Said | None = None
 
 
 @dataclass(frozen=True)
@@ -153,7 +154,7 @@ class YearDifference:
     U95_low: float | None
     U95_high: float | None
     verdict: ComparisonVerdict | None
-    reason: str | None = None
+    reason: Said | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -168,7 +169,7 @@ class StudyDifference:
     low_m: float | None
     high_m: float | None
     verdict: ComparisonVerdict | None
-    reason: str | None
+    reason: Said | None
 
 
 @dataclass(frozen=True)
@@ -197,7 +198,7 @@ class Study:
     rules: list[StudyRule]
     years: list[YearDifference]
     curves: list[Curve]
-    notes: list[str]
+    notes: list[Said]
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.enums import Category, ClassSet, StatisticsTarget
+from sightline.messages.said import Said
 from sightline.results.measured_columns_query import CATEGORIES, CLASS_SETS
 from sightline.results.survey_statistics import RULE_OF
 from sightline.statistics.rules import rule_today, unknown_rule
@@ -67,7 +68,7 @@ def _made(
     by_class: bool,
 ) -> StudyRule:
     if figures is None:
-        none = "no accepted heights of its class"
+        none = Said("stat-none-of-class")
         return StudyRule(
             target, unknown_rule(standard, of.n, by_class, None, (of.reason if of.n else None) or none)
         )

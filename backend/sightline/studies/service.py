@@ -14,6 +14,7 @@ import numpy as np
 
 from sightline.enums import StatisticsTarget
 from sightline.errors import BadInput
+from sightline.messages.said import Said
 from sightline.results.standards_store import joined_standards
 from sightline.statistics.comparison import difference_of_figures
 from sightline.statistics.figures import Figure
@@ -41,7 +42,6 @@ from sightline.studies.weighted import Weighted, refuse_fleet, weighted, where
 
 TARGETS: tuple[StatisticsTarget, ...] = get_args(StatisticsTarget)
 PERCENTS = (2.5, 5.0, 10.0, 15.0, 50.0, 85.0, 90.0, 95.0, 97.5)
-SIMULATED = "Simulated: no value describes real roads."
 _CURVE = (1.0, *PERCENTS[:4], *(float(one) for one in range(20, 81, 5)), *PERCENTS[5:], 99.0)
 _PLANNED_PERCENT = 10.0
 _PLANNED_SITES = (2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 30, 50)
@@ -133,37 +133,29 @@ def make_study(surveys: Sequence[StudiedSurvey], tables: Tables, asked: Plan, te
     )
 
 
-def _notes(surveys: Sequence[StudiedSurvey], places: Places) -> list[str]:
+def _notes(surveys: Sequence[StudiedSurvey], places: Places) -> list[Said]:
     made_with = sorted({one.made_with for one in surveys})
     invented = sum(one.simulated for one in surveys)
     notes = []
     if invented == len(surveys):
-        notes.append(SIMULATED)
+        notes.append(Said("study-all-simulated"))
     elif invented:
-        notes.append(
-            f"{invented} of {len(surveys)} surveys are simulated: no figure of it says anything of real "
-            "roads."
-        )
+        notes.append(Said("study-some-simulated", count=invented, surveys=len(surveys)))
     if len(made_with) > 1:
-        notes.append(
-            f"Packages come from {len(made_with)} versions with identical tables: {', '.join(made_with)}."
-        )
+        notes.append(Said("study-versions", count=len(made_with), versions=", ".join(made_with)))
     if len(places.names) == 1:
-        notes.append("One site: the intervals apply to that site only.")
+        notes.append(Said("study-one-site"))
     return notes
 
 
-def _notes_of_counts(surveys: Sequence[StudiedSurvey], counted: Ints, outside: Ints) -> list[str]:
+def _notes_of_counts(surveys: Sequence[StudiedSurvey], counted: Ints, outside: Ints) -> list[Said]:
     notes = [
-        f"{one.name} has no accepted height that counts; it does not contribute."
+        Said("study-none-counts", name=one.name)
         for one, n in zip(surveys, counted.tolist(), strict=True)
         if n == 0
     ]
     if outside.any():
-        notes.append(
-            f"{int(outside.sum())} accepted heights are of vehicles outside their survey's sample; they do "
-            "not count."
-        )
+        notes.append(Said("study-outside-sample", count=int(outside.sum())))
     return notes
 
 
@@ -175,13 +167,13 @@ def _of_target(
     asked: Plan,
     standards: Sequence[Standard],
     found: _Found,
-    notes: list[str],
+    notes: list[Said],
 ) -> None:
     """Everything of one target, put with what was found."""
     of = weighted(rows, places, asked.fleet)
     left_out = len(rows.height_m) - of.n
     if left_out:
-        notes.append(f"{left_out} heights of {target} have no class of the fleet; they do not count.")
+        notes.append(Said("study-without-class", count=left_out, target=target))
     figures = None if of.design is None else of.figures()
     found.targets.append(_target_figures(target, of, figures, places))
     if figures is not None:

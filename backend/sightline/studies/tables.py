@@ -48,7 +48,7 @@ studies = Table(
     *changed_columns(),
     Column("deleted_at", UtcDateTime),
     CheckConstraint("goal_m > 0 AND goal_m < 1", name="goal_is_a_length"),
-    info=vouched(ChangedByEvents("study", "study")),
+    info=vouched(ChangedByEvents("study")),
 )
 
 # Who sees a study that is not open to all; what they may do there is their account's role.
@@ -80,5 +80,5 @@ study_results = Table(
     Column("report_sha256", String(64), nullable=False),
     Column("code_version", String(60), nullable=False),
     *made_columns(),
-    info=vouched(WrittenOnce("study_result", "result of a study")),
+    info=vouched(WrittenOnce("study_result")),
 )

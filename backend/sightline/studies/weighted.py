@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.errors import BadInput
+from sightline.messages.said import Said
 from sightline.results.measured_columns_query import CATEGORIES, LIGHTING
 from sightline.statistics.drawn import lonely_strata, ordered
 from sightline.statistics.survey_design import Design
@@ -26,7 +27,7 @@ class Weighted:
 
     rows: StudiedHeights
     design: Design | None
-    reason: str | None = None
+    reason: Said | None = None
 
     @property
     def n(self) -> int:
@@ -49,9 +50,7 @@ class Weighted:
         code = (np.cumsum(np.bincount(design.site) > 0) - 1)[design.site]
         design = replace(design, site=np.asarray(code, dtype=np.int64))
         if lonely_strata(design) and not lonely_strata(self.design):
-            return Weighted(
-                rows, None, "a stratum has its class at one site only, so that sites cannot differ"
-            )
+            return Weighted(rows, None, Said("study-class-at-one-site"))
         return Weighted(rows, design)
 
 
@@ -63,18 +62,15 @@ def weighted(rows: StudiedHeights, places: Places, fleet: Fleet | None) -> Weigh
     design = design_of(rows.package, places)
     alone = lonely_strata(design)
     if len(places.names) > 1 and alone:
-        stratum = places.strata[alone[0]]
-        return Weighted(
-            rows, None, f"{stratum} has one site: join it with another stratum, so that sites can differ"
-        )
+        return Weighted(rows, None, Said("study-one-site-of-stratum", stratum=places.strata[alone[0]]))
     if fleet is None:
         return Weighted(rows, design)
     found = _to_fleet(design, rows, places, fleet)
-    return Weighted(rows, None, found) if isinstance(found, str) else Weighted(rows, found)
+    return Weighted(rows, None, found) if isinstance(found, Said) else Weighted(rows, found)
 
 
-def _too_few() -> str:
-    return f"its figures need at least {LEAST} heights"
+def _too_few() -> Said:
+    return Said("study-heights-needed", least=LEAST)
 
 
 def refuse_fleet(fleet: Fleet | None, cars: tuple[Ints, Ints, Ints], places: Places) -> None:
@@ -105,7 +101,7 @@ def _coded(
     }[variable]
 
 
-def _to_fleet(design: Design, rows: StudiedHeights, places: Places, fleet: Fleet) -> Design | str:
+def _to_fleet(design: Design, rows: StudiedHeights, places: Places, fleet: Fleet) -> Design | Said:
     """The design with weights that meet the fleet, or the reason why there are none."""
     margins = []
     for variable, shares in fleet.margins.items():
@@ -113,11 +109,11 @@ def _to_fleet(design: Design, rows: StudiedHeights, places: Places, fleet: Fleet
         there = np.bincount(code, minlength=len(words))
         share = np.array([shares.get(word, 0.0) for word in words])
         for n in np.flatnonzero((share > 0.0) & (there == 0)).tolist():
-            return f"no height of {variable} {words[n]} counts, which the fleet has"
+            return Said("study-class-not-counted", variable=variable, name=words[n])
         margins.append(Margin(code, share))
     weight = calibrated(design.weight, margins)
     if weight is None:
-        return "no weights meet all shares of the fleet at once"
+        return Said("study-no-weights")
     return Design(
         weight, design.stratum, design.site, design.sites_there, margins=tuple(margins), drawn=design.weight
     )

@@ -30,7 +30,7 @@ def write_study(staging: Staging, study: Study, notes: Sequence[str]) -> None:
     for table in TABLES:
         staging.fill(table, rows[table.path])
     write_parquet(staging, TABLES)
-    told = " ".join([*study.notes, *notes])
+    told = " ".join([*map(str, study.notes), *notes])
     words = _ABOUT.format(surveys=len(study.surveys), heights=study.heights, notes=told).strip()
     about = About("Study", words, None, {"sightline": code_version()})
     columns = [

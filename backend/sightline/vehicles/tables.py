@@ -89,5 +89,5 @@ vehicles = Table(
     enum_check("discarded", Discarded),
     *(enum_check(name, NotVisible) for name in NOT_VISIBLE.values()),
     CheckConstraint("first_frame >= 0 AND last_frame >= first_frame", name="span_forward"),
-    info=vouched(ChangedByEvents("vehicle", "vehicle")),
+    info=vouched(ChangedByEvents("vehicle")),
 )

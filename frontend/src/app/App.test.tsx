@@ -85,7 +85,11 @@ const survey: Survey = {
     rejected: 1,
   },
   steps: [
-    { key: "camera", state: "done", summary: [{ code: "overview-calibrated", values: { count: 1 }, message: "" }] },
+    {
+      key: "camera",
+      state: "done",
+      summary: [{ code: "overview-calibrated", values: { count: 1 }, message: "" }],
+    },
     { key: "recordings", state: "next", summary: [{ code: "overview-drop-video", values: {}, message: "" }] },
   ],
   scans: {

@@ -24,7 +24,13 @@ function open(since: Survey["since_package"]): void {
     asked: { daytime: [], low_light: [] },
     counts: { vehicles: 1 },
     sampling: { method: "every", step: 1, quotas: [] },
-    steps: [{ key: "results", state: since ? "begun" : "waiting", summary: [{ code: "overview-packages", values: { count: 1 } }] }],
+    steps: [
+      {
+        key: "results",
+        state: since ? "begun" : "waiting",
+        summary: [{ code: "overview-packages", values: { count: 1 } }],
+      },
+    ],
     scans: { state: "none", summary: [], scans: 0 },
     since_package: since,
   } as unknown as Survey;

@@ -2,7 +2,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { type Action, useAction } from "./action";
 import { ApiError, api } from "./api";
-import { say } from "./messages";
+import { type Said, say, sentencesOf } from "./messages";
 import type { Job } from "./types";
 
 const KINDS = [
@@ -42,6 +42,13 @@ export async function followJob(
     if (isOver(job)) return job;
     await sleep(wait, signal);
   }
+}
+
+/** What it said when it was done, or null. */
+export function lastWords({ result }: Job): string | null {
+  const said = result?.["message"] as string | Said[] | undefined;
+  if (said === undefined) return null;
+  return typeof said === "string" ? said : sentencesOf(said); // a text was stored by an earlier program
 }
 
 export function cancelJob(id: number): Promise<Job> {

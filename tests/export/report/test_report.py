@@ -74,7 +74,7 @@ def test_the_report_says_what_was_found(example: ReportFacts, pdf: bytes) -> Non
         "2026-04-20 to 2026-05-03",
         f"{1000 * mae:.1f} (",
         f"P50 {true}",
-        total.words,
+        str(total.words),
         f"Driver’s eye: P10 of {rule.standard.vehicle_class} {rule.standard.height_m:.3f} {rule.value_m:.3f}",
         f"{rule.verdict} (risk of error",
         "fx px",

@@ -29,7 +29,7 @@ assert handlers
             "said",
             "The video has no picture; upload another.",
         ),  # a sentence that nobody has translated
-        ("program", "told-jobs-broke", "Une erreur du programme a arrêté la tâche (ZeroDivisionError)"),
+        ("program", "jobs-broke", "Une erreur du programme a arrêté la tâche (ZeroDivisionError)"),
     ],
 )
 def test_a_failed_job_says_why_in_the_language_of_who_asks(
@@ -51,10 +51,13 @@ def test_a_sentence_is_said_by_its_key_and_a_value_that_is_a_sentence_too() -> N
     body = {"error": error.message, "said": {"code": error.code, "values": error.values}}
     told = json.loads(spoken(json.dumps(body).encode(), "fr"))
     assert told["error"].startswith("Il n’y a pas de rapport dans la langue") and told["said"] == body["said"]
-    two = "Audit event 13 of survey 2 is missing; restore a backup. The measurement was withdrawn."
+    two = (
+        "The import was cancelled; start it again or delete the recording. "
+        "The import was cancelled; start it again or delete the line-scan recording."
+    )
     within = SightlineError("said", sentence=two)
     kept = {"code": within.code, "values": within.values}
-    assert said_by_key(kept, two, "fr").startswith("L’événement d’audit 13 de survey 2 manque")
+    assert said_by_key(kept, two, "fr").startswith("La lecture de la vidéo a été annulée")
 
 
 def test_what_a_budget_is_of_is_said_and_who_measured_a_reference_is_not() -> None:

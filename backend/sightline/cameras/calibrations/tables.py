@@ -61,5 +61,5 @@ calibrations = Table(
     Column("summary", Saying, nullable=False),
     *made_columns(),
     enum_check("source", CalibrationSource),
-    info=vouched(WrittenOnce("calibration", "calibration")),
+    info=vouched(WrittenOnce("calibration")),
 )

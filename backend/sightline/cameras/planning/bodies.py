@@ -60,7 +60,7 @@ class PlanBody(Out):
     site: PlannedSite
     board: PlannedBoard
     targets: list[PlannedTargetBody]
-    advice: list[str]
+    advice: list[Said]
     U95_over_distance: list[Curve]
     bias_over_camera_height: list[Curve]
     outlook: Outlook
@@ -96,4 +96,4 @@ class LinePlanBody(Out):
     U95_speed_mps: float
     values: list[PlannedValue] = Field(description="Speed, length, time gap, distance gap: m/s, m, s, m.")
     exposure: ExposurePlan | None = Field(description="null: pixels, lens or distance were not given.")
-    advice: list[str]
+    advice: list[Said]

@@ -11,8 +11,7 @@ from typing import Any
 from sightline.enums import JsonObject
 from sightline.export.evidence.decision import decision_of, rule_of
 from sightline.export.evidence.document import values_of_document, words_of
-from sightline.messages import SOURCE, languages
-from sightline.messages.recognised import translated
+from sightline.messages import SOURCE, languages, name_of
 from sightline.messages.said import Said
 
 
@@ -34,5 +33,5 @@ def _said(document: Mapping[str, Any], language: str) -> JsonObject:
         **dict(zip(english["notes"], other["notes"], strict=True)),
     }
     sources = [one["source"] for one in document["measurement"]["budget"]]
-    found |= {text: translated(text, language) for text in sources}
+    found |= {text: name_of("budget-of", text, language) for text in sources}
     return {text: said for text, said in found.items() if text and said != text}

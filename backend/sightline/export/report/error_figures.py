@@ -15,6 +15,7 @@ from sightline.export.report.marks import MAIN, SECOND, THIRD, LineStyle
 from sightline.export.report.said import said, told
 from sightline.export.report.units import HEIGHT, SMALL, Scale, count, fixed
 from sightline.export.report.words import GROUPS, LIGHTING, heading
+from sightline.messages.said import Said
 from sightline.statistics.agreement import Trend
 from sightline.statistics.distributions import Ecdf
 from sightline.statistics.errors import WHOLE_CM
@@ -49,10 +50,10 @@ def error_figures(errors: Errors, unit: LengthUnit) -> dict[str, Drawing | str]:
     }
 
 
-def _drawn(parts: Mapping[str, Part | str | None]) -> list[tuple[str, Part, LineStyle]]:
+def _drawn(parts: Mapping[str, Part | Said | None]) -> list[tuple[str, Part, LineStyle]]:
     """The groups that have something to draw; one that is the same as "overall" is drawn once."""
     there = {
-        name: part for name in GROUPS if (part := parts.get(name)) is not None and not isinstance(part, str)
+        name: part for name in GROUPS if (part := parts.get(name)) is not None and not isinstance(part, Said)
     }
     overall = there.get("overall")
     if overall is not None and any(part.n == overall.n for name, part in there.items() if name != "overall"):
@@ -110,7 +111,7 @@ def _density(errors: Errors, unit: LengthUnit) -> Drawing | str:
     small, title = SMALL[unit], said("report-fig-signed")
     if not drawn:
         overall = errors.density.get("overall")
-        return told(overall) if isinstance(overall, str) else said("report-fig-no-errors")
+        return told(overall) if isinstance(overall, Said) else said("report-fig-no-errors")
 
     def draw(axes: Axes) -> None:
         axes.axvline(0.0, color=MUTED, linewidth=0.6)

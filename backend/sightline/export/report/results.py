@@ -22,6 +22,7 @@ from sightline.export.report.units import (
     limit,
     percent,
 )
+from sightline.messages.said import Said
 from sightline.results.survey_statistics import RULE_OF, standards_of
 from sightline.statistics.agreement import BlandAltman, ReferencePart
 from sightline.statistics.distributions import Percentile, Share
@@ -101,7 +102,7 @@ def _known_group(one: KnownErrors, part: KnownGroup) -> str:
 
 
 def _inside(one: KnownErrors) -> str:
-    if isinstance(one.inside, str):
+    if isinstance(one.inside, Said):
         return told(one.inside)
     return said("report-of-all", part=one.inside.inside, all=one.inside.n)
 
@@ -118,7 +119,7 @@ def errors(facts: ReportFacts, pictures: Pictures) -> Values | None:
         "reference_part": _reference_part(found.reference_part, unit),
         "limits": _limits(found.bland_altman, unit),
         "figures": pictures.figures(_ERROR_FIGURES),
-        "holds": told(found.groups["overall"].words),
+        "holds": told(found.groups["overall"].words or ""),
     }
 
 
@@ -143,8 +144,8 @@ def _with_interval(value: float, interval: Interval | None, scale: Scale) -> Val
     return {"value": scale.number(value), "ci95": _interval(interval, scale)}
 
 
-def _reference_part(part: ReferencePart | str, unit: LengthUnit) -> Json:
-    if isinstance(part, str):
+def _reference_part(part: ReferencePart | Said, unit: LengthUnit) -> Json:
+    if isinstance(part, Said):
         return told(part)
     return {
         "words": told(part.words),
@@ -153,8 +154,8 @@ def _reference_part(part: ReferencePart | str, unit: LengthUnit) -> Json:
     }
 
 
-def _limits(found: BlandAltman | str, unit: LengthUnit) -> Json:
-    if isinstance(found, str):
+def _limits(found: BlandAltman | Said, unit: LengthUnit) -> Json:
+    if isinstance(found, Said):
         return told(found)
     small = SMALL[unit]
     return {
@@ -239,8 +240,8 @@ def _target(facts: ReportFacts, name: StatisticsTarget, target: Target, pictures
         "name": words.TARGETS[name],
         "many": words.MANY[name],
         "correction": told(done)
-        if isinstance(done, str)
-        else {"words": told(done.words), "warning": told(done.warning or "") or None},
+        if isinstance(done, Said)
+        else {"words": told(done.words), "warning": told(done.warning) if done.warning else None},
         "n": target.corrected.n,
         "figures": [] if total is None else _total_figures(total, mine, other),
         "holds": None if total is None else told(total.words),
@@ -259,7 +260,7 @@ def _total_figures(total: TotalFigures, mine: Scale, other: Scale) -> list[Json]
             "value": mine.number(one.value),
             "ci95": total_interval(one, mine),
             "other": other.number(one.value),
-            "reason": told(one.reason or "") or None,
+            "reason": told(one.reason) if one.reason else None,
         }
         for name, one in named
     ]
@@ -281,7 +282,7 @@ def total_interval(found: Figure | None, scale: Scale) -> Values | None:
 
 def without_interval(found: Sequence[Percentile]) -> list[Json]:
     """Why some percentiles have no interval, each reason once with its percents."""
-    alike: dict[str, list[str]] = {}
+    alike: dict[Said, list[str]] = {}
     for one in found:
         if one.reason:
             alike.setdefault(one.reason, []).append(decimal(f"{one.percent:g}"))

@@ -6,6 +6,7 @@ from datetime import datetime
 from sightline.enums import (
     JsonObject,
 )
+from sightline.messages.said import Said
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +63,7 @@ class Verification:
     ok: bool
     checked: int
     head_hash: str
-    problem: str | None
+    problem: Said | None
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ from typing import Any
 from sqlalchemy import Engine, Table, inspect, select
 from sqlalchemy.orm import Session
 
-from sightline.errors import BadInput, Damaged
+from sightline.errors import BadInput, Damaged, SightlineError
 from sightline.infra.audit import trail
 from sightline.infra.audit.checkpoints import CHECKPOINT, SIGN, is_signed
 from sightline.infra.audit.guards import require_guards
@@ -45,8 +45,8 @@ from sightline.infra.database.types import Saying
 Promises = dict[str, dict[int, str]]
 
 
-class _Problem(Exception):
-    """The first thing found wrong, as one sentence."""
+class _Problem(SightlineError):
+    """The first thing found wrong."""
 
 
 def verify_records(session: Session) -> Verification:
@@ -58,7 +58,7 @@ def verify_records(session: Session) -> Verification:
         _rows(session, state)
         _guards(session)
     except _Problem as problem:
-        return Verification(False, state.checked, state.head, str(problem))
+        return Verification(False, state.checked, state.head, problem.said)
     return Verification(True, state.checked, state.head, None)
 
 
@@ -66,7 +66,7 @@ def _guards(session: Session) -> None:
     try:
         require_guards(session.connection())
     except Damaged as damage:
-        raise _Problem(damage.message) from None
+        raise _Problem(damage.code, **damage.values) from None
 
 
 def verify_database(url: str, name: str = "This address") -> Verification:
@@ -123,12 +123,9 @@ class _Walk:
         for row in _all(session, audit_events):
             hashes = self.hashes.setdefault(row["chain"], [GENESIS])
             if row["number"] != len(hashes):
-                raise _Problem(f"Audit event {len(hashes)} of {row['chain']} is missing; restore a backup.")
+                raise _Problem("audit-event-missing", number=len(hashes), chain=row["chain"])
             if row["previous_hash"] != hashes[-1] or row["hash"] != chain_hash(dict(row)):
-                raise _Problem(
-                    f"Audit event {row['number']} of {row['chain']} was changed after it was written; "
-                    "restore a backup."
-                )
+                raise _Problem("audit-event-changed", number=row["number"], chain=row["chain"])
             self.checked += 1
             hashes.append(row["hash"])
             event = Event(
@@ -172,18 +169,13 @@ def _anchors(session: Session, walk: _Walk) -> None:
     for name in sorted({*noted, *walked}):
         if noted.get(name) != walked.get(name):
             count = walked[name].count if name in walked else 0
-            raise _Problem(
-                f"The audit chain of {name} ends at event {count}, which is not where it ended; "
-                "restore a backup."
-            )
+            raise _Problem("audit-chain-ends-elsewhere", chain=name, count=count)
     for mark, table in walk.marked:
         if isinstance(mark, CarriesHead):
             for row in _all(session, table):
                 chain = survey_chain(row["survey_id"])
                 if not _was(walk, chain, row["audit_count"], row["audit_head"]):
-                    raise _Problem(
-                        f"The audit chain is not the one in {mark.words} {row['id']}; restore a backup."
-                    )
+                    raise _Problem("audit-chain-not-in-export", id=row["id"])
     _checkpoints(walk)
 
 
@@ -198,7 +190,7 @@ def _checkpoints(walk: _Walk) -> None:
         ends = {name: AuditHead(count, hash_) for name, count, hash_ in one["ends"]}
         signed = root_of(ends) == one["root"] and is_signed(one)
         if not signed or not all(_was(walk, name, end.count, end.hash) for name, end in ends.items()):
-            raise _Problem(f"The audit chains are not those signed on {one['at']}; restore a backup.")
+            raise _Problem("audit-chains-not-signed", at=one["at"])
 
 
 def _rows(session: Session, walk: _Walk) -> None:
@@ -206,15 +198,15 @@ def _rows(session: Session, walk: _Walk) -> None:
     for mark, table in walk.marked:
         if isinstance(mark, WrittenOnce):
             stored = ((row["id"], row_hash(row)) for row in _all(session, table))
-            _compare(walk.promised[mark.entity], mark.words, stored)
+            _compare(walk.promised[mark.entity], mark.entity, stored)
     for fingerprint in walk.fingerprints:
-        _compare(walk.promised[fingerprint.entity], fingerprint.words, fingerprint.stored(session))
+        _compare(walk.promised[fingerprint.entity], fingerprint.entity, fingerprint.stored(session))
     for mark, table in walk.marked:
         if isinstance(mark, ChangedByEvents):
-            _changed(session, walk.replayed[mark.entity], mark.words, table)
+            _changed(session, walk.replayed[mark.entity], mark.entity, table)
 
 
-def _changed(session: Session, told: dict[int, dict[str, Any]], words: str, table: Table) -> None:
+def _changed(session: Session, told: dict[int, dict[str, Any]], entity: str, table: Table) -> None:
     """Every record is what its events made of it, for results are compared with what it says."""
     missing = set(told)
     sayings = {column.name for column in table.columns if isinstance(column.type, Saying)}
@@ -225,20 +217,20 @@ def _changed(session: Session, told: dict[int, dict[str, Any]], words: str, tabl
             plain(now.get(name)) != (plain(Saying.said(value)) if name in sayings else value)
             for name, value in events.items()
         ):
-            raise _Problem(f"The {words} {row['id']} is not what its events say; restore a backup.")
+            raise _Problem("audit-row-not-events", entity=entity, id=row["id"])
         missing.discard(row["id"])
     if missing:
-        raise _Problem(f"The {words} {min(missing)} was removed without an audit event; restore a backup.")
+        raise _Problem("audit-row-removed", entity=entity, id=min(missing))
 
 
-def _compare(promised: dict[int, str], words: str, stored: Iterator[tuple[int, str]]) -> None:
+def _compare(promised: dict[int, str], entity: str, stored: Iterator[tuple[int, str]]) -> None:
     missing = set(promised)
     for row_id, content in stored:
         if promised.get(row_id) != content:
-            raise _Problem(f"The {words} {row_id} is not what was written at first; restore a backup.")
+            raise _Problem("audit-row-not-first", entity=entity, id=row_id)
         missing.discard(row_id)
     if missing:
-        raise _Problem(f"The {words} {min(missing)} was removed without an audit event; restore a backup.")
+        raise _Problem("audit-row-removed", entity=entity, id=min(missing))
 
 
 def _all(session: Session, table: Table) -> Iterator[Any]:

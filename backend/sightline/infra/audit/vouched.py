@@ -22,7 +22,6 @@ class WrittenOnce:
     """A row never changes, and the event of this entity that made it holds the hash of its content."""
 
     entity: str
-    words: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,14 +36,11 @@ class ChangedByEvents:
     """Rows that people change, and delete softly: each is what its events made of it, one after the other."""
 
     entity: str
-    words: str
 
 
 @dataclass(frozen=True, slots=True)
 class CarriesHead:
     """A row remembers in `audit_count` and `audit_head` how the chain was: a cut tail is shorter."""
-
-    words: str
 
 
 Mark = WrittenOnce | WrittenOnceApart | ChangedByEvents | CarriesHead
@@ -68,7 +64,6 @@ class Fingerprint:
     """
 
     entity: str
-    words: str
     promise: Callable[[Event, dict[int, str]], None]
     stored: Callable[[Session], Iterator[tuple[int, str]]]
 

@@ -18,8 +18,9 @@ import orjson
 from typing_extensions import TypeVar
 
 from sightline.errors import Damaged
+from sightline.messages.said import Said
 
-Cell = str | int | float | bool | None
+Cell = str | int | float | bool | Said | None
 Cells = dict[str, Cell]
 Row = Mapping[str, Cell]
 #: What a row is made of: a stored record, or a mapping that holds the cells by name.
@@ -149,8 +150,8 @@ def cell_text(column: Column[Never], value: Cell) -> str:
     """One cell: empty for missing, six decimals for lengths, full precision otherwise (docs/formats.md)."""
     if value is None:
         return ""
-    if isinstance(value, str):
-        return safe_text(value)
+    if isinstance(value, str | Said):
+        return safe_text(str(value))
     if isinstance(value, float):
         if column.unit != "m":
             return repr(float(value))

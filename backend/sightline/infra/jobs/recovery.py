@@ -51,7 +51,7 @@ def put_back(session: Session, job: Job, *, counted: bool = True, postponed: boo
         release_job(session, job)
         engine.deliver(session, job.id)
     elif job.attempts >= MAX_ATTEMPTS:
-        error = SightlineError("told-jobs-gave-up", attempts=job.attempts)
+        error = SightlineError("jobs-gave-up", attempts=job.attempts)
         fail_job(session, job, error)
         clean_up(session, job, error.message)
     else:

@@ -74,7 +74,7 @@ class Runner:
             self._fail(job, error)
         except Exception as error:
             log.exception("job %s (%s) broke", job.id, job.kind)
-            self._fail(job, SightlineError("told-jobs-broke", name=type(error).__name__))
+            self._fail(job, SightlineError("jobs-broke", name=type(error).__name__))
         return True
 
     def _postpone(self, job: Job, away: Away) -> bool:

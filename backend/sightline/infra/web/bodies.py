@@ -4,6 +4,7 @@ from datetime import datetime
 from typing import Annotated, Any
 
 from pydantic import BaseModel, ConfigDict, Field, field_validator
+from pydantic_core import PydanticCustomError
 
 from sightline.enums import JobState
 from sightline.messages.said import Said, SaidDocument
@@ -27,7 +28,7 @@ class In(BaseModel):
     def _without_nul(cls, value: Any) -> Any:
         """PostgreSQL's texts hold no NUL; SQLite's would, and could then not be moved there."""
         if isinstance(value, str) and "\x00" in value:
-            raise ValueError("a text cannot hold the NUL character")
+            raise PydanticCustomError("nul", "a text cannot hold the NUL character")
         return value
 
 
@@ -72,3 +73,11 @@ class JobBody(Out):
     scan_id: int | None = None
     created_at: datetime
     finished_at: datetime | None
+
+    @field_validator("result")
+    @classmethod
+    def _with_words(cls, value: dict[str, Any] | None) -> dict[str, Any] | None:
+        """Its `message` is stored as codes, and answered with their sentences."""
+        if value is None or not isinstance(value.get("message"), list):
+            return value
+        return {**value, "message": [Said.read(one).body for one in value["message"]]}

@@ -2,6 +2,7 @@
 
 import errno
 import logging
+from collections.abc import Mapping
 from typing import Any
 
 from fastapi import FastAPI, Request
@@ -14,10 +15,39 @@ from starlette.exceptions import HTTPException
 
 from sightline.errors import BadInput, Busy, Conflict, NoRoom, NotFound, SightlineError, TooMany
 from sightline.infra.database.engine import explanation
+from sightline.messages.said import Said
 
 log = logging.getLogger(__name__)
 
 RETRY_AFTER_S = 2
+#: What is said of each kind of complaint of Pydantic; its values are those of the complaint.
+_COMPLAINTS = {
+    "extra_forbidden": "request-extra",
+    "missing": "request-missing",
+    "literal_error": "request-one-of",
+    "finite_number": "request-finite",
+    **dict.fromkeys(("bool_type", "bool_parsing"), "request-boolean"),
+    **dict.fromkeys(
+        ("date_type", "date_parsing", "date_from_datetime_parsing", "date_from_datetime_inexact"),
+        "request-date",
+    ),
+    **dict.fromkeys(("datetime_type", "datetime_parsing", "datetime_from_date_parsing"), "request-datetime"),
+    **dict.fromkeys(("int_type", "int_parsing", "int_from_float"), "request-integer"),
+    **dict.fromkeys(("float_type", "float_parsing"), "request-number"),
+    "string_type": "request-text",
+    "list_type": "request-list",
+    "dict_type": "request-object",
+    "greater_than": "request-above",
+    "greater_than_equal": "request-least",
+    "less_than": "request-below",
+    "less_than_equal": "request-most",
+    "too_short": "request-list-short",
+    "too_long": "request-list-long",
+    "string_too_short": "request-text-short",
+    "string_too_long": "request-text-long",
+    "string_pattern_mismatch": "request-pattern",
+    "nul": "request-nul",
+}
 FULL = NoRoom("database-disk-full-nothing-saved-make-room")
 
 
@@ -67,11 +97,21 @@ def complaint_of(error: RequestValidationError) -> BadInput:
     if first.get("type") == "json_invalid":
         return BadInput("request-no-json")
     place, *names = [str(part) for part in first["loc"]] or ["request"]
-    said = str(first["msg"]).removeprefix("Value error, ").rstrip(".")
-    said = f"{said[:1].lower()}{said[1:]}"
+    said = _complaint(first)
     if not names:
         return BadInput("request-cannot-be-used", place=place, said=said)
     return BadInput("request-value-cannot-be-used", name=".".join(names), place=place, said=said)
+
+
+def _complaint(one: Mapping[str, Any]) -> Said | str:
+    """What Pydantic says of a value, by its kind; else in its own words."""
+    if one.get("type") in _COMPLAINTS:
+        values = dict(one.get("ctx", {}))
+        if "expected" in values:
+            values["expected"] = str(values["expected"]).replace(" or ", ", ")
+        return Said(_COMPLAINTS[one["type"]], **values)
+    said = str(one["msg"]).removeprefix("Value error, ").rstrip(".")
+    return f"{said[:1].lower()}{said[1:]}"
 
 
 def plain_http(request: Request, error: Exception) -> JSONResponse:

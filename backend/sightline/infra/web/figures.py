@@ -4,17 +4,18 @@ from pydantic import Field
 
 from sightline.enums import IntervalPart
 from sightline.infra.web.bodies import Out
+from sightline.messages.said import Said
 from sightline.statistics.errors import Interval
 
 
 class ReasonBody(Out):
-    reason: str
+    reason: Said
 
 
 class FigureBody(Out):
     value: float | None
     ci95: Interval | None
-    reason: str | None = Field(description="Why the interval alone is missing.")
+    reason: Said | None = Field(description="Why the interval alone is missing.")
     holds: list[IntervalPart] = Field(default=[], description="What the interval holds.")
 
 

@@ -23,7 +23,7 @@ _API = "/api/"
 SENTENCES = frozenset(
     {
         "advice", "caution", "cited_by", "consequence", "error", "flags", "message", "misalignment_words",
-        "misfits", "notes", "order", "paper_note", "problem", "reason", "reasons", "reshoot",
+        "misfits", "notes", "order", "problem", "reason", "reasons", "reshoot",
         "summary", "values", "vehicle_class", "verdict", "warning", "warnings", "words",
     }
 )  # fmt: skip
@@ -125,7 +125,9 @@ def _said(value: dict[str, Any], language: str) -> dict[str, Any]:
     if "inset_m" in value and isinstance(value.get("note"), str):
         return {"note": translated(value["note"], language)}
     if isinstance(value.get("source"), str) and any(name.startswith("u_") for name in value):
-        return {"source": translated(value["source"], language)}  # a line of an uncertainty budget
+        return {
+            "source": messages.name_of("budget-of", value["source"], language)
+        }  # a line of an uncertainty budget
     return {}
 
 

@@ -17,17 +17,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.errors import BadInput
-from sightline.media.strips.sheet import BAND_BYTES, GREY, Pixels, check_claim, cut_off, damaged
+from sightline.media.strips.sheet import BAND_BYTES, Pixels, check_claim, cut_off, damaged
 
 MAGIC = b"\x89PNG\r\n\x1a\n"
 MOST_WIDE_PX = 1_000_000  # libpng's own bound
 _READ_BYTES = 1 << 18
 _MOST_CHUNKS = 10_000
 _KINDS = {
-    2: "is in colour, and a line scan is grey",
-    3: "has a palette, and a line scan is grey",
-    4: "has a transparency channel, and a line scan has none",
-    6: "is in colour with transparency, and a line scan is grey",
+    2: "strips-in-colour",
+    3: "strips-palette-line-scan-grey",
+    4: "strips-transparency",
+    6: "strips-colour-with-transparency",
 }
 
 
@@ -46,9 +46,9 @@ class PngSheet:
             ">IIBBBBB", head[16:29]
         )
         if colour in _KINDS:
-            raise BadInput("strips-problem", name=name, kinds=_KINDS[colour], grey=GREY)
+            raise BadInput(_KINDS[colour], name=name)
         if colour != 0 or depth not in (8, 16):
-            raise BadInput("strips-bits-pixel", name=name, depth=depth, grey=GREY)
+            raise BadInput("strips-bits-pixel", name=name, depth=depth)
         if interlaced:
             raise BadInput("strips-interlaced-cannot-read-pieces-save-without", name=name)
         self.dtype: np.dtype[Any] = np.dtype(np.uint8 if depth == 8 else np.uint16)
@@ -128,7 +128,7 @@ class PngSheet:
                     continue
                 others += 1
                 if head[4:] == b"acTL" or others > _MOST_CHUNKS:
-                    raise BadInput("strips-no-plain-picture-animation-damaged", name=self.name, grey=GREY)
+                    raise BadInput("strips-no-plain-picture-animation-damaged", name=self.name)
                 file.seek(length + 4, 1)
 
     def _content(self, file: BinaryIO, length: int) -> Iterator[bytes]:

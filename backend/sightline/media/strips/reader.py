@@ -24,6 +24,7 @@ from sightline.media.strips import png, tiff
 from sightline.media.strips.notes import Dropped, StripNotes, read_notes, with_gaps
 from sightline.media.strips.sheet import Pixels, Sheet, unpacked
 from sightline.media.video.sniff import why_not_video
+from sightline.messages.said import Said
 
 CHUNK_BYTES = 4 << 20
 LEAST_ROWS = 8
@@ -133,14 +134,14 @@ def _sheet(path: Path, name: str) -> tuple[Sheet, str]:
         return tiff.tiff_sheet(path, name)
     if head.startswith(b"\xff\xd8\xff"):
         raise BadInput("strips-jpeg-which-changes-pixels-save-png", name=name)
-    what = (why_not_video(path) or "is not an image format that is supported").removesuffix(", not a video")
-    raise BadInput("strips-give-png-tiff-line-scan-camera", name=name, what=what)
+    raise BadInput("strips-give-png-tiff-line-scan-camera", name=name, kind=why_not_video(path) or "other")
 
 
 def _check_shape(name: str, lines: int, rows: int, time_axis: TimeAxis) -> None:
     if rows > MOST_ROWS:
         other = "height" if time_axis == "width" else "width"
-        hint = f"if time runs along its {other}, say so" if lines <= MOST_ROWS else "give one camera's strip"
+        other_way = Said("strips-say-time-axis", axis=other)
+        hint = other_way if lines <= MOST_ROWS else Said("strips-give-one-strip")
         raise BadInput(
             "strips-would-pixels-line-time-along-more",
             name=name,

@@ -22,8 +22,6 @@ BAND_BYTES = 4 << 20
 # Deflate cannot pack better than 1:1032; a file that claims more than this holds nothing worth measuring.
 LARGEST_RATIO = 1000
 ANY_FILE_BYTES = 64 << 20
-GREY = "save it as 8-bit or 16-bit greyscale and try again"
-AGAIN = "copy it again from the recorder"
 
 
 class Sheet(Protocol):

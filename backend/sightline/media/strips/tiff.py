@@ -19,8 +19,6 @@ from numpy.typing import NDArray
 
 from sightline.errors import BadInput
 from sightline.media.strips.sheet import (
-    AGAIN,
-    GREY,
     PIECE_BYTES,
     Pixels,
     RawSheet,
@@ -108,7 +106,7 @@ def pieces_of(page: tifffile.TiffPage, handle: int, byteorder: str, least: int =
     across, down = -(-width // max(1, piece_width)), -(-length // max(1, piece_length))
     offsets, counts = np.asarray(page.dataoffsets, np.int64), np.asarray(page.databytecounts, np.int64)
     if min(piece_width, piece_length) < 1 or min(len(offsets), len(counts)) < max(least, across * down):
-        raise BadInput("strips-index-pixels-not-fit-size", again=AGAIN)
+        raise BadInput("strips-index-pixels-not-fit-size")
     stored = np.dtype(f"{byteorder}u{page.bitspersample // 8}")
     return Pieces(
         handle=handle,
@@ -138,7 +136,7 @@ def opened(path: Path, name: str) -> tifffile.TiffFile:
         if not len(tiff.pages):
             raise ValueError
     except Exception:  # damaged tags end in errors of a dozen kinds
-        raise BadInput("strips-tiff-cut-off-whose-directory-damaged", name=name, again=AGAIN) from None
+        raise BadInput("strips-tiff-cut-off-whose-directory-damaged", name=name) from None
     return tiff
 
 
@@ -160,20 +158,20 @@ def tiff_sheet(path: Path, name: str) -> tuple[Sheet, str]:
                 raise
             raise BadInput("strips-problem-2", name=name, message=error.message) from None
         except Exception:  # as above
-            raise BadInput("strips-tiff-whose-directory-damaged", name=name, again=AGAIN) from None
+            raise BadInput("strips-tiff-whose-directory-damaged", name=name) from None
 
 
 def _check(name: str, page: Any, further: bool, file_bytes: int) -> None:
     if further:
         raise BadInput("strips-holds-several-pictures-give-each-strip", name=name)
     if page.photometric == 3:
-        raise BadInput("strips-palette-line-scan-grey", name=name, grey=GREY)
+        raise BadInput("strips-palette-line-scan-grey", name=name)
     if page.samplesperpixel != 1 or page.photometric not in (0, 1):
-        raise BadInput("strips-colour-transparency-channel-line-scan-grey", name=name, grey=GREY)
+        raise BadInput("strips-colour-transparency-channel-line-scan-grey", name=name)
     if page.sampleformat not in (1, 4):
-        raise BadInput("strips-holds-signed-floating-point-numbers", name=name, grey=GREY)
+        raise BadInput("strips-holds-signed-floating-point-numbers", name=name)
     if page.bitspersample not in (8, 16):
-        raise BadInput("strips-bits-pixel-2", name=name, bitspersample=page.bitspersample, grey=GREY)
+        raise BadInput("strips-bits-pixel-2", name=name, bitspersample=page.bitspersample)
     if int(page.compression) not in (1, *_UNPACK):
         kind = getattr(page.compression, "name", str(page.compression))
         raise BadInput("strips-packed-which-not-read-here-save", name=name, kind_name=kind)

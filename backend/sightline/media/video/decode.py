@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Iterator
 from contextlib import closing, suppress
 from dataclasses import dataclass, field
@@ -18,6 +19,13 @@ from sightline.media.video.picture import Gray, Layout, layout_of, upright_gray
 from sightline.media.video.sniff import why_not_video
 from sightline.messages.said import Said
 
+#: What is said of a file that is no video, by what it is.
+_PROBLEMS = defaultdict(
+    lambda: "video-is-no-video",
+    empty="video-is-empty",
+    cut_before_index="video-is-cut-off",
+    cut_in_index="video-is-cut-off",
+)
 FORMATS = "mov,mp4,m4a,3gp,3g2,mj2,matroska,webm,avi,mpegts,mpeg,h264,hevc"
 MAX_SIDE_PX = 16_384
 MAX_PIXELS = 100_000_000
@@ -125,20 +133,13 @@ def open_container(path: Path, name: str | None = None) -> InputContainer:
     name = name or path.name
     if not path.is_file():
         raise BadInput("video-not-file-choose-video-file", name=name)
-    reason = why_not_video(path)
-    if reason:
-        raise BadInput("video-problem", name=name, reason=reason, way_out=_way_out(reason))
+    if kind := why_not_video(path):
+        raise BadInput(_PROBLEMS[kind], name=name, kind=kind)
     options = {"format_whitelist": FORMATS, "protocol_whitelist": "file", "max_pixels": str(MAX_PIXELS)}
     try:
         return av.open(f"file:{path}", options=options)
     except (av.error.FFmpegError, ValueError, UnicodeError) as error:
         raise BadInput("video-not-video-read-here-convert-mp4", name=name) from error
-
-
-def _way_out(reason: str) -> str:
-    if "cut off" in reason:
-        return "copy it again from the recorder, or repair it there"
-    return "choose a video file"
 
 
 def video_stream(

@@ -10,10 +10,6 @@ from contextlib import contextmanager
 from sightline.errors import BadInput
 from sightline.media.video.decode_wire import Limits
 
-_WAY_OUT = "convert the recording to MP4 with H.264 and upload it again"
-_SMALLER = "convert the recording to smaller pictures and upload it again"
-NEEDS_MORE = "needed more"
-
 
 class CannotDecode(BadInput):
     """The decoder crashed, hung or ate memory at this frame; the server did not."""
@@ -67,9 +63,3 @@ class CrashTracker:
         with self._lock:
             if recording not in self._kills:
                 self._suspects.discard(recording)
-
-
-def sentence(n: int, why: str) -> str:
-    """What is said to whoever asked for the frame."""
-    way_out = _SMALLER if why.startswith(NEEDS_MORE) else _WAY_OUT
-    return f"This recording cannot be decoded at frame {n}: the decoder {why} there; {way_out}."

@@ -30,11 +30,12 @@ from sightline.children import child_environment
 from sightline.enums import Display
 from sightline.errors import SightlineError
 from sightline.media.video.decode_child import TOO_MUCH_MEMORY
-from sightline.media.video.decode_crashes import NEEDS_MORE, CannotDecode, CrashTracker, sentence
+from sightline.media.video.decode_crashes import CannotDecode, CrashTracker
 from sightline.media.video.decode_wire import Header, Limits, Link, error_of, packed
 from sightline.media.video.picture import Bgr, Gray
 from sightline.media.video.seeker import RecordingMedia
 from sightline.media.video.window import CancelCheck, NoLongerWanted, Rectangle, always
+from sightline.messages.said import Said
 
 log = logging.getLogger("sightline.decode")
 
@@ -54,8 +55,8 @@ class _Died(Exception):
     when the memory of a child with other work ran out, or when it was killed, is not: it is tried `alone`.
     """
 
-    def __init__(self, why: str, culprits: Set[str], *, alone: bool = False) -> None:
-        super().__init__(why)
+    def __init__(self, why: Said, culprits: Set[str], *, alone: bool = False) -> None:
+        super().__init__(str(why))
         self.why, self.culprits, self.alone = why, culprits, alone
 
 
@@ -68,15 +69,17 @@ class Question:
     media: RecordingMedia | None = None
     body: bytes = b""
 
-    def refusal(self, why: str) -> CannotDecode:
+    def refusal(self, why: Said) -> CannotDecode:
         n = self.header.get("n")
         if self.media is None or n is None:
             return CannotDecode(
                 "video-cannot-decoded-decoder-save-another-format",
-                header=self.header.get("name", "This recording"),
+                header=self.header.get("name", Said("video-this-recording")),
                 why=why,
             )
-        return CannotDecode("said", sentence=sentence(int(n), why))
+        if why.code == "video-decoder-memory":
+            return CannotDecode("video-too-large-at", frame=int(n), why=why)
+        return CannotDecode("video-not-decoded-at", frame=int(n), why=why)
 
 
 @dataclass(eq=False)
@@ -107,7 +110,7 @@ class _Child:
         self._calls: dict[int, _Call] = {}
         self._heard: dict[str, float] = {}
         self._lock = threading.Lock()
-        self._why: str | None = None
+        self._why: Said | None = None
         self._ready = False
         self._end: _Died | None = None
         self._is_closed = False
@@ -123,7 +126,7 @@ class _Child:
         call = _Call(question.recording)
         with self._lock:
             if self._end is not None:
-                raise _Died("ended", frozenset())
+                raise _Died(Said("video-decoder-ended"), frozenset())
             self._calls[call_id] = call
             self._heard[call.recording] = time.monotonic()
             with suppress(OSError):  # the reader finds out why
@@ -168,7 +171,7 @@ class _Child:
         with self._lock:
             if self._why is not None:
                 return
-            self._why = f"made no progress for {self._limits.silence_s:.0f} s"
+            self._why = Said("video-decoder-silent", seconds=round(self._limits.silence_s))
             for call_id, call in list(self._calls.items()):
                 if call.recording != recording:
                     del self._calls[call_id]
@@ -348,12 +351,11 @@ class DecodeHost:
             return self._child
 
 
-def _why(status: int, limits: Limits) -> str:
+def _why(status: int, limits: Limits) -> Said:
     if status == TOO_MUCH_MEMORY:
-        needed = f"{NEEDS_MORE} than {limits.memory_bytes / _GIGABYTE:.1f} GB of memory"
-        return f"{needed}, alone in a fresh process,"
+        return Said("video-decoder-memory", gigabytes=round(limits.memory_bytes / _GIGABYTE, 1))
     if status == -signal.SIGALRM:
-        return "hung"
+        return Said("video-decoder-hung")
     if status == -signal.SIGKILL:
-        return "was killed again and again, also alone in a fresh process,"
-    return "crashed"
+        return Said("video-decoder-killed")
+    return Said("video-decoder-crashed")

@@ -18,6 +18,7 @@ from sightline.errors import BadInput
 from sightline.media.cancelling import Cancelled
 from sightline.media.video.decode import Damage, decoded, open_container, same_size, video_stream
 from sightline.media.video.picture import layout_of, upright_gray
+from sightline.messages.said import Said
 
 PICTURES_HZ = 60.0
 Progress = Callable[[float], None]
@@ -32,12 +33,12 @@ class PassesCancelled(BadInput):
 @dataclass(frozen=True)
 class PassSearch:
     """The passes of a recording in order of their first frame, how many frames it has, and what is to be
-    said of the search, in whole sentences.
+    said of the search.
     """
 
     passes: tuple[FoundPass, ...]
     frames: int
-    notes: tuple[str, ...]
+    notes: tuple[Said, ...]
 
 
 def find_passes(
@@ -120,17 +121,9 @@ def _searched(
     return finder, n + 1, width_px
 
 
-def _notes(wander: Wander, width_px: int) -> tuple[str, ...]:
+def _notes(wander: Wander, width_px: int) -> tuple[Said, ...]:
     """What a wandering camera means for the passes."""
-    far = f"{max(1.0, wander.usual * width_px):.0f} px"
+    far_px = round(max(1.0, wander.usual * width_px))
     if wander.hopeless:
-        return (
-            f"The camera moves (by {far} and more), so road and vehicles cannot be separated; mark "
-            "the passes by hand.",
-        )
-    if wander.still:
-        return ()
-    return (
-        f"The camera moves by up to {far}; the search compensates for it. A camera pose is valid "
-        "only while the camera is at rest.",
-    )
+        return (Said("passes-camera-moves-too-far", far_px=far_px),)
+    return () if wander.still else (Said("passes-camera-moves", far_px=far_px),)

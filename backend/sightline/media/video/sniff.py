@@ -12,13 +12,13 @@ from pathlib import Path
 
 HEAD_BYTES = 4096
 _STILLS = (
-    (b"\x89PNG\r\n\x1a\n", "is a PNG picture, not a video"),
-    (b"\xff\xd8\xff", "is a JPEG picture, not a video"),
-    (b"GIF8", "is a GIF picture, not a video"),
-    (b"BM", "is a BMP picture, not a video"),
-    (b"II*\x00", "is a TIFF picture, not a video"),
-    (b"MM\x00*", "is a TIFF picture, not a video"),
-    (b"II+\x00", "is a TIFF picture, not a video"),
+    (b"\x89PNG\r\n\x1a\n", "png"),
+    (b"\xff\xd8\xff", "jpeg"),
+    (b"GIF8", "gif"),
+    (b"BM", "bmp"),
+    (b"II*\x00", "tiff"),
+    (b"MM\x00*", "tiff"),
+    (b"II+\x00", "tiff"),
 )
 _FIRST_BOXES = (b"ftyp", b"moov", b"mdat", b"wide", b"free", b"skip")
 STILL_BRANDS = (b"heic", b"heix", b"mif1", b"avif", b"avis", b"msf1")
@@ -33,20 +33,20 @@ _PLAYLISTS = (
     b"v=0\r\n",
     b"v=0\n",
 )
-OTHERS = (
-    (b"PK\x03\x04", "is a zip archive, not a video"),
-    (b"%PDF", "is a PDF document, not a video"),
-    (b"\x1f\x8b", "is a gzip archive, not a video"),
-    (b"Rar!", "is a RAR archive, not a video"),
-    (b"7z\xbc\xaf", "is a 7z archive, not a video"),
-    (b"fLaC", "is an audio file, not a video"),
-    (b"ID3", "is an audio file, not a video"),
-    (b"OggS", "is an Ogg file, which this program does not read, not a video"),
+_OTHERS = (
+    (b"PK\x03\x04", "zip"),
+    (b"%PDF", "pdf"),
+    (b"\x1f\x8b", "gzip"),
+    (b"Rar!", "rar"),
+    (b"7z\xbc\xaf", "seven_zip"),
+    (b"fLaC", "audio"),
+    (b"ID3", "audio"),
+    (b"OggS", "ogg"),
 )
 
 
 def why_not_video(path: Path) -> str | None:
-    """Half a sentence that says why the file is no video ("is empty"), or None if its first bytes do not
+    """Half a sentence that says why the file is no video ("empty"), or None if its first bytes do not
     tell.
 
     Raises OSError if the file cannot be read.
@@ -54,14 +54,14 @@ def why_not_video(path: Path) -> str | None:
     with path.open("rb") as file:
         head = file.read(HEAD_BYTES)
     if not head:
-        return "is empty"
+        return "empty"
     return _playlist(head) or _still(head) or _other(head) or _cut_before_index(path, head)
 
 
 def _playlist(head: bytes) -> str | None:
     start = head.lstrip(b"\xef\xbb\xbf \t\r\n")
     if any(start[:16].lower().startswith(mark.lower()) for mark in _PLAYLISTS):
-        return "is a playlist that points to other files, not a video"
+        return "playlist"
     return None
 
 
@@ -70,20 +70,20 @@ def _still(head: bytes) -> str | None:
         if head.startswith(mark):
             return what
     if head[:4] == b"RIFF" and head[8:12] == b"WEBP":
-        return "is a WebP picture, not a video"
+        return "webp"
     if head[4:8] == b"ftyp" and head[8:12] in STILL_BRANDS:
-        return "is a HEIF or AVIF picture, not a video"
+        return "heif"
     return None
 
 
 def _other(head: bytes) -> str | None:
-    for mark, what in OTHERS:
+    for mark, what in _OTHERS:
         if head.startswith(mark):
             return what
     if head[:4] == b"RIFF" and head[8:12] == b"WAVE":
-        return "is an audio file, not a video"
+        return "audio"
     if _is_text(head):
-        return "is a text file, not a video"
+        return "text"
     return None
 
 
@@ -105,8 +105,8 @@ def _cut_before_index(path: Path, head: bytes) -> str | None:
     end = path.stat().st_size
     for box in boxes(path):
         if box.kind in (b"moov", b"moof"):
-            return "is cut off in the middle of its index (moov)" if box.end > end else None
-    return "is cut off before its index (moov) was written"
+            return "cut_in_index" if box.end > end else None
+    return "cut_before_index"
 
 
 @dataclass(frozen=True)

@@ -27,4 +27,4 @@ def _stored(session: Session) -> Iterator[tuple[int, str]]:
         yield recording_id, frame_table_fingerprint(get_frame_table(session, recording_id))
 
 
-register(Fingerprint("frames", "frame table of recording", _promise, _stored))
+register(Fingerprint("frames", _promise, _stored))

@@ -16,6 +16,7 @@ from sightline.enums import (
     SightKind,
     StatisticsTarget,
 )
+from sightline.messages.said import Said
 from sightline.results.survey_statistics import Filter
 from sightline.sightdistance.curves import CurveLength
 from sightline.sightdistance.distances import SightDistance
@@ -54,7 +55,7 @@ class WithoutFigure:
     """A target whose percentile has no value, and why: fewer heights than it needs, and how many."""
 
     target: StatisticsTarget
-    reason: str
+    reason: Said
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,7 @@ from sightline.coverage import COVERAGE_95
 from sightline.enums import Category, LengthUnit, SightCase, StandardHeight, StatisticsTarget
 from sightline.errors import BadInput
 from sightline.infra.database import Session
+from sightline.messages.said import Said
 from sightline.results.measured_columns_query import CATEGORIES, NONE, Measured
 from sightline.results.sightdistance.records import (
     CaseOfHeights,
@@ -64,7 +65,7 @@ class HeightRead:
     """
 
     height_m: Bounded | None
-    reason: str | None = None
+    reason: Said | None = None
     by_pose_m: Mapping[int, float] = field(default_factory=dict)
 
 
@@ -145,9 +146,9 @@ def case_of(
             k_m=(),
             missing=tuple(what for what, one in named if one is None),
             too_few=tuple(
-                WithoutFigure(what, one.reason or "")
+                WithoutFigure(what, one.reason)
                 for what, one in named
-                if one is not None and one.height_m is None
+                if one and one.reason and one.height_m is None
             ),
         )
     standard = crest_constant(question.eye_m, question.object_m).constant_m

@@ -27,4 +27,4 @@ def _text(items: Sequence[Sequence[int]]) -> str:
     return " ".join(f"{number}.{revision}" for number, revision in items)
 
 
-register(Fingerprint("lot_items", "items of lot", _promise, _stored))
+register(Fingerprint("lot_items", _promise, _stored))

@@ -49,13 +49,13 @@ class SolvedRodBody(Out):
     """The line camera's pose from the marks, or why they give none."""
 
     status: ScanPoseStatus
-    reason: str | None
+    reason: Said | None
     camera_height_m: float | None
     u_camera_height_m: float | None
     U95_camera_height_m: float | None
     rms_px: float | None
     residuals_px: list[float] = Field(description="Row of the model minus the mark's, in the marks' order.")
-    warnings: list[str]
+    warnings: list[Said]
 
 
 class LinePoseBody(Out):

@@ -13,6 +13,7 @@ from sightline.errors import BadInput
 from sightline.infra.database import Session
 from sightline.infra.version import code_version
 from sightline.linescan.line_pose import LinePose, LinePoseError, solve_line_pose
+from sightline.messages.said import Said
 from sightline.scans.heights.pose_store import append_line_pose
 from sightline.scans.heights.records import LinePoseValues, StoredLinePose
 from sightline.scans.service import require_ready, shows
@@ -49,12 +50,12 @@ class SolvedRod:
     """What the marks give, or the reason why nothing. `residuals_px`: row of the model minus mark."""
 
     status: str
-    reason: str | None = None
+    reason: Said | None = None
     camera_height_m: float | None = None
     u_camera_height_m: float | None = None
     rms_px: float | None = None
     residuals_px: tuple[float, ...] = ()
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Said, ...] = ()
 
 
 def preview_line_pose(rod: Rod) -> SolvedRod:
@@ -62,7 +63,7 @@ def preview_line_pose(rod: Rod) -> SolvedRod:
     try:
         pose = _solved(rod)
     except LinePoseError as error:
-        return SolvedRod("not_solvable", str(error))
+        return SolvedRod("not_solvable", error.said)
     return _told(pose, rod)
 
 
@@ -84,10 +85,7 @@ def store_line_pose(
     for mark in rounded.marks:
         if not shows(scan, mark.line, mark.row_px):
             raise BadInput("scans-mark-row-line-lies-outside-strip", row_px=mark.row_px, line=mark.line)
-    try:
-        pose = _solved(rounded)
-    except LinePoseError as error:
-        raise BadInput("said", sentence=error) from None
+    pose = _solved(rounded)
     values = solved_values(
         pose,
         [asdict(mark) for mark in rounded.marks],
@@ -162,16 +160,9 @@ def _told(pose: LinePose, rod: Rod) -> SolvedRod:
     u_height = sqrt(pose.covariance[3, 3])
     warnings = []
     if rod.sigma_px is not None and pose.rms_px > _WIDE_RESIDUALS * rod.sigma_px:
-        warnings.append(
-            f"The marks fit the model to {pose.rms_px:.1f} px only, worse than clicks of "
-            f"{rod.sigma_px:g} px explain; check the distances and the mark with the largest "
-            "residual."
-        )
+        warnings.append(Said("line-pose-wide", rms_px=round(pose.rms_px, 1), sigma_px=rod.sigma_px))
     if u_height > _WIDE_HEIGHT_M:
-        warnings.append(
-            f"The camera's height is known to {u_height:.2f} m only; hold the rod at two distances further "
-            "apart, or measure them better."
-        )
+        warnings.append(Said("line-pose-vague", u_height=round(u_height, 2)))
     return SolvedRod(
         status="ok",
         reason=None,

@@ -27,5 +27,5 @@ line_poses = Table(
     *made_columns(),
     UniqueConstraint("scan_id", "revision"),
     CheckConstraint("revision >= 1", name="revision_counts"),
-    info=vouched(WrittenOnce("line_pose", "calibration of a line camera")),
+    info=vouched(WrittenOnce("line_pose")),
 )

@@ -19,7 +19,7 @@ from sightline.enums import JsonObject, ReferenceChange, ReferenceQuantity, Refe
 from sightline.errors import BadInput
 from sightline.infra.database import Session
 from sightline.infra.given_csv import GivenRow, GivenTable, read_table, undefused
-from sightline.messages import say
+from sightline.messages.said import Said
 from sightline.scans.records import Scan, ScanVehicle
 from sightline.scans.references.passing_times import (
     USUAL_TOLERANCE_S,
@@ -112,7 +112,7 @@ def import_references(
     usable = [one for one in lines if one.row.change in ("new", "replaces") and one.vehicle is not None]
     if lines and plan.counts["refused"] + plan.counts["ambiguous"] == len(lines):
         first = plan.rows[0]
-        raise BadInput("reference-no-line-used", name=name, line=first.line, reason=first.words)
+        raise BadInput("reference-no-line-used", name=name, line=first.line, reason=first.words[0])
     standing = _newest(session, scan_id)
     versions: dict[int, int] = {}
     values = cars = 0
@@ -154,17 +154,19 @@ def _plan(lines: Sequence[_Line], matching: Matching | None) -> ReferencePlan:
     )
 
 
-def _notes(rows: Sequence[ReferenceRow], matching: Matching) -> Iterator[str]:
+def _notes(rows: Sequence[ReferenceRow], matching: Matching) -> Iterator[Said]:
     """How far the file's clock is off as a whole, and whether the recording's start is known well enough."""
     apart = [row.apart_s for row in rows if row.apart_s is not None]
     if len(apart) >= _FEW:
-        off = median(apart)
-        code = "reference-times-later" if off >= 0 else "reference-times-earlier"
-        yield say(code, {"count": len(apart), "off_s": f"{abs(off):.2f}"})
+        off, off_s = median(apart), f"{abs(median(apart)):.2f}"
+        if off >= 0:
+            yield Said("reference-times-later", count=len(apart), off_s=off_s)
+        else:
+            yield Said("reference-times-earlier", count=len(apart), off_s=off_s)
     U95_s = expanded(matching.u_start_s)
     if U95_s > matching.tolerance_s:
-        told = {"U95_s": f"{U95_s:.2g}", "tolerance_s": f"{matching.tolerance_s:g}"}
-        yield say("reference-times-start", told)
+        tolerance_s = matching.tolerance_s
+        yield Said("reference-times-start", U95_s=float(f"{U95_s:.2g}"), tolerance_s=tolerance_s)
 
 
 def _newest(session: Session, scan_id: int) -> dict[tuple[int, str, str], StoredReference]:
@@ -227,21 +229,28 @@ def _refuse_repeats(lines: Sequence[_Line]) -> None:
         named = [one for one in several if not one.row.by_time]
         for one in several:
             if one.row.by_time and len(several) > 1:
-                _refuse(one, several, "reference-line-fits-others", quantity=key[1], source=key[2])
+                told = Said(
+                    "reference-line-fits-others",
+                    number=one.row.number,
+                    lines=_others(one, several),
+                    quantity=key[1],
+                    source=key[2],
+                )
+                one.row = replace(one.row, change="ambiguous", words=(told,))
             elif not one.row.by_time and one is not named[0] and one.row.change == "new":
-                words = {"line": named[0].row.line, "quantity": key[1], "source": key[2]}
-                one.row = replace(one.row, change="refused", words=say("reference-line-twice", words))
+                told = Said("reference-line-twice", line=named[0].row.line, quantity=key[1], source=key[2])
+                one.row = replace(one.row, change="refused", words=(told,))
     for several in of_vehicle.values():
         for one in several if len({other.row.run_of for other in several}) > 1 else ():
             if one.row.by_time:
-                _refuse(one, several, "reference-line-fits-cars")
+                others = _others(one, several)
+                told = Said("reference-line-fits-cars", number=one.row.number, lines=others)
+                one.row = replace(one.row, change="ambiguous", words=(told,))
 
 
-def _refuse(one: _Line, several: Sequence[_Line], code: str, **words: str) -> None:
-    """Make a line ambiguous for the others that fit its vehicle too."""
-    others = ", ".join(str(other.row.line) for other in several if other is not one)
-    said = say(code, {"lines": others, "number": one.row.number, **words})
-    one.row = replace(one.row, change="ambiguous", words=said)
+def _others(one: _Line, several: Sequence[_Line]) -> str:
+    """The lines that fit its vehicle too."""
+    return ", ".join(str(other.row.line) for other in several if other is not one)
 
 
 def _fields(header: Sequence[str], name: str) -> list[_Field | None]:
@@ -303,7 +312,7 @@ def _line(
         given=(),
         run_of=None,
         change="refused",
-        words="",
+        words=(),
     )
     try:
         if given_row.problem is not None:
@@ -316,9 +325,9 @@ def _line(
         if not given and run_of is None:
             raise BadInput("reference-line-empty")
     except Ambiguous as several:
-        return _Line(replace(row, change="ambiguous", words=several.message))
+        return _Line(replace(row, change="ambiguous", words=(several.said,)))
     except BadInput as error:
-        return _Line(replace(row, words=error.message))
+        return _Line(replace(row, words=(error.said,)))
     return _Line(replace(row, given=given, run_of=run_of, change="new"), vehicle)
 
 
@@ -375,26 +384,24 @@ def _change(
     given: Sequence[ReferenceValues],
     run_of: str | None,
     standing: Mapping[tuple[int, str, str], StoredReference],
-) -> tuple[ReferenceChange, str]:
-    """What a line would do, and the value that it would replace in words."""
+) -> tuple[ReferenceChange, tuple[Said, ...]]:
+    """What a line would do, and the values that it would replace."""
     before = {one: standing.get((vehicle.id, one.quantity, one.source)) for one in given}
     changed = [one for one, old in before.items() if old is None or old.values != one]
     replaced = [old for one in changed if (old := before[one]) is not None and not old.values.withdrawn]
     renamed = run_of not in (None, vehicle.run_of)
     if not changed and not renamed:
-        return "same", ""
+        return "same", ()
     words = [
-        say(
+        Said(
             "reference-line-replaces",
-            {
-                "quantity": one.values.quantity,
-                "value": f"{one.values.value:.6g}",
-                "u": f"{one.values.u:.6g}",
-                "unit": "m/s" if one.values.quantity == "speed" else "m",
-            },
+            quantity=one.values.quantity,
+            value=float(f"{one.values.value:.6g}"),
+            u=float(f"{one.values.u:.6g}"),
+            unit="m/s" if one.values.quantity == "speed" else "m",
         )
         for one in replaced
     ]
     if renamed and vehicle.run_of:
-        words.append(say("reference-line-renames", {"car": vehicle.run_of}))
-    return "replaces" if words else "new", " ".join(words)
+        words.append(Said("reference-line-renames", car=vehicle.run_of))
+    return "replaces" if words else "new", tuple(words)

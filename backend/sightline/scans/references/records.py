@@ -6,6 +6,7 @@ from datetime import datetime
 from sightline.enums import ReferenceChange, ReferenceQuantity, ReferenceSource
 from sightline.errors import BadInput
 from sightline.infra.audit.records import Who
+from sightline.messages.said import Said
 
 #: What of a motion is compared with a reference; its u stands under the same name with u_ before it.
 MEASURED: dict[ReferenceQuantity, str] = {
@@ -61,7 +62,7 @@ class ReferenceRow:
     given: tuple[ReferenceValues, ...]
     run_of: str | None
     change: ReferenceChange
-    words: str
+    words: tuple[Said, ...]
 
 
 @dataclass(frozen=True)
@@ -75,7 +76,7 @@ class ReferencePlan:
     counts: dict[ReferenceChange, int]
     rows: tuple[ReferenceRow, ...]
     tolerance_s: float | None = None
-    notes: tuple[str, ...] = ()
+    notes: tuple[Said, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -59,9 +59,7 @@ def preview_rig_calibration(
     try:
         found = solve_passes(given.passes, common)
     except BadInput as error:
-        return CalibrationLook(
-            status="not_solvable", reason=error.message, figures=None, refused=given.refused
-        )
+        return CalibrationLook(status="not_solvable", reason=error.said, figures=None, refused=given.refused)
     figures = _figures(found, rig)
     return CalibrationLook(status="ok", reason=None, figures=figures, refused=given.refused)
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, fields
 from sightline.errors import BadInput
 from sightline.infra.given_csv import GivenTable, read_table, undefused
 from sightline.linescan.rig_calibration import VALUES, Common, RigPass, RigPassError, span_of
+from sightline.messages.said import Said
 
 MOST_BYTES = 1_000_000
 MOST_PASSES = 500
@@ -22,7 +23,7 @@ class RefusedRow:
 
     row: int
     name: str
-    reason: str
+    reason: Said
 
 
 @dataclass(frozen=True)
@@ -51,11 +52,11 @@ def read_rig_passes(data: bytes, name: str, common: Common) -> GivenPasses:
             if row.problem is not None:
                 raise row.problem
             if any(one.name == called for one in passes):
-                raise RigPassError("Another row has the same name; name each pass once.")
+                raise RigPassError("rig-pass-twice")
             one = _pass(table, row.line, called, named)
             span_of(one, common)
-        except (BadInput, RigPassError) as error:
-            refused.append(RefusedRow(row.line, called, str(error)))
+        except BadInput as error:
+            refused.append(RefusedRow(row.line, called, error.said))
         else:
             passes.append(one)
     return GivenPasses(tuple(passes), tuple(refused))
@@ -78,5 +79,5 @@ def _pass(table: GivenTable, line: int, called: str, cells: Mapping[str, str]) -
     """Raises BadInput for a cell that is no number; an empty one is as if its column were not there."""
     values = {column: table.number(line, column, cell) for column, cell in cells.items() if cell}
     if "distance_m" not in values:
-        raise RigPassError("The value distance_m is missing; fill it in.")
+        raise RigPassError("rig-pass-lacks", column="distance_m")
     return RigPass(name=called, **values)

@@ -11,6 +11,7 @@ from pydantic import Field
 from sightline.enums import JsonObject, ScanPoseStatus
 from sightline.infra.audit.records import Who
 from sightline.linescan.rig_calibration import FittedPass
+from sightline.messages.said import Said
 from sightline.scans.rig.passes_csv import RefusedRow
 
 
@@ -60,7 +61,7 @@ class LaneOfRig:
     u_baseline_m: float
     U95_baseline_m: float
     U95_percent: Annotated[float, Field(description="Of every speed and length there.")]
-    warning: str | None
+    warning: Said | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -84,7 +85,7 @@ class CalibrationFigures:
     passes: tuple[FittedPass, ...]
     lane: LaneOfRig | None
     lanes: tuple[LaneOfRig, ...]
-    warnings: tuple[str, ...]
+    warnings: tuple[Said, ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -92,7 +93,7 @@ class CalibrationLook:
     """What passes of a table would give, or why nothing; rows that cannot be used."""
 
     status: ScanPoseStatus
-    reason: str | None
+    reason: Said | None
     figures: CalibrationFigures | None
     refused: tuple[RefusedRow, ...]
 

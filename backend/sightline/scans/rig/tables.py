@@ -31,5 +31,5 @@ rig_calibrations = Table(
     *made_columns(),
     UniqueConstraint("scan_id", "revision"),
     CheckConstraint("revision >= 1", name="revision_counts"),
-    info=vouched(WrittenOnce("rig_calibration", "calibration of a rig")),
+    info=vouched(WrittenOnce("rig_calibration")),
 )

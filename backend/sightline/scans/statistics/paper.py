@@ -2,12 +2,6 @@
 
 from dataclasses import dataclass
 
-NOTE = (
-    "Printed sizes are 3.1 to 9.1 % longer than the true lengths (5.6 % in the mean), which the text blames "
-    "on shadow, while it claims less than 1 %; braking “within 1 %” is off by up to 1.5 % against the other "
-    "runs of the same car. Speed was never held against truth, only against the car's own counter."
-)
-
 
 @dataclass(frozen=True)
 class PaperCar:

@@ -11,10 +11,11 @@ from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import PathId, Reading, Viewer
 from sightline.infra.web.figures import DensityBody, EcdfBody, FigureBody, ReasonBody
 from sightline.linescan.rig import RigEstimate
+from sightline.messages.said import Said
 from sightline.recordings.bodies import FilmedAsked
 from sightline.scans.statistics.figures import scan_height_statistics, scan_statistics
 from sightline.scans.statistics.heights import ScannedHeights
-from sightline.scans.statistics.paper import NOTE, TABLE_I, PaperCar
+from sightline.scans.statistics.paper import TABLE_I, PaperCar
 from sightline.scans.statistics.service import CarRuns, ReferenceGroup, ScanRow, ScanStatistics, Spread
 from sightline.statistics.distributions import Density, Ecdf, Percentile
 from sightline.statistics.errors import ErrorGroup
@@ -22,7 +23,6 @@ from sightline.surveys.store import get_survey
 
 router = APIRouter()
 _RATIO = "Measured over true, by weighted mean: 1.01 says that the baseline is 1 % too long."
-NOTHING = "No vehicle has this value."
 
 
 class ScanErrorGroupBody(Out):
@@ -31,7 +31,7 @@ class ScanErrorGroupBody(Out):
     group: str
     n: int
     figures: dict[str, FigureBody]
-    reason: str | None
+    reason: Said | None
 
 
 class ScanSpreadBody(Out):
@@ -67,7 +67,6 @@ class ScanStatisticsBody(Out):
     cars: tuple[CarRuns, ...]
     heights: list[ScannedHeights]
     paper: list[PaperCarBody]
-    paper_note: str
 
 
 @router.get("/surveys/{survey_id}/scan-statistics")
@@ -101,7 +100,6 @@ def _body(found: ScanStatistics, heights: tuple[ScannedHeights, ...]) -> ScanSta
         paper=[
             filled_from(PaperCarBody, one, length_error_m=one.size_m - one.true_length_m) for one in TABLE_I
         ],
-        paper_note=NOTE,
     )
 
 
@@ -133,13 +131,13 @@ def _spread(one: Spread) -> ScanSpreadBody:
 
 def _ecdf(found: Ecdf | None) -> EcdfBody | ReasonBody:
     if found is None:
-        return ReasonBody(reason=NOTHING)
+        return ReasonBody(reason=Said("stat-no-value"))
     columns = {name: getattr(found, name).tolist() for name in ("value", "share", "low", "high")}
     return EcdfBody(n=found.n, **columns)
 
 
-def _density(found: Density | str) -> DensityBody | ReasonBody:
-    if isinstance(found, str):
+def _density(found: Density | Said) -> DensityBody | ReasonBody:
+    if isinstance(found, Said):
         return ReasonBody(reason=found)
     columns = {name: getattr(found, name).tolist() for name in ("value", "density", "low", "high")}
     return DensityBody(n=found.n, bandwidth=found.bandwidth, **columns)

@@ -125,7 +125,7 @@ class Spread:
     mean: float | None
     sd: float | None
     ecdf: Ecdf | None
-    density: Density | str
+    density: Density | Said
     percentiles: list[Percentile]
 
 

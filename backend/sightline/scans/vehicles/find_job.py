@@ -244,8 +244,6 @@ def summary_of(motions: Sequence[Motion]) -> JsonObject:
     }
 
 
-def _told(found: int, added: int, revised: int, overtaken: int) -> str:
-    said = [f"{found} found", f"{added} new", f"{revised} measured again"]
-    if overtaken:
-        said.append(f"{overtaken} left as somebody changed them meanwhile")
-    return ", ".join(said) + "."
+def _told(found: int, added: int, revised: int, overtaken: int) -> list[Said]:
+    said = [Said("scan-vehicles-found", found=found, added=added, revised=revised)]
+    return [*said, Said("scan-vehicles-left", count=overtaken)] if overtaken else said

@@ -164,7 +164,7 @@ def _target(one: TargetFigures, pictures: Pictures) -> Values:
         "name": TARGETS[one.target],
         "n": one.n,
         "sites": str(one.sites),
-        "reason": told(one.reason or "") or None,
+        "reason": told(one.reason) if one.reason else None,
         "glance": [_figure(at.get(percent), scale) for percent in _GLANCE],
         "mean": _figure(one.mean, scale),
         "rows": _rows(one),

@@ -32,5 +32,5 @@ survey_photographs = Table(
     Column("deleted_at", UtcDateTime),
     CheckConstraint("width_px > 0 AND height_px > 0 AND size_bytes > 0", name="size_positive"),
     CheckConstraint("position >= 1", name="position_counts"),
-    info=vouched(ChangedByEvents("photograph", "photograph of the set-up")),
+    info=vouched(ChangedByEvents("photograph")),
 )

@@ -90,7 +90,7 @@ def store(
     recording_id: int,
     found: Sequence[FoundPass],
     actor: int | None,
-    notes: Sequence[str] = (),
+    notes: Sequence[Said] = (),
 ) -> dict[str, Any]:
     """Add the passes that are not there yet, discarded ones counted as there; what was done, in words."""
     known = pass_spans(session, recording_id)
@@ -102,7 +102,7 @@ def store(
         "found": len(found),
         "added": len(new),
         "known": len(found) - len(new),
-        "message": " ".join([_told(len(found), len(new)), *notes]),
+        "message": [_told(len(found), len(new)), *notes],
     }
 
 
@@ -136,13 +136,10 @@ def same_pass(one: FoundPass, known: PassSpan) -> bool:
     return shared >= SAME_SHARE * shorter
 
 
-def _told(found: int, new: int) -> str:
-    if not found:
-        return "No passes were found; mark them by hand."
-    passes = "1 pass was found" if found == 1 else f"{found} passes were found"
+def _told(found: int, new: int) -> Said:
     if new == found:
-        return f"{passes}."
-    return f"{passes}: {new or 'none'} new, {found - new} known or discarded before."
+        return Said("passes-were-found", found=found)
+    return Said("passes-were-found-again", found=found, new=new, known=found - new)
 
 
 def _rate_hz(time_s: np.ndarray[Any, np.dtype[np.float64]]) -> float | None:

@@ -14,7 +14,6 @@ from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
 from sightline.infra.jobs.store import list_jobs
 from sightline.media.video.proposals import ProposalsCancelled, propose_in_video
-from sightline.messages import say
 from sightline.messages.said import Said
 from sightline.poses.store import get_pose
 from sightline.proposals.propose import POINTS, Proposals, Proposed
@@ -110,7 +109,7 @@ def told(recording_id: int, made: Sequence[PointProposal]) -> dict[str, Any]:
     points = sum(one.point_px is not None for one in made)
     some = len({one.vehicle_id for one in made if one.point_px is not None})
     passes = len({one.vehicle_id for one in made})
-    message = say("proposals-made", {"points": points, "some": some, "passes": passes})
+    message = [Said("proposals-made", points=points, some=some, passes=passes)]
     return {"recording_id": recording_id, "passes": passes, "points": points, "message": message}
 
 

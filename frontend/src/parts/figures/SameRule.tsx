@@ -1,5 +1,5 @@
 import { DataTable, Panel } from "../../components";
-import { say, wordsOf } from "../../core/messages";
+import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { lengthScale, plainHeight, plainPercent, plainSmall, smallScale } from "../../core/units";
 import "./figures.css";
 import { NONE, percent } from "./numbers";
@@ -71,7 +71,8 @@ export function SameRule({ rules }: { rules: readonly Rule[] }) {
 }
 
 function verdict({ verdict: word, lower, risk, reason }: Rule): string {
-  if (word === "unknown" || lower === null) return say("statistics-rule-unknown", { reason: reason ?? "" });
+  if (word === "unknown" || lower === null)
+    return say("statistics-rule-unknown", { reason: sentenceOf(reason) ?? "" });
   if (word === "alike") return say("statistics-rule-alike", { lower: percent(lower) });
   const small = risk === null || risk < SMALLEST_RISK;
   const said = small ? say("statistics-rule-least", { risk: percent(SMALLEST_RISK) }) : percent(risk);

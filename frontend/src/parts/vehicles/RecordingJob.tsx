@@ -1,7 +1,7 @@
 /** A button that starts work on a recording, follows it, and says what came of it. */
 import { Button, JobProgress, Problem } from "../../components";
 import type { IconName } from "../../components/Icon";
-import { isOver, useJobAction } from "../../core/jobs";
+import { isOver, lastWords, useJobAction } from "../../core/jobs";
 import { may } from "../../core/session";
 import { toast } from "../../core/toasts";
 import type { Job, Recording } from "../../core/types";
@@ -57,7 +57,5 @@ export function RecordingJob({ recording, kind, icon, start, words, over }: Reco
 }
 
 function told(words: RecordingJobProps["words"], job: Job): string {
-  const message = job.result?.message;
-  if (job.state === "cancelled") return words.cancelled;
-  return words.over(typeof message === "string" ? message : null);
+  return job.state === "cancelled" ? words.cancelled : words.over(lastWords(job));
 }

@@ -16,7 +16,7 @@ import { Said } from "../../components/Said";
 import { useAction } from "../../core/action";
 import { query, setQuery, surveyHere } from "../../core/address";
 import { api, explain, fromAddress } from "../../core/api";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
 import { me } from "../../core/session";
@@ -255,7 +255,7 @@ function Verify() {
       )}
       {check && !check.ok && (
         <Notice kind="problem" title={say("audit-broken-title")}>
-          {check.problem}
+          {sentenceOf(check.problem)}
         </Notice>
       )}
     </div>

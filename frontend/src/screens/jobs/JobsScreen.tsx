@@ -13,7 +13,7 @@ import {
 import { useAction } from "../../core/action";
 import { query, setQuery } from "../../core/address";
 import { api, fromAddress } from "../../core/api";
-import { cancelJob, isOver, jobName } from "../../core/jobs";
+import { cancelJob, isOver, jobName, lastWords } from "../../core/jobs";
 import { say, sentenceOf } from "../../core/messages";
 import { useEvery, useResource } from "../../core/resource";
 import { may } from "../../core/session";
@@ -135,10 +135,8 @@ function Actions({ job, run }: Omit<RowProps, "survey">) {
 }
 
 /** The sentence that it ended with; of one that is done, what it did last is none. */
-function toldOf({ error, message, result, state }: Job): string {
-  const told = result?.["message"];
-  if (typeof told === "string") return told;
-  return error ?? (state === "done" ? "" : (sentenceOf(message) ?? ""));
+function toldOf(job: Job): string {
+  return lastWords(job) ?? job.error ?? (job.state === "done" ? "" : (sentenceOf(job.message) ?? ""));
 }
 
 /** Where its work is looked at. */

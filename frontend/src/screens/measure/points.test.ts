@@ -254,7 +254,7 @@ describe("measuring with clicks", () => {
     server.on("POST", /second-frame$/, () => ({
       ...there,
       source: "measured",
-      words: "",
+      words: null,
       others: [there, there],
     }));
     for (const point of [at(100, 400), at(101, 250), at(90, 300), at(20, 330)]) model.points.place(point);
@@ -291,7 +291,7 @@ describe("measuring with clicks", () => {
     let wanted = { target: "", others: [] as unknown[] };
     server.on("POST", /second-frame$/, (_match, body) => {
       wanted = body as typeof wanted;
-      return { ...first, source: "measured", words: "", others };
+      return { ...first, source: "measured", words: null, others };
     });
     for (const point of [at(100, 400), at(101, 250), at(90, 300), at(20, 330)]) model.points.place(point);
     await quiet();

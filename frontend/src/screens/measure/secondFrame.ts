@@ -71,7 +71,7 @@ export class SecondFrame implements ClickTool {
     const what = this.awaiting.value === "contact" ? "contact" : going.target;
     const hint = say("measure-second-hint", { nth, what });
     if (going.answer.source !== "assumed") return hint;
-    return say("measure-second-hint-care", { hint, care: going.answer.words });
+    return say("measure-second-hint-care", { hint, care: sentenceOf(going.answer.words) ?? "" });
   });
 
   constructor(

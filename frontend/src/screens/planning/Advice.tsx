@@ -1,12 +1,12 @@
 import { Panel } from "../../components";
-import { say } from "../../core/messages";
+import { type Said, say, sentenceOf } from "../../core/messages";
 
 /** What to do about a plan, what matters most first. */
-export function Advice({ sentences }: { sentences: readonly string[] }) {
+export function Advice({ advice }: { advice: readonly Said[] }) {
   return (
     <Panel title={say("planning-advice")}>
       <ul class="panel__body plan-advice">
-        {sentences.map((sentence) => (
+        {advice.map(sentenceOf).map((sentence) => (
           <li key={sentence}>{sentence}</li>
         ))}
       </ul>

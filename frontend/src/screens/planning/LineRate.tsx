@@ -169,7 +169,7 @@ function Result({ plan }: { plan: LinePlan }) {
         </Table>
         <p class="plan-note field__hint">{say("planning-forms-note")}</p>
       </Panel>
-      <Advice sentences={plan.advice} />
+      <Advice advice={plan.advice} />
     </div>
   );
 }

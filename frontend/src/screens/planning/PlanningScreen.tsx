@@ -103,7 +103,7 @@ function Result({ plan }: { plan: Plan }) {
         </Notice>
       )}
       <TargetTable targets={plan.targets} travelM={plan.site.travel_m} />
-      <Advice sentences={plan.advice} />
+      <Advice advice={plan.advice} />
       <PassingTable passing={plan.passing} />
       <div class="plan-figures">
         <SiteAlong plan={plan} />

@@ -87,7 +87,7 @@ export function RecordingCard({ recording, passes, cameras, changed, reload }: P
         <Facts recording={recording} passes={passes} />
         <Filmed recording={recording} change={change} />
         <ReadAs recording={recording} run={run} reload={reload} />
-        {recording.misfits.map((misfit) => (
+        {recording.misfits.map(sentenceOf).map((misfit) => (
           <Notice key={misfit} kind="warning">
             {misfit}
           </Notice>

@@ -4,7 +4,7 @@ import { Button, Dialog, DropFiles, Loading, Notice, num, Problem, Table } from 
 import { CommitField } from "../../components/CommitField";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
-import { apart, say, wordsOf } from "../../core/messages";
+import { apart, say, sentenceOf, sentencesOf, wordsOf } from "../../core/messages";
 import type { ReferencePlan, ReferenceRow } from "../../core/types";
 import { fixed, formatCount, parseNumber } from "../../core/units";
 import type { ScanModel } from "./model";
@@ -102,7 +102,7 @@ function Preview({ plan }: { plan: ReferencePlan }) {
   const timed = plan.tolerance_s !== null;
   return (
     <>
-      {plan.notes.map((note) => (
+      {plan.notes.map(sentenceOf).map((note) => (
         <Notice key={note}>{note}</Notice>
       ))}
       <p class="row row--wrap" data-testid="reference-counts">
@@ -135,7 +135,7 @@ function Preview({ plan }: { plan: ReferencePlan }) {
             {timed && <td class="num nowrap">{row.apart_s === null ? "–" : apartSeconds(row.apart_s)}</td>}
             <td>{givenWords(row)}</td>
             <td class="nowrap">{CHANGES[row.change]}</td>
-            <td>{row.words}</td>
+            <td>{sentencesOf(row.words)}</td>
           </tr>
         ))}
       </Table>

@@ -2,7 +2,7 @@
 import { Fragment } from "preact";
 import type { components } from "#schema";
 import { DataTable, Notice } from "../../components";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { fixed, formatHeight, formatLength, formatSmall } from "../../core/units";
 
 export type Look = components["schemas"]["CalibrationLook"];
@@ -12,14 +12,14 @@ export function RigAnswer({ look }: { look: Look }) {
   const { figures } = look;
   return (
     <section class="stack stack--tight" aria-label={say("scans-calibrate-answer")} data-testid="rig-answer">
-      {look.reason && <Notice kind="warning">{look.reason}</Notice>}
+      {look.reason && <Notice kind="warning">{sentenceOf(look.reason)}</Notice>}
       {figures && <FiguresOf figures={figures} />}
       {figures && <Residuals figures={figures} />}
       {look.refused.length > 0 && (
         <ul class="small">
           {look.refused.map((one) => (
             <li key={one.row}>
-              {say("scans-passes-refused", { row: one.row })} <span>{one.reason}</span>
+              {say("scans-passes-refused", { row: one.row })} <span>{sentenceOf(one.reason)}</span>
             </li>
           ))}
         </ul>
@@ -68,9 +68,9 @@ function FiguresOf({ figures }: { figures: Figures }) {
           })}
         </dd>
       </dl>
-      {[...lanes.map((one) => one.warning), ...figures.warnings].map(
-        (one) => one && <Notice key={one}>{one}</Notice>,
-      )}
+      {[...lanes.map((one) => one.warning), ...figures.warnings]
+        .map(sentenceOf)
+        .map((one) => one && <Notice key={one}>{one}</Notice>)}
     </>
   );
 }

@@ -1,7 +1,7 @@
 /** The line camera's calibration: where the rod stood, its marks with their residuals, and what they give. */
 import { Button, DataTable, Empty, Notice } from "../../components";
 import { CommitField } from "../../components/CommitField";
-import { say, wordsOf } from "../../core/messages";
+import { say, sentenceOf, wordsOf } from "../../core/messages";
 import type { RodMark } from "../../core/types";
 import {
   fixed,
@@ -152,8 +152,8 @@ function Result({ model }: { model: ScanModel }) {
           <dd>{say("scan-rod-rms", { rms_px: fixed(solved.rms_px ?? 0, 2) })}</dd>
         </dl>
       )}
-      {solved && solved.status !== "ok" && marks > 0 && <Notice>{solved.reason}</Notice>}
-      {solved?.warnings.map((one) => (
+      {solved && solved.status !== "ok" && marks > 0 && <Notice>{sentenceOf(solved.reason)}</Notice>}
+      {solved?.warnings.map(sentenceOf).map((one) => (
         <Notice key={one} kind="warning">
           {one}
         </Notice>

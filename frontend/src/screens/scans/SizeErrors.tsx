@@ -56,7 +56,7 @@ function Rows({ words, groups }: RowsProps) {
           <td class="num">{group.n}</td>
           {group.n === 0 ? (
             <td colSpan={COLUMNS.length} class="small muted">
-              {group.reason ?? say("motion-errors-none")}
+              {sentenceOf(group.reason) ?? say("motion-errors-none")}
             </td>
           ) : (
             COLUMNS.map((name) => <Cell key={name} group={group} name={name} />)

@@ -1,6 +1,6 @@
 /** The cumulative distribution of one quantity with its band, and the percentiles that are asked for. */
 
-import { apart, say, wordsOf } from "../../core/messages";
+import { apart, say, sentenceOf, wordsOf } from "../../core/messages";
 import type { ScanSpread } from "../../core/types";
 import { fixed, lengthScale, plainPercent, type Scale, speedScale } from "../../core/units";
 import { aroundOne, ecdfMarks, noBandWords } from "../../parts/figures/curves";
@@ -48,7 +48,7 @@ export function SpreadFigure({ spread }: { spread: ScanSpread }) {
       title={title}
       says={say("motion-spread-says", { count: spread.n, percentiles, unit })}
       data={spread}
-      reason={there ? null : ecdf.reason}
+      reason={there ? null : sentenceOf(ecdf.reason)}
       note={there ? notes.filter(Boolean).join(" ") || undefined : undefined}
       options={(plot) => ({
         height: 240,
@@ -89,7 +89,7 @@ export function SpreadFigure({ spread }: { spread: ScanSpread }) {
 
 function percentileWords(one: ScanSpread["percentiles"][number], by: number): string {
   const percent = plainPercent(one.percent);
-  if (one.value === null) return one.reason ?? "";
+  if (one.value === null) return sentenceOf(one.reason) ?? "";
   const value = fixed(one.value * by, 2);
   if (one.low === null || one.high === null) return say("motion-percentile", { percent, value });
   const [low, high] = [fixed(one.low * by, 2), fixed(one.high * by, 2)];

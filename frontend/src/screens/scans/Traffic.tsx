@@ -168,7 +168,7 @@ function Row({ one }: { one: TrafficInterval }) {
         {p85 && p85.value !== null ? (
           fixed(p85.value * by, 1)
         ) : (
-          <span title={p85?.reason ?? undefined}>–</span>
+          <span title={sentenceOf(p85?.reason) ?? undefined}>–</span>
         )}
         {p85 && p85.low !== null && p85.high !== null && (
           <Small>{say("interval", { low: fixed(p85.low * by, 1), high: fixed(p85.high * by, 1) })}</Small>

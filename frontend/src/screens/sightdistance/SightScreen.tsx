@@ -4,7 +4,7 @@ import { Loading, Notice, num, PageHead, Panel, Problem, Table } from "../../com
 import { PageTabs } from "../../components/PageTabs";
 import { query } from "../../core/address";
 import { api, fromAddress } from "../../core/api";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
 import { resultsTabs } from "../../core/tabs";
@@ -64,13 +64,13 @@ function Sentences({ sight }: { sight: Sight }) {
   return (
     <section class="panel sight-sentence" aria-label={say("sight-sentence")} data-testid="sight-sentence">
       {others.map((one) => (
-        <p key={one.name}>{sentenceOf(one, standard, sight)}</p>
+        <p key={one.name}>{caseWords(one, standard, sight)}</p>
       ))}
     </section>
   );
 }
 
-function sentenceOf(one: Case, standard: Case | undefined, sight: Sight): string {
+function caseWords(one: Case, standard: Case | undefined, sight: Sight): string {
   const { crest, comparison } = one;
   if (!crest || !comparison || !standard?.crest) return withoutCrest(one);
   return say(`sight-verdict-${comparison.verdict}`, {
@@ -84,7 +84,7 @@ function sentenceOf(one: Case, standard: Case | undefined, sight: Sight): string
     k_standard: plain(standard.crest.k_m.value, 1),
     distance: formatLength(sight.distance.design_m, 0),
     seen: formatLength(crest.seen_m.value, 0),
-    reason: crest.constant_m.reason ?? "",
+    reason: sentenceOf(crest.constant_m.reason) ?? "",
   });
 }
 
@@ -157,7 +157,7 @@ function Cases({ sight }: { sight: Sight }) {
 function Cell({ of, print, strong }: { of: Bounded; print: (metres: number) => string; strong?: boolean }) {
   const value = print(of.value);
   return (
-    <td class="num" title={of.reason ?? undefined}>
+    <td class="num" title={sentenceOf(of.reason) ?? undefined}>
       {strong ? <strong>{value}</strong> : value}
       {of.low !== null && of.high !== null && (
         <div class="sight-ci">{say("sight-interval", { low: print(of.low), high: print(of.high) })}</div>

@@ -1,6 +1,6 @@
 /** What the sight-distance page asks and shows; all of it is in the address. */
 import type { components } from "#schema";
-import { allOf, apart, say, wordsOf } from "../../core/messages";
+import { allOf, apart, say, sentenceOf, wordsOf } from "../../core/messages";
 import type { AddressOf } from "../../core/routes";
 import { lengthUnit } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
@@ -59,7 +59,7 @@ export function withoutCrest(one: Case): string {
   if (one.missing.length > 0)
     return say("sight-missing", { targets: allOf(one.missing.map((target) => TARGET_WORDS[target])) });
   const each = one.too_few.map(({ target, reason }) =>
-    say("sight-too-few-of", { target: TARGET_WORDS[target], reason }),
+    say("sight-too-few-of", { target: TARGET_WORDS[target], reason: sentenceOf(reason) }),
   );
   return say("sight-too-few", { targets: apart(each) });
 }

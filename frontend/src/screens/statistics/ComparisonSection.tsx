@@ -1,5 +1,5 @@
 import { num, Panel, Table } from "../../components";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { formatSmall, plainPercent } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
 import { NONE } from "../../parts/figures/numbers";
@@ -63,5 +63,5 @@ function verdict({ verdict: word, reason }: Figure): string {
   if (word === "higher") return say("statistics-compared-higher");
   if (word === "lower") return say("statistics-compared-lower");
   if (word === "not_told_apart") return say("statistics-compared-alike");
-  return say("statistics-compared-unknown", { reason: reason ?? "" });
+  return say("statistics-compared-unknown", { reason: sentenceOf(reason) ?? "" });
 }

@@ -1,4 +1,4 @@
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { smallScale } from "../../core/units";
 import {
   type Curve,
@@ -57,7 +57,7 @@ function reasonOf(parts: Record<string, { n: number } | Reason>): string | null 
   if (drawn(parts as Record<string, { n: number } | Reason>).length > 0) return null;
   const overall = parts["overall"];
   return overall && "reason" in overall
-    ? say("statistics-nothing-because", { reason: overall.reason })
+    ? say("statistics-nothing-because", { reason: sentenceOf(overall.reason) })
     : say("statistics-nothing");
 }
 

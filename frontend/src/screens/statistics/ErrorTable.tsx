@@ -1,6 +1,6 @@
 import { Button, num, Panel, Table } from "../../components";
 import { Said } from "../../components/Said";
-import { say, wordsOf } from "../../core/messages";
+import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { formatCount, formatSmall, smallScale } from "../../core/units";
 import { csvOf, download } from "../../parts/figures/csv";
 import { NONE, range, scaled, squareScale } from "../../parts/figures/numbers";
@@ -75,7 +75,7 @@ export function ErrorTable({ errors }: { errors: Errors }) {
       </Table>
       <div class="stat-notes small">
         <p>
-          {errors.words} {say("statistics-errors-note")}
+          {sentenceOf(errors.words)} {say("statistics-errors-note")}
         </p>
         <Holds errors={errors} />
         <Agreement errors={errors} />
@@ -86,7 +86,10 @@ export function ErrorTable({ errors }: { errors: Errors }) {
             <ul>
               {errors.paper.map((one) => (
                 <li key={one.group}>
-                  <Said what="statistics-paper-note" values={{ group: one.title, note: one.note }} />
+                  <Said
+                    what="statistics-paper-note"
+                    values={{ group: one.title, note: sentenceOf(one.note) }}
+                  />
                 </li>
               ))}
             </ul>
@@ -100,7 +103,9 @@ export function ErrorTable({ errors }: { errors: Errors }) {
 /** What the intervals hold: of all vehicles, or of the first group that has any. */
 function Holds({ errors }: { errors: Errors }) {
   const words = [...errors.groups].reverse().find((group) => group.words)?.words;
-  return words ? <p data-testid="error-holds">{say("statistics-errors-holds", { words })}</p> : null;
+  return words ? (
+    <p data-testid="error-holds">{say("statistics-errors-holds", { words: sentenceOf(words) })}</p>
+  ) : null;
 }
 
 /** A figure without an interval is of too few vehicles to be stressed. */
@@ -116,7 +121,7 @@ function Rows({ group, errors }: { group: ErrorGroup; errors: Errors }) {
         <th scope="row">
           {GROUP_WORDS[group.group] ?? group.group}
           {paper && <div class="stat-ci">{say("statistics-stands-for", { group: group.title })}</div>}
-          {group.reason && <div class="stat-ci">{group.reason}</div>}
+          {group.reason && <div class="stat-ci">{sentenceOf(group.reason)}</div>}
           <NoIntervals group={group} />
         </th>
         <td class="num">{formatCount(group.n)}</td>
@@ -158,7 +163,7 @@ function NoIntervals({ group }: { group: ErrorGroup }) {
     <div class="stat-ci">
       {say("statistics-no-interval", {
         figures: without.map((column) => HEADS[column.key]).join(", "),
-        reason,
+        reason: sentenceOf(reason),
       })}
     </div>
   );
@@ -218,11 +223,11 @@ function Agreement({ errors }: { errors: Errors }) {
     <>
       <p data-testid="reference-part">
         {isThere(part)
-          ? `${part.words} ${say("statistics-reference-part", {
+          ? `${sentenceOf(part.words)} ${say("statistics-reference-part", {
               correlation: scaled(part.correlation_alone, 1, 2),
               u_reference: formatSmall(part.u_reference_m),
             })}`
-          : part.reason}
+          : sentenceOf(part.reason)}
       </p>
       <p data-testid="bland-altman">
         {isThere(limits)
@@ -234,7 +239,7 @@ function Agreement({ errors }: { errors: Errors }) {
               upper_interval: range(limits.upper_ci95, factor, digits) ?? NONE,
               n: limits.n,
             })
-          : limits.reason}
+          : sentenceOf(limits.reason)}
       </p>
     </>
   );

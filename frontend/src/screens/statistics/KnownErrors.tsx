@@ -1,7 +1,7 @@
 /** Errors against heights that were known before, a row a target, its lightings and classes below; check targets. */
 import type { ComponentChildren } from "preact";
 import { num, Panel, Table } from "../../components";
-import { say, wordsOf } from "../../core/messages";
+import { type Said, say, sentenceOf, wordsOf } from "../../core/messages";
 import { formatCount, smallScale } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
 import { NONE, range, scaled } from "../../parts/figures/numbers";
@@ -65,7 +65,7 @@ function Rows({ one }: { one: KnownErrors }) {
             key={part.group}
             id={`${id}-${part.group}`}
             name={
-              <span class="stat-part muted" title={part.reason ?? undefined}>
+              <span class="stat-part muted" title={sentenceOf(part.reason) ?? undefined}>
                 {groupWord(part.grouping, part.group)}
               </span>
             }
@@ -89,7 +89,7 @@ function Row({ id, name, group, inside }: RowProps) {
     <tr data-testid={id}>
       <th scope="row">
         {name}
-        {group.reason && <div class="stat-ci">{group.reason}</div>}
+        {group.reason && <div class="stat-ci">{sentenceOf(group.reason)}</div>}
       </th>
       <td class="num">{formatCount(group.n)}</td>
       {FIGURES.map((key) => (
@@ -102,14 +102,14 @@ function Row({ id, name, group, inside }: RowProps) {
 
 interface LengthProps {
   figure: ErrorGroup["figures"][string] | undefined;
-  words: string;
+  words: Said | null;
 }
 
 function Length({ figure, words }: LengthProps) {
   const [factor, unit] = smallScale();
   const digits = unit === "in" ? 2 : 1;
   return (
-    <td class="num" title={words ? say("statistics-known-holds", { words }) : undefined}>
+    <td class="num" title={words ? say("statistics-known-holds", { words: sentenceOf(words) }) : undefined}>
       {scaled(figure?.value ?? null, factor, digits)}
       <div class="stat-ci">{range(figure?.ci95 ?? null, factor, digits) ?? NONE}</div>
     </td>
@@ -117,7 +117,7 @@ function Length({ figure, words }: LengthProps) {
 }
 
 function Inside({ one: { inside } }: { one: KnownErrors }) {
-  if (!isThere(inside)) return <td class="small muted">{inside.reason}</td>;
+  if (!isThere(inside)) return <td class="small muted">{sentenceOf(inside.reason)}</td>;
   return (
     <td class="num">
       {say("statistics-known-inside-of", { inside: inside.inside, n: inside.n })}

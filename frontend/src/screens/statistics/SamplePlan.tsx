@@ -1,7 +1,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { Panel, Problem, TextField } from "../../components";
 import { api } from "../../core/api";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { lengthText, lengthUnit, parseLength, parseNumber } from "../../core/units";
 import type { SampleSize } from "./model";
 
@@ -56,7 +56,7 @@ export function SamplePlan({ sdM }: { sdM: number | null }) {
         />
         <TextField label={say("statistics-plan-sd")} numeric unit={unit} value={sd} onInput={setSd} />
         <p class="stat-plan__answer" data-testid="sample-size" role="status">
-          {!complete ? say("statistics-plan-incomplete") : error ? "" : found?.words}
+          {!complete ? say("statistics-plan-incomplete") : error ? "" : sentenceOf(found?.words)}
         </p>
       </form>
       {complete && <Problem error={error} />}

@@ -1,6 +1,6 @@
 import { Button, Notice, num, Panel, Table } from "../../components";
 import { Said } from "../../components/Said";
-import { allOf, say } from "../../core/messages";
+import { allOf, say, sentenceOf } from "../../core/messages";
 import { fixed, formatLength, lengthScale, plainHeight } from "../../core/units";
 import { csvOf, download } from "../../parts/figures/csv";
 import {
@@ -51,8 +51,8 @@ export function TargetSection({ target, standards }: Props) {
       data-testid={`target-${target.target}`}
     >
       <div class="stat-target__words small">
-        <p data-testid={`correction-${target.target}`}>{corrected.reason ?? corrected.words}</p>
-        {corrected.warning && <Notice kind="warning">{corrected.warning}</Notice>}
+        <p data-testid={`correction-${target.target}`}>{sentenceOf(corrected.reason ?? corrected.words)}</p>
+        {corrected.warning && <Notice kind="warning">{sentenceOf(corrected.warning)}</Notice>}
       </div>
       <div class={`stat-figures stat-figures--inside${asInPaper() ? "" : " stat-figures--one"}`}>
         <EcdfFigure target={target} standards={standards} title={title} />
@@ -127,7 +127,7 @@ function HeightDensity({ target, title }: { target: OfTarget; title: string }) {
       title={say("statistics-target-density-title", { target: title })}
       says={say("statistics-target-density-says", { target: title })}
       note={say("statistics-target-density-note")}
-      reason={"reason" in target.density ? target.density.reason : null}
+      reason={"reason" in target.density ? sentenceOf(target.density.reason) : null}
       data={target}
       options={(plot, unit) => {
         const [perX, long] = lengthScale(unit);
@@ -239,7 +239,7 @@ function Percentiles({ target }: { target: OfTarget }) {
         <div class="grow">
           {total && (
             <span data-testid={`holds-${target.target}`}>
-              {say("statistics-percentiles-total", { words: total.words })}{" "}
+              {say("statistics-percentiles-total", { words: sentenceOf(total.words) })}{" "}
             </span>
           )}
           {say("statistics-percentiles-note")}
@@ -270,7 +270,8 @@ function ofTotal({ percent, value, U95_low, U95_high, needs, reason }: TotalPerc
 function NoIntervals({ rows }: { rows: readonly Percentile[] }) {
   const byReason = new Map<string, number[]>();
   for (const one of rows) {
-    if (one.reason) byReason.set(one.reason, [...(byReason.get(one.reason) ?? []), one.percent]);
+    const reason = sentenceOf(one.reason);
+    if (reason) byReason.set(reason, [...(byReason.get(reason) ?? []), one.percent]);
   }
   if (byReason.size === 0) return null;
   return (
@@ -323,7 +324,7 @@ function save(target: OfTarget): void {
     { which: "raw", n: raw.n, percentiles: raw.percentiles },
   ];
   const rows = distributions.flatMap(({ which, n, percentiles }) =>
-    percentiles.map((one) => [which, one.percent, one.value, one.low, one.high, n, one.reason]),
+    percentiles.map((one) => [which, one.percent, one.value, one.low, one.high, n, sentenceOf(one.reason)]),
   );
   const columns = [
     "distribution",

@@ -1,4 +1,4 @@
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { lengthScale, smallScale } from "../../core/units";
 import { NONE, range, scaled } from "../../parts/figures/numbers";
 import { type LegendEntry, PlotFigure } from "../../parts/figures/PlotFigure";
@@ -109,7 +109,7 @@ export function TrendFigure({ errors }: { errors: Errors }) {
 
 /** "−12 mm per m (−20 to −4), r = −0.31 (…)." */
 function trendWords({ trend, absolute_trend }: Errors): string {
-  if (!isThere<Trend>(trend)) return trend.reason;
+  if (!isThere<Trend>(trend)) return sentenceOf(trend.reason);
   const [factor, small] = smallScale();
   const [toLong, long] = lengthScale();
   const per = factor / toLong;

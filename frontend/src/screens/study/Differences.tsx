@@ -1,5 +1,5 @@
 import { num, Table } from "../../components";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import type { StudiesBeside } from "../../core/types";
 import { formatSmall, plainPercent } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
@@ -50,5 +50,5 @@ function verdictOf({ verdict, reason }: Difference): string {
   if (verdict === "higher") return say("statistics-compared-higher");
   if (verdict === "lower") return say("statistics-compared-lower");
   if (verdict === "not_told_apart") return say("statistics-compared-alike");
-  return say("statistics-compared-unknown", { reason: reason ?? "" });
+  return say("statistics-compared-unknown", { reason: sentenceOf(reason) ?? "" });
 }

@@ -1,5 +1,5 @@
 import { DataTable, num, Table } from "../../components";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import type { Category, StudyResult } from "../../core/types";
 import { fixed, formatSmall, lengthScale, plainHeight, plainPercent } from "../../core/units";
 import { CATEGORY_WORDS, LIGHTING_WORDS, TARGET_WORDS } from "../../core/words";
@@ -66,7 +66,7 @@ function Percentiles({ found, targets }: { found: Found; targets: readonly Row["
       <Table class="table--dense" heads={[say("study-target"), ...columns.map((one) => num(nameOf(one)))]}>
         {targets.map((target) => {
           const rows = found.figures.filter((one) => one.target === target);
-          const reason = rows[0]?.value_m === null ? rows[0].reason : null;
+          const reason = rows[0]?.value_m === null ? sentenceOf(rows[0].reason) : null;
           return (
             <tr key={target}>
               <th scope="row">

@@ -1,5 +1,5 @@
 import { Button, num, Panel, Table } from "../../components";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import type { Study, StudyResult } from "../../core/types";
 import { formatSmall } from "../../core/units";
 
@@ -69,7 +69,7 @@ export function Joined({ study, result, edit, remove }: Props) {
         <p>{say(study.fleet_csv ? "study-weighted" : "study-not-weighted")}</p>
         <p>{say(study.sites_csv ? "study-sites-known" : "study-sites-unknown")}</p>
         <p>{say("study-goal-is", { goal: formatSmall(study.goal_m) })}</p>
-        {result?.found.notes.map((note) => (
+        {result?.found.notes.map(sentenceOf).map((note) => (
           <p key={note}>{note}</p>
         ))}
       </div>
