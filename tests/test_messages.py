@@ -176,7 +176,7 @@ def test_every_message_is_said_somewhere() -> None:
     written = written.union(*(one.messages for one in named(SOURCE.read_text("utf-8")).values()))
     begun = re.findall(r"`([a-z][\w-]*-)\$\{[^}]*\}([\w-]*)`", text)
     made = [re.compile(f"{first}{_slot(first, last)}{last}") for first, last in set(begun)]
-    for first, names in re.findall(r'wordsOf\(\s*"([\w-]+-)"((?:,\s*"[\w-]+")*)', text):
+    for first, names in re.findall(r'(?:wordsOf|[Cc]alled)\(\s*"([\w-]+-)"((?:,\s*"[\w-]+")*)', text):
         made += [re.compile(f"{first}{name}") for name in re.findall(r'"([\w-]+)"', names) or [r"\w+"]]
     found_again = ("told-", "budget-of-", *COLUMNS)  # by its text
     unused = [

@@ -5,17 +5,7 @@ from __future__ import annotations
 from datetime import UTC, date, datetime
 
 from sightline.enums import LengthUnit
-from sightline.export.report.facts import (
-    CalibrationFacts,
-    Checksum,
-    Exclusion,
-    ExpectedHeight,
-    InsetFacts,
-    LensParameter,
-    PoseFacts,
-    RecordingFacts,
-    ReportFacts,
-)
+from sightline.export.report.facts import ReportFacts, Row
 from sightline.geometry.insets import USUAL_INSETS
 from sightline.results.survey_statistics import Statistics, StatisticsOptions
 from sightline.surveys.photographs.records import PhotographFile
@@ -65,79 +55,92 @@ def facts(
         counts=(("recordings", 2), ("vehicles", 412), ("measurements", 1228), ("accepted", 1200)),
         photos=photos,
         recordings=tuple(
-            RecordingFacts(
-                name,
-                "Axis 211W",
-                light,
-                5400,
-                180.0,
-                1920,
-                1080,
-                "9f2c" * 16,
-                start,
-                "Europe/Paris",
-                "overcast",
-            )
+            {
+                "name": name,
+                "camera": "Axis 211W",
+                "lighting": light,
+                "frame_count": 5400,
+                "duration_s": 180.0,
+                "width_px": 1920,
+                "height_px": 1080,
+                "sha256": "9f2c" * 16,
+                "started_at": datetime.fromisoformat(start),
+                "time_zone": "Europe/Paris",
+                "weather": "overcast",
+            }
             for name, light, start in (
                 ("lane-1-day.mkv", "daytime", "2026-04-18T08:10:00.000+02:00"),
                 ("lane-1-dusk.mkv", "low_light", "2026-04-18T21:05:00.000+02:00"),
             )
         ),
         calibrations=(
-            CalibrationFacts(
-                "Axis 211W",
-                1,
-                date(2026, 4, 19),
-                "from 24 pictures of a checkerboard",
-                "brown",
-                1920,
-                1080,
-                0.183,
-                22,
-                24,
-                tuple(LensParameter(*one) for one in _LENS),
-                ("The lower left corner of the picture holds no corner of the board.",),
-                True,
-            ),
+            {
+                "camera_name": "Axis 211W",
+                "id": 1,
+                "created_at": datetime(2026, 4, 19, 9, tzinfo=UTC),
+                "source": "from 24 pictures of a checkerboard",
+                "model": "brown",
+                "width_px": 1920,
+                "height_px": 1080,
+                "rms_px": 0.183,
+                "views_used": 22,
+                "views_given": 24,
+                "parameters": [{"name": name, "value": value, "u": u} for name, value, u in _LENS],
+                "warnings": ("The lower left corner of the picture holds no corner of the board.",),
+                "trusted": True,
+            },
         ),
         poses=tuple(_pose(k, name) for k, name in ((1, "lane-1-day.mkv"), (2, "lane-1-dusk.mkv"))),
         insets=tuple(
-            InsetFacts(name, inset, u, note)
+            {"target": name, "inset_m": inset, "u_inset_m": u, "note": note}
             for name, (inset, u, note) in USUAL_INSETS.items()
             if name != "other"
         ),
         exclusions=tuple(
-            Exclusion(
-                1000 + k, f"{k + 1}, Peugeot 3008 2019", "driver_eye", "rejected", "The driver leans forward."
-            )
+            exclusion(1000 + k, f"{k + 1}, Peugeot 3008 2019", "driver_eye", "The driver leans forward.")
             for k in range(exclusions)
         ),
         code_versions=("0.1.0+ab52b2c00f11",),
         audit_events=4821,
         audit_head="4be1" * 16,
-        checksums=tuple(
-            Checksum(path, "0a1b" * 16)
-            for path in ("audit.csv", "measurements.csv", "vehicles.csv", "poses.csv")
-        ),
+        checksums=dict.fromkeys(("audit.csv", "measurements.csv", "vehicles.csv", "poses.csv"), "0a1b" * 16),
         unit=unit,
     )
 
 
-def _pose(number: int, recording: str) -> PoseFacts:
-    return PoseFacts(
-        number,
-        recording,
-        "Axis 211W",
-        1,
-        120,
-        271,
-        1.502,
-        "6 × 4 inner corners of 100 mm",
-        0.615,
-        0.003,
-        0.005,
-        3.02,
-        0.041,
-        (ExpectedHeight(2.0, 0.0142), ExpectedHeight(3.0, 0.0161), ExpectedHeight(5.0, None)),
-        (),
-    )
+def exclusion(number: int, vehicle: str, target: str, reason: str, state: str = "rejected") -> Row:
+    """A row of exclusions.csv."""
+    return {
+        "measurement_id": number,
+        "vehicle_number": vehicle,
+        "target": target,
+        "state": state,
+        "reason": reason,
+        "reason_code": None,
+    }
+
+
+def _pose(number: int, recording: str) -> Row:
+    return {
+        "id": number,
+        "recording": recording,
+        "camera": "Axis 211W",
+        "calibration_id": 1,
+        "first_frame": 120,
+        "last_frame": 271,
+        "camera_height_m": 1.502,
+        "board_columns": 6,
+        "board_rows": 4,
+        "square_m": 0.1,
+        "reference_height_m": 0.615,
+        "u_reference_height_m": 0.003,
+        "u_lean_rad": 0.005,
+        "board_distance_m": 3.02,
+        "rms_px": 0.041,
+        "expected": [
+            {"distance_m": 2.0, "U95_height_m": 0.0142},
+            {"distance_m": 3.0, "U95_height_m": 0.0161},
+            {"distance_m": 5.0, "U95_height_m": None},
+        ],
+        "warnings": (),
+    }

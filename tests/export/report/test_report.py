@@ -18,14 +18,14 @@ import pytest
 import typst
 from PIL import Image
 
-from sightline.export.report.facts import Exclusion, ReportFacts
+from sightline.export.report.facts import ReportFacts
 from sightline.export.report.photos import as_svg
 from sightline.export.report.report import report, sources
 from sightline.results.survey_statistics import StatisticsOptions
 from sightline.surveys.photographs.records import PhotographFile
 from tests.export.report.pdf_text import words
 from tests.export.report.sample import statistics
-from tests.export.report.sample_facts import facts
+from tests.export.report.sample_facts import exclusion, facts
 
 ROOT = Path(__file__).resolve().parents[3]
 LONG = "a_name_without_any_place_to_break_it_" * 5
@@ -82,7 +82,7 @@ def test_the_report_says_what_was_found(example: ReportFacts, pdf: bytes) -> Non
         "The driver leans forward.",
         "sightline verify PACKAGE",
         example.audit_head,
-        example.checksums[0].sha256,
+        example.checksums["audit.csv"],
         "Misprints of the paper",
         "1.96",
         "There is no photograph of the set-up.",
@@ -119,7 +119,7 @@ def test_names_come_out_as_text(name: str) -> None:
     shown = name.replace("\t", " ").replace("\x00", " ").replace("\x1f", " ").replace("\ud800", "\ufffd")
     shown = shown.replace("\u202e", "").replace("\u202c", "")
     few = ReportFacts(name, name, statistics(0), StatisticsOptions(), description=name)
-    odd = replace(few, exclusions=(Exclusion(1, name, "roof", name, name),), audit_head="ab" * 32)
+    odd = replace(few, exclusions=(exclusion(1, name, "roof", name, name),), audit_head="ab" * 32)
     made = report(odd)
     said = flat(words(made))
     assert said.count(flat(shown)) >= 6
@@ -134,10 +134,10 @@ def _called(name: str) -> ReportFacts:
     (lens,), (pose, *_), (recording, *_) = named.calibrations, named.poses, named.recordings
     return replace(
         named,
-        recordings=(replace(recording, name=name, camera=name),),
-        calibrations=(replace(lens, camera=name, source=name, warnings=(name,)),),
-        poses=(replace(pose, recording=name, camera=name, board=name, warnings=(name,)),),
-        insets=(replace(named.insets[0], note=name),),
+        recordings=({**recording, "name": name, "camera": name},),
+        calibrations=({**lens, "camera_name": name, "source": name, "warnings": (name,)},),
+        poses=({**pose, "recording": name, "camera": name, "warnings": (name,)},),
+        insets=({**named.insets[0], "note": name},),
     )
 
 
@@ -201,9 +201,7 @@ def test_no_interval_is_spoken_of_that_is_not_there(n: int, eye: str) -> None:
 
 
 def test_a_long_table_repeats_its_head_and_no_word_leaves_the_page() -> None:
-    left_out = tuple(
-        Exclusion(k, LONG if k % 9 == 0 else "a van", "roof", "rejected", LONG) for k in range(70)
-    )
+    left_out = tuple(exclusion(k, LONG if k % 9 == 0 else "a van", "roof", LONG) for k in range(70))
     few = ReportFacts(LONG, LONG, statistics(0), StatisticsOptions(), description=LONG, exclusions=left_out)
     long = replace(few, exclusions_total=900)
     said = words(report(long))

@@ -4,28 +4,51 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import replace
-from typing import Any
+from typing import Any, get_args
 
+import numpy as np
 import pytest
+import typst
 
 from sightline import messages
-from sightline.export.report.facts import ReportFacts, RigFacts, ScanFacts
+from sightline.enums import (
+    Category,
+    ClassSet,
+    Direction,
+    InsetName,
+    ReferenceSource,
+    StatisticsTarget,
+    Target,
+)
+from sightline.export.exclusions import STATES
+from sightline.export.report.facts import ReportFacts, ScanFacts
 from sightline.export.report.report import report, sources
-from sightline.export.report.said import catalogue_json, said, speaking, spoken
+from sightline.export.report.said import Called, catalogue_json, said, speaking, spoken
 from sightline.export.report.units import fixed
+from sightline.export.report.words import (
+    CATEGORIES,
+    CLASS_SETS,
+    GROUPINGS,
+    LANES,
+    LIGHTING,
+    MANY,
+    QUANTITIES,
+    TARGETS,
+)
 from sightline.messages.parts import parts_of, plurals
 from sightline.results.survey_statistics import StatisticsOptions
 from sightline.scans.statistics.heights import ScannedHeights
 from sightline.scans.statistics.service import VehicleMotion, statistics_of_seen
+from sightline.statistics.errors import GROUPS
 from tests.export.report.pdf_text import words
 from tests.export.report.sample import statistics
 from tests.export.report.sample_facts import facts
 
 LEAST = 14  # letters of a run that tells a sentence from a name
 # Of the sample's own people and files.
-TYPED = ("from 24 pictures of a checkerboard", "inner corners of 100 mm")
+TYPED = ("from 24 pictures of a checkerboard",)
 
 
 def flat(text: str) -> str:
@@ -106,21 +129,59 @@ def test_french_words_numbers_and_dates(example: ReportFacts, french: str) -> No
         assert flat(expected) in french, expected
 
 
-def numbers(value: Any) -> Iterator[str]:
-    """Texts of the values that are a number, with its unit or without."""
-    if isinstance(value, str) and re.fullmatch(r"[−+]?\d+\.\d+\D{0,4}", value):
-        yield value
-    elif isinstance(value, Mapping):
-        for one in value.values():
-            yield from numbers(one)
-    elif isinstance(value, list):
-        for one in value:
-            yield from numbers(one)
+def numbers(pdf: bytes) -> list[str]:
+    """The words that are a number with a point in it, with its sign and what stands around it."""
+    return [word for word in words(pdf).split() if re.fullmatch(r"[(−+±]?\d+\.\d+[);:,]?", word)]
 
 
 def test_no_number_keeps_its_point(example: ReportFacts) -> None:
-    of = {name: json.loads(sources(replace(example, language=name))["values.json"]) for name in ("en", "fr")}
-    assert len(list(numbers(of["en"]))) > 100 and not list(numbers(of["fr"]))
+    of = {name: numbers(report(replace(example, site="", language=name))) for name in ("en", "fr")}
+    assert len(of["en"]) > 100 and not of["fr"]
+
+
+@pytest.mark.parametrize("language", messages.languages())
+def test_tables_round_as_sentences_and_figures_do(example: ReportFacts, language: str) -> None:
+    """Ties are those of the decimals that a number is exactly; most that look like one are none."""
+    rng = np.random.default_rng(5)
+    ties = [
+        ((2 * n + 1) / 2 / 10**d, d)
+        for n, d in zip(rng.integers(-9000, 9000, 900), [0, 1, 2] * 300, strict=True)
+    ]
+    given = [
+        *ties,
+        *((float(x), 3) for x in rng.normal(0, 3, 300)),
+        *((float(x), 7) for x in rng.normal(0, 1e-4, 300)),
+    ]
+    given += [(0.0, 2), (-0.0004, 3), (1e-12, 1), (0.0625, 3), (1.0005, 3), (2.675, 2), (1234567.5, 0)]
+    files = sources(replace(example, language=language))
+    files["numbers.json"] = json.dumps(given).encode()
+    files["main.typ"] = (
+        b'#import "blocks.typ": fixed\n'
+        b'#metadata(json("numbers.json").map(((value, digits)) => fixed(value, digits, signed: true)))'
+        b" <rounded>"
+    )
+    rounded = json.loads(typst.query(files, "<rounded>", field="value", one=True))
+    with speaking(language):
+        assert rounded == [fixed(value, digits, signed=True) for value, digits in given]
+
+
+@pytest.mark.parametrize(
+    ("called", "names"),
+    [
+        (TARGETS, (*get_args(Target), *get_args(InsetName))),
+        (MANY, get_args(StatisticsTarget)),
+        (LIGHTING, (*GROUPS, "unknown")),
+        (CATEGORIES, get_args(Category)),
+        (LANES, get_args(Direction)),
+        (CLASS_SETS, (*get_args(ClassSet), "all", "none", "unknown")),
+        (GROUPINGS, ("category", "class_set", "site", "operator", "lighting", "stratum")),
+        (QUANTITIES, ("speed", "length", "wheelbase", "time_gap", "distance_gap", "headway")),
+        (Called("report-measured-by-"), get_args(ReferenceSource)),
+        (Called("report-excluded-as-"), STATES),
+    ],
+)
+def test_everything_that_a_report_names_has_words(called: Called, names: tuple[str, ...]) -> None:
+    assert [name for name in names if not called[name]] == []
 
 
 def test_figures_are_drawn_in_the_language(example: ReportFacts) -> None:
@@ -131,11 +192,23 @@ def test_figures_are_drawn_in_the_language(example: ReportFacts) -> None:
 
 
 def test_line_scans_are_french(example: ReportFacts) -> None:
-    rig = RigFacts(
-        "A13", "video", "low_light", 90000, 400, 0.61, 0.002, 1500.0, 1e-5, 1e-3, 1e-4, 4.1, None, 0.3
-    )
+    rig = {
+        "name": "A13",
+        "source": "video",
+        "lighting": "low_light",
+        "lines": 90000,
+        "baseline_m": 0.61,
+        "u_baseline_m": 0.002,
+        "line_rate_hz": 1500.0,
+        "u_line_rate_ratio": 1e-5,
+        "divergence_rad": 1e-3,
+        "u_divergence_rad": 1e-4,
+        "distance_m": 4.1,
+        "misalignment_px": None,
+        "u_misalignment_px": 0.3,
+    }
     scans = ScanFacts(
-        (rig, replace(rig, source="strips", misalignment_px=1.5)),
+        (rig, {**rig, "source": "strips", "misalignment_px": 1.5}),
         statistics_of_seen([_moving(k) for k in range(8)], accepted_only=True),
         (("direct", 1), ("paper", 3)),
         (ScannedHeights("roof", 1, 0, 0, 1.4, 0.1, 1.4, 0.02),),
@@ -168,8 +241,8 @@ def test_the_same_facts_give_the_same_bytes_in_a_language(example: ReportFacts) 
 
 def test_a_language_is_spoken_within_and_no_longer() -> None:
     with speaking("fr"):
-        assert (spoken(), said("report-roof"), fixed(-1.25, 2)) == ("fr", "toit", "−1,25")
-    assert (spoken(), said("report-roof"), fixed(-1.25, 2)) == ("en", "roof", "−1.25")
+        assert (spoken(), said("report-target-roof"), fixed(-1.25, 2)) == ("fr", "toit", "−1,25")
+    assert (spoken(), said("report-target-roof"), fixed(-1.25, 2)) == ("en", "roof", "−1.25")
 
 
 @pytest.mark.parametrize("language", messages.languages())

@@ -14,18 +14,18 @@ from sightline.export.report.canvas import HALF, INK, MUTED, Drawing, svg
 from sightline.export.report.marks import MAIN, SECOND, THIRD, LineStyle
 from sightline.export.report.said import said, told
 from sightline.export.report.units import HEIGHT, SMALL, Scale, count, fixed
-from sightline.export.report.words import GROUPS, LIGHTING, heading
+from sightline.export.report.words import LIGHTING, heading
 from sightline.messages.said import Said
 from sightline.statistics.agreement import Trend
 from sightline.statistics.distributions import Ecdf
-from sightline.statistics.errors import WHOLE_CM
+from sightline.statistics.errors import GROUPS, WHOLE_CM
 from sightline.statistics.summary import Errors
 
 _PENS: dict[str, LineStyle] = {"daytime": MAIN, "low_light": SECOND, "overall": THIRD}
 _DOTS: tuple[tuple[str, dict[str, Any]], ...] = (
     ("daytime", {"marker": "o", "facecolors": "none", "edgecolors": INK}),
     ("low_light", {"marker": "^", "facecolors": MUTED, "edgecolors": "none"}),
-    ("", {"marker": "s", "facecolors": "none", "edgecolors": MUTED}),
+    ("unknown", {"marker": "s", "facecolors": "none", "edgecolors": MUTED}),
 )
 _MANY = 300  # points
 
@@ -64,7 +64,7 @@ def _drawn(parts: Mapping[str, Part | Said | None]) -> list[tuple[str, Part, Lin
 
 
 def _word(name: str, part: SampleCounts) -> str:
-    return said("report-fig-group", group=GROUPS[name], n=count(part.n))
+    return said("report-fig-group", group=LIGHTING[name], n=count(part.n))
 
 
 def _cumulative(
@@ -131,7 +131,7 @@ def _density(errors: Errors, unit: LengthUnit) -> Drawing | str:
             axes.legend(loc="upper left")
 
     widths = ", ".join(
-        said("report-fig-signed-width", width=small.length(part.bandwidth), group=GROUPS[name])
+        said("report-fig-signed-width", width=small.length(part.bandwidth), group=LIGHTING[name])
         for name, part, _ in drawn
     )
     return Drawing(svg(draw, title, HALF), title, _density_caption(errors, widths, small))

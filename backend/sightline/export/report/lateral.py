@@ -10,7 +10,7 @@ from sightline.export.report.canvas import FULL, Drawing, Sheet, svg
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.said import said
-from sightline.export.report.settable import Json, Values
+from sightline.export.report.settable import Values
 from sightline.export.report.units import HEIGHT, count
 from sightline.export.report.words import group_word, heading
 from sightline.results.survey_statistics import Statistics
@@ -66,19 +66,14 @@ def lateral(facts: ReportFacts, pictures: Pictures) -> Values | None:
         return None
     rows = [(said("report-lateral-all"), found.all), *_rows(found)]
     return {
-        "percents": [f"{one:g}" for one in _SHOWN],
-        "rows": [_row(word, one, facts.unit) for word, one in rows],
+        "rows": [
+            {"name": word, "n": one.n, "mean": one.mean_m, "sd": one.sd_m, "at": _at(one)}
+            for word, one in rows
+        ],
         "figures": pictures.figures([FIGURE]) if found.lanes.of else [],
     }
 
 
-def _row(word: str, one: Distribution, unit: LengthUnit) -> Json:
-    scale = HEIGHT[unit]
+def _at(one: Distribution) -> list[float | None]:
     at = {each.percent: each.value for each in one.percentiles}
-    return {
-        "name": word,
-        "n": one.n,
-        "mean": scale.number(one.mean_m),
-        "sd": scale.number(one.sd_m),
-        "percentiles": [scale.number(at.get(percent)) for percent in _SHOWN],
-    }
+    return [at.get(percent) for percent in _SHOWN]

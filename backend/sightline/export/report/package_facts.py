@@ -4,52 +4,37 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from datetime import date, datetime
 from itertools import islice
 from typing import Any
 
+from sightline.cameras.calibrations.csv import CALIBRATIONS
+from sightline.export.chosen import chosen_scanned
+from sightline.export.exclusions import EXCLUSIONS
 from sightline.export.measured import AS_PAPER, PackageStatistics
-from sightline.export.report.facts import (
-    CalibrationFacts,
-    Checksum,
-    Exclusion,
-    ExpectedHeight,
-    InsetFacts,
-    LensParameter,
-    PoseFacts,
-    RecordingFacts,
-    ReportFacts,
-)
+from sightline.export.report.facts import ReportFacts, Row, ScanFacts
 from sightline.export.report.said import said, spoken
-from sightline.export.report.scan_facts import scan_facts
-from sightline.export.report.units import decimal
-from sightline.export.report.words import STATES, selection_words
+from sightline.export.report.words import selection_words
 from sightline.export.response import response_in
+from sightline.export.scans import scan_heights_in
 from sightline.export.seal import ENTITY
 from sightline.export.verdicts import verdicts_in
 from sightline.geometry.documents import pose_from_dict
-from sightline.infra.csv_package.columns import code_in
-from sightline.infra.csv_package.files import (
-    Files,
-    number,
-    read_columns,
-    read_rows,
-    read_whole,
-    record_in,
-    unsafe,
-    whole,
-)
-from sightline.infra.csv_package.schema import Written
+from sightline.infra.csv_package.files import Files, read_columns, read_rows, read_whole, unsafe
+from sightline.infra.csv_package.schema import AnyTable, Written, record_path
 from sightline.messages.said import Said
+from sightline.poses.csv import POSES
+from sightline.recordings.csv import RECORDINGS
 from sightline.results.csv import selection_in
 from sightline.results.survey_statistics import StatisticsOptions
-from sightline.surveys.csv import place_in, sampling_in
+from sightline.scans.csv import LINE_SCANS
+from sightline.scans.statistics.service import ScanStatistics
+from sightline.surveys.csv import INSETS, place_in, sampling_in
 from sightline.surveys.photographs.csv import photos_in
 from sightline.vehicles.records import NOT_VISIBLE
 
 MOST_EXCLUSIONS = 300
-Words = Mapping[str, Any]
 
 
 def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Written]) -> ReportFacts:
@@ -57,9 +42,9 @@ def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Wr
     found = made.headline
     survey = survey_words(files)
     head = _Head(files)
-    recordings = {row["id"]: row for row in read_rows(files, "recordings.csv")}
-    lenses = {row["id"]: row for row in read_rows(files, "calibrations.csv")}
-    cameras = {row["camera_id"]: unsafe(row["camera_name"]) for row in lenses.values()}
+    recordings = {row["id"]: row for row in table_rows(files, RECORDINGS)}
+    lenses = {row["id"]: row for row in table_rows(files, CALIBRATIONS)}
+    cameras = {row["camera_id"]: row["camera_name"] for row in lenses.values()}
     used = _Measurements(files)
     hidden, stale = _not_visible(files), _out_of_date(files)
     exclusions = sum(1 for _ in read_columns(files, "exclusions.csv", ("measurement_id",)))
@@ -89,19 +74,19 @@ def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Wr
         ),
         place=place_in(files),
         photos=photos_in(files),
-        recordings=tuple(_recording(row, cameras) for row in recordings.values()),
+        recordings=tuple({**row, "camera": cameras.get(row["camera_id"])} for row in recordings.values()),
         calibrations=tuple(
-            _calibration(files, row) for row in lenses.values() if row["id"] in used.calibrations
+            _calibration(files, row) for row in lenses.values() if str(row["id"]) in used.calibrations
         ),
         poses=tuple(
             _pose(files, row, recordings, lenses)
-            for row in read_rows(files, "poses.csv")
-            if row["id"] in used.poses
+            for row in table_rows(files, POSES)
+            if str(row["id"]) in used.poses
         ),
-        insets=tuple(record_in(InsetFacts, row) for row in read_rows(files, "insets.csv")),
-        exclusions=tuple(islice(_exclusions(files), MOST_EXCLUSIONS)),
+        insets=tuple(table_rows(files, INSETS)),
+        exclusions=tuple(islice(table_rows(files, EXCLUSIONS), MOST_EXCLUSIONS)),
         exclusions_total=exclusions,
-        scans=scan_facts(files, made.scans),
+        scans=_scans(files, made.scans),
         sampling=sampling_in(files),
         response=tuple(response_in(files)),
         verdicts=verdicts_in(files),
@@ -109,7 +94,7 @@ def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Wr
         audit_events=head.count,
         audit_head=head.hash,
         language=spoken(),
-        checksums=tuple(Checksum(path, written[path].sha256) for path in sorted(written)),
+        checksums={path: written[path].sha256 for path in sorted(written)},
     )
 
 
@@ -186,84 +171,104 @@ class _Measurements:
         self.last_day = date.fromisoformat(max(days)) if days else None
 
 
-def _recording(row: Mapping[str, str], cameras: Mapping[str, str]) -> RecordingFacts:
-    camera, frames = cameras.get(row["camera_id"], ""), whole(row["frame_count"])
-    return record_in(RecordingFacts, row, camera=camera, frames=frames)
+def table_rows(files: Files, table: AnyTable) -> Iterator[dict[str, Any]]:
+    """The rows of a table by its columns, each cell as what the column holds; None where it is empty.
+
+    Raises Damaged, and ValueError for a cell that is nothing of the kind.
+    """
+    for row in read_rows(files, table.path):
+        yield {
+            column.name: _READERS[column.type](row[column.name]) if row[column.name] else None
+            for column in table.columns
+        }
 
 
-def _record(files: Files, kind: str, id_: str) -> dict[str, Any]:
-    found: dict[str, Any] = json.loads(read_whole(files, f"records/{kind}-{id_}.json"))
+_READERS: dict[str, Callable[[str], Any]] = {
+    "string": unsafe,
+    "integer": int,
+    "number": float,
+    "boolean": lambda cell: cell == "true",
+    "datetime": datetime.fromisoformat,
+}
+
+
+def _record(files: Files, kind: str, id_: int) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(read_whole(files, record_path(kind, id_)))
     return found
 
 
-def _calibration(files: Files, row: Mapping[str, str]) -> CalibrationFacts:
+def _calibration(files: Files, row: Row) -> Row:
+    """The row with how many views were given and used, the lens by its parameters, and what was warned of."""
     record = _record(files, "calibration", row["id"])
     document = record["document"]
     views = record.get("views") or document.get("views") or []
-    return record_in(
-        CalibrationFacts,
-        row,
-        camera=unsafe(row["camera_name"]),
-        number=int(row["id"]),
-        made_on=date.fromisoformat(row["created_at"][:10]),
-        views_used=sum(1 for view in views if view.get("used")),
-        views_given=len(views),
-        parameters=tuple(_parameters(document)),
-        warnings=tuple(Said.read(one) for one in record.get("warnings") or ()),
-    )
+    return {
+        **row,
+        "views_used": sum(1 for view in views if view.get("used")),
+        "views_given": len(views),
+        "parameters": tuple(_parameters(document)),
+        "warnings": _warnings(record),
+    }
 
 
-def _parameters(document: Words) -> Iterator[LensParameter]:
-    """The numbers of a lens with their u, in the order of the covariance."""
+def _warnings(record: Row) -> tuple[Said, ...]:
+    return tuple(Said.read(one) for one in record.get("warnings") or ())
+
+
+def _parameters(document: Row) -> Iterator[Row]:
+    """The numbers of a lens with their u, None where it is not known, in the order of the covariance."""
     names = ("fx_px", "fy_px", "cx_px", "cy_px")
     values = [float(document[name]) for name in names] + [float(one) for one in document["distortion"]]
     given = document.get("parameters") or ()
     covariance = document.get("covariance")
     for place, value in enumerate(values):
         variance = float(covariance[place][place]) if covariance and place < len(covariance) else -1.0
-        u = variance**0.5 if variance >= 0.0 else None
         name = given[place] if place < len(given) else (*names, *(f"d{k}" for k in range(1, 15)))[place]
-        yield LensParameter(str(name), value, u)
+        yield {"name": str(name), "value": value, "u": variance**0.5 if variance >= 0.0 else None}
 
 
-def _pose(
-    files: Files,
-    row: Mapping[str, str],
-    recordings: Mapping[str, Mapping[str, str]],
-    lenses: Mapping[str, Mapping[str, str]],
-) -> PoseFacts:
+def _pose(files: Files, row: Row, recordings: Mapping[int, Row], lenses: Mapping[int, Row]) -> Row:
+    """The row with the names of recording and camera, the camera's height, the U95 that is expected of a
+    height by distance (None where the picture shows no road there), and what was warned of.
+    """
     record = _record(files, "pose", row["id"])
     pose = pose_from_dict(record["document"], row["document"])
-    lens = lenses.get(row["calibration_id"], {})
-    board = None
-    if row["board_columns"] and row["square_m"]:
-        millimetres = 1000 * float(row["square_m"])
-        square = decimal(f"{millimetres:g}")
-        board = said("report-board-of", columns=row["board_columns"], rows=row["board_rows"], square=square)
-    return record_in(
-        PoseFacts,
-        row,
-        number=int(row["id"]),
-        recording=unsafe(recordings.get(row["recording_id"], {}).get("name", "")),
-        camera=unsafe(lens.get("camera_name", "")),
-        calibration=int(row["calibration_id"]),
-        camera_height_m=float(pose.centre_m[2]),
-        board=board,
-        distance_m=number(row["board_distance_m"]),
-        expected=tuple(
-            ExpectedHeight(float(one["distance_m"]), one["U95_height_m"])
+    return {
+        **row,
+        "first_frame": row["first_frame"] or 0,
+        "last_frame": row["last_frame"] or 0,
+        "recording": recordings.get(row["recording_id"], {}).get("name"),
+        "camera": lenses.get(row["calibration_id"], {}).get("camera_name"),
+        "camera_height_m": float(pose.centre_m[2]),
+        "expected": [
+            {"distance_m": float(one["distance_m"]), "U95_height_m": _number(one["U95_height_m"])}
             for one in record.get("expected") or ()
-        ),
-        warnings=tuple(Said.read(one) for one in record.get("warnings") or ()),
+        ],
+        "warnings": _warnings(record),
+    }
+
+
+def _scans(files: Files, found: ScanStatistics) -> ScanFacts | None:
+    """Rigs and statistics of the line scans; None where the survey has none."""
+    rigs = tuple(rig for row in table_rows(files, LINE_SCANS) for rig in _rigs(row))
+    if not rigs:
+        return None
+    names, chosen = ("id", "method", "status", "verdict"), chosen_scanned(files).of
+    used = Counter(
+        method
+        for id_, method, status, verdict in read_columns(files, "scan_vehicles.csv", names)
+        if (status, verdict) == ("ok", "accepted") and id_ in chosen
     )
+    return ScanFacts(rigs, found, tuple(sorted(used.items())), scan_heights_in(files))
 
 
-def _exclusions(files: Files) -> Iterator[Exclusion]:
-    for row in read_rows(files, "exclusions.csv"):
-        yield Exclusion(
-            measurement=int(row["measurement_id"]),
-            vehicle=row["vehicle_number"],
-            target=row["target"],
-            state=STATES.get(row["state"], row["state"].replace("_", " ")),
-            reason=code_in(row["reason_code"]) or unsafe(row["reason"]),
-        )
+def _number(value: Any) -> float | None:
+    return None if value is None else float(value)
+
+
+def _rigs(row: Row) -> list[Row]:
+    """The rig of a line scan; one that has lanes is one line for each."""
+    lanes = json.loads(row["lanes"] or "[]")
+    return [
+        {**row, "name": f"{row['name']}, {one['name']}", "distance_m": one["distance_m"]} for one in lanes
+    ] or [row]

@@ -9,8 +9,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import asdict
-from datetime import datetime
+from datetime import UTC, datetime
 from functools import cache
 from pathlib import Path
 
@@ -23,10 +22,10 @@ from sightline.export.report.lateral import lateral
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.response import response
 from sightline.export.report.results import as_in_the_paper, errors, heights, known_errors
-from sightline.export.report.said import catalogue_json, speaking, spoken
+from sightline.export.report.said import catalogue_json, speaking, spoken, told
 from sightline.export.report.scans import line_scans
 from sightline.export.report.settable import Values, settable
-from sightline.export.report.setup import calibration, exclusions, insets, moment, setup, title, verification
+from sightline.export.report.setup import exclusions, title
 from sightline.export.report.sight import FIGURE, crest_of, sight
 from sightline.export.report.units import unit_words
 from sightline.infra.typesetting import pdf
@@ -61,18 +60,20 @@ def sources(facts: ReportFacts, drawn: Drawn | None = None) -> dict[str, bytes]:
 
 
 def _values(facts: ReportFacts, pictures: Pictures) -> bytes:
-    """What the templates show, as JSON: texts that can be set, numbers with the decimals that they have."""
+    """What the templates show, as JSON: texts that can be set, numbers as they are: templates round them."""
     values: Values = {
-        "as_of": moment(facts.as_of),
+        "as_of": None if facts.as_of is None else facts.as_of.astimezone(UTC),
         "head": facts.audit_head[:16],
         "unit": unit_words(facts.unit),
         "title": title(facts),
-        "conclusion": asdict(conclusion(facts)),
+        "conclusion": conclusion(facts),
         "figures": pictures.figures(_first(facts)),
-        "setup": setup(facts, pictures),
+        "photos": pictures.photos(facts.photos),
+        "recordings": facts.recordings,
         "response": response(facts),
-        "calibration": calibration(facts),
-        "insets": insets(facts),
+        "lenses": facts.calibrations,
+        "poses": facts.poses,
+        "insets": [{**row, "note": told(row["note"] or "")} for row in facts.insets],
         "errors": errors(facts, pictures),
         "known_errors": known_errors(facts),
         "heights": heights(facts, pictures),
@@ -81,7 +82,9 @@ def _values(facts: ReportFacts, pictures: Pictures) -> bytes:
         "as_in_the_paper": as_in_the_paper(facts),
         "scans": line_scans(facts, pictures),
         "exclusions": exclusions(facts),
-        "verification": verification(facts),
+        "events": facts.audit_events,
+        "audit_head": facts.audit_head,
+        "checksums": [{"path": path, "sha256": sum_} for path, sum_ in facts.checksums.items()],
     }
     return values_json(values)
 
@@ -96,9 +99,8 @@ def _first(facts: ReportFacts) -> list[str]:
 def values_json(values: Values) -> bytes:
     """What templates show, fit to be set; `lacking` stands for characters that no font has."""
     fit = settable(values)
-    assert isinstance(fit, dict)
-    lacking = LACKING in json.dumps(fit, ensure_ascii=False)
-    return json.dumps({**fit, "lacking": LACKING if lacking else None}, ensure_ascii=False).encode("utf-8")
+    lacking = LACKING if LACKING in json.dumps(fit, ensure_ascii=False) else None
+    return json.dumps({**fit, "lacking": lacking}, ensure_ascii=False, allow_nan=False).encode("utf-8")
 
 
 def templates(folder: Path, first: str) -> dict[str, bytes]:

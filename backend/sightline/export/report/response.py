@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from sightline.export.report.facts import ReportFacts
-from sightline.export.report.said import Called, said
+from sightline.export.report.said import said
 from sightline.export.report.settable import Values
-from sightline.export.report.units import decimal, fixed
-from sightline.export.report.words import CLASS_SETS, LIGHTING, TARGETS, heading
+from sightline.export.report.units import decimal
 from sightline.statistics.sampling import Response, Sampling
-
-_GROUPS = Called({"all": "report-all", "none": "report-no-set", "unknown": "report-unknown"})
 
 
 def rule_words(rule: Sampling) -> str:
@@ -28,18 +25,11 @@ def _drawn(rule: Sampling) -> str:
     return said("report-every")
 
 
-def _group(name: str) -> str:
-    return next(
-        words for known in (_GROUPS, LIGHTING, CLASS_SETS) for of, words in known.items() if of == name
-    )
-
-
 def response(facts: ReportFacts) -> Values:
     """Rule and table; by target only over all classes."""
-    shown = [one for one in facts.response if _is_shown(one)]
     return {
         "rule": rule_words(facts.sampling),
-        "rows": [_row(one) for one in shown],
+        "rows": [one for one in facts.response if _is_shown(one)],
         "outside_counts": "yes" if facts.sampling.outside_counts else "no",
     }
 
@@ -48,24 +38,3 @@ def _is_shown(one: Response) -> bool:
     if one.lighting == "all":
         return one.class_set == "all" and one.target is None
     return one.class_set == "all" or one.target is None
-
-
-def _row(one: Response) -> Values:
-    has = one.rate is not None and one.low is not None and one.high is not None
-    return {
-        "lighting": heading(_group(one.lighting)),
-        "class_set": _group(one.class_set),
-        "target": said("report-vehicle") if one.target is None else TARGETS[one.target],
-        "passes": one.passes,
-        "discarded": one.discarded,
-        "out_of_sample": one.out_of_sample,
-        "outside": one.outside,
-        "in_sample": one.in_sample,
-        "measured": one.measured,
-        "not_visible": one.not_visible,
-        "open": one.open,
-        "rate": fixed(100 * one.rate, 1) if one.rate is not None else None,
-        "ci95": {"low": fixed(100 * one.low, 1), "high": fixed(100 * one.high, 1)}
-        if has and one.low is not None and one.high is not None
-        else None,
-    }

@@ -7,11 +7,10 @@ what is found. Outside of any it is that of the source, in which tables and desc
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import cache
-from typing import Generic, TypeVar
 
 from sightline import messages
 from sightline.messages.parts import parts_of, plurals
@@ -20,7 +19,6 @@ from sightline.messages.said import Said
 
 _BEGINNING = "report-"
 _language: ContextVar[str] = ContextVar("language", default=messages.SOURCE)
-Named = TypeVar("Named", bound=str)
 
 
 @contextmanager
@@ -48,20 +46,18 @@ def told(what: Said | str) -> str:
     return what.sentence(spoken()) if isinstance(what, Said) else translated(what, spoken())
 
 
-class Called(Mapping[Named, str], Generic[Named]):
-    """What things are called: keys of the catalogue by name, read as words."""
+class Called:
+    """What things of a kind are called: by name, under keys of the catalogue that begin alike."""
 
-    def __init__(self, keys: Mapping[Named, str]) -> None:
-        self._keys = keys
+    def __init__(self, beginning: str) -> None:
+        self._beginning = beginning
 
-    def __getitem__(self, name: Named) -> str:
-        return said(self._keys[name])
+    def __getitem__(self, name: str) -> str:
+        return said(f"{self._beginning}{name}")
 
-    def __iter__(self) -> Iterator[Named]:
-        return iter(self._keys)
-
-    def __len__(self) -> int:
-        return len(self._keys)
+    def get(self, name: str, other: str) -> str:
+        """What it is called; `other` for what the catalogue has no name for."""
+        return self[name] if name and f"{self._beginning}{name}" in parts_of(_BEGINNING, spoken()) else other
 
 
 @cache

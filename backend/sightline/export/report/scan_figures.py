@@ -8,19 +8,11 @@ from sightline.enums import LengthUnit
 from sightline.export.report import marks
 from sightline.export.report.canvas import HALF, Drawing, svg
 from sightline.export.report.marks import MAIN
-from sightline.export.report.said import Called, said
+from sightline.export.report.said import said
 from sightline.export.report.units import SPEED, WAY, Scale, count, fixed
+from sightline.export.report.words import QUANTITIES
 from sightline.scans.statistics.service import ScanStatistics, Spread
 
-NAMES: Called[str] = Called(
-    {
-        "speed": "report-speed",
-        "length": "report-length",
-        "time_gap": "report-time-gap",
-        "distance_gap": "report-distance-gap",
-        "headway": "report-headway",
-    }
-)
 _SECONDS = Scale(1.0, "s", 2)
 _MARKED = (15.0, 50.0, 85.0)
 
@@ -40,7 +32,7 @@ def scan_drawings(found: ScanStatistics, unit: LengthUnit = "m") -> dict[str, Dr
 
 
 def _cumulative(one: Spread, scale: Scale) -> Drawing:
-    name, curve = NAMES[one.quantity], one.ecdf
+    name, curve = QUANTITIES[one.quantity], one.ecdf
     assert curve is not None
     title = said("report-fig-scanned", quantity=name)
     chosen = [each for each in one.percentiles if each.percent in _MARKED and each.value is not None]

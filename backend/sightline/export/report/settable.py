@@ -1,4 +1,4 @@
-"""What of a text can be set: the template's values with every string made fit for it.
+"""What a template is given as JSON: records and rows as they are, sayings in words, every text fit to be set.
 
 People's words travel as JSON strings and are set as text, so that no character in them means anything.
 """
@@ -8,12 +8,17 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Mapping, Sequence
-from typing import TypeAlias
+from dataclasses import fields, is_dataclass
+from datetime import date
+from typing import Any, TypeAlias
+
+import numpy as np
 
 from sightline.export.report.fonts import without_lacking
+from sightline.export.report.said import told
+from sightline.messages.said import Said
 
-Json: TypeAlias = "bool | int | str | Sequence[Json] | Mapping[str, Json] | None"
-Values: TypeAlias = dict[str, Json]
+Values: TypeAlias = dict[str, Any]
 
 _LONG_RUN = re.compile(r"[!-~\u00c0-\u024f]{19,}")
 _STEP = 9
@@ -21,15 +26,37 @@ _BREAK = "\u200b"  # where a line may end; the template takes it out
 _TURNS = {"LRE", "RLE", "LRO", "RLO", "PDF", "LRI", "RLI", "FSI", "PDI"}
 
 
-def settable(value: Json) -> Json:
-    """The value with every text in it, but for the keys, as `settable_text` makes it."""
-    if isinstance(value, str):
-        return settable_text(value)
+#: Fields of records whose texts are sentences of this program, in English.
+_SENTENCES = ("reason", "words", "warning", "note")
+
+
+def settable(value: Any) -> Any:
+    """The value as JSON has it: a record by its fields but for arrays, a day or moment by its parts (by its
+    own clock), with every text in it, but for the keys, as `settable_text` makes it.
+    """
+    if isinstance(value, str | Said):
+        return settable_text(told(value) if isinstance(value, Said) else value)
+    if isinstance(value, date):
+        return {**day_parts(value), "time": f"{value:%H:%M}", "second": f"{value:%H:%M:%S}"}
+    if is_dataclass(value):
+        names = (one.name for one in fields(value))
+        return {name: _field(name, getattr(value, name)) for name in names}
     if isinstance(value, Mapping):
-        return {key: settable(each) for key, each in value.items()}
+        return {str(key): settable(each) for key, each in value.items()}
     if isinstance(value, Sequence):
         return [settable(each) for each in value]
     return value
+
+
+def _field(name: str, value: Any) -> Any:
+    if isinstance(value, np.ndarray):
+        return None
+    return settable(told(value) if name in _SENTENCES and isinstance(value, str) else value)
+
+
+def day_parts(day: date) -> dict[str, str]:
+    """Year, month and day, as sentences take them."""
+    return {"year": f"{day.year:04d}", "month": f"{day.month:02d}", "day": f"{day.day:02d}"}
 
 
 def settable_text(words: str) -> str:

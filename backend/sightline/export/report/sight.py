@@ -10,14 +10,13 @@ from sightline.export.report.canvas import FULL, INK, MUTED, Drawing, svg
 from sightline.export.report.crest import cases_of
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.said import said, told
-from sightline.export.report.settable import Json, Values
-from sightline.export.report.units import HEIGHT, SPEED, Scale, count, decimal, limit
+from sightline.export.report.settable import Values
+from sightline.export.report.units import HEIGHT, SPEED, decimal, limit
 from sightline.export.report.words import TARGETS
 from sightline.results.sightdistance.records import CaseOfHeights, SightQuestion
 from sightline.results.sightdistance.service import design_speeds, distance_of
 from sightline.results.survey_statistics import Statistics
 from sightline.sightdistance.distances import GREEN_BOOK
-from sightline.sightdistance.workbench import Bounded
 
 FIGURE = "crest-k"
 
@@ -28,8 +27,7 @@ def sight(facts: ReportFacts) -> Values | None:
     if found is None:
         return None
     eye, thing, question, standard, survey = found
-    scale = HEIGHT[facts.unit]
-    values: Values = {
+    return {
         "standard": ", ".join(dict.fromkeys(told(one.name) for one in (eye, thing))),
         "eye": limit(eye.height_m, facts.unit),
         "object": limit(thing.height_m, facts.unit),
@@ -40,9 +38,7 @@ def sight(facts: ReportFacts) -> Values | None:
         "source": told(GREEN_BOOK),
         "missing": [TARGETS[target] for target in survey.missing],
         "rows": _rows(question, standard, survey, facts.unit),
-        "constant": _with_interval(None if survey.crest is None else survey.crest.constant_m, scale),
     }
-    return values
 
 
 def _classes(result: Statistics) -> str:
@@ -88,26 +84,16 @@ def sight_figure(result: Statistics, unit: LengthUnit) -> dict[str, Drawing | st
 
 def _rows(
     question: SightQuestion, standard: CaseOfHeights, survey: CaseOfHeights, unit: LengthUnit
-) -> list[Json]:
+) -> list[Values]:
     """One row a design speed."""
-    length, k = Scale(HEIGHT[unit].factor, HEIGHT[unit].sign, 0), Scale(HEIGHT[unit].factor, "", 1)
     speeds = design_speeds(unit)
     of_survey = survey.k_m or (None,) * len(speeds)
     return [
         {
-            "speed": count(round(SPEED[unit].factor * speed)),
-            "distance": length.number(distance_of(question, speed).design_m),
-            "standard": k.number(by_standard.value),
-            "survey": None if by_survey is None else _with_interval(by_survey, k),
+            "speed": speed,
+            "distance": distance_of(question, speed).design_m,
+            "standard": by_standard.value,
+            "survey": by_survey,
         }
         for speed, by_standard, by_survey in zip(speeds, standard.k_m, of_survey, strict=True)
     ]
-
-
-def _with_interval(found: Bounded | None, scale: Scale) -> Values | None:
-    if found is None:
-        return None
-    ci95: Values | None = None
-    if found.low is not None and found.high is not None:
-        ci95 = {"low": scale.number(found.low), "high": scale.number(found.high)}
-    return {"value": scale.number(found.value), "ci95": ci95}

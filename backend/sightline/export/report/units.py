@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from decimal import ROUND_HALF_UP, Decimal
+from typing import Any
 
 from sightline.enums import LengthUnit
 from sightline.export.report.said import Called, said
@@ -42,20 +43,12 @@ SQUARE: dict[LengthUnit, Scale] = {
     "ft": Scale((12.0 / _FOOT_M) ** 2, "in²", 3),
 }
 OTHER: dict[LengthUnit, LengthUnit] = {"m": "ft", "ft": "m"}
-_WORDS = Called(
-    {
-        "m": "report-unit-m",
-        "ft": "report-unit-ft",
-        "mm": "report-unit-mm",
-        "in": "report-unit-in",
-        "cm²": "report-unit-cm2",
-        "in²": "report-unit-in2",
-    }
-)
+_SCALES = {"height": HEIGHT, "way": WAY, "speed": SPEED, "small": SMALL, "square": SQUARE}
+_WORDS = Called("report-unit-")
 
 
-def unit_words(unit: LengthUnit) -> dict[str, str]:
-    """Signs and words of the units that a report is written in, and of those beside them."""
+def unit_words(unit: LengthUnit) -> dict[str, Any]:
+    """Signs and words of the units that a report is written in, and of those beside them; their `scales`."""
     other = OTHER[unit]
     return {
         "height": HEIGHT[unit].sign,
@@ -66,7 +59,9 @@ def unit_words(unit: LengthUnit) -> dict[str, str]:
         "speed": SPEED[unit].sign,
         "other_height": HEIGHT[other].sign,
         "other_small_words": _WORDS[SMALL[other].sign],
-        "other_square_words": _WORDS[SQUARE[other].sign],
+        "other_square_words": _WORDS[SQUARE[other].sign.replace("²", "2")],
+        "scales": {name: scale[unit] for name, scale in _SCALES.items()},
+        "other_scales": {name: scale[other] for name, scale in _SCALES.items()},
     }
 
 

@@ -2,111 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from datetime import date
 from functools import reduce
-from typing import Any
 
-from sightline.enums import (
-    Category,
-    ClassSet,
-    Direction,
-    ReferenceSource,
-    StatisticsTarget,
-    Target,
-)
 from sightline.export.report.said import Called, said
+from sightline.export.report.settable import day_parts
 from sightline.results.selection import Selection
 
-_TARGETS_KEYS: dict[Target, str] = {
-    "driver_eye": "report-driver-eye",
-    "taillight": "report-taillight",
-    "headlight": "report-headlight",
-    "roof": "report-roof",
-    "other": "report-other",
-}
-TARGETS = Called(_TARGETS_KEYS)
-EYES = Called(
-    {
-        "roof": "report-roof-car",
-        "roof_van": "report-roof-van",
-        "roof_box": "report-roof-box",
-        "roof_unknown": "report-roof-unknown",
-        "driver_eye_near": "report-eye-near",
-        "driver_eye_far": "report-eye-far",
-    }
-)
-_MANY_KEYS: dict[StatisticsTarget, str] = {
-    "driver_eye": "report-driver-eyes",
-    "taillight": "report-taillights",
-    "headlight": "report-headlights",
-    "roof": "report-roofs",
-}
-MANY = Called(_MANY_KEYS)
-_GROUPS_KEYS: dict[str, str] = {
-    "daytime": "report-daytime",
-    "low_light": "report-low-light",
-    "overall": "report-overall",
-}
-GROUPS = Called(_GROUPS_KEYS)
-_LIGHTING_KEYS: dict[str, str] = {
-    "daytime": "report-daytime",
-    "low_light": "report-low-light",
-    "": "report-lighting-unknown",
-}
-LIGHTING = Called(_LIGHTING_KEYS)
-_SOURCES_KEYS: dict[ReferenceSource, str] = {
-    "counter": "report-by-speedometer",
-    "radar": "report-by-radar",
-    "laser": "report-by-laser",
-    "gps": "report-by-gps",
-    "loop": "report-by-loop",
-    "tape": "report-by-tape",
-    "other": "report-other",
-}
-SOURCES = Called(_SOURCES_KEYS)
-_CATEGORIES_KEYS: dict[Category, str] = {
-    "hatchback": "report-hatchback",
-    "saloon": "report-saloon",
-    "estate": "report-estate",
-    "suv": "report-suv",
-    "multi_purpose": "report-multi-purpose",
-    "pickup": "report-pickup",
-    "van": "report-van",
-    "lorry": "report-lorry",
-    "tractor_unit": "report-tractor-unit",
-    "bus": "report-bus",
-    "recreational_vehicle": "report-recreational",
-    "trailer": "report-trailer",
-    "motorcycle": "report-motorcycle",
-    "other": "report-other",
-}
-CATEGORIES = Called(_CATEGORIES_KEYS)
-_LANES_KEYS: dict[Direction, str] = {"right": "report-to-the-right", "left": "report-to-the-left"}
-LANES = Called(_LANES_KEYS)
-_CLASS_SETS_KEYS: dict[ClassSet, str] = {
-    "passenger_cars": "report-passenger-cars",
-    "light_trucks": "report-light-trucks",
-    "heavy": "report-heavy",
-}
-CLASS_SETS = Called(_CLASS_SETS_KEYS)
-_GROUPINGS_KEYS: dict[str, str] = {
-    "class_set": "report-by-class-set",
-    "category": "report-by-category",
-    "site": "report-by-site",
-    "operator": "report-by-operator",
-}
-GROUPINGS = Called(_GROUPINGS_KEYS)
-_STATES_KEYS: dict[str, str] = {
-    "rejected": "report-rejected",
-    "withdrawn": "report-withdrawn",
-    "not_measurable": "report-not-measurable",
-    "to_review": "report-to-review",
-    "not_selected": "report-not-selected",
-    "check_target": "report-check-target",
-    "out_of_sample": "report-out-of-sample-state",
-}
-STATES = Called(_STATES_KEYS)
+TARGETS = Called("report-target-")
+MANY = Called("report-many-")
+LIGHTING = Called("report-light-")
+CATEGORIES = Called("report-category-")
+LANES = Called("report-heading-")
+CLASS_SETS = Called("report-set-")
+GROUPINGS = Called("report-divided-by-")
+QUANTITIES = Called("report-quantity-of-")
 
 
 def heading(word: str) -> str:
@@ -114,21 +25,10 @@ def heading(word: str) -> str:
     return word[:1].upper() + word[1:]
 
 
-def target_words(word: str) -> str:
-    """A target or an inset as a package names it, for people; one that is not known by its own name."""
-    known = [*TARGETS.items(), *EYES.items()]
-    return next((words for name, words in known if name == word), word)
-
-
 def group_word(grouping: str, word: str) -> str:
     """A group of vehicles, for people."""
-    known: dict[str, Mapping[Any, str]] = {
-        "lighting": LIGHTING,
-        "category": CATEGORIES,
-        "class_set": CLASS_SETS,
-        "lane": LANES,
-    }
-    return known.get(grouping, {}).get(word, word)
+    known = {"lighting": LIGHTING, "category": CATEGORIES, "class_set": CLASS_SETS, "lane": LANES}
+    return known[grouping].get(word, word) if grouping in known else word
 
 
 def apart(words: Sequence[str]) -> str:
@@ -139,11 +39,6 @@ def apart(words: Sequence[str]) -> str:
 def date_words(day: date) -> str:
     """A day as the language writes it."""
     return said("report-date", **day_parts(day))
-
-
-def day_parts(day: date) -> dict[str, str]:
-    """Year, month and day, as sentences take them."""
-    return {"year": f"{day.year:04d}", "month": f"{day.month:02d}", "day": f"{day.day:02d}"}
 
 
 def selection_words(selection: Selection) -> str | None:
