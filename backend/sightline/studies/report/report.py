@@ -74,7 +74,7 @@ def _values(stored: StoredStudy, found: Computed, sha256: str, as_of: datetime, 
         "targets": [
             {
                 "found": one,
-                "figure": next(iter(pictures.figures([one.target])), said("report-no-distribution")),
+                "figures": pictures.figures([one.target]) or [said("report-no-distribution")],
             }
             for one in study.targets
             if one.n
