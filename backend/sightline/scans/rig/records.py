@@ -11,6 +11,7 @@ from pydantic import Field
 from sightline.enums import JsonObject, ScanPoseStatus
 from sightline.infra.audit.records import Who
 from sightline.linescan.rig_calibration import FittedPass
+from sightline.scans.records import StoredRevision
 from sightline.scans.rig.passes_csv import RefusedRow
 
 
@@ -37,15 +38,7 @@ class RigCalibrationValues:
     code_version: str
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class StoredRigCalibration:
-    id: int
-    survey_id: int
-    scan_id: int
-    revision: int
-    values: RigCalibrationValues
-    created_by: Who | None
-    created_at: datetime
+StoredRigCalibration = StoredRevision[RigCalibrationValues]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
