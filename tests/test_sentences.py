@@ -22,11 +22,11 @@ ELSEWHERE = (
 )
 #: Calls whose words describe columns, options and fields, go to the log, or tell a programmer of a mistake.
 DESCRIBING = re.compile(
-    r"(?:Column|Table|Other|Doc|Field|text|whole|number|column|flag|moment|option|argument|echo|log\w*|debug"
+    r"(?:Column|Table|statistics_table|Other|Doc|Field|text|whole|number|column|flag|moment|option|argument|echo|log\w*|debug"
     r"|info|warning|error|exception|ValueError|RuntimeError|TypeError|KeyError|LookupError|AssertionError)$"
 )
 #: Texts beside fields of answers, which the description of the interface alone shows.
-IN_ANNOTATIONS = ("scans/bodies.py", "scans/statistics/routes.py", "scans/statistics/traffic_routes.py")
+IN_ANNOTATIONS = ("scans/bodies.py", "scans/statistics/routes.py")
 SENTENCE = re.compile(r"[A-Z0-9\0].*[a-z]{2,} [a-z]{2,}.*[.:!?]", re.DOTALL)
 
 

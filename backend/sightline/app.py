@@ -58,7 +58,6 @@ import sightline.scans.references.routes
 import sightline.scans.rig.routes
 import sightline.scans.routes
 import sightline.scans.statistics.routes
-import sightline.scans.statistics.traffic_routes
 import sightline.scans.vehicles.routes
 import sightline.studies.routes
 import sightline.surveys.members.routes
@@ -140,7 +139,6 @@ ROUTERS: tuple[tuple[str, APIRouter], ...] = (
     ("live", sightline.scans.live.routes.router),
     ("line_heights", sightline.scans.heights.routes.router),
     ("scans_statistics", sightline.scans.statistics.routes.router),
-    ("scans_traffic", sightline.scans.statistics.traffic_routes.router),
     ("statistics", sightline.results.routes.router),
     ("sightdistance", sightline.results.sightdistance.routes.router),
     ("exports", sightline.export.routes.router),

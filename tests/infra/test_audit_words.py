@@ -7,15 +7,25 @@ SOURCE = Path(__file__).parents[2] / "backend" / "sightline"
 ENGLISH = SOURCE / "messages" / "en.ftl"
 
 
+#: Calls that write an event for their caller, each with the action in the fourth place.
+FOR_OTHERS = ("written_once", "_note", "_write")
+
+
 def _written() -> set[str]:
-    """Keys of the actions and entities that stand as plain text in a call of the trail."""
+    """Keys of actions and entities that stand as plain text in a call of the trail, or of what calls it."""
     keys: set[str] = set()
     for path in SOURCE.rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text())):
-            if isinstance(node, ast.Call) and ast.unparse(node.func) in ("trail.record", "trail.record_many"):
-                for kind, given in zip(("action", "entity"), node.args[2:4], strict=True):
-                    if isinstance(given, ast.Constant) and isinstance(given.value, str):
-                        keys.add(f"audit-{kind}-{given.value}")
+        for node in (one for one in ast.walk(ast.parse(path.read_text())) if isinstance(one, ast.Call)):
+            called, said = ast.unparse(node.func), list[tuple[str, ast.expr]]()
+            if called in ("trail.record", "trail.record_many"):
+                said = list(zip(("action", "entity"), node.args[2:4], strict=True))
+            elif called in FOR_OTHERS and len(node.args) > 3:
+                said = [("action", node.args[3])]
+            elif called == "WrittenOnce":
+                said = [("entity", node.args[0])]
+            for kind, given in said:
+                words = (one.value for one in ast.walk(given) if isinstance(one, ast.Constant))
+                keys |= {f"audit-{kind}-{word}" for word in words if isinstance(word, str)}
     return keys
 
 

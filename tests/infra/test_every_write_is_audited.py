@@ -482,6 +482,7 @@ NO_EVENT = {
     "change_times": "part of recordings.ingested, whose event holds the frame table's fingerprint",
     "state_filming_rate": "writes an event, before the one of restart_ingest",
     "append_measurement_revision": "writes an event; part of revise, withdraw, restore and reviews.add",
+    "written_once": "writes an event; part of every write of what is written once in line scans",
     "append_computed_again": "writes an event of each, after the one of add_computing",
     "append_revision": "writes an event; part of adding, revising, withdrawing and restoring",
     "note_key": "the key of the request that an event came by; part of record",
@@ -496,7 +497,7 @@ NO_EVENT = {
     "seal_package": "is the event that a package ends with",
 }
 WRITING = re.compile(
-    r"(?<![.\w])(insert|update|sql_update|delete|add_rows?|change_row|_append|_appended|create_scan_vehicles|append_scan_measurements|_end|_back|_state|_drift_decision|choice\.choose)\("
+    r"(?<![.\w])(insert|update|sql_update|delete|add_rows?|change_row|written_once|_write|_note|_append|_appended|create_scan_vehicles|append_scan_measurements|_end|_back|_state|_drift_decision|choice\.choose)\("
     r"|append_measurement_revision\(|trail\.record(_many)?\(|_add_decision\("
 )
 

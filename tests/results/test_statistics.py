@@ -16,8 +16,8 @@ from sightline.infra.services import Services
 from sightline.measurements import store
 from sightline.results.csv import STANDARDS, standards_in
 from sightline.results.standards_store import get_standards
+from sightline.results.usual_standards import STANDARDS as USUAL
 from sightline.reviews.store import add_review
-from sightline.statistics.standards import STANDARDS as USUAL
 from sightline.surveys.store import create_survey
 from sightline.vehicles.store import create_vehicle, update_vehicle
 from tests.support import samples

@@ -18,7 +18,8 @@ from sightline.infra.audit.verification import verify_records
 from sightline.infra.database.engine import migrate
 from sightline.infra.database.types import now
 from sightline.infra.services import Services, open_services
-from sightline.scans.live.service import LiveStream, flow_of, live_streams
+from sightline.scans.live.records import LiveStream
+from sightline.scans.live.service import flow_of, live_streams
 from sightline.scans.live.state import live_state
 from sightline.scans.live.tables import scan_live
 from sightline.scans.presenters import scan_body
@@ -69,15 +70,14 @@ def test_a_stream_becomes_a_recording_whose_vehicles_are_those_of_the_search(
     told = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
 
     (stream,) = streams_of(services)
-    assert stream.state == "ended" and not stream.scan.ready
-    assert stream.scan.health is not None
-    assert stream.scan.health.lines == len(lines) // (2 * SITE.rows)
-    assert [one.vehicle.number for one, _ in stream.vehicles] == [3, 2, 1]
+    assert stream.state == "ended" and not stream.ready
+    assert stream.health is not None
+    assert stream.health.lines == len(lines) // (2 * SITE.rows)
+    assert [one.number for one in stream.vehicles] == [3, 2, 1]
     assert sum(minute.vehicles for minute in stream.flow) == 3
-    first, at = stream.vehicles[-1]
-    assert at == datetime.fromisoformat(told[0]["front_at"])
-    assert first.vehicle.measurement is not None
-    assert first.vehicle.measurement.values.speed_mps == told[0]["speed_mps"]
+    first = stream.vehicles[-1]
+    assert first.front_at == datetime.fromisoformat(told[0]["front_at"])
+    assert first.speed_mps == told[0]["speed_mps"]
 
     assert [job.state for job in run_jobs(services)] == ["done"]
     run_jobs(services)  # the strips it was read from go
@@ -111,7 +111,7 @@ def test_a_killed_stream_of_a_survey_is_taken_up(
         live.stdout.readline()
 
         def running() -> bool:
-            found = [one for one in streams_of(services) if one.vehicles and one.scan.health is not None]
+            found = [one for one in streams_of(services) if one.vehicles and one.health is not None]
             return [one.state for one in found] == ["running"]
 
         until(running)

@@ -11,10 +11,18 @@ from sightline.linescan.line_pose import solve_line_pose
 from sightline.linescan.parts import Rig
 from sightline.measurements.records import Clicks
 from sightline.scans.heights.pose_store import append_line_pose
-from sightline.scans.heights.poses import pose_of, solved_values
+from sightline.scans.heights.poses import Mark, Rod, pose_of, solved_values
 from sightline.scans.heights.service import answer, height_values
 from sightline.scans.heights.store import append_scan_height, withdraw_scan_height
-from sightline.scans.records import LiveSource, Scan, ScanRunValues, ScanValues, StripFacts, StripSource
+from sightline.scans.records import (
+    LiveSource,
+    RunSummary,
+    Scan,
+    ScanRunValues,
+    ScanValues,
+    StripFacts,
+    StripSource,
+)
 from sightline.scans.references.records import ReferenceValues
 from sightline.scans.references.store import append_scan_reference, withdraw_scan_reference
 from sightline.scans.rig.calibrating import Given, store_rig_calibration
@@ -137,7 +145,7 @@ def measured(session: Session, one: Sample, **changed: Any) -> Any:
 
 def run(session: Session, one: Sample, scan_id: int) -> Any:
     """A run that found one vehicle."""
-    found = ScanRunValues("direct", rig_columns(RIG), 1, 1, {"misalignment_px": 0.4}, [], "0.1.0")
+    found = ScanRunValues("direct", rig_columns(RIG), 1, 1, RunSummary(misalignment_px=0.4), [], "0.1.0")
     return add_scan_run(session, scan_id, found, actor=one.olga.id)
 
 
@@ -158,11 +166,10 @@ def rod(session: Session, one: Sample, scan_id: int, seen_revision: int = 0) -> 
     rows = [500.0 - 900.0 * (height - 1.1) / distance for distance, height in stands]
     found = solve_line_pose(*zip(*stands, strict=True), rows, sigma_px=0.5)
     marks = [
-        {"distance_m": distance, "height_m": height, "row_px": row, "line": 300.0 * distance}
+        Mark(distance, height, row, 300.0 * distance)
         for (distance, height), row in zip(stands, rows, strict=True)
     ]
-    given: dict[str, Any] = {"sigma_px": 0.5, "u_distance_m": 0.0, "u_lean_rad": 0.0}
-    told = solved_values(found, marks, **given)
+    told = solved_values(found, Rod(tuple(marks), sigma_px=0.5))
     return append_line_pose(session, scan_id, told, seen_revision=seen_revision, actor=one.olga.id)
 
 

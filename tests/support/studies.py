@@ -19,7 +19,7 @@ from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.files import Staging
 from sightline.infra.csv_package.schema import DESCRIPTION, TABLES, json_bytes
 from sightline.results.csv import STANDARDS as STANDARDS_TABLE
-from sightline.statistics.standards import STANDARDS
+from sightline.results.usual_standards import STANDARDS
 from sightline.surveys.classes import USUAL_CLASSES
 
 TARGETS = ("roof", "driver_eye", "taillight")

@@ -15,6 +15,7 @@ from sightline.cameras.records import CalibrationSummary, Camera, CameraWords
 from sightline.cameras.tables import cameras
 from sightline.errors import BadInput
 from sightline.infra.audit import trail
+from sightline.infra.by_name import record_of
 from sightline.infra.database.rows import add_row, change_row, get_row
 from sightline.infra.database.types import now
 from sightline.surveys.tables import surveys
@@ -168,19 +169,7 @@ def _cameras(session: Session, rows: Sequence[Mapping[str, Any]]) -> tuple[Camer
         for camera_id, n in session.execute(counted.where(calibration_images.c.camera_id.in_(ids)))
     }
     return tuple(
-        Camera(
-            id=row["id"],
-            survey_id=row["survey_id"],
-            name=row["name"],
-            notes=row["notes"],
-            lens=row["lens"],
-            zoom=row["zoom"],
-            focus=row["focus"],
-            taken_from=row["taken_from"],
-            current_calibration_id=row["current_calibration_id"],
-            images=counts.get(row["id"], 0),
-            calibrations=tuple(per_camera[row["id"]]),
-        )
+        record_of(Camera, row, images=counts.get(row["id"], 0), calibrations=tuple(per_camera[row["id"]]))
         for row in rows
     )
 

@@ -189,12 +189,11 @@ def _rows(traffic: ScanTraffic) -> Iterator[dict[str, Any]]:
         yield _row(traffic, shown)
 
 
-def _row(traffic: ScanTraffic, shown: ShownInterval) -> dict[str, Any]:
-    one = shown.interval
-    by_percent = {each.percent: each.value for each in shown.percentiles}
+def _row(traffic: ScanTraffic, one: ShownInterval) -> dict[str, Any]:
+    by_percent = {each.percent: each.value for each in one.percentiles}
     axles = [sum(each) for each in zip(*(kind.by_axles for kind in one.classes), strict=True)]
     row = {
-        "interval_start": shown.begins_at,
+        "interval_start": one.begins_at,
         "interval_s": one.watched_s,
         "flow_per_h": one.flow_per_hour,
         "speed_mean_mps": one.time_mean_speed_mps.value,
@@ -217,14 +216,14 @@ def _row(traffic: ScanTraffic, shown: ShownInterval) -> dict[str, Any]:
         "recording": traffic.name,
         "direction": traffic.direction,
         "lane": traffic.lane,
-        "reasons": "; ".join([*map(str, one.reasons), *_too_few(shown)]),
+        "reasons": "; ".join([*map(str, one.reasons), *_too_few(one)]),
     }
     return {name: row[name] if name in row else getattr(one, name) for name in COLUMNS}
 
 
 def _too_few(shown: ShownInterval) -> list[str]:
     """Why percentiles are missing where some speeds count."""
-    return [str(each.reason) for each in shown.percentiles if each.reason] if shown.interval.measured else []
+    return [str(each.reason) for each in shown.percentiles if each.reason] if shown.measured else []
 
 
 def _vehicle_rows(of: Results) -> Iterator[dict[str, Any]]:

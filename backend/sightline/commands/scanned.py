@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import asdict, dataclass, fields
 from datetime import datetime, timedelta
 from pathlib import Path
 from typing import Any, TypeVar, get_args
@@ -17,15 +17,7 @@ from sightline.errors import BadInput
 from sightline.linescan.clock import u_passing_s
 from sightline.linescan.parts import USUAL_SHADOW_SHARE, Lane, Rig
 from sightline.linescan.passing import Vehicle
-from sightline.linescan.rig import (
-    BASELINE_M,
-    LINE_RATE_HZ,
-    SHADOW_SHARE,
-    U_BASELINE_M,
-    U_LINE_RATE_RATIO,
-    require_rig,
-    rig_from,
-)
+from sightline.linescan.rig import require_rig, rig_from
 
 _OF_FILE = (
     "baseline_m",
@@ -36,6 +28,13 @@ _OF_FILE = (
     "distance_m",
     "u_distance_m",
 )
+_OPTIONS = {
+    "baseline_m": "--baseline",
+    "line_rate_hz": "--line-rate",
+    "u_baseline_m": "--u-baseline",
+    "u_line_rate_ratio": "--u-line-rate",
+    "shadow_share": "--shadow-share",
+}
 _OF_LANE = tuple(one.name for one in fields(Lane))
 _NUMBERS = frozenset(_OF_LANE) - {"name", "direction"}
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -160,18 +159,15 @@ def rig_of(
             rig_file, Rig(1.0, line_rate, u_line_rate_ratio=u_line_rate, shadow_share=shadow_share)
         )
     assert baseline is not None
-    BASELINE_M.require(baseline, "--baseline")
-    LINE_RATE_HZ.require(line_rate, "--line-rate")
-    replace(U_BASELINE_M, most=baseline).require(u_baseline, "--u-baseline")
-    U_LINE_RATE_RATIO.require(u_line_rate, "--u-line-rate")
-    SHADOW_SHARE.require(shadow_share, "--shadow-share")
-    return Rig(
+    rig = Rig(
         baseline,
         line_rate,
         u_baseline_m=u_baseline,
         u_line_rate_ratio=u_line_rate,
         shadow_share=shadow_share,
     )
+    require_rig(rig, _OPTIONS)
+    return rig
 
 
 def _rig_in(path: Path, given: Rig) -> Rig:

@@ -27,7 +27,7 @@ from sightline.media.strips.stored_writer import SUFFIX, store_strip
 from sightline.messages.said import Said
 from sightline.recordings.filming import Filming
 from sightline.scans.clock import ScanClock
-from sightline.scans.records import ScanChanges, ScanVehicleChanges, StripFacts, StripSource
+from sightline.scans.records import Changes, StripFacts, StripSource
 from sightline.scans.records import ScanVehicle as StoredVehicle
 from sightline.scans.references.records import ReferenceValues
 from sightline.scans.references.store import append_scan_reference
@@ -126,7 +126,7 @@ def store_scan(session: Session, survey_id: int, parts: ScanParts, *, operator: 
     )
     scan = note_scan_read(session, made.id, parts.facts, actor=None)
     clock = ScanClock(Filming(BEGUN_AT, TIME_ZONE), U_START_S)
-    update_scan(session, made.id, ScanChanges(clock=clock), version=made.version, actor=operator)
+    update_scan(session, made.id, {"clock": clock}, version=made.version, actor=operator)
     plans = [Planned(None, motion, "found") for motion in parts.found.motions]
     store(session, scan, "direct", parts.found, plans, 0, job_id=None, actor=None)
     rng, rng_of_radar = np.random.default_rng(20070507), np.random.default_rng(1995)
@@ -163,18 +163,15 @@ def truth_of(vehicle: StoredVehicle) -> ScanTruth | None:
     return nearest if abs(nearest.front_line_1 - front) < 100 else None
 
 
-def _facts(true: ScanTruth) -> ScanVehicleChanges:
-    return ScanVehicleChanges(
-        make=true.make,
-        model=true.model,
-        year=true.year,
-        category=true.category,
-        true_length_m=true.length_m,
-        u_true_length_m=0.005,
-        true_wheelbase_m=true.wheelbase_m,
-        u_true_wheelbase_m=0.005,
-        facts_source="catalogue of the demonstration (invented)",
-    )
+def _facts(true: ScanTruth) -> Changes:
+    return {
+        **{name: getattr(true, name) for name in ("make", "model", "year", "category")},
+        "true_length_m": true.length_m,
+        "u_true_length_m": 0.005,
+        "true_wheelbase_m": true.wheelbase_m,
+        "u_true_wheelbase_m": 0.005,
+        "facts_source": "catalogue of the demonstration (invented)",
+    }
 
 
 def _click_wheels(

@@ -18,6 +18,7 @@ from sightline.export.scans import scan_heights_in, scans_in
 from sightline.export.traffic import traffic_in
 from sightline.geometry.documents import camera_across_m
 from sightline.infra.csv_package.files import Files, read_columns, unsafe
+from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.forms import read_json
 from sightline.measurements.sheets.csv import counting_in
 from sightline.poses.csv import pose_path
@@ -120,7 +121,7 @@ def measured_in(files: Files) -> Measured:
         known_m, u_known_m = car["known"][of["target"]]
         values = {
             **{name: car[name] for name in _OF_CAR},
-            **{name: _number(of[name]) for name in ("height_m", "uncorrected_height_m", *UNCERTAINTY)},
+            **{name: figure_of(of[name]) for name in ("height_m", "uncorrected_height_m", *UNCERTAINTY)},
             "measurement_id": int(of["id"]),
             "vehicle_id": int(of["vehicle_id"]),
             "survey_id": 0,
@@ -176,7 +177,7 @@ def _cars(files: Files) -> dict[str, dict[str, Any]]:
             "check_target": of["check_target"] == "true",
             "counts": counts[of["id"]],
             "known": {
-                target: tuple(_number(of[name]) if reference else None for name in both)
+                target: tuple(figure_of(of[name]) if reference else None for name in both)
                 for target, *both in known
             },
         }
@@ -186,10 +187,6 @@ def _cars(files: Files) -> dict[str, dict[str, Any]]:
 def _day(at: str) -> int:
     """Days since 1970-01-01 of an ISO 8601 time, as it is written."""
     return day_of(date.fromisoformat(at[:10]))
-
-
-def _number(cell: str) -> float | None:
-    return float(cell) if cell else None
 
 
 def _groupings(files: Files, measured: Measured) -> dict[str, Grouping]:

@@ -15,13 +15,19 @@ from sightline.enums import (
     Target,
 )
 from sightline.export.chosen import chosen_scanned
+from sightline.export.statistics_rows import (
+    INTERVAL,
+    REASON,
+    Cells,
+    curve_rows,
+    error_rows,
+    statistics_table,
+)
 from sightline.infra.csv_package.columns import code_in, metres, number, words_of
 from sightline.infra.csv_package.files import Files, read_columns, read_rows, unsafe
 from sightline.infra.csv_package.files import number as figure_of
-from sightline.infra.csv_package.schema import Cell, Column, Table
-from sightline.linescan.clock import since_start_s
-from sightline.linescan.parts import Rig
-from sightline.linescan.rig import baseline_of, rig_from
+from sightline.infra.csv_package.schema import Column
+from sightline.linescan.rig import rig_from
 from sightline.messages.said import Said
 from sightline.results.csv import selection_in
 from sightline.scans.heights.csv import LINE_HEIGHTS
@@ -29,14 +35,18 @@ from sightline.scans.records import state_of
 from sightline.scans.references.csv import SCAN_REFERENCES
 from sightline.scans.references.records import ReferenceValues
 from sightline.scans.statistics.heights import HeightSeen, ScannedHeights, scanned_heights
-from sightline.scans.statistics.service import GAPS, MOTION, ScanStatistics, VehicleMotion, statistics_of_seen
-from sightline.scans.statistics.traffic import rig_ratio
+from sightline.scans.statistics.service import (
+    GAPS,
+    MOTION,
+    ScanStatistics,
+    VehicleMotion,
+    statistics_of_seen,
+    when_passed,
+)
 from sightline.scans.store import RIG
 
-Cells = dict[str, Cell]
 # of a motion's rig, whose distance is that of its lane
 _RIG = tuple(name for name in RIG if name != "lanes")
-FOLDER = "statistics/"
 _QUANTITY = Column(
     "quantity",
     "string",
@@ -48,141 +58,110 @@ _QUANTITY = Column(
 _SIZE = Column("size", "string", "which size of a vehicle", required=True, enum=get_args(KnownLength))
 _UNIT = Column("unit", "string", "unit of the figures of this row", required=True)
 _N = Column("n", "integer", "number of vehicles", required=True, minimum=0)
-_REASON = Column("reason", "string", "why a value or its interval is missing")
 
-
-_INTERVAL = (
-    number("low", "lower end of its 95 % interval"),
-    number("high", "upper end of its 95 % interval"),
-)
-
-ERRORS = Table(
+ERRORS = statistics_table(
     "scan_errors",
     "Errors (measured minus manufacturer's) of lengths and wheelbases of accepted scanned vehicles, not "
     "rounded, by lighting and overall; figures named _m are in metres, _m2 in square metres.",
-    (
-        _SIZE,
-        Column("group", "string", "which group", required=True),
-        Column("figure", "string", "which figure", required=True),
-        _N,
-        number("value", "the figure"),
-        *_INTERVAL,
-        _REASON,
-    ),
+    _SIZE,
+    Column("group", "string", "which group", required=True),
+    Column("figure", "string", "which figure", required=True),
+    _N,
+    number("value", "the figure"),
+    *INTERVAL,
+    REASON,
     primary=("size", "group", "figure"),
-    folder=FOLDER,
 )
-BASELINES = Table(
+BASELINES = statistics_table(
     "scan_baselines",
     "What known sizes say of the baseline: measured over true, by weighted mean; 1.01 is 1 % too long.",
-    (
-        _SIZE,
-        _N,
-        number("ratio", "measured over true"),
-        number("u_ratio", "standard uncertainty of the ratio (k = 1)"),
-        number("spread", "standard deviation of a vehicle's ratio"),
-        _REASON,
-        Column("warning", "string", "warning"),
-    ),
+    _SIZE,
+    _N,
+    number("ratio", "measured over true"),
+    number("u_ratio", "standard uncertainty of the ratio (k = 1)"),
+    number("spread", "standard deviation of a vehicle's ratio"),
+    REASON,
+    Column("warning", "string", "warning"),
     primary=("size",),
-    folder=FOLDER,
 )
-QUANTITIES = Table(
+QUANTITIES = statistics_table(
     "scan_quantities",
     "Mean and spread of what accepted scanned vehicles were measured for.",
-    (
-        _QUANTITY,
-        _UNIT,
-        _N,
-        number("mean", "mean, in the row's unit"),
-        number("sd", "standard deviation (n - 1), in the row's unit"),
-    ),
+    _QUANTITY,
+    _UNIT,
+    _N,
+    number("mean", "mean, in the row's unit"),
+    number("sd", "standard deviation (n - 1), in the row's unit"),
     primary=("quantity",),
-    folder=FOLDER,
 )
-PERCENTILES = Table(
+PERCENTILES = statistics_table(
     "scan_percentiles",
     "Percentiles of the same with distribution-free 95 % intervals.",
-    (
-        _QUANTITY,
-        _UNIT,
-        _N,
-        number("percent", "which percentile", "%"),
-        number("value", "the percentile, in the row's unit"),
-        *_INTERVAL,
-        _REASON,
-    ),
+    _QUANTITY,
+    _UNIT,
+    _N,
+    number("percent", "which percentile", "%"),
+    number("value", "the percentile, in the row's unit"),
+    *INTERVAL,
+    REASON,
     primary=("quantity", "percent"),
-    folder=FOLDER,
 )
-ECDF = Table(
+ECDF = statistics_table(
     "scan_ecdf",
     "Cumulative distributions of the same with 95 % bands; at most 600 points of each.",
-    (
-        _QUANTITY,
-        number("value", "the value, in m/s, m or s as scan_quantities says"),
-        number("share", "share of the vehicles that are not above it"),
-        number("low", "lower edge of the 95 % band"),
-        number("high", "upper edge of the 95 % band"),
-    ),
-    folder=FOLDER,
+    _QUANTITY,
+    number("value", "the value, in m/s, m or s as scan_quantities says"),
+    number("share", "share of the vehicles that are not above it"),
+    number("low", "lower edge of the 95 % band"),
+    number("high", "upper edge of the 95 % band"),
 )
-HEIGHTS = Table(
+HEIGHTS = statistics_table(
     "scan_heights",
     "Heights clicked in the line scans, target by target: the figures are of the accepted ones; the heights "
     "that wait for a review or were rejected are counted.",
-    (
-        Column("target", "string", "what was measured", required=True, enum=get_args(Target)),
-        Column("n", "integer", "number of accepted heights", required=True, minimum=0),
-        Column("to_review", "integer", "number of heights to review", required=True, minimum=0),
-        Column("rejected", "integer", "number of rejected heights", required=True, minimum=0),
-        metres("mean_m", "mean height"),
-        metres("sd_m", "standard deviation (n - 1); empty for one height"),
-        metres("median_m", "median height"),
-        metres("U95_m", "median half-width of the heights' 95 % intervals"),
-    ),
+    Column("target", "string", "what was measured", required=True, enum=get_args(Target)),
+    Column("n", "integer", "number of accepted heights", required=True, minimum=0),
+    Column("to_review", "integer", "number of heights to review", required=True, minimum=0),
+    Column("rejected", "integer", "number of rejected heights", required=True, minimum=0),
+    metres("mean_m", "mean height"),
+    metres("sd_m", "standard deviation (n - 1); empty for one height"),
+    metres("median_m", "median height"),
+    metres("U95_m", "median half-width of the heights' 95 % intervals"),
     primary=("target",),
-    folder=FOLDER,
 )
-REFERENCES = Table(
+REFERENCES = statistics_table(
     "scan_reference_errors",
     "Accepted scanned vehicles' own values minus reference values, by what measured those and all together.",
-    (
-        Column("quantity", "string", "which value", required=True, enum=get_args(ReferenceQuantity)),
-        Column("source", "string", "what measured the references; all: every source", required=True),
-        _UNIT,
-        _N,
-        number("mean", "mean difference"),
-        number("sd", "standard deviation of the differences (n - 1)"),
-        number("rmse", "root mean square of the differences"),
-        Column("within", "integer", "how many are within their combined U95", required=True, minimum=0),
-        number("share_within", "that as a share: |E_n| <= 1"),
-        number("low", "lower end of the share's exact 95 % interval"),
-        number("high", "upper end of it"),
-    ),
+    Column("quantity", "string", "which value", required=True, enum=get_args(ReferenceQuantity)),
+    Column("source", "string", "what measured the references; all: every source", required=True),
+    _UNIT,
+    _N,
+    number("mean", "mean difference"),
+    number("sd", "standard deviation of the differences (n - 1)"),
+    number("rmse", "root mean square of the differences"),
+    Column("within", "integer", "how many are within their combined U95", required=True, minimum=0),
+    number("share_within", "that as a share: |E_n| <= 1"),
+    number("low", "lower end of the share's exact 95 % interval"),
+    number("high", "upper end of it"),
     primary=("quantity", "source"),
-    folder=FOLDER,
 )
-CARS = Table(
+CARS = statistics_table(
     "scan_cars",
     "Runs of one car (scan_vehicles.run_of) among the accepted vehicles: a size does not change from run to "
     "run, so the runs must agree within their own uncertainty.",
-    (
-        Column("car", "string", "name of the car", required=True),
-        _SIZE,
-        _N,
-        metres("mean_m", "weighted mean of the runs (generalised least squares)"),
-        metres("u_mean_m", "its standard uncertainty (k = 1), what the runs share included"),
-        metres("U95_mean_m", "half-width of its 95 % interval"),
-        metres("sd_m", "standard deviation of the runs (n - 1)"),
-        metres("u_stated_m", "root mean square of what each run states for itself (k = 1)"),
-        number("chi_square", "of the runs about their mean"),
-        Column("degrees", "integer", "its degrees of freedom", required=True, minimum=0),
-        number("p", "probability of a chi-square this large if the stated uncertainties are correct"),
-        Column("verdict", "string", "what follows", required=True, enum=get_args(RunsVerdict)),
-    ),
+    Column("car", "string", "name of the car", required=True),
+    _SIZE,
+    _N,
+    metres("mean_m", "weighted mean of the runs (generalised least squares)"),
+    metres("u_mean_m", "its standard uncertainty (k = 1), what the runs share included"),
+    metres("U95_mean_m", "half-width of its 95 % interval"),
+    metres("sd_m", "standard deviation of the runs (n - 1)"),
+    metres("u_stated_m", "root mean square of what each run states for itself (k = 1)"),
+    number("chi_square", "of the runs about their mean"),
+    Column("degrees", "integer", "its degrees of freedom", required=True, minimum=0),
+    number("p", "probability of a chi-square this large if the stated uncertainties are correct"),
+    Column("verdict", "string", "what follows", required=True, enum=get_args(RunsVerdict)),
     primary=("car", "size"),
-    folder=FOLDER,
 )
 TABLES = (ERRORS, BASELINES, QUANTITIES, PERCENTILES, ECDF, HEIGHTS, REFERENCES, CARS)
 
@@ -248,7 +227,9 @@ def scanned_motions(files: Files) -> Iterator[VehicleMotion]:
             direction=cast(ScanDirection, row["direction"]) if row["direction"] else None,
             lane=unsafe(row["lane"]) or None,
             axles=int(row["axles"]) if row["axles"] else None,
-            **({} if rig is None else _of_rig(row, rig)),
+            **(
+                {} if rig is None else when_passed(rig, float(row["front_line_1"]), float(row["rear_line_1"]))
+            ),
         )
 
 
@@ -273,19 +254,6 @@ def _standing(files: Files) -> dict[str, list[ReferenceValues]]:
     return found
 
 
-def _of_rig(row: Mapping[str, str], rig: Rig) -> dict[str, float]:
-    """What a measured vehicle's rig says of it: its part of the uncertainty, and when the vehicle passed."""
-    baseline_m, u_baseline_m = baseline_of(rig)
-    front, rear = float(row["front_line_1"]), float(row["rear_line_1"])
-    return {
-        "rig_baseline_m": baseline_m,
-        "rig_u_baseline_m": u_baseline_m,
-        "rig_ratio": rig_ratio(rig),
-        "since_s": since_start_s(front, rig.line_rate_hz),
-        "occupied_s": (rear - front) / rig.line_rate_hz,
-    }
-
-
 def scan_rows(found: ScanStatistics, heights: tuple[ScannedHeights, ...]) -> dict[str, Iterator[Cells]]:
     """The rows of every table by its path; of motions none where no scanned vehicle is accepted."""
     return {
@@ -302,9 +270,9 @@ def scan_rows(found: ScanStatistics, heights: tuple[ScannedHeights, ...]) -> dic
 
 def _reference_rows(found: ScanStatistics) -> Iterator[Cells]:
     for one in found.references:
-        errors = asdict(one.errors)
-        ends: Cells = {"low": errors.pop("share_low"), "high": errors.pop("share_high")}
-        yield {"quantity": one.quantity, "source": one.source or "all", "unit": one.unit, **errors, **ends}
+        errors = one.errors
+        ends = {"low": errors.share_low, "high": errors.share_high}
+        yield {**vars(one), "source": one.source or "all", **asdict(errors), **ends}
 
 
 _METRIC = ("mean", "u_mean", "U95_mean", "sd", "u_stated")
@@ -314,62 +282,31 @@ def _car_rows(found: ScanStatistics) -> Iterator[Cells]:
     for one in found.cars:
         for size, together in one.sizes.items():
             told = asdict(together)
-            metric: Cells = {f"{name}_m": told.pop(name) for name in _METRIC}
-            yield {"car": one.car, "size": size, **metric, **told}
+            yield {"car": one.car, "size": size, **told, **{f"{name}_m": told[name] for name in _METRIC}}
 
 
 def _error_rows(found: ScanStatistics) -> Iterator[Cells]:
     for size, groups in (("length", found.length_errors), ("wheelbase", found.wheelbase_errors)):
-        if not groups["overall"].n:
-            continue
-        for name, group in groups.items():
-            for figure, value in group.figures.items():
-                within = group.ci95[figure]
-                ends: Cells = {} if within is None else {"low": within.low, "high": within.high}
-                row: Cells = {"size": size, "group": name, "figure": figure, "n": group.n, "value": value}
-                yield {**row, **ends, "reason": group.reason}
+        if groups["overall"].n:
+            yield from error_rows({"size": size}, groups)
 
 
 def _baseline_rows(found: ScanStatistics) -> Iterator[Cells]:
     for size, one in (("length", found.length_ratio), ("wheelbase", found.wheelbase_ratio)):
         if found.counted["used"]:
-            row: Cells = {"size": size, "n": one.n, "ratio": one.value, "u_ratio": one.u}
-            yield {
-                **row,
-                "spread": one.spread,
-                "reason": words_of(one.reason),
-                "warning": words_of(one.warning),
-            }
+            words = {"reason": words_of(one.reason), "warning": words_of(one.warning)}
+            yield {"size": size, **vars(one), "ratio": one.value, "u_ratio": one.u, **words}
 
 
 def _quantity_rows(found: ScanStatistics) -> Iterator[Cells]:
-    for one in found.spreads:
-        if one.n:
-            yield {
-                "quantity": one.quantity,
-                "unit": one.unit,
-                "n": one.n,
-                "mean": one.mean,
-                "sd": one.sd,
-            }
+    return (vars(one) for one in found.spreads if one.n)
 
 
 def _percentile_rows(found: ScanStatistics) -> Iterator[Cells]:
-    for one in found.spreads:
-        for each in one.percentiles:
-            row: Cells = {"quantity": one.quantity, "unit": one.unit, "n": one.n, "percent": each.percent}
-            yield {**row, "value": each.value, "low": each.low, "high": each.high, "reason": each.reason}
+    return ({**vars(one), **vars(each)} for one in found.spreads for each in one.percentiles)
 
 
 def _ecdf_rows(found: ScanStatistics) -> Iterator[Cells]:
     for one in found.spreads:
-        if one.ecdf is not None:
-            curve = one.ecdf
-            for value, share, low, high in zip(
-                curve.value.tolist(),
-                curve.share.tolist(),
-                curve.low.tolist(),
-                curve.high.tolist(),
-                strict=True,
-            ):
-                yield {"quantity": one.quantity, "value": value, "share": share, "low": low, "high": high}
+        key = {"quantity": one.quantity}
+        yield from curve_rows(key, one.ecdf, value="value", share="share", low="low", high="high")

@@ -2,25 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from itertools import chain
-from typing import Any, get_args
+from typing import get_args
 
 from sightline.enums import Category, Correction, Direction, Rounding, RuleVerdict, StatisticsTarget
 from sightline.export import scans, traffic
 from sightline.export.measured import AS_PAPER, PackageStatistics
+from sightline.export.statistics_rows import (
+    INTERVAL,
+    INTERVAL_M,
+    REASON,
+    Cells,
+    curve_rows,
+    error_rows,
+    statistics_table,
+)
 from sightline.infra.csv_package.columns import flag, metres, number
-from sightline.infra.csv_package.schema import Cell, Column, Row, Table
+from sightline.infra.csv_package.schema import Column, Row
 from sightline.messages.said import Said
 from sightline.results.survey_statistics import Statistics, standards_of
-from sightline.statistics.distributions import Ecdf
-from sightline.statistics.errors import ErrorGroup
 from sightline.statistics.figures import Figure
 from sightline.statistics.known_errors import KnownErrors
 from sightline.statistics.summary import Distribution, Errors
 
-Cells = dict[str, Cell]
-FOLDER = "statistics/"
 _PAPER = "as_in_the_paper"
 _HEIGHTS = Column(
     "heights",
@@ -47,264 +52,213 @@ _TARGET = Column("target", "string", "what was measured", required=True)
 _N = Column("n", "integer", "number of measurements", required=True, minimum=0)
 _GROUPING = Column("grouping", "string", "what divides the measurements; all: nothing", required=True)
 _GROUP = Column("group", "string", "group", required=True)
-_REASON = Column("reason", "string", "why a value or its interval is missing")
 _HOLDS = Column("holds", "string", "components of its interval, separated by spaces")
-
-
-_INTERVAL = (
-    number("low", "lower end of its 95 % interval"),
-    number("high", "upper end of its 95 % interval"),
-)
 _BAND = (number("low", "lower edge of the 95 % band"), number("high", "upper edge of the 95 % band"))
 
-ERROR_TABLE = Table(
+ERROR_TABLE = statistics_table(
     "error_table",
     "Errors (measured minus manufacturer's height) of accepted roofs by lighting and overall, pooled from "
     "the raw errors; figures named _m are in metres, _m2 in square metres, correlations have no unit. "
     "Intervals are total, but for correlations and skewness: the column holds says what each holds.",
-    (
-        _HEIGHTS,
-        _ROUNDING,
-        _GROUP,
-        Column("figure", "string", "name of the value", required=True),
-        _N,
-        number("value", "value"),
-        *_INTERVAL,
-        _HOLDS,
-        _REASON,
-    ),
+    _HEIGHTS,
+    _ROUNDING,
+    _GROUP,
+    Column("figure", "string", "name of the value", required=True),
+    _N,
+    number("value", "value"),
+    *INTERVAL,
+    _HOLDS,
+    REASON,
     primary=("heights", "rounding", "group", "figure"),
-    folder=FOLDER,
 )
-ERRORS_BY_TARGET = Table(
+ERRORS_BY_TARGET = statistics_table(
     "errors_by_target",
     "Errors (measured minus known height) of accepted heights by target, of the traffic and of check "
     "targets, not rounded, of all and by lighting and class. Intervals are total: the column holds says what "
     "each holds. inside_u95: the share of differences that are not larger than their own U95; about 0.95 "
     "should be.",
-    (
-        _HEIGHTS,
-        _TARGET,
-        flag("check_target", "true: of check targets, which count nowhere else", required=True),
-        _GROUPING,
-        _GROUP,
-        Column("figure", "string", "name of the value", required=True),
-        _N,
-        number("value", "value"),
-        *_INTERVAL,
-        _HOLDS,
-        _REASON,
-    ),
+    _HEIGHTS,
+    _TARGET,
+    flag("check_target", "true: of check targets, which count nowhere else", required=True),
+    _GROUPING,
+    _GROUP,
+    Column("figure", "string", "name of the value", required=True),
+    _N,
+    number("value", "value"),
+    *INTERVAL,
+    _HOLDS,
+    REASON,
     primary=("heights", "target", "check_target", "grouping", "group", "figure"),
-    folder=FOLDER,
 )
-AGREEMENT = Table(
+AGREEMENT = statistics_table(
     "agreement",
     "Bland and Altman's limits of agreement, the regression of signed and absolute error on the "
     "manufacturer's height, and the share of the errors' variance that the manufacturers' heights themselves "
     "explain.",
-    (
-        _HEIGHTS,
-        _ROUNDING,
-        Column("figure", "string", "which figure; _m: metres", required=True),
-        number("value", "value"),
-        *_INTERVAL,
-        _REASON,
-    ),
+    _HEIGHTS,
+    _ROUNDING,
+    Column("figure", "string", "which figure; _m: metres", required=True),
+    number("value", "value"),
+    *INTERVAL,
+    REASON,
     primary=("heights", "rounding", "figure"),
-    folder=FOLDER,
 )
-ERROR_TREND = Table(
+ERROR_TREND = statistics_table(
     "error_trend",
     "The regression lines of agreement.csv with their 95 % bands, at heights over the range of the data.",
-    (
-        _HEIGHTS,
-        _ROUNDING,
-        Column("of", "string", "signed or absolute error", required=True),
-        metres("reference_m", "manufacturer's height"),
-        metres("error_m", "error on the line"),
-        metres("low_m", "lower edge of the line's 95 % band"),
-        metres("high_m", "upper edge of the line's 95 % band"),
-    ),
-    folder=FOLDER,
+    _HEIGHTS,
+    _ROUNDING,
+    Column("of", "string", "signed or absolute error", required=True),
+    metres("reference_m", "manufacturer's height"),
+    metres("error_m", "error on the line"),
+    metres("low_m", "lower edge of the line's 95 % band"),
+    metres("high_m", "upper edge of the line's 95 % band"),
 )
-ERROR_ECDF = Table(
+ERROR_ECDF = statistics_table(
     "error_ecdf",
     "Cumulative distributions of the absolute error (in metres) and of the relative error (absolute error "
     "over the manufacturer's height, no unit); at most 600 points of each.",
-    (
-        _HEIGHTS,
-        _ROUNDING,
-        Column("of", "string", "absolute or relative error", required=True),
-        _GROUP,
-        number("value", "the error"),
-        number("share", "share of the errors that are not larger"),
-        *_BAND,
-    ),
-    folder=FOLDER,
+    _HEIGHTS,
+    _ROUNDING,
+    Column("of", "string", "absolute or relative error", required=True),
+    _GROUP,
+    number("value", "the error"),
+    number("share", "share of the errors that are not larger"),
+    *_BAND,
 )
-ERROR_DENSITY = Table(
+ERROR_DENSITY = statistics_table(
     "error_density",
     "Densities of the signed error with their 95 % bands.",
-    (
-        _HEIGHTS,
-        _ROUNDING,
-        _GROUP,
-        metres("error_m", "signed error"),
-        number("density", "density at that error", "1/m"),
-        number("low", "lower edge of the 95 % band", "1/m"),
-        number("high", "upper edge of the 95 % band", "1/m"),
-    ),
-    folder=FOLDER,
+    _HEIGHTS,
+    _ROUNDING,
+    _GROUP,
+    metres("error_m", "signed error"),
+    number("density", "density at that error", "1/m"),
+    number("low", "lower edge of the 95 % band", "1/m"),
+    number("high", "upper edge of the 95 % band", "1/m"),
 )
-CORRECTION_TABLE = Table(
+CORRECTION_TABLE = statistics_table(
     "corrections",
     "What each correction did to the heights of each target, in words, and the mean and spread that it left.",
-    (
-        _TARGET,
-        _CORRECTION,
-        _N,
-        metres("mean_m", "mean of the corrected heights"),
-        metres("sd_m", "standard deviation of the corrected heights (n - 1)"),
-        Column("words", "string", "description of the correction"),
-        Column("warning", "string", "warning"),
-        _REASON,
-    ),
+    _TARGET,
+    _CORRECTION,
+    _N,
+    metres("mean_m", "mean of the corrected heights"),
+    metres("sd_m", "standard deviation of the corrected heights (n - 1)"),
+    Column("words", "string", "description of the correction"),
+    Column("warning", "string", "warning"),
+    REASON,
     primary=("target", "correction"),
-    folder=FOLDER,
 )
-PERCENTILE_TABLE = Table(
+PERCENTILE_TABLE = statistics_table(
     "percentiles",
     "Percentiles of the heights of each target with distribution-free 95 % intervals, under each correction, "
     "and under the headline's (inset) by group.",
-    (
-        _TARGET,
-        _CORRECTION,
-        _GROUPING,
-        _GROUP,
-        _N,
-        number("percent", "which percentile", "%"),
-        metres("height_m", "the percentile"),
-        metres("low_m", "lower end of its 95 % interval"),
-        metres("high_m", "upper end of its 95 % interval"),
-        _REASON,
-    ),
+    _TARGET,
+    _CORRECTION,
+    _GROUPING,
+    _GROUP,
+    _N,
+    number("percent", "which percentile", "%"),
+    metres("height_m", "the percentile"),
+    *INTERVAL_M,
+    REASON,
     primary=("target", "correction", "grouping", "group", "percent"),
-    folder=FOLDER,
 )
-TOTAL_TABLE = Table(
+TOTAL_TABLE = statistics_table(
     "total_uncertainty",
     "Figures of the true heights of each target, each corrected by its inset, random error taken out of "
     "their spread; 95 % intervals hold what `holds` says.",
-    (
-        _TARGET,
-        Column(
-            "figure",
-            "string",
-            "name of the value",
-            required=True,
-            enum=("percentile", "mean", "sd", "share_below"),
-        ),
-        number("percent", "of a percentile: which", "%"),
-        metres("limit_m", "of a share: below which height"),
-        _N,
-        number("value", "the figure: a height or SD in metres, a share from 0 to 1"),
-        *_INTERVAL,
-        metres("raw_m", "of a percentile: the plain one of the measured heights"),
-        Column(
-            "holds",
-            "string",
-            "components of the interval, separated by spaces",
-            required=True,
-        ),
-        _REASON,
+    _TARGET,
+    Column(
+        "figure",
+        "string",
+        "name of the value",
+        required=True,
+        enum=("percentile", "mean", "sd", "share_below"),
     ),
-    folder=FOLDER,
+    number("percent", "of a percentile: which", "%"),
+    metres("limit_m", "of a share: below which height"),
+    _N,
+    number("value", "the figure: a height or SD in metres, a share from 0 to 1"),
+    *INTERVAL,
+    metres("raw_m", "of a percentile: the plain one of the measured heights"),
+    Column(
+        "holds",
+        "string",
+        "components of the interval, separated by spaces",
+        required=True,
+    ),
+    REASON,
 )
-RULE_TABLE = Table(
+RULE_TABLE = statistics_table(
     "same_rule",
     "The rule of each standard that states one (a percentile of a class of vehicles) on the survey's, "
     "and the verdict: lower or higher where the probability that it is not so is at most 2.5 % (JCGM 106).",
-    (
-        Column("what", "string", "what the standard's height is of", required=True),
-        Column("standard", "string", "name of the standard", required=True),
-        metres("standard_m", "the standard's height"),
-        number("percent", "the percentile of its rule", "%"),
-        Column("class", "string", "of which vehicles, as the standard says"),
-        Column("by_class", "boolean", "false: no class is known, all vehicles count", required=True),
-        _N,
-        metres("height_m", "the same percentile today, of true heights"),
-        metres("low_m", "lower end of its total 95 % interval"),
-        metres("high_m", "upper end of its total 95 % interval"),
-        metres("difference_m", "today's percentile minus the standard's height"),
-        number("lower", "probability that today's percentile is below the standard's height"),
-        Column("verdict", "string", "verdict", required=True, enum=get_args(RuleVerdict)),
-        number("risk", "probability that the verdict is wrong"),
-        _REASON,
-    ),
-    folder=FOLDER,
+    Column("what", "string", "what the standard's height is of", required=True),
+    Column("standard", "string", "name of the standard", required=True),
+    metres("standard_m", "the standard's height"),
+    number("percent", "the percentile of its rule", "%"),
+    Column("class", "string", "of which vehicles, as the standard says"),
+    Column("by_class", "boolean", "false: no class is known, all vehicles count", required=True),
+    _N,
+    metres("height_m", "the same percentile today, of true heights"),
+    metres("low_m", "lower end of its total 95 % interval"),
+    metres("high_m", "upper end of its total 95 % interval"),
+    metres("difference_m", "today's percentile minus the standard's height"),
+    number("lower", "probability that today's percentile is below the standard's height"),
+    Column("verdict", "string", "verdict", required=True, enum=get_args(RuleVerdict)),
+    number("risk", "probability that the verdict is wrong"),
+    REASON,
 )
-HEIGHT_ECDF = Table(
+HEIGHT_ECDF = statistics_table(
     "height_ecdf",
     "Cumulative distributions of the heights of each target with 95 % bands; at most 600 points of each.",
-    (
-        _TARGET,
-        _CORRECTION,
-        _GROUPING,
-        _GROUP,
-        metres("height_m", "height"),
-        number("share", "share of the heights that are not larger"),
-        *_BAND,
-    ),
-    folder=FOLDER,
+    _TARGET,
+    _CORRECTION,
+    _GROUPING,
+    _GROUP,
+    metres("height_m", "height"),
+    number("share", "share of the heights that are not larger"),
+    *_BAND,
 )
-HEIGHT_DENSITY = Table(
+HEIGHT_DENSITY = statistics_table(
     "height_density",
     "Densities of the heights of each target with 95 % bands.",
-    (
-        _TARGET,
-        _CORRECTION,
-        metres("height_m", "height"),
-        number("density", "density at that height", "1/m"),
-        number("low", "lower edge of the 95 % band", "1/m"),
-        number("high", "upper edge of the 95 % band", "1/m"),
-    ),
-    folder=FOLDER,
+    _TARGET,
+    _CORRECTION,
+    metres("height_m", "height"),
+    number("density", "density at that height", "1/m"),
+    number("low", "lower edge of the 95 % band", "1/m"),
+    number("high", "upper edge of the 95 % band", "1/m"),
 )
-SHARES = Table(
+SHARES = statistics_table(
     "shares",
     "Which share of the heights lies below the value of each standard, with its 95 % interval.",
-    (
-        _TARGET,
-        _CORRECTION,
-        _GROUPING,
-        _GROUP,
-        Column("standard", "string", "name of the standard", required=True),
-        metres("limit_m", "the standard's height"),
-        Column("source", "string", "where the standard's value is from"),
-        Column("below", "integer", "number of heights below it", required=True),
-        _N,
-        number("share", "share of the heights below: below divided by n"),
-        *_INTERVAL,
-    ),
-    folder=FOLDER,
+    _TARGET,
+    _CORRECTION,
+    _GROUPING,
+    _GROUP,
+    Column("standard", "string", "name of the standard", required=True),
+    metres("limit_m", "the standard's height"),
+    Column("source", "string", "where the standard's value is from"),
+    Column("below", "integer", "number of heights below it", required=True),
+    _N,
+    number("share", "share of the heights below: below divided by n"),
+    *INTERVAL,
 )
-LATERAL_TABLE = Table(
+LATERAL_TABLE = statistics_table(
     "lateral_positions",
     "Where vehicles drive: the distance of the tyre's contact from the camera across the road, one of each "
     "vehicle (the median of its contacts), by lane (the way it goes in the picture) and class.",
-    (
-        Column("lane", "string", "travel direction in the image; empty: all", enum=get_args(Direction)),
-        Column("class", "string", "body of the vehicles; empty: all", enum=get_args(Category)),
-        Column("figure", "string", "name of the value", required=True, enum=("percentile", "mean", "sd")),
-        number("percent", "of a percentile: which", "%"),
-        _N,
-        metres("value_m", "value"),
-        metres("low_m", "lower end of its 95 % interval"),
-        metres("high_m", "upper end of its 95 % interval"),
-        _REASON,
-    ),
-    folder=FOLDER,
+    Column("lane", "string", "travel direction in the image; empty: all", enum=get_args(Direction)),
+    Column("class", "string", "body of the vehicles; empty: all", enum=get_args(Category)),
+    Column("figure", "string", "name of the value", required=True, enum=("percentile", "mean", "sd")),
+    number("percent", "of a percentile: which", "%"),
+    _N,
+    metres("value_m", "value"),
+    *INTERVAL_M,
+    REASON,
 )
 TABLES = (
     ERROR_TABLE,
@@ -335,7 +289,7 @@ def statistics_rows(found: PackageStatistics) -> dict[str, Iterator[Cells]]:
     errors = [(key, one.errors) for key, one in made]
     heights = [(correction, one) for (correction, rounding), one in found.of.items() if rounding == "none"]
     return {
-        ERROR_TABLE.key: chain.from_iterable(_error_rows(key, one.groups) for key, one in errors),
+        ERROR_TABLE.key: chain.from_iterable(error_rows(key, one.groups) for key, one in errors),
         ERRORS_BY_TARGET.key: chain.from_iterable(
             _known_rows({"heights": heights}, one.known_errors)
             for heights, one in (("inset", found.headline), (_PAPER, found.of["none", "none"]))
@@ -361,23 +315,13 @@ def _known_rows(key: Row, found: Iterable[KnownErrors]) -> Iterator[Cells]:
     for one in found:
         of: Cells = {**key, "target": one.target, "check_target": one.check_target}
         for part in one.groups:
-            yield from _error_rows({**of, "grouping": part.grouping}, {part.group: part.errors})
+            yield from error_rows({**of, "grouping": part.grouping}, {part.group: part.errors})
         inside = one.inside
         row: Cells = {**of, "grouping": "all", "group": "all", "figure": "inside_u95"}
         if isinstance(inside, Said):
             yield {**row, "n": 0, "reason": inside}
         else:
             yield {**row, "n": inside.n, "value": inside.share, "low": inside.low, "high": inside.high}
-
-
-def _error_rows(key: Row, groups: Mapping[str, ErrorGroup]) -> Iterator[Cells]:
-    for name, group in groups.items():
-        for figure, value in group.figures.items():
-            ci = group.ci95[figure]
-            ends = {} if ci is None else {"low": ci.low, "high": ci.high}
-            row = {**key, "group": name, "figure": figure, "n": group.n, "value": value, **ends}
-            holds = None if ci is None else " ".join(group.holds.get(figure, ()))
-            yield {**row, "holds": holds, "reason": group.reason}
 
 
 def _agreement_rows(key: Row, errors: Errors) -> Iterator[Cells]:
@@ -391,43 +335,33 @@ def _agreement_rows(key: Row, errors: Errors) -> Iterator[Cells]:
             yield {**key, "figure": name, "reason": part}
             continue
         for figure in figures:
-            ci = getattr(part, f"{figure.removesuffix('_m')}_ci95", None)
-            ends = {} if ci is None else {"low": ci.low, "high": ci.high}
-            yield {**key, "figure": f"{name}_{figure}", "value": getattr(part, figure), **ends}
+            interval = getattr(part, f"{figure.removesuffix('_m')}_ci95", None)
+            row = {**key, "figure": f"{name}_{figure}", "value": getattr(part, figure)}
+            yield row if interval is None else {**row, **vars(interval)}
 
 
 _OF_REFERENCE = ("u_reference_m", "share_of_variance", "rounding_share", "camera_sd_m", "correlation_alone")
 
 
+_ECDF = {"share": "share", "low": "low", "high": "high"}
+_DENSITY = {"density": "density", "low": "low", "high": "high"}
+
+
 def _trend_rows(key: Row, errors: Errors) -> Iterator[Cells]:
+    cells = {"reference_m": "at", "error_m": "value", "low_m": "low", "high_m": "high"}
     for of, part in (("signed", errors.trend), ("absolute", errors.absolute_trend)):
-        if not isinstance(part, Said):
-            for at, value, low, high in _points(part.at, part.value, part.low, part.high):
-                yield {**key, "of": of, "reference_m": at, "error_m": value, "low_m": low, "high_m": high}
-
-
-def _points(*columns: Any) -> Iterator[tuple[float, ...]]:
-    return zip(*(column.tolist() for column in columns), strict=True)
-
-
-def _ecdf_points(found: Ecdf | None, name: str) -> Iterator[Cells]:
-    if found is not None:
-        for value, share, low, high in _points(found.value, found.share, found.low, found.high):
-            yield {name: value, "share": share, "low": low, "high": high}
+        yield from curve_rows({**key, "of": of}, part, **cells)
 
 
 def _error_ecdf_rows(key: Row, errors: Errors) -> Iterator[Cells]:
     for of, groups in (("absolute", errors.absolute), ("relative", errors.relative)):
         for group, found in groups.items():
-            for point in _ecdf_points(found, "value"):
-                yield {**key, "of": of, "group": group, **point}
+            yield from curve_rows({**key, "of": of, "group": group}, found, value="value", **_ECDF)
 
 
 def _error_density_rows(key: Row, errors: Errors) -> Iterator[Cells]:
     for group, found in errors.density.items():
-        if not isinstance(found, Said):
-            for at, density, low, high in _points(found.value, found.density, found.low, found.high):
-                yield {**key, "group": group, "error_m": at, "density": density, "low": low, "high": high}
+        yield from curve_rows({**key, "group": group}, found, error_m="value", **_DENSITY)
 
 
 def _correction_rows(correction: Correction, found: Statistics) -> Iterator[Cells]:
@@ -457,8 +391,8 @@ def _distributions(
 def _percentile_rows(correction: Correction, found: Statistics) -> Iterator[Cells]:
     for _, key, one in _distributions(correction, found):
         for each in one.percentiles:
-            row = {**key, "n": one.n, "percent": each.percent, "height_m": each.value}
-            yield {**row, "low_m": each.low, "high_m": each.high, "reason": each.reason}
+            ends = {"height_m": each.value, "low_m": each.low, "high_m": each.high}
+            yield {**key, "n": one.n, **vars(each), **ends}
 
 
 def _total_rows(found: Statistics) -> Iterator[Cells]:
@@ -479,23 +413,10 @@ def _total_rows(found: Statistics) -> Iterator[Cells]:
 def _rule_rows(found: Statistics) -> Iterator[Cells]:
     for one in found.rules:
         standard = one.standard
-        yield {
-            "what": standard.what,
-            "standard": standard.name,
-            "standard_m": standard.height_m,
-            "percent": standard.percent,
-            "class": standard.vehicle_class,
-            "by_class": one.by_class,
-            "n": one.n,
-            "height_m": one.value_m,
-            "low_m": one.U95_low_m,
-            "high_m": one.U95_high_m,
-            "difference_m": one.difference_m,
-            "lower": one.lower,
-            "verdict": one.verdict,
-            "risk": one.risk,
-            "reason": one.reason,
-        }
+        named: Cells = {"standard": standard.name, "standard_m": standard.height_m}
+        named |= {"class": standard.vehicle_class}
+        ends = {"height_m": one.value_m, "low_m": one.U95_low_m, "high_m": one.U95_high_m}
+        yield {"what": standard.what, "percent": standard.percent, **vars(one), **named, **ends}
 
 
 def _total_cells(one: Figure) -> Cells:
@@ -504,25 +425,20 @@ def _total_cells(one: Figure) -> Cells:
 
 def _height_ecdf_rows(correction: Correction, found: Statistics) -> Iterator[Cells]:
     for _, key, one in _distributions(correction, found):
-        for point in _ecdf_points(one.ecdf, "height_m"):
-            yield {**key, **point}
+        yield from curve_rows(key, one.ecdf, height_m="value", **_ECDF)
 
 
 def _height_density_rows(correction: Correction, found: Statistics) -> Iterator[Cells]:
     for target, one in found.targets.items():
-        if not isinstance(one.density, Said):
-            part = one.density
-            for at, density, low, high in _points(part.value, part.density, part.low, part.high):
-                row: Cells = {"target": target, "correction": correction, "height_m": at}
-                yield {**row, "density": density, "low": low, "high": high}
+        key: Cells = {"target": target, "correction": correction}
+        yield from curve_rows(key, one.density, height_m="value", **_DENSITY)
 
 
 def _share_rows(correction: Correction, found: Statistics) -> Iterator[Cells]:
     for target, key, one in _distributions(correction, found):
         for standard, share in zip(standards_of(found.standards, target), one.shares, strict=False):
             row = {**key, "standard": standard.name, "limit_m": standard.height_m, "source": standard.source}
-            part = {"below": share.below, "n": share.n, "share": share.share}
-            yield {**row, **part, "low": share.low, "high": share.high}
+            yield {**row, **vars(share)}
 
 
 def _lateral_rows(found: Statistics) -> Iterator[Cells]:
@@ -539,8 +455,8 @@ def _lateral_rows(found: Statistics) -> Iterator[Cells]:
         yield {**key, "figure": "mean", "value_m": one.mean_m}
         yield {**key, "figure": "sd", "value_m": one.sd_m}
         for each in one.percentiles:
-            row: Cells = {**key, "figure": "percentile", "percent": each.percent, "value_m": each.value}
-            yield {**row, "low_m": each.low, "high_m": each.high, "reason": each.reason}
+            ends = {"value_m": each.value, "low_m": each.low, "high_m": each.high}
+            yield {**key, "figure": "percentile", **vars(each), **ends}
 
 
 def same_cell(column: Column, told: str, found: str) -> bool:

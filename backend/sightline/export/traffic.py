@@ -6,17 +6,17 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import get_args, get_type_hints
 
 from sightline.enums import ScanDirection
-from sightline.export.scans import Cells, scanned_motions
+from sightline.export.scans import scanned_motions
+from sightline.export.statistics_rows import Cells, statistics_table
 from sightline.infra.csv_package.columns import flag, integer, key, metres, number, text, words_of
 from sightline.infra.csv_package.files import Files, read_rows, unsafe
 from sightline.infra.csv_package.files import number as figure_of
-from sightline.infra.csv_package.schema import Column, Table
+from sightline.infra.csv_package.schema import Column
 from sightline.linescan.traffic import MINUTES, Figure, Interval
 from sightline.results.csv import selection_in
 from sightline.scans.clock import clock_of
 from sightline.scans.statistics.traffic import PERCENTS, ScanTraffic, ShownInterval, Watched, traffic_of_seen
 
-FOLDER = "statistics/"
 _WAY = text(
     "direction", "which camera its vehicles reached first", required=True, enum=get_args(ScanDirection)
 )
@@ -54,68 +54,62 @@ def _percentile(percent: float) -> tuple[Column, ...]:
     )
 
 
-INTERVALS = Table(
+INTERVALS = statistics_table(
     "traffic_intervals",
     "Traffic past camera 1 of each line scan with a confirmed start, by direction and lane, in intervals of "
     "1, 5, 15 and 60 minutes by the clocks of the place. Every vehicle that was found counts for flow, "
     "headways and occupancy, also one without a motion or with a rejected one; speeds are of the accepted "
     "ones.",
-    (
-        _SCAN,
-        _MINUTES,
-        _BEGINS,
-        number("watched_s", "how much of it was recorded", "s", required=True),
-        flag("partial", "true where the recording covers only a part of it", required=True),
-        integer("vehicles", "fronts that passed camera 1", required=True),
-        integer(
-            "near_edge",
-            "those so near to an edge that the clock leaves it open on which side (95 %)",
-            required=True,
-        ),
-        integer("refused", "those whose motion could not be measured", required=True),
-        integer("measured", "those with a speed that counts", required=True),
-        number("flow_per_hour", "vehicles an hour, over the time watched", "1/h", required=True),
-        number(
-            "flow_low",
-            "lower end of the exact 95 % interval, for vehicles that come independently of each other",
-            "1/h",
-        ),
-        number("flow_high", "upper end of the same", "1/h"),
-        number("mean_headway_s", "mean headway of those with a vehicle before", "s"),
-        *_measured("time_mean_speed_mps", "mean of the speeds", "m/s"),
-        *_measured("space_mean_speed_mps", "harmonic mean of the speeds", "m/s"),
-        *(column for percent in PERCENTS for column in _percentile(percent)),
-        *_measured("occupancy_percent", "share of the time in which a vehicle stood before camera 1", "%"),
-        *_measured("density_per_km", "flow over space mean speed", "1/km"),
-        integer("unclassed", "vehicles without a length that counts", required=True),
-        text("reasons", "why a figure is missing, separated by semicolons"),
-        _WAY,
-        _LANE,
+    _SCAN,
+    _MINUTES,
+    _BEGINS,
+    number("watched_s", "how much of it was recorded", "s", required=True),
+    flag("partial", "true where the recording covers only a part of it", required=True),
+    integer("vehicles", "fronts that passed camera 1", required=True),
+    integer(
+        "near_edge",
+        "those so near to an edge that the clock leaves it open on which side (95 %)",
+        required=True,
     ),
+    integer("refused", "those whose motion could not be measured", required=True),
+    integer("measured", "those with a speed that counts", required=True),
+    number("flow_per_hour", "vehicles an hour, over the time watched", "1/h", required=True),
+    number(
+        "flow_low",
+        "lower end of the exact 95 % interval, for vehicles that come independently of each other",
+        "1/h",
+    ),
+    number("flow_high", "upper end of the same", "1/h"),
+    number("mean_headway_s", "mean headway of those with a vehicle before", "s"),
+    *_measured("time_mean_speed_mps", "mean of the speeds", "m/s"),
+    *_measured("space_mean_speed_mps", "harmonic mean of the speeds", "m/s"),
+    *(column for percent in PERCENTS for column in _percentile(percent)),
+    *_measured("occupancy_percent", "share of the time in which a vehicle stood before camera 1", "%"),
+    *_measured("density_per_km", "flow over space mean speed", "1/km"),
+    integer("unclassed", "vehicles without a length that counts", required=True),
+    text("reasons", "why a figure is missing, separated by semicolons"),
+    _WAY,
+    _LANE,
     primary=("scan_id", "direction", "lane", "minutes", "begins_at"),
     foreign=((("scan_id",), "line_scans", ("id",)),),
-    folder=FOLDER,
 )
-CLASSES = Table(
+CLASSES = statistics_table(
     "traffic_classes",
     "The vehicles of the same intervals by the length that was measured; an empty interval has no rows.",
-    (
-        _SCAN,
-        _MINUTES,
-        _BEGINS,
-        metres("above_m", "longer than this; empty for the shortest class"),
-        metres("up_to_m", "up to this long; empty for the longest class"),
-        integer("vehicles", "how many", required=True),
-        integer(
-            "near_limit",
-            "those whose 95 % interval contains a limit of the class: they may be of the next class",
-            required=True,
-        ),
-        _WAY,
-        *(integer(name, f"those of them with {words}", required=True) for name, words in _BY_AXLES.items()),
-        _LANE,
+    _SCAN,
+    _MINUTES,
+    _BEGINS,
+    metres("above_m", "longer than this; empty for the shortest class"),
+    metres("up_to_m", "up to this long; empty for the longest class"),
+    integer("vehicles", "how many", required=True),
+    integer(
+        "near_limit",
+        "those whose 95 % interval contains a limit of the class: they may be of the next class",
+        required=True,
     ),
-    folder=FOLDER,
+    _WAY,
+    *(integer(name, f"those of them with {words}", required=True) for name, words in _BY_AXLES.items()),
+    _LANE,
 )
 TABLES = (INTERVALS, CLASSES)
 _PLAIN = [
@@ -169,18 +163,18 @@ def _key(scan: ScanTraffic, one: ShownInterval) -> Cells:
 
 
 def _interval_row(scan: ScanTraffic, one: ShownInterval) -> Cells:
-    row: Cells = {**_key(scan, one), **{name: getattr(one.interval, name) for name in _PLAIN}}
+    row: Cells = {**_key(scan, one), **{name: getattr(one, name) for name in _PLAIN}}
     for name in _FIGURES:
-        figure: Figure = getattr(one.interval, name)
+        figure: Figure = getattr(one, name)
         row |= {name: figure.value, f"u_{name}": figure.u}
     for each in one.percentiles:
         name = f"p{each.percent:g}_speed_mps"
         row |= {name: each.value, f"{name}_low": each.low, f"{name}_high": each.high}
-    return {**row, "reasons": words_of(one.interval.reasons)}
+    return {**row, "reasons": words_of(one.reasons)}
 
 
 def _class_rows(scan: ScanTraffic, one: ShownInterval) -> Iterator[Cells]:
-    for kind in one.interval.classes if one.interval.vehicles else ():
+    for kind in one.classes if one.vehicles else ():
         yield {
             **_key(scan, one),
             "above_m": kind.above_m,

@@ -1,6 +1,6 @@
 """Records filled from others by the names of their fields: what two of them share is written down once."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import fields
 from operator import attrgetter
 from typing import Any, TypeVar
@@ -20,6 +20,13 @@ def filled_from(kind: type[T], *records: object, **more: object) -> T:
     for record, (names, values_of) in zip(records, take, strict=True):
         more.update(zip(names, values_of(record), strict=True))
     return kind(**more)
+
+
+def record_of(kind: type[T], row: Mapping[Any, Any], **more: object) -> T:
+    """A dataclass with what a row holds under its fields' names, and `more` besides. Raises KeyError."""
+    record: Any = kind
+    names = (one.name for one in fields(record) if one.name not in more)
+    return kind(**{name: row[name] for name in names}, **more)
 
 
 def _takers(kind: Any, records: Iterable[Any], given: Iterable[str]) -> list[_Taker]:

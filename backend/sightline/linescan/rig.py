@@ -51,35 +51,37 @@ class Limits:
 
 
 BASELINE_M = Limits("A baseline", 0.01, 100.0, "m")
-LINE_RATE_HZ = Limits("A line rate", 10.0, 1e6, "Hz")
-U_BASELINE_M = Limits("An uncertainty of the baseline", 0.0, BASELINE_M.most, "m")
-U_LINE_RATE_RATIO = Limits("An uncertainty of the line rate", 0.0, 0.1, "of the line rate")
 DIVERGENCE_RAD = Limits("A divergence", -0.2, 0.2, "rad")
-U_DIVERGENCE_RAD = Limits("An uncertainty of the divergence", 0.0, DIVERGENCE_RAD.most, "rad")
 DISTANCE_M = Limits("A distance to the vehicles", 0.01, 1000.0, "m")
 U_DISTANCE_M = Limits("An uncertainty of the distance to the vehicles", 0.0, 100.0, "m")
-CORRELATION = Limits("A correlation of baseline and divergence", -1.0, 1.0, "")
 MISALIGNMENT_PX = Limits("A misalignment", -1000.0, 1000.0, "px")
 SHADOW_SHARE = Limits("A shadow zone", 0.0, 0.6, "of the rows")
-U_MISALIGNMENT_PX = Limits("An uncertainty of the misalignment", 0.0, MISALIGNMENT_PX.most, "px")
+#: What the numbers of a rig may be, by name; its baseline's u is no more than the baseline either.
+LIMITS: Mapping[str, Limits] = {
+    "baseline_m": BASELINE_M,
+    "line_rate_hz": Limits("A line rate", 10.0, 1e6, "Hz"),
+    "u_baseline_m": Limits("An uncertainty of the baseline", 0.0, BASELINE_M.most, "m"),
+    "u_line_rate_ratio": Limits("An uncertainty of the line rate", 0.0, 0.1, "of the line rate"),
+    "divergence_rad": DIVERGENCE_RAD,
+    "u_divergence_rad": Limits("An uncertainty of the divergence", 0.0, DIVERGENCE_RAD.most, "rad"),
+    "distance_m": DISTANCE_M,
+    "misalignment_px": MISALIGNMENT_PX,
+    "u_misalignment_px": Limits("An uncertainty of the misalignment", 0.0, MISALIGNMENT_PX.most, "px"),
+    "shadow_share": SHADOW_SHARE,
+    "baseline_correlation": Limits("A correlation of baseline and divergence", -1.0, 1.0, ""),
+    "u_distance_m": U_DISTANCE_M,
+}
 
 
-def require_rig(rig: Rig) -> None:
-    """Raise BadInput for the first value that no rig has, and for a divergence without its distance."""
-    BASELINE_M.require(rig.baseline_m)
-    LINE_RATE_HZ.require(rig.line_rate_hz)
-    replace(U_BASELINE_M, most=rig.baseline_m).require(rig.u_baseline_m)
-    U_LINE_RATE_RATIO.require(rig.u_line_rate_ratio)
-    DIVERGENCE_RAD.require(rig.divergence_rad)
-    U_DIVERGENCE_RAD.require(rig.u_divergence_rad)
-    if rig.distance_m is not None:
-        DISTANCE_M.require(rig.distance_m)
-    if rig.misalignment_px is not None:
-        MISALIGNMENT_PX.require(rig.misalignment_px)
-    U_MISALIGNMENT_PX.require(rig.u_misalignment_px)
-    SHADOW_SHARE.require(rig.shadow_share)
-    CORRELATION.require(rig.baseline_correlation)
-    U_DISTANCE_M.require(rig.u_distance_m)
+def require_rig(rig: Rig, named: Mapping[str, str] | None = None) -> None:
+    """Raise BadInput for the first value that no rig has, and for a divergence without its distance;
+    `named`: what values are called instead.
+    """
+    for name, limits in LIMITS.items():
+        value = getattr(rig, name)
+        if value is not None:
+            most = rig.baseline_m if name == "u_baseline_m" else limits.most
+            replace(limits, most=most).require(value, (named or {}).get(name))
     _require_lanes(rig.lanes)
     if (rig.divergence_rad or rig.u_divergence_rad) and rig.distance_m is None and not rig.lanes:
         raise BadInput("linescan-rig-divergence-without-distance")
@@ -158,6 +160,12 @@ def baseline_of(rig: Rig) -> tuple[float, float]:
         rig.baseline_correlation,
         (rig.distance_m or 0.0, rig.u_distance_m),
     )
+
+
+def speed_ratio_of(rig: Rig) -> float:
+    """What baseline and line rate give to every speed alike, a share of it (k = 1)."""
+    baseline_m, u_baseline_m = baseline_of(rig)
+    return hypot(u_baseline_m / baseline_m, rig.u_line_rate_ratio)
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from sqlalchemy import ColumnElement, Row, Select, and_, exists, func, null, or_
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
+from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import who
 from sightline.measurements.derived_query import derived
@@ -145,16 +146,12 @@ def reviews_of_series(session: Session, condition: ColumnElement[bool]) -> tuple
         .order_by(reviews.c.id)
     )
     return tuple(
-        Review(
-            id=row.id,
+        record_of(
+            Review,
+            row._mapping,
             measurement_id=row.series_id,
-            revision=row.revision,
-            result_revision=row.result_revision,
-            verdict=row.verdict,
-            reason=row.reason,
             reviewer=who(row.created_by, row.reviewer_name),
             at=row.created_at,
-            lot_id=row.lot_id,
         )
         for row in session.execute(query)
     )

@@ -14,6 +14,7 @@ from sightline.enums import Role
 from sightline.errors import BadInput, Conflict, NotSignedIn
 from sightline.infra.audit import trail
 from sightline.infra.audit.hashing import plain
+from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people, sign_in_links
 from sightline.infra.database.rows import add_row, change_row, get_row
 from sightline.infra.database.types import now
@@ -179,14 +180,4 @@ def _checked(name: str, role: str) -> str:
 
 
 def _person(row: Mapping[Any, Any]) -> Person:
-    return Person(
-        id=row["id"],
-        name=row["name"],
-        email=row["email"],
-        role=row["role"],
-        active=row["active"],
-        created_at=row["created_at"],
-        last_seen_at=row["last_seen_at"],
-        has_password=row["password_hash"] is not None,
-        session_key=row["session_key"],
-    )
+    return record_of(Person, row, has_password=row["password_hash"] is not None)

@@ -21,9 +21,10 @@ from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Finite, In, Out
 from sightline.infra.web.deps import SurveysSeen
 from sightline.infra.web.figures import (
-    DensityBody,
-    EcdfBody,
-    FigureBody,
+    DensityPart,
+    EcdfPart,
+    ErrorFiguresBody,
+    Part,
     ReasonBody,
 )
 from sightline.infra.web.named import SurveyId
@@ -65,17 +66,10 @@ def heights_asked_for(
 HeightsAsked = Annotated[Filter, Depends(heights_asked_for)]
 
 
-class ErrorGroupBody(Out):
+class ErrorGroupBody(ErrorFiguresBody):
     """One column of the error table; error = measured - reference."""
 
-    group: str
     title: str = Field(description="The column of the paper's table that it stands for.")
-    n: int
-    figures: dict[str, FigureBody]
-    reason: Said | None = Field(description="Why a figure or its interval is missing.")
-    words: Said | None = Field(
-        description="What the intervals of all but correlations and skewness hold, and for which roads."
-    )
 
 
 class TrendBody(Out):
@@ -98,33 +92,25 @@ class PointsBody(Out):
     lighting: list[LightingGroup]
 
 
-Ecdfs = dict[str, EcdfBody | ReasonBody]
-
-
 class ErrorsBody(Out):
     rounding: Rounding
     words: Said = Field(description="Which heights were compared, and how they were rounded.")
     groups: list[ErrorGroupBody]
     paper: list[PaperColumn]
-    reference_part: ReferencePart | ReasonBody
-    bland_altman: BlandAltman | ReasonBody
-    trend: TrendBody | ReasonBody
-    absolute_trend: TrendBody | ReasonBody
-    absolute: Ecdfs
-    relative: Ecdfs
-    density: dict[str, DensityBody | ReasonBody]
+    reference_part: Annotated[ReferencePart | ReasonBody, Part]
+    bland_altman: Annotated[BlandAltman | ReasonBody, Part]
+    trend: Annotated[TrendBody | ReasonBody, Part]
+    absolute_trend: Annotated[TrendBody | ReasonBody, Part]
+    absolute: dict[str, EcdfPart]
+    relative: dict[str, EcdfPart]
+    density: dict[str, DensityPart]
     points: PointsBody = Field(description="At most 1500, drawn at random but always the same.")
 
 
-class KnownGroupBody(Out):
+class KnownGroupBody(ErrorFiguresBody):
     """Bias, MAE, RMSE and SD of some vehicles' errors, not rounded, with total intervals."""
 
     grouping: ErrorGrouping
-    group: str
-    n: int
-    figures: dict[str, FigureBody]
-    reason: Said | None
-    words: Said | None = Field(description="What the intervals hold, and for which roads.")
 
 
 class KnownErrorsBody(Out):
@@ -133,7 +119,7 @@ class KnownErrorsBody(Out):
     target: Target
     check_target: bool
     groups: list[KnownGroupBody] = Field(description="All first, then each lighting and class there is.")
-    inside: Inside | ReasonBody = Field(
+    inside: Annotated[Inside | ReasonBody, Part] = Field(
         description="How many differences are not larger than their own U95; about 95 % should be."
     )
 
@@ -171,7 +157,7 @@ class DistributionBody(Out):
     n: int
     mean_m: float | None
     sd_m: float | None
-    ecdf: EcdfBody | ReasonBody
+    ecdf: EcdfPart
     percentiles: list[Percentile]
     shares: list[ShareBody]
 
@@ -196,7 +182,7 @@ class TargetBody(Out):
     total: TotalFigures | None = Field(description="Null where heights are not corrected by their insets.")
     raw: DistributionBody
     corrected: CorrectedBody
-    density: DensityBody | ReasonBody
+    density: DensityPart
     groups: dict[str, GroupingBody]
 
 

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
 from typing import get_args
 
 from sightline.enums import Category, ClassSet, Lighting, StandardHeight
 from sightline.errors import Damaged
 from sightline.infra.csv_package.columns import flag, integer, metres, number, text
-from sightline.infra.csv_package.files import Files, read_columns, unsafe, whole
-from sightline.infra.csv_package.files import number as cell_number
+from sightline.infra.csv_package.files import Files, read_columns, read_rows, record_in, whole
 from sightline.infra.csv_package.schema import Table
 from sightline.recordings.filming import FILMED
 from sightline.results.selection import Selection, selection_of
@@ -40,36 +38,17 @@ STANDARDS: Table[Standard] = Table(
 )
 
 
-_COLUMNS = tuple(column.name for column in STANDARDS.columns)
-
-
 def standards_in(files: Files) -> tuple[Standard, ...]:
     """The table of a package. Raises Damaged."""
-    return tuple(_standard(dict(zip(_COLUMNS, cells, strict=True))) for cells in _cells(files))
-
-
-def _cells(files: Files) -> Iterator[Sequence[str]]:
-    return iter(read_columns(files, STANDARDS.key, _COLUMNS))
+    return tuple(_standard(row) for row in read_rows(files, STANDARDS.key))
 
 
 def _standard(row: dict[str, str]) -> Standard:
-    height_m = cell_number(row["height_m"])
     kinds: dict[str, StandardHeight] = {word: word for word in get_args(StandardHeight)}
     what = kinds.get(row["what"])
-    if what is None or height_m is None or row["drawn"] not in ("true", "false"):
+    if what is None or not row["height_m"] or row["drawn"] not in ("true", "false"):
         raise Damaged("results-cannot-read-take-whole-export-again", path=STANDARDS.key, name=row["name"])
-    return Standard(
-        name=unsafe(row["name"]),
-        what=what,
-        height_m=height_m,
-        source=unsafe(row["source"]),
-        edition=unsafe(row["edition"]),
-        year=whole(row["year"]),
-        percent=cell_number(row["percent"]),
-        vehicle_class=unsafe(row["vehicle_class"]),
-        cited_by=unsafe(row["cited_by"]),
-        drawn=row["drawn"] == "true",
-    )
+    return record_in(Standard, row, what=what)
 
 
 #: What is chosen by, and one word of it.

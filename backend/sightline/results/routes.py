@@ -1,10 +1,9 @@
 """Statistics of measurements: errors against reference heights, distributions, vehicles to take."""
 
-from dataclasses import asdict, fields, replace
+from dataclasses import asdict, replace
 from datetime import date
 from typing import Annotated, Any, get_args
 
-import numpy as np
 from fastapi import APIRouter, Query
 
 from sightline.enums import (
@@ -18,6 +17,7 @@ from sightline.errors import BadInput
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Id
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
+from sightline.infra.web.figures import error_figures, rounded
 from sightline.messages.said import Said
 from sightline.recordings.bodies import FilmedAsked
 from sightline.results import standards_store
@@ -30,7 +30,7 @@ from sightline.results.survey_statistics import (
     survey_statistics,
 )
 from sightline.statistics.agreement import U_MANUFACTURER_M
-from sightline.statistics.errors import GROUPS, ErrorGroup
+from sightline.statistics.errors import GROUPS
 from sightline.statistics.known_errors import KnownErrors
 from sightline.statistics.lateral import Lateral
 from sightline.statistics.paper import PAPER
@@ -43,6 +43,7 @@ router = APIRouter()
 Metres = Annotated[float, Query(allow_inf_nan=False)]
 MOST_OWN = 20
 _LIGHTING = get_args(LightingGroup)
+_TITLES = {column.group: column.title for column in PAPER}
 
 
 @router.get("/statistics")
@@ -115,16 +116,13 @@ def statistics_body(found: Statistics, correction: Correction) -> StatisticsBody
     """Statistics as they go out."""
     return StatisticsBody.model_validate(
         {
-            "counted": found.counted,
-            "rules": found.rules,
+            **vars(found),
             "errors": _errors(found.errors, correction),
             "known_errors": [_known(one) for one in found.known_errors],
             "targets": [
                 _target(name, one, standards_of(found.standards, name)) for name, one in found.targets.items()
             ],
             "lateral": _lateral(found.lateral),
-            "comparison": found.comparison,
-            "standards": found.standards,
             "surveys": [Who(*one) for one in found.surveys.items()],
             "operators": [Who(*one) for one in found.operators.items()],
         }
@@ -135,60 +133,21 @@ def _errors(found: Errors, correction: Correction) -> dict[str, Any]:
     heights = "inset" if correction == "inset" else "paper"
     points = found.points
     return {
-        "rounding": found.rounding,
+        **vars(found),
         "words": Said("stat-errors-of", heights=heights, rounded=found.rounding),
-        "groups": [_group(name, found.groups[name]) for name in GROUPS],
+        "groups": [{**error_figures(name, found.groups[name]), "title": _TITLES[name]} for name in GROUPS],
         "paper": PAPER,
-        "reference_part": _part(found.reference_part),
-        "bland_altman": _part(found.bland_altman),
-        "trend": _part(found.trend),
-        "absolute_trend": _part(found.absolute_trend),
-        "absolute": {name: _part(one) for name, one in found.absolute.items()},
-        "relative": {name: _part(one) for name, one in found.relative.items()},
-        "density": {name: _part(one) for name, one in found.density.items()},
         "points": {
-            "reference_m": _rounded(points[:, 0]),
-            "error_m": _rounded(points[:, 1]),
+            "reference_m": rounded(points[:, 0]),
+            "error_m": rounded(points[:, 1]),
             "lighting": [_LIGHTING[int(code)] for code in points[:, 2]],
         },
     }
 
 
-def _group(name: str, one: ErrorGroup) -> dict[str, Any]:
-    title = next(column.title for column in PAPER if column.group == name)
-    return {"group": name, "title": title, **_figures_of(one)}
-
-
-def _figures_of(one: ErrorGroup) -> dict[str, Any]:
-    figures = {
-        key: {
-            "value": value,
-            "ci95": _part(one.ci95[key], None),
-            "reason": _no_interval(one, key),
-            "holds": one.holds.get(key, ()) if one.ci95[key] is not None else (),
-        }
-        for key, value in one.figures.items()
-    }
-    return {"n": one.n, "figures": figures, "reason": one.reason, "words": one.words}
-
-
 def _known(one: KnownErrors) -> dict[str, Any]:
-    return {
-        "target": one.target,
-        "check_target": one.check_target,
-        "groups": [
-            {"grouping": part.grouping, "group": part.group, **_figures_of(part.errors)}
-            for part in one.groups
-        ],
-        "inside": _part(one.inside),
-    }
-
-
-def _no_interval(one: ErrorGroup, key: str) -> Said | None:
-    """Why one figure alone has no interval."""
-    if one.reason is not None or one.figures[key] is None or one.ci95[key] is not None:
-        return None
-    return Said("stat-too-few-errors")
+    groups = [{"grouping": part.grouping, **error_figures(part.group, part.errors)} for part in one.groups]
+    return {**vars(one), "groups": groups}
 
 
 def _target(name: StatisticsTarget, one: Target, table: list[Standard]) -> dict[str, Any]:
@@ -202,7 +161,7 @@ def _target(name: StatisticsTarget, one: Target, table: list[Standard]) -> dict[
         "target": name,
         "raw": _distribution(one.raw, table),
         "corrected": corrected,
-        "density": _part(one.density),
+        "density": one.density,
         "total": one.total,
         "groups": {key: _grouping(groups, table) for key, groups in one.groups.items()},
     }
@@ -224,29 +183,4 @@ def _distribution(one: Distribution, table: list[Standard]) -> dict[str, Any]:
     shares = [
         {"standard": standard, **asdict(share)} for standard, share in zip(table, one.shares, strict=False)
     ]
-    return {
-        "n": one.n,
-        "mean_m": one.mean_m,
-        "sd_m": one.sd_m,
-        "ecdf": _part(one.ecdf),
-        "percentiles": one.percentiles,
-        "shares": shares,
-    }
-
-
-def _part(one: Any, empty: Said | None = Said("stat-group-empty")) -> Any:
-    """A part as it goes out: arrays as lists to the micrometre, its reason where there is none."""
-    if one is None:
-        return empty and {"reason": empty}
-    if isinstance(one, Said):
-        return {"reason": one}
-    return {field.name: _plain(getattr(one, field.name)) for field in fields(one)}
-
-
-def _plain(value: Any) -> Any:
-    return _rounded(value) if isinstance(value, np.ndarray) else value
-
-
-def _rounded(values: np.ndarray[Any, Any]) -> list[float]:
-    rounded: list[float] = np.round(values, 6).tolist()
-    return rounded
+    return {**vars(one), "shares": shares}

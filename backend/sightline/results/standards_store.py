@@ -17,7 +17,8 @@ from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.database.rows import get_row
-from sightline.statistics.standards import STANDARDS, Standard
+from sightline.results.usual_standards import STANDARDS
+from sightline.statistics.standards import Standard
 from sightline.surveys.tables import surveys
 
 MOST = 40

@@ -50,11 +50,12 @@ from sightline.results.measured_columns_query import (
 )
 from sightline.results.standards_store import standards_of_surveys
 from sightline.results.survey_comparison import ComparedSurveys, compared_surveys
+from sightline.results.usual_standards import STANDARDS
 from sightline.statistics.agreement import U_MANUFACTURER_M
 from sightline.statistics.known_errors import COMPARED, Compared, KnownErrors, known_errors
 from sightline.statistics.lateral import Lateral, lateral_positions
 from sightline.statistics.rules import RuleToday, rule_today
-from sightline.statistics.standards import STANDARDS, Standard
+from sightline.statistics.standards import Standard
 from sightline.statistics.summary import Errors, Grouping, Roofs, Target, errors_of, target_of
 from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty, sample_of_measurements
 from sightline.surveys.store import survey_names

@@ -8,7 +8,8 @@ from typing import Any
 from sightline.infra.csv_package.files import Files
 from sightline.infra.csv_package.replay import hold_all, values_of
 from sightline.results.csv import STANDARDS as TABLE
-from sightline.statistics.standards import STANDARDS, Standard
+from sightline.results.usual_standards import STANDARDS
+from sightline.statistics.standards import Standard
 
 
 def check_standards(files: Files, survey: Mapping[str, Any]) -> None:

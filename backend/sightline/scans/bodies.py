@@ -23,14 +23,12 @@ from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Finite, Id, In, JobBody, Name, Out, Text
 from sightline.infra.web.named import RecordingId, UploadId
 from sightline.infra.web.quantities import Word
-from sightline.linescan import rig
 from sightline.linescan.parts import USUAL_SHADOW_SHARE, Entry, Gap
-from sightline.linescan.rig import Limits
+from sightline.linescan.rig import LIMITS
 from sightline.measurements.records import ReviewState
-from sightline.messages.said import Said
 from sightline.recordings.bodies import StartIn
-from sightline.scans.records import FoundMotion, ScanVehicleFacts, StripPair
-from sightline.scans.references.bodies import ReferenceBody
+from sightline.scans.records import FoundMotion, ScanRun, ScanVehicleFacts, StripPair
+from sightline.scans.references.records import ShownReference
 
 Version = Annotated[int, Field(ge=1, le=2**31 - 1, description="The version that you saw.")]
 Line = Annotated[Finite, Field(ge=0, le=1e12, description="Line number, fractional.")]
@@ -39,32 +37,29 @@ LengthM = Annotated[Finite, Field(gt=0, le=100)]
 ULengthM = Annotated[Finite, Field(ge=0, le=100)]
 
 
-def _within(limits: Limits, description: str | None = None) -> FieldInfo:
+def _within(name: str, description: str | None = None) -> FieldInfo:
+    limits = LIMITS[name]
     field: FieldInfo = Field(ge=limits.least, le=limits.most, description=description)
     return field
 
 
-BaselineM = Annotated[Finite, _within(rig.BASELINE_M)]
-UBaselineM = Annotated[Finite, _within(rig.U_BASELINE_M)]
-LineRateHz = Annotated[Finite, _within(rig.LINE_RATE_HZ)]
-Ratio = Annotated[Finite, _within(rig.U_LINE_RATE_RATIO, "Standard uncertainty over the value.")]
-Angle = Annotated[Finite, _within(rig.DIVERGENCE_RAD)]
-UAngle = Annotated[Finite, _within(rig.U_DIVERGENCE_RAD)]
-DistanceM = Annotated[Finite, _within(rig.DISTANCE_M)]
-Pixels = Annotated[Finite, _within(rig.MISALIGNMENT_PX)]
-ShadowShare = Annotated[
-    Finite, _within(rig.SHADOW_SHARE, "Of the rows, from the bottom, in which no vehicle is looked for.")
-]
-UPixels = Annotated[Finite, _within(rig.U_MISALIGNMENT_PX)]
-Correlation = Annotated[
-    Finite,
-    _within(rig.CORRELATION, "Of the errors of baseline and divergence; 0 where these change without it."),
-]
+BaselineM = Annotated[Finite, _within("baseline_m")]
+UBaselineM = Annotated[Finite, _within("u_baseline_m")]
+LineRateHz = Annotated[Finite, _within("line_rate_hz")]
+Ratio = Annotated[Finite, _within("u_line_rate_ratio", "Standard uncertainty over the value.")]
+Angle = Annotated[Finite, _within("divergence_rad")]
+UAngle = Annotated[Finite, _within("u_divergence_rad")]
+DistanceM = Annotated[Finite, _within("distance_m")]
+Pixels = Annotated[Finite, _within("misalignment_px")]
+UPixels = Annotated[Finite, _within("u_misalignment_px")]
+_SHADOW = "Of the rows, from the bottom, in which no vehicle is looked for."
+ShadowShare = Annotated[Finite, _within("shadow_share", _SHADOW)]
+_TOGETHER = "Of the errors of baseline and divergence; 0 where these change without it."
+Correlation = Annotated[Finite, _within("baseline_correlation", _TOGETHER)]
+_AWAY = "Of a vehicle's distance, its place in the lane included."
+UDistanceM = Annotated[Finite, _within("u_distance_m", _AWAY)]
 LaneName = Annotated[str, Field(min_length=1, max_length=40)]
 TyresPx = Annotated[Finite, Field(ge=0, le=2**16)]
-UDistanceM = Annotated[
-    Finite, _within(rig.U_DISTANCE_M, "Of a vehicle's distance, its place in the lane included.")
-]
 
 
 class RigLaneIn(In):
@@ -165,23 +160,6 @@ class ChangedScan(In):
 
 
 @dataclass(frozen=True, slots=True)
-class ScanRunBody:
-    """One search for vehicles, and what it says of the recording."""
-
-    id: int
-    method: ScanMethod
-    found: int
-    measured: int
-    warnings: list[Said]
-    misalignment_px: float | None
-    u_misalignment_px: float | None
-    misalignment_words: Said | None
-    code_version: str
-    created_by: Who | None
-    created_at: datetime
-
-
-@dataclass(frozen=True, slots=True)
 class LevelBody:
     """A zoom level of the strips: so many lines, of which each stands for `step` lines of the recording."""
 
@@ -206,7 +184,7 @@ class ScanBody(StripPair):
     started_local: Annotated[
         str | None, Field(description="`started_at` by the clocks of `time_zone`, ISO 8601 with offset.")
     ]
-    run: ScanRunBody | None
+    run: ScanRun | None
 
 
 class SwapWanted(In):
@@ -259,7 +237,7 @@ class ScanVehicleBody(ScanVehicleFacts):
     length_error_m: float | None
     wheelbase_error_m: float | None
     references: Annotated[
-        list[ReferenceBody], Field(description="What something else measured of it, beside ours.")
+        list[ShownReference], Field(description="What something else measured of it, beside ours.")
     ]
 
 

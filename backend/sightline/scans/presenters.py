@@ -6,10 +6,10 @@ from sightline.coverage import expanded
 from sightline.enums import MatchPicture
 from sightline.infra.by_name import filled_from
 from sightline.infra.database.types import now
+from sightline.infra.services import Services
 from sightline.infra.web.bodies import JobBody
 from sightline.linescan.parts import Entry, Rig
 from sightline.media.strips.stored_writer import STEP, TILE_LINES, level_lines
-from sightline.messages.said import Said
 from sightline.recordings.csv import started_text
 from sightline.scans.bodies import (
     LevelBody,
@@ -18,16 +18,15 @@ from sightline.scans.bodies import (
     ScanBody,
     ScanMotionBody,
     ScanReviewBody,
-    ScanRunBody,
     ScanVehicleBody,
     ScanVehicleDetailBody,
 )
 from sightline.scans.live.state import live_state
 from sightline.scans.match import window_of
-from sightline.scans.records import Scan, ScanMeasurement, ScanRun, ScanValues
-from sightline.scans.references.presenters import reference_body
+from sightline.scans.records import Scan, ScanMeasurement, ScanValues
+from sightline.scans.references.service import shown_reference
 from sightline.scans.store import rig_for
-from sightline.scans.vehicles.listing import ShownDetail, ShownVehicle
+from sightline.scans.vehicles.listing import ShownDetail, ShownVehicle, one_of
 
 
 def scan_body(scan: Scan) -> ScanBody:
@@ -46,18 +45,6 @@ def scan_body(scan: Scan) -> ScanBody:
             LevelBody(level=n, lines=count, step=STEP**n, tiles=-(-count // TILE_LINES))
             for n, count in enumerate(level_lines(lines) if lines else [])
         ],
-        run=None if scan.run is None else run_body(scan.run),
-    )
-
-
-def run_body(run: ScanRun) -> ScanRunBody:
-    """A run of the finder with what it says about the cameras."""
-    told, words = ("misalignment_px", "u_misalignment_px"), run.summary.get("misalignment_words")
-    return filled_from(
-        ScanRunBody,
-        run,
-        **{name: run.summary.get(name) for name in told},
-        misalignment_words=words and Said.read(words),
     )
 
 
@@ -94,8 +81,16 @@ def vehicle_body(shown: ShownVehicle, asker: int) -> ScanVehicleBody:
         gap=shown.gap,
         length_error_m=shown.length_error_m,
         wheelbase_error_m=shown.wheelbase_error_m,
-        references=[reference_body(one, shown.agreement(one)) for one in shown.references],
+        references=[
+            shown_reference(one, None if measured is None else measured.values) for one in shown.references
+        ],
     )
+
+
+def changed_vehicle(services: Services, vehicle_id: int, asker: int) -> ScanVehicleBody:
+    """The answer to a change of a vehicle."""
+    with services.reading() as session:
+        return vehicle_body(one_of(session, vehicle_id), asker)
 
 
 def detail_body(detail: ShownDetail, asker: int) -> ScanVehicleDetailBody:

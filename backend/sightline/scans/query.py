@@ -7,6 +7,7 @@ from typing import Any
 from sqlalchemy import ColumnElement, Select, Text, exists, func, select, type_coerce
 from sqlalchemy.orm import Session
 
+from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import who
 from sightline.measurements.records import ReviewState
@@ -36,17 +37,12 @@ _newest_review = (
 )
 
 
+_PLACE = ("id", "survey_id", "scan_id", "vehicle_id", "revision", "created_at", "verdict_of_id")
+
+
 def _columns(names: tuple[str, ...]) -> list[Any]:
     return [
-        *(scan_measurements.c[name].label(f"m_{name}") for name in names),
-        scan_measurements.c.id.label("m_id"),
-        scan_measurements.c.survey_id.label("m_survey_id"),
-        scan_measurements.c.scan_id.label("m_scan_id"),
-        scan_measurements.c.vehicle_id.label("m_vehicle_id"),
-        scan_measurements.c.revision.label("m_revision"),
-        scan_measurements.c.created_by.label("m_created_by"),
-        scan_measurements.c.created_at.label("m_created_at"),
-        scan_measurements.c.verdict_of_id.label("m_verdict_of_id"),
+        *(scan_measurements.c[name].label(f"m_{name}") for name in (*names, *_PLACE, "created_by")),
         _maker.c.name.label("maker_name"),
         scan_reviews.c.verdict,
         scan_reviews.c.measurement_id.label("judged_id"),
@@ -125,16 +121,10 @@ def scan_measurement_of_row(row: Mapping[Any, Any]) -> ScanMeasurement:
         reviewer = who(row["reviewed_by"], row["reviewer_name"])
         review = ReviewState(row["verdict"], row["review_reason"], reviewer, row["reviewed_at"])
     return ScanMeasurement(
-        id=row["m_id"],
-        survey_id=row["m_survey_id"],
-        scan_id=row["m_scan_id"],
-        vehicle_id=row["m_vehicle_id"],
-        revision=row["m_revision"],
+        **{name: row[f"m_{name}"] for name in _PLACE},
         values=ScanValues(profile=row.get("m_profile"), **values),
         created_by=who(row["m_created_by"], row["maker_name"]),
-        created_at=row["m_created_at"],
         review=review,
-        verdict_of_id=row["m_verdict_of_id"],
         judged_id=row["judged_id"],
     )
 
@@ -153,16 +143,10 @@ def reviews_where(session: Session, condition: ColumnElement[bool]) -> tuple[Sca
         .where(condition)
         .order_by(scan_reviews.c.id)
     )
+    rows = session.execute(query).mappings()
     return tuple(
-        ScanReview(
-            id=row.id,
-            measurement_id=row.measurement_id,
-            vehicle_id=row.vehicle_id,
-            revision=row.revision,
-            verdict=row.verdict,
-            reason=row.reason,
-            reviewer=who(row.created_by, row.reviewer_name),
-            at=row.created_at,
+        record_of(
+            ScanReview, row, reviewer=who(row["created_by"], row["reviewer_name"]), at=row["created_at"]
         )
-        for row in session.execute(query)
+        for row in rows
     )

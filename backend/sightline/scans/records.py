@@ -1,8 +1,9 @@
 """Records of line-scan recordings: frozen, as `records` has them for videos."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from datetime import datetime
-from typing import Annotated, TypedDict
+from typing import Annotated, Any, Generic, TypeVar
 
 from pydantic import Field
 
@@ -31,6 +32,21 @@ from sightline.linescan.parts import Rig
 from sightline.measurements.records import ReviewState
 from sightline.messages.said import Said
 from sightline.scans.clock import CLOCK, ScanClock, clock_of
+
+Values = TypeVar("Values")
+
+
+@dataclass(frozen=True, slots=True)
+class StoredRevision(Generic[Values]):
+    """One calibration of something of a scan; the newest revision counts."""
+
+    id: int
+    survey_id: int
+    scan_id: int
+    revision: int
+    values: Values
+    created_by: Who | None
+    created_at: datetime
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,25 +166,20 @@ class Scan(StripPair):
         return clock_of({name: getattr(self, name) for name in CLOCK})
 
 
-class ScanChanges(TypedDict, total=False):
-    """What people may change of a scan; keys left out stay as they are."""
+#: What people change of a scan or of a vehicle of it, by name; what is left out stays as it is.
+Changes = Mapping[str, Any]
 
-    name: str
-    lighting: Lighting | None
-    clock: ScanClock | None
-    baseline_m: float
-    u_baseline_m: float
-    line_rate_hz: float
-    u_line_rate_ratio: float
-    divergence_rad: float
-    u_divergence_rad: float
-    distance_m: float | None
-    misalignment_px: float | None
-    u_misalignment_px: float
-    shadow_share: float
-    baseline_correlation: float
-    u_distance_m: float
-    lanes: list[JsonObject]
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RunSummary:
+    """What the traffic says of the cameras, of so many `vehicles`."""
+
+    misalignment_px: float | None = None
+    u_misalignment_px: float | None = None
+    misalignment_words: Said | None = None
+    vehicles: int = 0
+    gain: float | None = None
+    u_gain: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -176,16 +187,18 @@ class ScanRunValues:
     """What a run of the finder did: with which method and rig, how many it found and measured."""
 
     method: ScanMethod
-    rig: JsonObject
+    rig: Annotated[JsonObject, Field(exclude=True)]
     found: int
     measured: int
-    summary: JsonObject
+    summary: RunSummary
     warnings: list[Said]
     code_version: str
 
 
 @dataclass(frozen=True, slots=True)
 class ScanRun(ScanRunValues):
+    """One search for vehicles, and what it says of the recording."""
+
     id: int
     scan_id: int
     job_id: int | None
@@ -291,31 +304,10 @@ class ScanMeasurement:
     judged_id: int | None = None
 
 
-class ScanVehicleChanges(TypedDict, total=False):
-    """What people fill in about a scanned vehicle; keys left out stay as they are."""
-
-    make: str | None
-    model: str | None
-    year: int | None
-    category: Category | None
-    true_length_m: float | None
-    u_true_length_m: float | None
-    true_wheelbase_m: float | None
-    u_true_wheelbase_m: float | None
-    facts_source: str | None
-    run_of: str | None
-    lighting: Lighting | None
-    notes: str
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ScanVehicleFacts:
-    """What is known of a vehicle of a scan; `true_` lengths are the manufacturer's."""
+class KnownOfScanned:
+    """What people fill in about a scanned vehicle; `true_` lengths are the manufacturer's."""
 
-    id: int
-    scan_id: int
-    number: int
-    origin: VehicleOrigin
     make: str | None
     model: str | None
     year: int | None
@@ -328,6 +320,16 @@ class ScanVehicleFacts:
     run_of: Annotated[str | None, Field(description="The name of the car of which it is one run.")]
     lighting: Lighting | None
     notes: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ScanVehicleFacts(KnownOfScanned):
+    """A vehicle of a scan and what is known of it."""
+
+    id: int
+    scan_id: int
+    number: int
+    origin: VehicleOrigin
     version: int
     updated_by: Who | None
     updated_at: datetime

@@ -1,7 +1,7 @@
 """Line-scan recordings: made, read, looked at; their vehicles found."""
 
 from datetime import UTC, datetime
-from typing import Annotated, cast
+from typing import Annotated
 
 from fastapi import APIRouter, Path, Query, Request, Response
 
@@ -22,7 +22,7 @@ from sightline.scans.bodies import (
 )
 from sightline.scans.clock import clock_said
 from sightline.scans.presenters import scan_body
-from sightline.scans.records import CutSource, ScanChanges
+from sightline.scans.records import CutSource
 from sightline.scans.rig.service import RigOfTraffic, rig_of_traffic
 from sightline.scans.store import RIG
 from sightline.surveys.store import get_survey
@@ -52,19 +52,8 @@ def list_strip_uploads(survey_id: PathId, who: Viewer, session: Reading) -> list
 def add_scan(survey_id: PathId, body: NewScan, who: Operator, session: Writing) -> ScanBody:
     """A scan of two uploaded strips; they are read in the background, then vehicles are looked for."""
     rig = rig_from(body.model_dump(include=set(RIG)))
-    made = service.create_from_strips(
-        session,
-        survey_id,
-        name=body.name,
-        first_upload=body.first_upload,
-        second_upload=body.second_upload,
-        time_axis=body.time_axis,
-        rig=rig,
-        lighting=body.lighting,
-        find=body.find,
-        actor=who.id,
-    )
-    return scan_body(made)
+    given = body.model_dump(exclude=set(RIG))
+    return scan_body(service.create_from_strips(session, survey_id, rig=rig, actor=who.id, **given))
 
 
 @router.post("/surveys/{survey_id}/scans/from-video", status_code=201)
@@ -107,9 +96,7 @@ def change_scan(scan_id: PathId, body: ChangedScan, who: Operator, session: Writ
     if "start" in body.model_fields_set:
         said = body.start
         changes["clock"] = said and clock_said(said.local, said.time_zone, said.u_s, datetime.now(UTC))
-    return scan_body(
-        store.update_scan(session, scan_id, cast(ScanChanges, changes), version=body.version, actor=who.id)
-    )
+    return scan_body(store.update_scan(session, scan_id, changes, version=body.version, actor=who.id))
 
 
 @router.delete("/scans/{scan_id}", status_code=204)

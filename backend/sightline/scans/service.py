@@ -1,6 +1,6 @@
 """Line-scan recordings: made of uploaded strips or of a video's columns, changed, deleted; strips opened.
 
-Finding and measuring their vehicles is in `scanning_find` and `scanning_measuring`.
+Finding and measuring their vehicles is in `vehicles.find_job` and `vehicles.measure`.
 """
 
 from __future__ import annotations

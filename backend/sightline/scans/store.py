@@ -26,10 +26,10 @@ from sightline.scans.heights.store import scan_height_states
 from sightline.scans.heights.tables import line_poses
 from sightline.scans.live.tables import scan_live
 from sightline.scans.records import (
+    Changes,
     CutSource,
     LiveSource,
     Scan,
-    ScanChanges,
     ScanCounts,
     StripFacts,
     StripSource,
@@ -41,25 +41,12 @@ from sightline.scans.vehicles.run_store import latest_scan_runs
 from sightline.scans.vehicles.store import counts_of_scans
 from sightline.surveys.tables import surveys
 
-RIG = (
-    "baseline_m",
-    "line_rate_hz",
-    "u_baseline_m",
-    "u_line_rate_ratio",
-    "divergence_rad",
-    "u_divergence_rad",
-    "distance_m",
-    "misalignment_px",
-    "u_misalignment_px",
-    "shadow_share",
-    "baseline_correlation",
-    "u_distance_m",
-    "lanes",
-)
+#: The values of a rig, by name.
+RIG = tuple(one.name for one in fields(Rig))
 #: What a calibration of the rig gives; the correlation is that of these errors and goes with them.
 CALIBRATED = ("baseline_m", "u_baseline_m", "divergence_rad", "u_divergence_rad", "baseline_correlation")
 _ALIVE: ColumnElement[bool] = scans.c.deleted_at.is_(None)
-_CHANGEABLE = frozenset(ScanChanges.__annotations__) - {"clock"} | set(CLOCK)
+_CHANGEABLE = {"name", "lighting", *RIG, *CLOCK}
 _DERIVED = ("rig", "start_proposed", "heard_at", "job", "counts", "run", "created_by", "updated_by")
 _NAMED = [one.name for one in fields(Scan) if one.name not in _DERIVED]
 
@@ -118,39 +105,27 @@ def list_scans(session: Session, survey_id: int) -> tuple[Scan, ...]:
 
 def note_scan_read(session: Session, scan_id: int, facts: StripFacts, *, actor: int | None) -> Scan:
     """Both tiled forms are stored; the scan is ready. May be repeated."""
-    before = _row(session, scan_id)
-    values = {**asdict(facts), "state": "ready", "error": None}
-    change_row(session, scans, scan_id, values)
-    then = {"state": before["state"]}
-    trail.record(session, actor, "read", "scan", scan_id, before["survey_id"], then, values)
-    return get_scan(session, scan_id)
+    return _note(session, scan_id, {**asdict(facts), "state": "ready", "error": None}, "read", actor)
 
 
 def note_scan_recorded(
     session: Session, scan_id: int, source: tuple[StripSource, StripSource], *, actor: int | None
 ) -> Scan:
     """A live stream has ended and its strips are stored; their reading is to come."""
-    before = _row(session, scan_id)
-    values = {**_strip_columns(source), "state": "reading"}
-    change_row(session, scans, scan_id, values)
-    then = {"state": before["state"]}
-    trail.record(session, actor, "recorded", "scan", scan_id, before["survey_id"], then, values)
-    return get_scan(session, scan_id)
+    return _note(session, scan_id, {**_strip_columns(source), "state": "reading"}, "recorded", actor)
 
 
 def note_reading_failed(session: Session, scan_id: int, error: str, *, actor: int | None) -> Scan:
     """The strips cannot be used; `error` is the sentence that says why."""
-    return _state(session, scan_id, "failed", error, "reading_failed", actor)
+    return _note(session, scan_id, {"state": "failed", "error": error}, "reading_failed", actor)
 
 
 def restart_reading(session: Session, scan_id: int, *, actor: int | None) -> Scan:
     """Back to "reading" for another try."""
-    return _state(session, scan_id, "reading", None, "restart_reading", actor)
+    return _note(session, scan_id, {"state": "reading", "error": None}, "restart_reading", actor)
 
 
-def update_scan(
-    session: Session, scan_id: int, changes: ScanChanges, *, version: int, actor: int | None
-) -> Scan:
+def update_scan(session: Session, scan_id: int, changes: Changes, *, version: int, actor: int | None) -> Scan:
     """Change name, lighting, the start or values of the rig. What was measured stays, with its rig.
 
     Raises Conflict, naming who and when, if `version` is not the current one; BadInput.
@@ -228,13 +203,12 @@ def rig_for(rig: Rig, lane: str | None, way: ScanDirection) -> dict[str, Any]:
     return rig_columns(at_lane(rig, lane, way))
 
 
-def _state(
-    session: Session, scan_id: int, state: str, error: str | None, action: str, actor: int | None
-) -> Scan:
+def _note(session: Session, scan_id: int, values: dict[str, Any], action: str, actor: int | None) -> Scan:
+    """What became of a scan's strips."""
     before = _row(session, scan_id)
-    change_row(session, scans, scan_id, {"state": state, "error": error})
-    then, after = {"state": before["state"]}, {"state": state, "error": error}
-    trail.record(session, actor, action, "scan", scan_id, before["survey_id"], then, after)
+    change_row(session, scans, scan_id, values)
+    then = {"state": before["state"]}
+    trail.record(session, actor, action, "scan", scan_id, before["survey_id"], then, values)
     return get_scan(session, scan_id)
 
 

@@ -2,7 +2,6 @@
 
 from sqlalchemy import (
     BigInteger,
-    Boolean,
     CheckConstraint,
     Column,
     Float,
@@ -16,17 +15,8 @@ from sqlalchemy import (
 )
 
 from sightline.enums import (
-    AxlesBy,
-    Category,
-    Cause,
     CutAlong,
-    LaneBy,
     Lighting,
-    MeasurementStatus,
-    ReferenceQuantity,
-    ReferenceSource,
-    ScanDirection,
-    ScanMethod,
     ScanSource,
     ScanState,
     ScanVerdict,
@@ -37,15 +27,20 @@ from sightline.infra.audit.vouched import ChangedByEvents, WrittenOnce, vouched
 from sightline.infra.database.types import (
     KEEPS_TIMES,
     NEEDS_MEDIA,
-    CanonicalJson,
     Saying,
     UtcDateTime,
     changed_columns,
+    columns_for,
     enum_check,
     identity,
     made_columns,
     metadata,
 )
+from sightline.linescan.parts import Rig
+from sightline.scans.records import KnownOfScanned, ScanRunValues, ScanValues
+from sightline.scans.references.records import ReferenceValues
+
+_VERSION = {"code_version": 60}
 
 # A pair of strips and the rig that took them. `first` is the camera that a vehicle reaches first.
 scans = Table(
@@ -78,22 +73,7 @@ scans = Table(
     Column("lines", BigInteger),
     Column("bits", Integer),
     Column("notes", Saying, nullable=False),
-    Column("baseline_m", Float, nullable=False),
-    Column("u_baseline_m", Float, nullable=False),
-    Column("line_rate_hz", Float, nullable=False),
-    Column("u_line_rate_ratio", Float, nullable=False),
-    Column("divergence_rad", Float, nullable=False),
-    Column("u_divergence_rad", Float, nullable=False),
-    Column("distance_m", Float),
-    Column("misalignment_px", Float),
-    Column("u_misalignment_px", Float, nullable=False),
-    # of the rows, from the bottom: where shadows fall and no vehicle is looked for
-    Column("shadow_share", Float, nullable=False),
-    # of the errors of baseline and divergence
-    Column("baseline_correlation", Float, nullable=False),
-    Column("u_distance_m", Float, nullable=False),
-    # the fields of a linescan Lane each; none: all vehicles are at distance_m
-    Column("lanes", CanonicalJson, nullable=False),
+    *columns_for(Rig),
     Column("lighting", String(20)),
     # when line 0 was taken, as a person said, with the zone of the clocks and the uncertainty
     Column("started_at", UtcDateTime),
@@ -126,15 +106,8 @@ scan_runs = Table(
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("scan_id", ForeignKey("scans.id"), nullable=False, index=True),
     Column("job_id", ForeignKey("jobs.id")),
-    Column("method", String(20), nullable=False),
-    Column("rig", CanonicalJson, nullable=False),
-    Column("found", Integer, nullable=False),
-    Column("measured", Integer, nullable=False),
-    Column("summary", CanonicalJson, nullable=False),
-    Column("warnings", Saying, nullable=False),
-    Column("code_version", String(60), nullable=False),
+    *columns_for(ScanRunValues, _VERSION),
     *made_columns(),
-    enum_check("method", ScanMethod),
     info=vouched(WrittenOnce("scan_run")),
 )
 
@@ -146,25 +119,11 @@ scan_vehicles = Table(
     Column("scan_id", ForeignKey("scans.id"), nullable=False),
     Column("number", Integer, nullable=False),
     Column("origin", String(20), nullable=False),
-    Column("make", String(100)),
-    Column("model", String(200)),
-    Column("year", Integer),
-    Column("category", String(20)),
-    Column("true_length_m", Float),
-    Column("u_true_length_m", Float),
-    Column("true_wheelbase_m", Float),
-    Column("u_true_wheelbase_m", Float),
-    Column("facts_source", Text),
-    # the name of a car of which this is one run of several
-    Column("run_of", String(100)),
-    Column("lighting", String(20)),
-    Column("notes", Text, nullable=False),
+    *columns_for(KnownOfScanned, {"make": 100, "model": 200, "run_of": 100}),
     *changed_columns(),
     Column("deleted_at", UtcDateTime),
     UniqueConstraint("scan_id", "number"),
     enum_check("origin", VehicleOrigin),
-    enum_check("category", Category),
-    enum_check("lighting", Lighting),
     info=vouched(ChangedByEvents("scan_vehicle")),
 )
 
@@ -177,59 +136,11 @@ scan_measurements = Table(
     Column("scan_id", ForeignKey("scans.id"), nullable=False, index=True),
     Column("vehicle_id", ForeignKey("scan_vehicles.id"), nullable=False),
     Column("revision", Integer, nullable=False),
-    Column("run_id", ForeignKey("scan_runs.id")),
-    # what made this revision, and whether a person placed the boundaries that stand in it
-    Column("cause", String(20), nullable=False),
-    Column("placed_by", ForeignKey("people.id")),
-    Column("method", String(20), nullable=False),
-    Column("rig", CanonicalJson, nullable=False),
-    # which camera it reached first; speed and acceleration are those at camera 1 all the same
-    Column("direction", String(20), nullable=False),
-    Column("front_line_1", Float, nullable=False),
-    Column("rear_line_1", Float, nullable=False),
-    Column("front_line_2", Float, nullable=False),
-    Column("rear_line_2", Float, nullable=False),
-    Column("speed_mps", Float),
-    Column("u_speed_mps", Float),
-    Column("acceleration_mps2", Float),
-    Column("u_acceleration_mps2", Float),
-    Column("length_m", Float),
-    Column("u_length_m", Float),
-    Column("fit_error_percent", Float),
-    Column("misalignment_px", Float),
-    Column("u_misalignment_px", Float),
-    Column("gain", Float),
-    # of speed and acceleration as fitted: gaps and wheelbases carry both on
-    Column("correlation", Float),
-    Column("front_wheel_line", Float),
-    Column("rear_wheel_line", Float),
-    Column("wheelbase_m", Float),
-    Column("u_wheelbase_m", Float),
-    # lines of strip 1 at the wheels' hubs, found by the machine or set by a person
-    Column("axle_lines", CanonicalJson),
-    Column("axles_by", String(20)),
-    # of the rig's lanes, where it has several, and the row of strip 1 by whose tyres the machine tells them
-    Column("lane", String(40)),
-    Column("lane_by", String(20)),
-    Column("tyres_px", Float),
-    # what the doubt about boundaries that the machine found brings to the length's u; 0 for a person's
-    Column("u_boundaries_m", Float, nullable=False),
-    Column("status", String(20), nullable=False),
-    Column("reason", Saying),
-    Column("budget", CanonicalJson, nullable=False),
-    Column("profile", CanonicalJson),
-    Column("warnings", Saying, nullable=False),
+    *columns_for(ScanValues, {"lane": 40, **_VERSION}, {"run_id": "scan_runs.id", "placed_by": "people.id"}),
     # the earlier revision of this very content whose verdict holds for this one too
     Column("verdict_of_id", ForeignKey("scan_measurements.id")),
-    Column("code_version", String(60), nullable=False),
     *made_columns(),
     UniqueConstraint("vehicle_id", "revision"),
-    enum_check("cause", Cause),
-    enum_check("method", ScanMethod),
-    enum_check("status", MeasurementStatus),
-    enum_check("direction", ScanDirection),
-    enum_check("axles_by", AxlesBy),
-    enum_check("lane_by", LaneBy),
     CheckConstraint("(lane IS NULL) = (lane_by IS NULL)", name="lane_by_whom"),
     CheckConstraint("(axle_lines IS NULL) = (axles_by IS NULL)", name="axles_by_whom"),
     CheckConstraint("revision >= 1", name="revision_counts"),
@@ -269,18 +180,10 @@ scan_references = Table(
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("scan_id", ForeignKey("scans.id"), nullable=False, index=True),
     Column("vehicle_id", ForeignKey("scan_vehicles.id"), nullable=False),
-    Column("quantity", String(20), nullable=False),
-    Column("source", String(20), nullable=False),
+    *columns_for(ReferenceValues, {"device": 200}),
     Column("revision", Integer, nullable=False),
-    Column("value", Float, nullable=False),
-    Column("u", Float, nullable=False),
-    # which radar, whose tape
-    Column("device", String(200)),
-    Column("withdrawn", Boolean, nullable=False),
     *made_columns(),
     UniqueConstraint("vehicle_id", "quantity", "source", "revision"),
-    enum_check("quantity", ReferenceQuantity),
-    enum_check("source", ReferenceSource),
     CheckConstraint("revision >= 1", name="revision_counts"),
     CheckConstraint("value > 0 AND u > 0", name="value_with_u"),
     info=vouched(WrittenOnce("scan_reference")),

@@ -14,16 +14,15 @@ from sightline.statistics.distributions import share_interval
 
 @dataclass(frozen=True, slots=True)
 class Agreement:
-    """A difference, ours minus the reference, with its standard uncertainty (k = 1), and its E_n."""
+    """A difference, ours minus the reference, with its standard uncertainty (k = 1), and its E_n; `within`:
+    |E_n| <= 1, the combined U95 holds it.
+    """
 
     difference: float
     u_difference: float
+    U95_difference: float
     E_n: float
-
-    @property
-    def within(self) -> bool:
-        """Whether both agree within their combined U95."""
-        return abs(self.E_n) <= 1.0
+    within: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +49,9 @@ def agreement(value: float, u: float, reference: float, u_reference: float) -> A
     errors are taken as independent, so the squares of both u add (JCGM 100:2008, 5.1.2).
     """
     difference, u_difference = value - reference, hypot(u, u_reference)
-    return Agreement(difference, u_difference, difference / (COVERAGE_95 * u_difference))
+    U95_difference = COVERAGE_95 * u_difference
+    E_n = difference / U95_difference
+    return Agreement(difference, u_difference, U95_difference, E_n, abs(E_n) <= 1.0)
 
 
 def reference_errors(found: Sequence[Agreement]) -> ReferenceErrors | None:

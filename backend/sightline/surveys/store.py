@@ -12,6 +12,7 @@ from sightline.errors import BadInput, Conflict
 from sightline.geometry.insets import USUAL_INSETS
 from sightline.geometry.sides import TrafficFacts
 from sightline.infra.audit import trail
+from sightline.infra.by_name import record_of
 from sightline.infra.database.rows import add_row, change_row, get_row, last_change
 from sightline.infra.database.types import now
 from sightline.infra.web.person import Seen
@@ -146,16 +147,9 @@ def _content(told: SurveyContent, insets: Mapping[str, Inset]) -> dict[str, Any]
 
 
 def _survey(row: Mapping[str, Any]) -> Survey:
-    return Survey(
-        id=row["id"],
-        name=row["name"],
-        site=row["site"],
-        description=row["description"],
-        is_demo=row["is_demo"],
-        simulated=row["simulated"],
-        open_to_all=row["open_to_all"],
-        version=row["version"],
-        created_at=row["created_at"],
+    return record_of(
+        Survey,
+        row,
         traffic=traffic_of_row(row),
         place=Place(**{name: row[name] for name in PLACE}),
         asked=asked_of(row["asked"]),

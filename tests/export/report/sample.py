@@ -12,10 +12,10 @@ from sightline.results.survey_statistics import (
     sight_pair,
     standards_of,
 )
+from sightline.results.usual_standards import STANDARDS
 from sightline.statistics.lateral import Lateral, lateral_positions
 from sightline.statistics.rules import rule_today
 from sightline.statistics.shared_errors import SharedErrors
-from sightline.statistics.standards import STANDARDS
 from sightline.statistics.summary import Grouping, Roofs, errors_of, target_of
 from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
 

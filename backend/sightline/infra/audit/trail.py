@@ -34,6 +34,7 @@ from sightline.infra.audit.hashing import GENESIS, canonical_json, chain_hash, e
 from sightline.infra.audit.merkle import root_of
 from sightline.infra.audit.records import AuditEvent, AuditHead, Who, survey_chain
 from sightline.infra.audit.tables import audit_chains, audit_events
+from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_rows
 from sightline.infra.database.types import columns_of, now
@@ -239,20 +240,13 @@ def _events() -> Any:
 
 
 def _event(row: Row[Any]) -> AuditEvent:
-    return AuditEvent(
-        id=row.id,
-        chain=row.chain,
-        number=row.number,
+    return record_of(
+        AuditEvent,
+        row._mapping,
         at=datetime.fromisoformat(row.at),
         actor=None if row.actor_id is None else Who(row.actor_id, row.actor_name or ""),
-        action=row.action,
-        entity=row.entity,
-        entity_id=row.entity_id,
-        survey_id=row.survey_id,
         before=object_of(row.before),
         after=object_of(row.after),
-        hash=row.hash,
-        previous_hash=row.previous_hash,
         content_sha256=event_hash({column.name: getattr(row, column.name) for column in audit_events.c}),
     )
 

@@ -76,6 +76,14 @@ def vouched(mark: Mark) -> dict[str, Any]:
     return {_KEY: mark}
 
 
+def entity_of(table: Table) -> str:
+    """The entity of the events that a table's rows are made by. Raises TypeError for one that has none."""
+    mark = table.info[_KEY]
+    if not isinstance(mark, WrittenOnce):
+        raise TypeError(f"rows of {table.name} are not written once")
+    return mark.entity
+
+
 def register(fingerprint: Fingerprint) -> None:
     """Have this checked whenever a chain is verified."""
     _fingerprints[fingerprint.entity] = fingerprint

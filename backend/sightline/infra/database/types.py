@@ -1,18 +1,23 @@
 """Column kinds and the naming rule that every table uses, for SQLite and PostgreSQL alike."""
 
 import json
+from collections.abc import Iterator, Mapping
 from datetime import UTC, datetime
-from typing import Any, get_args
+from types import NoneType
+from typing import Any, Literal, get_args, get_origin, get_type_hints
 
 from pydantic_core import from_json
 from sqlalchemy import (
+    Boolean,
     CheckConstraint,
     Column,
     DateTime,
     Dialect,
+    Float,
     ForeignKey,
     Integer,
     MetaData,
+    String,
     Table,
     Text,
     TypeDecorator,
@@ -139,6 +144,36 @@ def enum_check(column: str, words: Any) -> CheckConstraint:
     """A check that a text column holds one of a Literal's words (or nothing, where it may be empty)."""
     listed = ", ".join(f"'{word}'" for word in get_args(words))
     return CheckConstraint(f"{column} IN ({listed})", name=f"{column}_known")
+
+
+def columns_for(
+    record: type, lengths: Mapping[str, int] = {}, keys: Mapping[str, str] = {}
+) -> Iterator[Column[Any] | CheckConstraint]:
+    """A column for each field of a record, by its type, with a check for each that is one of some words.
+
+    `lengths`: the most characters of texts by name, of others there is no limit; `keys`: which column of
+    another table a field names.
+    """
+    for name, hint in get_type_hints(record).items():
+        of = get_args(hint) if NoneType in get_args(hint) else (hint,)
+        kind = next(one for one in of if one is not NoneType)
+        plain = ForeignKey(keys[name]) if name in keys else _kind_for(kind, lengths.get(name))
+        yield Column(name, plain, nullable=NoneType in of)
+        if get_origin(kind) is Literal:
+            yield enum_check(name, kind)
+
+
+def _kind_for(kind: Any, length: int | None) -> Any:
+    if get_origin(kind) is Literal:
+        return String(20)
+    if kind is str:
+        return Text if length is None else String(length)
+    if kind is Said or get_args(kind) == (Said,):
+        return Saying
+    return _PLAIN.get(kind, CanonicalJson)
+
+
+_PLAIN: dict[type, Any] = {int: Integer, float: Float, bool: Boolean, datetime: UtcDateTime}
 
 
 def columns_of(table: Table, *left_out: str) -> list[Column[Any]]:

@@ -20,6 +20,9 @@ UInsetM = Annotated[Finite, Field(ge=0, le=10)]
 Revision = Annotated[int, Field(ge=1, le=2**31 - 1, description="The revision that you saw.")]
 
 
+SeenRevision = Annotated[int, Field(ge=0, le=2**31 - 1, description="The revision that you saw; 0: none.")]
+
+
 Word = Annotated[str, Field(max_length=200)]
 
 

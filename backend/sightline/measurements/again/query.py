@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from typing import Any
 
 from sqlalchemy import Select, Text, and_, cast, func, select, type_coerce
 from sqlalchemy.orm import Session
 
-from sightline.enums import Target
-from sightline.geometry.sides import driver_side
+from sightline.enums import Category, Target
+from sightline.geometry.sides import FoundSide, driver_side
+from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import missing, who
 from sightline.measurements.again.differences import Facts, moved_beyond_u
@@ -22,7 +23,7 @@ from sightline.measurements.tables import computings, measurement_series, measur
 from sightline.messages.said import Said
 from sightline.poses.tables import road_poses
 from sightline.recordings.tables import recordings
-from sightline.surveys.records import Inset, Survey
+from sightline.surveys.records import Inset
 from sightline.surveys.store import get_survey
 from sightline.vehicles.records import NOT_VISIBLE
 from sightline.vehicles.tables import vehicles
@@ -40,10 +41,19 @@ def contexts_of_survey(session: Session, survey_id: int) -> dict[int, ClickConte
     """
     survey = get_survey(session, survey_id)
     return {
-        row.vehicle_id: replace(
-            _context(survey, row, survey.insets),
+        row.vehicle_id: ClickContext(
+            recording_id=row.recording_id,
+            survey_id=survey.id,
+            name=row.name,
+            pose_id=row.pose_id,
+            calibration_id=row.calibration_id,
+            size_px=(row.width_px, row.height_px),
+            insets=survey.insets,
+            side=driver_side(row.driver_side, row.direction, survey.traffic),
+            category=row.category,
             not_visible=said_not_visible(row),
             discarded=row.discarded is not None,
+            own_sigma_px=None,
         )
         for row in _places(session, survey_id)
     }
@@ -66,37 +76,23 @@ def _places(session: Session, survey_id: int) -> Sequence[Any]:
     return session.execute(query).all()
 
 
-def _context(survey: Survey, row: Any, insets: Mapping[str, Inset]) -> ClickContext:
-    return ClickContext(
-        recording_id=row.recording_id,
-        survey_id=survey.id,
-        name=row.name,
-        pose_id=row.pose_id,
-        calibration_id=row.calibration_id,
-        size_px=(row.width_px, row.height_px),
-        insets=insets,
-        side=driver_side(row.driver_side, row.direction, survey.traffic),
-        category=row.category,
-        not_visible=frozenset(),
-        discarded=False,
-        own_sigma_px=None,
-    )
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Alike:
-    """So many standing measurements with the same facts; `code_version` computed them.
+    """So many standing heights with the same facts, and what holds now; `code_version` computed them.
 
-    `named`: their ids, between commas.
+    `named`: the ids of measurements, between commas.
     """
 
     count: int
-    named: str
+    named: str = ""
     target: Target
     facts: Facts
-    has_height: bool
+    has_height: bool = True
     code_version: str
-    context: ClickContext
+    pose_id: int | None
+    side: FoundSide | None
+    category: Category | None
+    insets: Mapping[str, Inset]
 
 
 def alike(session: Session, survey_id: int) -> Iterator[Alike]:
@@ -116,14 +112,12 @@ def alike(session: Session, survey_id: int) -> Iterator[Alike]:
             ),
             *(_m.inset_from, several.label("solved"), _m.height_m.is_not(None).label("has_height")),
             *(_m.code_version, vehicles.c.direction, vehicles.c.driver_side, vehicles.c.category),
-            *(recordings.c.id.label("recording_id"), recordings.c.name, recordings.c.pose_id),
-            *(recordings.c.width_px, recordings.c.height_px, road_poses.c.calibration_id),
+            recordings.c.pose_id,
         )
         .select_from(measurements)
         .join(measurement_series, measurement_series.c.id == _m.series_id)
         .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
         .join(recordings, recordings.c.id == measurement_series.c.recording_id)
-        .outerjoin(road_poses, road_poses.c.id == recordings.c.pose_id)
         .where(measurement_series.c.survey_id == survey_id, vehicles.c.deleted_at.is_(None))
         .where(is_current, ~_m.withdrawn, recordings.c.pose_id.is_not(None))
         .where(recordings.c.deleted_at.is_(None))
@@ -137,7 +131,6 @@ def alike(session: Session, survey_id: int) -> Iterator[Alike]:
             pose_id=row.of_pose,
             **{name: getattr(row, name) for name in (one.name for one in fields(Facts)) if name != "pose_id"},
         )
-        context = _context(survey, row, survey.insets)
         yield Alike(
             count=row._mapping["count"],
             named=row.named,
@@ -145,7 +138,10 @@ def alike(session: Session, survey_id: int) -> Iterator[Alike]:
             facts=facts,
             has_height=row.has_height,
             code_version=row.code_version,
-            context=context,
+            pose_id=row.pose_id,
+            side=driver_side(row.driver_side, row.direction, survey.traffic),
+            category=row.category,
+            insets=survey.insets,
         )
 
 
@@ -170,9 +166,8 @@ def _computings(session: Session, condition: Any) -> tuple[Computing, ...]:
         .where(condition)
         .order_by(computings.c.id.desc())
     )
-    named = [one.name for one in fields(Computing) if one.name != "created_by"]
     return tuple(
-        Computing(created_by=who(row.created_by, row.maker), **{name: getattr(row, name) for name in named})
+        record_of(Computing, row._mapping, created_by=who(row.created_by, row.maker))
         for row in session.execute(query)
     )
 
@@ -214,21 +209,13 @@ def computed_height(row: Any, **place: Any) -> ComputedHeight:
     then, now = row.height_before_m, row.height_m
     change = None if now is None or then is None else now - then
     moved = moved_beyond_u(then, row.u_before_m, now)
-    return ComputedHeight(
+    return record_of(
+        ComputedHeight,
+        row._mapping,
         measurement_id=row.series_id,
-        revision=row.revision,
-        vehicle_id=row.vehicle_id,
-        vehicle_number=row.vehicle_number,
-        target=row.target,
         repeat=row.repeat_of is not None,
-        status_before=row.status_before,
-        status=row.status,
         height_before_m=then,
-        u_before_m=row.u_before_m,
-        U95_before_m=row.U95_before_m,
         height_m=now,
-        u_height_m=row.u_height_m,
-        U95_height_m=row.U95_height_m,
         change_m=change,
         moved_by_u=abs(change) / row.u_before_m if change is not None and row.u_before_m else None,
         to_review=moved and row.verdict_of_revision is None and row.kind != "undo",

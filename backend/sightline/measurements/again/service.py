@@ -7,8 +7,9 @@ The work itself is done in `scans/again`, which knows the heights in line scans 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 from sightline.enums import ComputingCause, ComputingKind
 from sightline.errors import Conflict
@@ -24,6 +25,7 @@ from sightline.measurements.again.differences import (
     verdict_still_holds,
 )
 from sightline.measurements.again.query import (
+    Alike,
     Made,
     alike,
     contexts_of_survey,
@@ -35,7 +37,7 @@ from sightline.measurements.again.store import Changed
 from sightline.measurements.click_context_query import ClickContext
 from sightline.measurements.height_of_clicks import Answer
 from sightline.measurements.height_of_clicks import answers as all_answers
-from sightline.measurements.records import Clicks, Measurement, MeasurementValues
+from sightline.measurements.records import Clicks, Measurement, MeasurementValues, ScanHeight
 from sightline.measurements.service import clicks_in_context, clicks_to_compute_again, pose_in_force
 from sightline.measurements.store import list_measurements
 
@@ -65,24 +67,28 @@ def measurements_out_of_date(session: Session, survey_id: int) -> OutOfDate:
 
     Heights in line scans are not among them. Raises NotFound.
     """
+    return count_out_of_date(alike(session, survey_id))
+
+
+def count_out_of_date(groups: Iterable[Alike]) -> OutOfDate:
+    """How many heights follow from other facts than hold now."""
     causes: Counter[ComputingCause] = Counter()
     heights = waiting = other_program = 0
     named: dict[int, tuple[ComputingCause, ...]] = {}
-    for group in alike(session, survey_id):
-        now = group.context
+    for group in groups:
         found = causes_now(
             group.target,
             group.facts,
-            pose_id=now.pose_id,
-            side=now.side,
-            category=now.category,
-            insets=now.insets,
+            pose_id=group.pose_id,
+            side=group.side,
+            category=group.category,
+            insets=group.insets,
         )
         if found:
             heights += group.count
             waiting += 0 if group.has_height else group.count
             causes.update(dict.fromkeys(found, group.count))
-            named |= dict.fromkeys(map(int, group.named.split(",")), found)
+            named |= {int(one): found for one in group.named.split(",") if one}
         elif group.code_version != code_version():
             other_program += group.count
     return OutOfDate(
@@ -93,6 +99,16 @@ def measurements_out_of_date(session: Session, survey_id: int) -> OutOfDate:
         causes=dict(causes),
         measurements=dict(sorted(named.items())),
     )
+
+
+def changed_by(before: Measurement | ScanHeight, values: Any) -> Changed | None:
+    """A standing height whose content comes out as `values`; None where that is the same."""
+    causes = causes_of(before.values, values)
+    if not causes:
+        return None
+    holds = verdict_still_holds(before.review.verdict, before.values, values)
+    judged = before.judged_revision if holds else None
+    return Changed(before=before, values=values, causes=causes, verdict_of_revision=judged)
 
 
 def measurement_changes_to_come(
@@ -121,11 +137,9 @@ def measurement_changes_to_come(
         tell(at / len(standing))
         some = standing[at : at + _EVERY]
         for one, values in zip(some, _computed(session, some, contexts, answers), strict=True):
-            causes = causes_of(one.values, values)
-            if causes and not (only_waiting and values.height_m is None):
-                holds = verdict_still_holds(one.review.verdict, one.values, values)
-                judged = one.judged_revision if holds else None
-                found.append(Changed(before=one, values=values, causes=causes, verdict_of_revision=judged))
+            changed = changed_by(one, values)
+            if changed is not None and not (only_waiting and values.height_m is None):
+                found.append(changed)
     return found
 
 

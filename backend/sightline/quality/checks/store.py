@@ -9,6 +9,7 @@ from sightline.enums import Point
 from sightline.errors import Conflict
 from sightline.infra.audit import trail
 from sightline.infra.audit.records import name_or_somebody
+from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, get_row, missing, stored_hash, who
 from sightline.infra.database.types import now
@@ -118,19 +119,11 @@ def _fetch(session: Session, *conditions: Any) -> tuple[WheelPair, ...]:
 
 
 def _pair(row: Any) -> WheelPair:
-    return WheelPair(
-        id=row.id,
-        vehicle_id=row.vehicle_id,
+    return record_of(
+        WheelPair,
+        row._mapping,
         vehicle_number=row.number,
-        recording_id=row.recording_id,
-        frame=row.frame,
-        pts=row.pts,
-        time_s=row.time_s,
-        frame_crc32=row.frame_crc32,
         first=(row.first_x_px, row.first_y_px),
         second=(row.second_x_px, row.second_y_px),
-        withdrawn=row.withdrawn,
-        pose_id=row.pose_id,
         created_by=who(row.created_by, row.name),
-        created_at=row.created_at,
     )

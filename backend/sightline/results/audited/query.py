@@ -99,7 +99,7 @@ def _names(session: Session, found: Sequence[AuditEvent]) -> dict[tuple[str, int
     return names
 
 
-def _by_id(session: Session, column: Any, ids: Iterable[int | None]) -> dict[int | None, str]:
+def _by_id(session: Session, column: Any, ids: Iterable[int | None]) -> dict[int | None, Any]:
     wanted = {id_ for id_ in ids if id_ is not None}
     if not wanted:
         return {}
@@ -115,7 +115,7 @@ def _subjects(session: Session, found: Sequence[AuditEvent]) -> dict[int, dict[s
         **{one.id: _told(one, "vehicle_id") for one in found if one.entity in ("wheel_pair", "measurement")},
         **{id_: of["vehicle_id"] for id_, of in of_series.items()},
     }
-    numbers = _numbers(session, vehicles, (id_ for id_ in vehicle_of.values() if id_ is not None))
+    numbers = _by_id(session, vehicles.c.number, vehicle_of.values())
     subjects: dict[int, dict[str, Any]] = {
         id_: {"vehicle_id": vehicle, "vehicle": numbers[vehicle], **_target(of_series.get(id_))}
         for id_, vehicle in vehicle_of.items()
@@ -126,7 +126,7 @@ def _subjects(session: Session, found: Sequence[AuditEvent]) -> dict[int, dict[s
         for one in found
         if one.entity in ("scan_vehicle", "measurement", "review")
     }
-    of_scans = _numbers(session, scan_vehicles, (id_ for id_ in scanned.values() if id_ is not None))
+    of_scans = _by_id(session, scan_vehicles.c.number, scanned.values())
     for id_, one in scanned.items():
         if one in of_scans:
             subjects[id_] = {"vehicle_id": one, "vehicle": of_scans[one]}
@@ -165,11 +165,3 @@ def _series(session: Session, found: Sequence[AuditEvent]) -> dict[int, dict[str
     )
     known = {row.id: dict(row._mapping) for row in session.execute(query)} if wanted else {}
     return {id_: known[series] for id_, series in series_of.items() if series in known}
-
-
-def _numbers(session: Session, table: Any, ids: Iterable[int]) -> dict[int, int]:
-    wanted = set(ids)
-    if not wanted:
-        return {}
-    query = select(table.c.id, table.c.number).where(table.c.id.in_(wanted))
-    return {row.id: row.number for row in session.execute(query)}

@@ -1,10 +1,10 @@
 """Surveys as they go out: their words, insets, counts, and what to do next."""
 
 from dataclasses import dataclass, replace
-from typing import Annotated
+from typing import Annotated, TypeVar
 
 from fastapi import APIRouter
-from pydantic import Field
+from pydantic import BaseModel, Field
 
 from sightline.enums import ActingRole, Category, InsetName
 from sightline.geometry.insets import ROOF_OF_CLASS
@@ -21,7 +21,6 @@ from sightline.surveys.bodies import (
     InsetChanges,
     InsetChoice,
     Insets,
-    NewSurvey,
     SurveyChange,
     inset_choices,
 )
@@ -31,6 +30,7 @@ from sightline.surveys.place import Place
 from sightline.surveys.records import Asked, Inset, SurveyFacts
 
 router = APIRouter()
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -69,16 +69,9 @@ def survey_body(overview: SurveyOverview, role: ActingRole) -> SurveyBody:
     )
 
 
-def _traffic(body: NewSurvey, before: TrafficFacts) -> TrafficFacts:
-    return before if body.traffic is None else TrafficFacts(**body.traffic.model_dump())
-
-
-def _place(body: NewSurvey, before: Place) -> Place:
-    return before if body.place is None else Place(**body.place.model_dump())
-
-
-def _asked(body: NewSurvey, before: Asked) -> Asked:
-    return before if body.asked is None else Asked(**body.asked.model_dump())
+def _said(kind: type[T], part: BaseModel | None, before: T) -> T:
+    """What a body says of a part of a survey; left out, it is what it was before."""
+    return before if part is None else kind(**part.model_dump())
 
 
 @router.get("/surveys")
@@ -97,9 +90,9 @@ def add_survey(body: FirstSurvey, who: Operator, session: Writing) -> SurveyBody
         name=body.name,
         site=body.site,
         description=body.description,
-        traffic=_traffic(body, TrafficFacts()),
-        place=_place(body, Place()),
-        asked=_asked(body, Asked()),
+        traffic=_said(TrafficFacts, body.traffic, TrafficFacts()),
+        place=_said(Place, body.place, Place()),
+        asked=_said(Asked, body.asked, Asked()),
         open_to_all=body.open_to_all,
         actor=who.id,
     )
@@ -129,9 +122,9 @@ def change_survey(
         name=body.name,
         site=body.site,
         description=body.description,
-        traffic=_traffic(body, before.traffic),
-        place=_place(body, before.place),
-        asked=_asked(body, before.asked),
+        traffic=_said(TrafficFacts, body.traffic, before.traffic),
+        place=_said(Place, body.place, before.place),
+        asked=_said(Asked, body.asked, before.asked),
         classes=chosen_classes(
             (VehicleClass(**one.model_dump()) for one in body.classes or ()), before.classes
         ),

@@ -3,6 +3,7 @@
 from typing import Annotated, get_args
 
 from fastapi import APIRouter, Query
+from pydantic import BaseModel, Field
 
 from sightline.enums import (
     Category,
@@ -19,54 +20,43 @@ from sightline.results.sightdistance.service import sight_distances
 
 router = APIRouter()
 
-Number = Annotated[float, Query(allow_inf_nan=False)]
-Percent = Annotated[float, Query(gt=0, lt=100, allow_inf_nan=False)]
+Number = Annotated[float, Field(allow_inf_nan=False)]
+Percent = Annotated[float, Field(gt=0, lt=100, allow_inf_nan=False)]
+
+
+class RoadAsked(BaseModel):
+    """The standard's heights, the rule that reads the survey's, and the road."""
+
+    eye_m: Number = Field(default=1.08, description="The standard's eye.")
+    object_m: Number = Field(default=0.60, description="The standard's object.")
+    eye_what: EyeRule = Field(
+        default="eye_car", description="Whose rule the eyes are read by: it names their class."
+    )
+    eye_percent: Percent = Field(default=10.0, description="The rule that reads the survey's eyes.")
+    object_percent: Percent = Field(default=5.0, description="The rule that reads its objects.")
+    object_target: StatisticsTarget | None = Field(
+        default=None, description="What stands for the object; none: the standard's height."
+    )
+    kind: SightKind = "stopping"
+    speed_mps: Number = 100 / 3.6
+    difference_percent: Number = Field(default=6.0, description="Of both grades, for lengths of curves.")
+    headlight_m: Number = Field(default=0.60, description="For a sag, with a beam that rises 1 degree.")
+    radius_m: Number = Field(default=500.0, gt=0, description="Of a horizontal curve.")
+    share: list[str] = Field(
+        default=[],
+        max_length=40,
+        description="A fleet's shares in percent, class:percent; none: no what-if.",
+    )
+    unit: LengthUnit = Field(default="m", description="Which set of formulas and design speeds.")
 
 
 @router.get("/sightdistance")
 def sight_distances_of_measurements(
-    who: Viewer,
-    session: Reading,
-    heights: HeightsAsked,
-    eye_m: Annotated[Number, Query(description="The standard's eye.")] = 1.08,
-    object_m: Annotated[Number, Query(description="The standard's object.")] = 0.60,
-    eye_what: Annotated[
-        EyeRule, Query(description="Whose rule the eyes are read by: it names their class.")
-    ] = "eye_car",
-    eye_percent: Annotated[Percent, Query(description="The rule that reads the survey's eyes.")] = 10.0,
-    object_percent: Annotated[Percent, Query(description="The rule that reads its objects.")] = 5.0,
-    object_target: Annotated[
-        StatisticsTarget | None, Query(description="What stands for the object; none: the standard's height.")
-    ] = None,
-    kind: SightKind = "stopping",
-    speed_mps: Number = 100 / 3.6,
-    difference_percent: Annotated[Number, Query(description="Of both grades, for lengths of curves.")] = 6.0,
-    headlight_m: Annotated[Number, Query(description="For a sag, with a beam that rises 1 degree.")] = 0.60,
-    radius_m: Annotated[Number, Query(gt=0, description="Of a horizontal curve.")] = 500.0,
-    share: Annotated[
-        list[str],
-        Query(max_length=40, description="A fleet's shares in percent, class:percent; none: no what-if."),
-    ] = [],  # noqa: B006
-    unit: Annotated[LengthUnit, Query(description="Which set of formulas and design speeds.")] = "m",
+    who: Viewer, session: Reading, heights: HeightsAsked, road: Annotated[RoadAsked, Query()]
 ) -> SightDistances:
     """Crests by the standard's heights, by the survey's and by another fleet's, with sag and curve."""
-    question = SightQuestion(
-        chosen=heights,
-        eye_m=eye_m,
-        object_m=object_m,
-        eye_percent=eye_percent,
-        object_percent=object_percent,
-        object_target=object_target,
-        kind=kind,
-        speed_mps=speed_mps,
-        difference_percent=difference_percent,
-        headlight_m=headlight_m,
-        radius_m=radius_m,
-        shares=_shares(share),
-        unit=unit,
-        eye_what=eye_what,
-    )
-    return sight_distances(session, question)
+    asked = road.model_dump(exclude={"share"})
+    return sight_distances(session, SightQuestion(chosen=heights, shares=_shares(road.share), **asked))
 
 
 def _shares(share: list[str]) -> dict[Category, float]:

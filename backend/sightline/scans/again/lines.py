@@ -8,8 +8,7 @@ from dataclasses import dataclass, field
 from sightline.infra.database import Session
 from sightline.linescan.line_height import LineHeight
 from sightline.linescan.line_pose import LinePose
-from sightline.measurements.again.differences import causes_of, verdict_still_holds
-from sightline.measurements.again.service import Tell, untold
+from sightline.measurements.again.service import Tell, changed_by, untold
 from sightline.measurements.again.store import Changed
 from sightline.measurements.height_of_clicks import filled_in
 from sightline.measurements.records import Clicks, ScanHeight, ScanHeightValues
@@ -53,11 +52,9 @@ def line_changes_to_come(
     for at, (one, values) in enumerate(zip(standing, computed, strict=True)):
         if at % _EVERY == 0:
             tell(at / len(standing))
-        causes = causes_of(one.values, values)
-        if causes:
-            holds = verdict_still_holds(one.review.verdict, one.values, values)
-            judged = one.judged_revision if holds else None
-            found.append(Changed(before=one, values=values, causes=causes, verdict_of_revision=judged))
+        changed = changed_by(one, values)
+        if changed is not None:
+            found.append(changed)
     return found
 
 

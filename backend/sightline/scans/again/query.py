@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
-from sightline.enums import Category, Target
+from sightline.geometry.sides import FoundSide
 from sightline.measurements.again.differences import Facts
-from sightline.measurements.again.query import computed_height, computed_rows
+from sightline.measurements.again.query import Alike, computed_height, computed_rows
 from sightline.measurements.again.records import ComputedHeight
 from sightline.measurements.query import with_verdict
 from sightline.measurements.tables import measurement_series, measurements
@@ -19,6 +18,7 @@ from sightline.scans.heights.records import StoredLinePose
 from sightline.scans.heights.store import stands
 from sightline.scans.heights.tables import line_poses
 from sightline.scans.tables import scan_vehicles, scans
+from sightline.surveys.store import get_survey
 
 _m, _s = measurements.c, measurement_series.c
 
@@ -30,20 +30,9 @@ def current_line_poses_of_survey(session: Session, survey_id: int) -> dict[int, 
     return {scan_id: pose for scan_id, pose in found if pose is not None}
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class AlikeLines:
-    """So many standing heights of line scans with the same facts; `pose_id`: the calibration that counts."""
-
-    count: int
-    target: Target
-    facts: Facts
-    code_version: str
-    category: Category | None
-    pose_id: int
-
-
-def alike_lines(session: Session, survey_id: int) -> Iterator[AlikeLines]:
+def alike_lines(session: Session, survey_id: int) -> Iterator[Alike]:
     """The standing heights of a survey's line scans, those with the same facts counted together."""
+    insets = get_survey(session, survey_id).insets
     in_force = select(func.max(line_poses.c.id)).where(line_poses.c.scan_id == _s.scan_id)
     facts = (_m.target, _m.line_pose_id, _m.side, _m.inset_from, _m.inset_m, _m.u_inset_m, _m.code_version)
     each = (
@@ -63,13 +52,15 @@ def alike_lines(session: Session, survey_id: int) -> Iterator[AlikeLines]:
             inset_from=row.inset_from,
             solved=False,
         )
-        yield AlikeLines(
+        yield Alike(
             count=row.many,
             target=row.target,
             facts=then,
             code_version=row.code_version,
-            category=row.category,
             pose_id=row.pose_id,
+            side=None if row.side is None else FoundSide(row.side, "said"),
+            category=row.category,
+            insets=insets,
         )
 
 

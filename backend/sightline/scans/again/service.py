@@ -6,20 +6,18 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from sightline.enums import ComputingKind
 from sightline.errors import Conflict, NotFound
-from sightline.geometry.sides import FoundSide
 from sightline.infra.database import Session
-from sightline.infra.version import code_version
-from sightline.measurements.again.differences import causes_now
 from sightline.measurements.again.query import computed_heights, get_computing, made_by
 from sightline.measurements.again.records import ComputedHeights, Computing, OutOfDate
 from sightline.measurements.again.service import (
     Answers,
     Tell,
     changes_back,
+    count_out_of_date,
     measurement_changes_to_come,
     measurements_out_of_date,
     require_undoable,
@@ -30,7 +28,6 @@ from sightline.measurements.store import append_computed_again
 from sightline.scans.again.lines import LineAnswers, line_changes_to_come
 from sightline.scans.again.query import alike_lines, computed_scan_heights
 from sightline.scans.heights.store import scan_heights_made_by
-from sightline.surveys.store import get_survey
 
 _MOST_LISTED = 2000
 
@@ -48,32 +45,14 @@ def out_of_date(session: Session, survey_id: int) -> OutOfDate:
 
     Raises NotFound.
     """
-    found = measurements_out_of_date(session, survey_id)
-    survey = get_survey(session, survey_id)
-    causes = Counter(found.causes)
-    stale = other_program = 0
-    for group in alike_lines(session, survey_id):
-        side = None if group.facts.side is None else FoundSide(group.facts.side, "said")
-        of_group = causes_now(
-            group.target,
-            group.facts,
-            pose_id=group.pose_id,
-            side=side,
-            category=group.category,
-            insets=survey.insets,
-        )
-        if of_group:
-            stale += group.count
-            causes.update(dict.fromkeys(of_group, group.count))
-        elif group.code_version != code_version():
-            other_program += group.count
-    return OutOfDate(
-        heights=found.heights + stale,
-        in_line_scans=stale,
-        waiting=found.waiting,
-        other_program=found.other_program + other_program,
-        causes=dict(causes),
-        measurements=found.measurements,
+    frames = measurements_out_of_date(session, survey_id)
+    lines = count_out_of_date(alike_lines(session, survey_id))
+    return replace(
+        frames,
+        heights=frames.heights + lines.heights,
+        in_line_scans=lines.heights,
+        other_program=frames.other_program + lines.other_program,
+        causes=dict(Counter(frames.causes) + Counter(lines.causes)),
     )
 
 

@@ -6,18 +6,15 @@ from typing import Annotated
 
 from pydantic import Field
 
-from sightline.enums import DriverSide, LineClicksStatus, ScanPoseStatus, Target
+from sightline.enums import DriverSide, Target
 from sightline.infra.audit.records import Who
-from sightline.infra.web.bodies import Finite, In, Out
+from sightline.infra.web.bodies import Finite, In
 from sightline.infra.web.named import ScanVehicleId
-from sightline.infra.web.quantities import BudgetEntryBody, InsetM, SigmaPx, UInsetM
+from sightline.infra.web.quantities import InsetM, SeenRevision, SigmaPx, UInsetM
 from sightline.measurements.records import ReviewState, ScanHeightValues
-from sightline.messages.said import Said
 from sightline.scans.bodies import DistanceM, Line
-from sightline.scans.heights.poses import Mark
 
 Row = Annotated[Finite, Field(ge=-1, le=1e6, description="Row of strip 1, fractional, from the top.")]
-SeenRevision = Annotated[int, Field(ge=0, le=2**31 - 1, description="The revision that you saw; 0: none.")]
 MOST_MARKS = 200
 
 
@@ -43,40 +40,6 @@ class NewLinePose(RodIn):
     """The calibration to store, which supersedes the one that was seen."""
 
     revision: SeenRevision
-
-
-class SolvedRodBody(Out):
-    """The line camera's pose from the marks, or why they give none."""
-
-    status: ScanPoseStatus
-    reason: Said | None
-    camera_height_m: float | None
-    u_camera_height_m: float | None
-    U95_camera_height_m: float | None
-    rms_px: float | None
-    residuals_px: list[float] = Field(description="Row of the model minus the mark's, in the marks' order.")
-    warnings: list[Said]
-
-
-class LinePoseBody(Out):
-    """One calibration of camera 1 with its marks."""
-
-    id: int
-    revision: int
-    marks: list[Mark]
-    sigma_px: float | None
-    u_distance_m: float
-    u_lean_rad: float
-    solved: SolvedRodBody
-    created_by: Who | None
-    created_at: datetime
-
-
-class LinePosesBody(Out):
-    """The calibration that counts, and all there were, oldest first."""
-
-    current: LinePoseBody | None
-    history: list[LinePoseBody]
 
 
 class LineClicks(In):
@@ -111,30 +74,6 @@ class NewLineHeight(LineClicks):
     target_line: Line
     target_row_px: Row
     revision: SeenRevision
-
-
-class LineRungBody(Out):
-    """The row of a height above the contact, at the target's distance."""
-
-    height_m: float
-    row_px: float
-
-
-class LineHeightAnswer(Out):
-    """What these clicks give; `contact`: only the contact was clicked, and it stands on the road."""
-
-    status: LineClicksStatus
-    reason: Said | None
-    distance_m: float | None
-    U95_distance_m: float | None
-    height_m: float | None
-    u_height_m: float | None
-    U95_height_m: float | None
-    inset_m: float | None
-    u_inset_m: float | None
-    budget: list[BudgetEntryBody]
-    flags: list[Said]
-    ladder: list[LineRungBody]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,22 +1,18 @@
 """Poses of a scan's line camera from rod marks: append-only, a new one supersedes the one before."""
 
 from dataclasses import asdict
-from typing import Any
 
-from sqlalchemy import ColumnElement, select
 from sqlalchemy.orm import Session
 
 from sightline.errors import Conflict
-from sightline.infra.audit import trail
 from sightline.infra.audit.records import name_or_somebody
-from sightline.infra.database.people import people
-from sightline.infra.database.rows import add_row, get_row, missing, stored_hash, who
-from sightline.infra.database.types import now
+from sightline.infra.by_name import record_of
+from sightline.infra.database.rows import get_row
 from sightline.scans.heights.records import LinePoseValues, StoredLinePose
 from sightline.scans.heights.tables import line_poses
+from sightline.scans.records import StoredRevision
 from sightline.scans.tables import scans
-
-_VALUES = tuple(LinePoseValues.__slots__)
+from sightline.scans.written_store import written_once, written_rows
 
 
 def append_line_pose(
@@ -32,24 +28,12 @@ def append_line_pose(
     if revision != seen_revision:
         name = name_or_somebody(before.created_by if before else None)
         raise Conflict("scans-calibrated-line-scan-meanwhile-look-calibration", name=name)
-    content: dict[str, Any] = {"survey_id": scan["survey_id"], "scan_id": scan_id, "revision": revision + 1}
-    content |= asdict(values)
-    row_id = add_row(session, line_poses, {**content, "created_at": now(), "created_by": actor})
-    told = {name: value for name, value in content.items() if name != "pose"}
-    after = {**told, "content_sha256": stored_hash(session, line_poses, row_id)}
+    content = {"survey_id": scan["survey_id"], "scan_id": scan_id, "revision": revision + 1, **asdict(values)}
     then = (
         None if before is None else {"revision": revision, "camera_height_m": before.values.camera_height_m}
     )
-    trail.record(session, actor, "calibrate", "line_pose", row_id, scan["survey_id"], then, after)
-    return get(session, row_id)
-
-
-def get(session: Session, pose_id: int) -> StoredLinePose:
-    """One calibration. Raises NotFound."""
-    found = _where(session, line_poses.c.id == pose_id)
-    if not found:
-        raise missing("calibration of a line camera", pose_id)
-    return found[0]
+    written_once(session, line_poses, content, "calibrate", before=then, untold=("pose",), actor=actor)
+    return line_pose_history(session, scan_id)[-1]
 
 
 def current_line_poses(session: Session, scan_id: int) -> StoredLinePose | None:
@@ -60,26 +44,5 @@ def current_line_poses(session: Session, scan_id: int) -> StoredLinePose | None:
 
 def line_pose_history(session: Session, scan_id: int) -> tuple[StoredLinePose, ...]:
     """Every calibration of a scan, oldest first."""
-    return _where(session, line_poses.c.scan_id == scan_id)
-
-
-def _where(session: Session, condition: ColumnElement[bool]) -> tuple[StoredLinePose, ...]:
-    query = (
-        select(line_poses, people.c.name.label("maker"))
-        .outerjoin(people, people.c.id == line_poses.c.created_by)
-        .where(condition)
-        .order_by(line_poses.c.scan_id, line_poses.c.revision)
-    )
-    return tuple(_pose(row) for row in session.execute(query).mappings())
-
-
-def _pose(row: Any) -> StoredLinePose:
-    return StoredLinePose(
-        id=row["id"],
-        survey_id=row["survey_id"],
-        scan_id=row["scan_id"],
-        revision=row["revision"],
-        values=LinePoseValues(**{name: row[name] for name in _VALUES}),
-        created_by=who(row["created_by"], row["maker"]),
-        created_at=row["created_at"],
-    )
+    rows = written_rows(session, line_poses, line_poses.c.scan_id == scan_id)
+    return tuple(record_of(StoredRevision, row, values=record_of(LinePoseValues, row)) for row in rows)

@@ -4,17 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
+from datetime import datetime
 from math import sqrt
+from typing import Annotated
 
 import numpy as np
+from pydantic import Field
 
-from sightline.enums import JsonObject
+from sightline.coverage import expanded
+from sightline.enums import ScanPoseStatus
 from sightline.errors import BadInput
+from sightline.infra.audit.records import Who
+from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.infra.version import code_version
 from sightline.linescan.line_pose import LinePose, LinePoseError, solve_line_pose
 from sightline.messages.said import Said
-from sightline.scans.heights.pose_store import append_line_pose
+from sightline.scans.heights.pose_store import append_line_pose, line_pose_history
 from sightline.scans.heights.records import LinePoseValues, StoredLinePose
 from sightline.scans.service import require_ready, shows
 from sightline.scans.store import get_scan
@@ -47,15 +53,37 @@ class Rod:
 
 @dataclass(frozen=True)
 class SolvedRod:
-    """What the marks give, or the reason why nothing. `residuals_px`: row of the model minus mark."""
+    """The line camera's pose from the marks, or the reason why they give none."""
 
-    status: str
+    status: ScanPoseStatus
     reason: Said | None = None
     camera_height_m: float | None = None
     u_camera_height_m: float | None = None
+    U95_camera_height_m: float | None = None
     rms_px: float | None = None
-    residuals_px: tuple[float, ...] = ()
+    residuals_px: Annotated[
+        tuple[float, ...], Field(description="Row of the model minus the mark's, in the marks' order.")
+    ] = ()
     warnings: tuple[Said, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class ShownLinePose(Rod):
+    """One calibration of camera 1 with its marks."""
+
+    id: int
+    revision: int
+    solved: SolvedRod
+    created_by: Who | None
+    created_at: datetime
+
+
+@dataclass(frozen=True)
+class LinePoses:
+    """The calibration that counts, and all there were, oldest first."""
+
+    current: ShownLinePose | None
+    history: tuple[ShownLinePose, ...]
 
 
 def preview_line_pose(rod: Rod) -> SolvedRod:
@@ -72,6 +100,17 @@ def line_pose_result(stored: StoredLinePose) -> SolvedRod:
     return _told(pose_of(stored.values), rod_of(stored.values))
 
 
+def shown_line_pose(stored: StoredLinePose) -> ShownLinePose:
+    """A stored pose with what its marks say."""
+    return filled_from(ShownLinePose, stored, rod_of(stored.values), solved=line_pose_result(stored))
+
+
+def line_poses_of(session: Session, scan_id: int) -> LinePoses:
+    """The calibrations of a scan's camera 1."""
+    history = tuple(shown_line_pose(one) for one in line_pose_history(session, scan_id))
+    return LinePoses(history[-1] if history else None, history)
+
+
 def store_line_pose(
     session: Session, scan_id: int, rod: Rod, *, seen_revision: int, actor: int | None
 ) -> StoredLinePose:
@@ -85,31 +124,16 @@ def store_line_pose(
     for mark in rounded.marks:
         if not shows(scan, mark.line, mark.row_px):
             raise BadInput("scans-mark-row-line-lies-outside-strip", row_px=mark.row_px, line=mark.line)
-    pose = _solved(rounded)
-    values = solved_values(
-        pose,
-        [asdict(mark) for mark in rounded.marks],
-        sigma_px=rounded.sigma_px,
-        u_distance_m=rounded.u_distance_m,
-        u_lean_rad=rounded.u_lean_rad,
-    )
+    values = solved_values(_solved(rounded), rounded)
     return append_line_pose(session, scan_id, values, seen_revision=seen_revision, actor=actor)
 
 
-def solved_values(
-    pose: LinePose,
-    marks: list[JsonObject],
-    *,
-    sigma_px: float | None,
-    u_distance_m: float,
-    u_lean_rad: float,
-) -> LinePoseValues:
+def solved_values(pose: LinePose, rod: Rod) -> LinePoseValues:
     """A solved pose as it is stored."""
-    return LinePoseValues(
-        marks=marks,
-        sigma_px=sigma_px,
-        u_distance_m=u_distance_m,
-        u_lean_rad=u_lean_rad,
+    return filled_from(
+        LinePoseValues,
+        rod,
+        marks=[asdict(mark) for mark in rod.marks],
         pose={
             "parameters": pose.parameters.tolist(),
             "covariance": pose.covariance.tolist(),
@@ -143,11 +167,8 @@ def solve(rod: Rod) -> LinePose:
 
 
 def _solved(rod: Rod) -> LinePose:
-    distance, height, row = _columns(rod.marks)
     return solve_line_pose(
-        distance,
-        height,
-        row,
+        *_columns(rod.marks),
         sigma_px=rod.sigma_px,
         u_distance_m=rod.u_distance_m,
         u_lean_rad=rod.u_lean_rad,
@@ -168,6 +189,7 @@ def _told(pose: LinePose, rod: Rod) -> SolvedRod:
         reason=None,
         camera_height_m=pose.camera_height_m,
         u_camera_height_m=u_height,
+        U95_camera_height_m=expanded(u_height),
         rms_px=pose.rms_px,
         residuals_px=tuple(float(one) for one in residuals),
         warnings=tuple(warnings),

@@ -1,10 +1,9 @@
 """Records of the poses of line cameras from rod marks."""
 
 from dataclasses import dataclass
-from datetime import datetime
 
 from sightline.enums import JsonObject
-from sightline.infra.audit.records import Who
+from sightline.scans.records import StoredRevision
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,14 +25,4 @@ class LinePoseValues:
     code_version: str
 
 
-@dataclass(frozen=True, slots=True)
-class StoredLinePose:
-    """One calibration of a scan's camera 1; the newest revision counts."""
-
-    id: int
-    survey_id: int
-    scan_id: int
-    revision: int
-    values: LinePoseValues
-    created_by: Who | None
-    created_at: datetime
+StoredLinePose = StoredRevision[LinePoseValues]

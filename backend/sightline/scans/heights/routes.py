@@ -4,28 +4,22 @@ from typing import Annotated
 
 from fastapi import APIRouter, Query
 
-from sightline.coverage import expanded
 from sightline.enums import Target
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
+from sightline.infra.web.quantities import SeenRevision
 from sightline.measurements.records import Clicks
-from sightline.scans.heights import pose_store, poses, service, store
+from sightline.scans.heights import poses, service, store
 from sightline.scans.heights.bodies import (
     LineClicks,
-    LineHeightAnswer,
     LineHeightWanted,
-    LinePoseBody,
-    LinePosesBody,
-    LineRungBody,
     NewLineHeight,
     NewLinePose,
     RodIn,
     ScanHeightBody,
-    SeenRevision,
-    SolvedRodBody,
 )
-from sightline.scans.heights.poses import Mark, Rod, SolvedRod
+from sightline.scans.heights.poses import LinePoses, Mark, Rod, ShownLinePose, SolvedRod
 from sightline.scans.heights.presenters import scan_height_bodies
-from sightline.scans.heights.records import StoredLinePose
+from sightline.scans.heights.service import HeightPreview
 from sightline.scans.store import get_scan
 from sightline.scans.vehicles.store import get_scan_vehicle
 
@@ -33,52 +27,36 @@ router = APIRouter()
 
 
 @router.get("/scans/{scan_id}/line-pose")
-def get_line_pose(scan_id: PathId, who: Viewer, session: Reading) -> LinePosesBody:
+def get_line_pose(scan_id: PathId, who: Viewer, session: Reading) -> LinePoses:
     """The calibration of camera 1 that heights are computed with, and those before it."""
     get_scan(session, scan_id)
-    history = [_pose_body(one) for one in pose_store.line_pose_history(session, scan_id)]
-    return LinePosesBody(current=history[-1] if history else None, history=history)
+    return poses.line_poses_of(session, scan_id)
 
 
 @router.post("/scans/{scan_id}/line-pose/preview")
-def preview_line_pose(scan_id: PathId, body: RodIn, who: Viewer, session: Reading) -> SolvedRodBody:
+def preview_line_pose(scan_id: PathId, body: RodIn, who: Viewer, session: Reading) -> SolvedRod:
     """The pose that these marks would be stored with: residuals, the camera's height, warnings."""
     get_scan(session, scan_id)
-    return _solved_body(poses.preview_line_pose(_rod(body)))
+    return poses.preview_line_pose(_rod(body))
 
 
 @router.put("/scans/{scan_id}/line-pose")
-def store_line_pose(scan_id: PathId, body: NewLinePose, who: Operator, session: Writing) -> LinePoseBody:
+def store_line_pose(scan_id: PathId, body: NewLinePose, who: Operator, session: Writing) -> ShownLinePose:
     """Store a calibration; heights keep theirs, and say so, until they are stored again."""
     made = poses.store_line_pose(session, scan_id, _rod(body), seen_revision=body.revision, actor=who.id)
-    return _pose_body(made)
+    return poses.shown_line_pose(made)
 
 
 @router.post("/scans/{scan_id}/line-height")
 def preview_line_height(
     scan_id: PathId, body: LineHeightWanted, who: Viewer, session: Reading
-) -> LineHeightAnswer:
+) -> HeightPreview:
     """The height that these two clicks would be stored with, and the ladder above the contact."""
-    contact = (body.contact_line, body.contact_row_px)
-    whole = body.target_line is not None and body.target_row_px is not None
-    point = (body.target_line or 0.0, body.target_row_px or 0.0) if whole else contact
-    looked = service.preview_line_height(
-        session, scan_id, _clicked(body, point), body.vehicle_id, only_contact=not whole
-    )
-    found = looked.found
-    only_contact = not whole and found.reason is None
-    return LineHeightAnswer.model_validate(
-        {
-            **{name: getattr(found, name) for name in _OF_FOUND},
-            "status": "contact" if only_contact else found.status,
-            "budget": found.budget,
-            "flags": list(found.flags),
-            "inset_m": looked.inset_m,
-            "u_inset_m": looked.u_inset_m,
-            "U95_distance_m": looked.U95_distance_m,
-            "ladder": [LineRungBody(height_m=height, row_px=row) for height, row in looked.ladder],
-        }
-    )
+    only_contact, point = True, (body.contact_line, body.contact_row_px)
+    if body.target_line is not None and body.target_row_px is not None:
+        only_contact, point = False, (body.target_line, body.target_row_px)
+    clicked = _clicked(body, point)
+    return service.preview_line_height(session, scan_id, clicked, body.vehicle_id, only_contact=only_contact)
 
 
 @router.get("/scans/{scan_id}/heights")
@@ -118,12 +96,8 @@ def withdraw_scan_height(
     return scan_height_bodies(session, (made,), who.id)[0]
 
 
-_OF_FOUND = ("reason", "distance_m", "height_m", "u_height_m", "U95_height_m")
-_MADE = ("id", "revision", "created_by", "created_at")
-
-
 def _rod(body: RodIn) -> Rod:
-    marks = tuple(Mark(m.distance_m, m.height_m, m.row_px, m.line) for m in body.marks)
+    marks = tuple(Mark(**one.model_dump()) for one in body.marks)
     return Rod(marks, body.sigma_px, body.u_distance_m, body.u_lean_rad)
 
 
@@ -137,17 +111,3 @@ def _clicked(body: LineClicks, point: tuple[float, float]) -> Clicks:
         u_inset_m=body.u_inset_m,
         side=body.side if body.target == "driver_eye" else None,
     )
-
-
-def _solved_body(one: SolvedRod) -> SolvedRodBody:
-    names = [name for name in SolvedRodBody.model_fields if not name.startswith("U95")]
-    U95 = expanded(one.u_camera_height_m)
-    return SolvedRodBody.model_validate(
-        {**{name: getattr(one, name) for name in names}, "U95_camera_height_m": U95}
-    )
-
-
-def _pose_body(one: StoredLinePose) -> LinePoseBody:
-    names = ("marks", "sigma_px", "u_distance_m", "u_lean_rad")
-    body = {name: getattr(one.values, name) for name in names} | {name: getattr(one, name) for name in _MADE}
-    return LinePoseBody.model_validate({**body, "solved": _solved_body(poses.line_pose_result(one))})

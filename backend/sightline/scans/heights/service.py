@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 
 from sightline.coverage import expanded
-from sightline.enums import Category, ComputingCause
+from sightline.enums import Category, ComputingCause, LineClicksStatus
 from sightline.errors import BadInput
 from sightline.geometry.insets import SIDE_UNKNOWN
 from sightline.geometry.sides import FoundSide
@@ -40,20 +40,24 @@ _MARGIN = 0.05
 
 
 @dataclass(frozen=True)
-class HeightPreview:
-    """A height not stored yet, with the ladder of (height m, row) above the contact, `inset_m` behind it.
+class LineRung:
+    """The row of a height above the contact, at the target's distance."""
 
-    An eye of unknown side has neither.
+    height_m: float
+    row_px: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class HeightPreview(LineHeight):
+    """A height not stored yet, with the ladder above the contact, `inset_m` behind it; an eye of unknown side
+    has neither. `contact`: only the contact was clicked, and it stands on the road.
     """
 
-    found: LineHeight
+    status: LineClicksStatus  # type: ignore[assignment]
+    U95_distance_m: float | None
     inset_m: float | None
     u_inset_m: float | None
-    ladder: tuple[tuple[float, float], ...]
-
-    @property
-    def U95_distance_m(self) -> float | None:
-        return expanded(self.found.u_distance_m)
+    ladder: tuple[LineRung, ...] = ()
 
 
 def preview_line_height(
@@ -73,12 +77,22 @@ def preview_line_height(
     clicks = filled_in(clicked, get_survey(session, scan.survey_id).insets, category)
     distance_m = contact_distance(pose, clicked.contact[1])
     only_contact = only_contact and distance_m is not None
-    if clicks.inset_m is None:
-        reason = None if only_contact else SIDE_UNKNOWN
-        return HeightPreview(LineHeight("not_measurable", reason, distance_m), None, None, ())
-    rungs = ladder(pose, distance_m + clicks.inset_m, scan.rows_px or 0) if distance_m is not None else ()
-    found = LineHeight("not_measurable", None, distance_m) if only_contact else answer(pose, clicks)
-    return HeightPreview(found, clicks.inset_m, clicks.u_inset_m, rungs)
+    rungs: tuple[LineRung, ...] = ()
+    if only_contact or clicks.inset_m is None:
+        found = LineHeight("not_measurable", None if only_contact else SIDE_UNKNOWN, distance_m)
+    else:
+        found = answer(pose, clicks)
+    if clicks.inset_m is not None and distance_m is not None:
+        rungs = tuple(LineRung(*one) for one in ladder(pose, distance_m + clicks.inset_m, scan.rows_px or 0))
+    return filled_from(
+        HeightPreview,
+        found,
+        status="contact" if only_contact else found.status,
+        U95_distance_m=expanded(found.u_distance_m),
+        inset_m=clicks.inset_m,
+        u_inset_m=clicks.u_inset_m,
+        ladder=rungs,
+    )
 
 
 def store_scan_height(

@@ -12,16 +12,15 @@ from sightline.enums import ScanMethod
 from sightline.errors import SightlineError
 from sightline.infra.database import Session
 from sightline.infra.services import Services
-from sightline.infra.version import code_version
 from sightline.linescan.parts import Motion, Rig
 from sightline.media.store.local import key_of, sha256_of
 from sightline.messages.said import Said
 from sightline.scans.live.records import LiveHealth, LiveVehicle, SegmentFacts
 from sightline.scans.live.store import add_live_scan, end_live_scan, hear_live_scan
-from sightline.scans.records import LiveSource, ScanRunValues, StripSource
+from sightline.scans.records import LiveSource, StripSource
 from sightline.scans.service import queue_reading
-from sightline.scans.store import create_scan, get_scan, note_reading_failed, note_scan_recorded, rig_columns
-from sightline.scans.vehicles.find_job import summary_of
+from sightline.scans.store import create_scan, get_scan, note_reading_failed, note_scan_recorded
+from sightline.scans.vehicles.find_job import run_values
 from sightline.scans.vehicles.measurement_store import append_scan_measurements
 from sightline.scans.vehicles.motion import values_of
 from sightline.scans.vehicles.run_store import add_scan_run
@@ -117,7 +116,8 @@ class SurveyKeeper:
         source = None if paths is None else (self._strip(paths[0]), self._strip(paths[1]))
         with self._writing() as session:
             self._store_in(session, scan_id, waiting)
-            self._add_run(session, scan_id, motions, notes)
+            run = run_values(self._method, self._rig, motions, len(motions), notes)
+            add_scan_run(session, scan_id, run, actor=None)
             end_live_scan(session, scan_id)
             if source is None:
                 note_reading_failed(session, scan_id, NOT_KEPT, actor=None)
@@ -132,18 +132,6 @@ class SurveyKeeper:
         key = key_of(sha256, _SUFFIX)
         self._services.media.put_file(key, path, link=True)
         return StripSource(path.name, key, sha256)
-
-    def _add_run(self, session: Session, scan_id: int, motions: list[Motion], notes: list[Said]) -> None:
-        values = ScanRunValues(
-            method=self._method,
-            rig=rig_columns(self._rig),
-            found=len(motions),
-            measured=sum(one.status == "ok" for one in motions),
-            summary=summary_of(motions),
-            warnings=notes,
-            code_version=code_version(),
-        )
-        add_scan_run(session, scan_id, values, actor=None)
 
     def _store(self) -> None:
         if not self._waiting or self._scan_id is None:

@@ -5,6 +5,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Protocol
 
+from sightline.enums import LiveState, MeasurementStatus, ScanDirection
 from sightline.linescan.passing import Vehicle
 from sightline.messages.said import Said
 
@@ -84,6 +85,25 @@ class LiveScan:
     health: LiveHealth | None
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LivePassing:
+    """One of the last vehicles; `front_at`: when its front reached camera 1. U95 = 1.96 u."""
+
+    id: int
+    number: int
+    front_at: datetime
+    direction: ScanDirection | None = None
+    lane: str | None = None
+    axles: int | None = None
+    speed_mps: float | None = None
+    U95_speed_mps: float | None = None
+    length_m: float | None = None
+    U95_length_m: float | None = None
+    time_gap_s: float | None = None
+    status: MeasurementStatus | None = None
+    reason: Said | None = None
+
+
 @dataclass(frozen=True, slots=True)
 class FlowMinute:
     """Vehicles whose front reached camera 1 in the minute from `begin` on; `whole`: it was watched whole."""
@@ -91,3 +111,14 @@ class FlowMinute:
     begin: datetime
     vehicles: int
     whole: bool
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LiveStream(LiveScan):
+    """A stream by its newest recording; `until`: the time of the last line; `earlier`: recordings before."""
+
+    state: LiveState
+    until: datetime
+    vehicles: tuple[LivePassing, ...]
+    flow: tuple[FlowMinute, ...]
+    earlier: tuple[LiveScan, ...]

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from datetime import datetime, timedelta
 
-from sightline.enums import LiveState
+from sightline.coverage import expanded
+from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.infra.database.types import now
-from sightline.scans.live.records import FlowMinute, LiveScan
+from sightline.scans.live.records import FlowMinute, LivePassing, LiveScan, LiveStream
 from sightline.scans.live.state import live_state
 from sightline.scans.live.store import fronts_of, list_live_scans
 from sightline.scans.references.store import standing_references
@@ -20,18 +20,6 @@ from sightline.scans.vehicles.store import last_scan_vehicles
 LAST = 20
 FLOW_MINUTES = 60
 _STREAMS = 4
-
-
-@dataclass(frozen=True)
-class LiveStream:
-    """A stream by its newest recording; `until`: the time of the last line; `earlier`: recordings before."""
-
-    scan: LiveScan
-    state: LiveState
-    until: datetime
-    vehicles: tuple[tuple[ShownVehicle, datetime], ...]
-    flow: tuple[FlowMinute, ...]
-    earlier: tuple[LiveScan, ...]
 
 
 def live_streams(session: Session, survey_id: int) -> list[LiveStream]:
@@ -70,12 +58,12 @@ def _stream(session: Session, scans: list[LiveScan]) -> LiveStream:
     found = last_scan_vehicles(session, newest.scan_id, LAST + 1)
     references = standing_references(session, newest.scan_id)
     listed = shown(get_scan(session, newest.scan_id), found, references)[-LAST:]
-    vehicles = [(one, _front_at(newest, one)) for one in reversed(listed)]
-    return LiveStream(
-        scan=newest,
+    return filled_from(
+        LiveStream,
+        newest,
         state=live_state(newest.heard_at, newest.ended_at, now()),
         until=until,
-        vehicles=tuple(vehicles),
+        vehicles=tuple(_passing(newest, one) for one in reversed(listed)),
         flow=flow,
         earlier=tuple(scans[1:13]),
     )
@@ -85,9 +73,22 @@ def _until(scan: LiveScan) -> datetime:
     return _time(scan, scan.health.lines if scan.health else 0)
 
 
-def _front_at(scan: LiveScan, one: ShownVehicle) -> datetime:
-    measured = one.vehicle.measurement
-    return _time(scan, measured.values.front_line_1 if measured else 0.0)
+def _passing(scan: LiveScan, one: ShownVehicle) -> LivePassing:
+    vehicle = one.vehicle
+    if vehicle.measurement is None:
+        return LivePassing(id=vehicle.id, number=vehicle.number, front_at=scan.began_at)
+    values = vehicle.measurement.values
+    return filled_from(
+        LivePassing,
+        values,
+        id=vehicle.id,
+        number=vehicle.number,
+        front_at=_time(scan, values.front_line_1),
+        axles=values.axles,
+        U95_speed_mps=expanded(values.u_speed_mps),
+        U95_length_m=expanded(values.u_length_m),
+        time_gap_s=one.gap and one.gap.time_gap_s,
+    )
 
 
 def _time(scan: LiveScan, line: float) -> datetime:

@@ -1,8 +1,7 @@
 """Live streams in the database: their state, and what the live page asks for."""
 
 from collections.abc import Sequence
-from dataclasses import asdict
-from datetime import datetime
+from dataclasses import asdict, fields
 
 from sqlalchemy import select, update
 from sqlalchemy.orm import Session
@@ -65,16 +64,5 @@ def _live_scan(row: JsonObject) -> LiveScan:
     if health is not None:
         words = tuple(Said.read(one) for one in health["words"])
         health = LiveHealth(**{**health, **{name: tuple(health[name]) for name in pairs}, "words": words})
-    began_at: datetime = row["began_at"]
-    return LiveScan(
-        scan_id=row["scan_id"],
-        name=row["name"],
-        ready=row["state"] == "ready",
-        line_rate_hz=row["line_rate_hz"],
-        stream=row["stream"],
-        source=row["source"],
-        began_at=began_at,
-        heard_at=row["heard_at"],
-        ended_at=row["ended_at"],
-        health=health,
-    )
+    told = {one.name: row[one.name] for one in fields(LiveScan) if one.name not in ("ready", "health")}
+    return LiveScan(**told, ready=row["state"] == "ready", health=health)

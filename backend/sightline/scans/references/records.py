@@ -2,11 +2,15 @@
 
 from dataclasses import dataclass
 from datetime import datetime
+from typing import Annotated
+
+from pydantic import Field
 
 from sightline.enums import ReferenceChange, ReferenceQuantity, ReferenceSource
 from sightline.errors import BadInput
 from sightline.infra.audit.records import Who
 from sightline.messages.said import Said
+from sightline.statistics.references import Agreement
 
 #: What of a motion is compared with a reference; its u stands under the same name with u_ before it.
 MEASURED: dict[ReferenceQuantity, str] = {
@@ -41,6 +45,20 @@ class StoredReference:
     vehicle_id: int
     revision: int
     values: ReferenceValues
+    created_by: Who | None
+    created_at: datetime
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ShownReference(ReferenceValues):
+    """What one source says of a vehicle, beside our own value."""
+
+    unit: str
+    U95: float
+    revision: int
+    agreement: Annotated[
+        Agreement | None, Field(description="null: there is no value of ours to compare with.")
+    ]
     created_by: Who | None
     created_at: datetime
 

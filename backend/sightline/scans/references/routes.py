@@ -5,17 +5,16 @@ from typing import Annotated
 from fastapi import APIRouter, File, Query, UploadFile
 
 from sightline.enums import ReferenceQuantity, ReferenceSource
-from sightline.infra.services import Services
 from sightline.infra.web.deps import Operator, PathId, Wired
+from sightline.infra.web.quantities import SeenRevision
 from sightline.infra.web.uploaded import whole_file
 from sightline.scans.bodies import ScanVehicleBody
-from sightline.scans.presenters import vehicle_body
+from sightline.scans.presenters import changed_vehicle
 from sightline.scans.references import store
-from sightline.scans.references.bodies import ReferenceIn, SeenRevision
+from sightline.scans.references.bodies import ReferenceIn
 from sightline.scans.references.import_csv import MOST_BYTES, import_references, plan_references
 from sightline.scans.references.passing_times import MOST_TOLERANCE_S, USUAL_TOLERANCE_S
 from sightline.scans.references.records import ReferencePlan, ReferencesImported, ReferenceValues
-from sightline.scans.vehicles import listing
 
 router = APIRouter()
 Sent = Annotated[UploadFile, File(description="CSV in UTF-8.")]
@@ -39,7 +38,7 @@ def say_reference(
     values = ReferenceValues(quantity, source, value=body.value, u=body.u, device=device)
     with services.writing() as session:
         store.append_scan_reference(session, vehicle_id, values, seen_revision=body.revision, actor=who.id)
-    return _answer(services, vehicle_id, who.id)
+    return changed_vehicle(services, vehicle_id, who.id)
 
 
 @router.delete("/scan-vehicles/{vehicle_id}/references/{quantity}/{source}")
@@ -56,7 +55,7 @@ def withdraw_reference(
         store.withdraw_scan_reference(
             session, vehicle_id, quantity, source, seen_revision=revision, actor=who.id
         )
-    return _answer(services, vehicle_id, who.id)
+    return changed_vehicle(services, vehicle_id, who.id)
 
 
 @router.post("/scans/{scan_id}/references/preview")
@@ -87,8 +86,3 @@ def import_scan_references(
     data = whole_file(file, MOST_BYTES, name)
     with services.writing() as session:
         return import_references(session, scan_id, data, name, tolerance_s, actor=who.id)
-
-
-def _answer(services: Services, vehicle_id: int, asker: int) -> ScanVehicleBody:
-    with services.reading() as session:
-        return vehicle_body(listing.one_of(session, vehicle_id), asker)

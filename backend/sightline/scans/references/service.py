@@ -5,12 +5,32 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from sightline.coverage import expanded
+from sightline.infra.by_name import filled_from
 from sightline.scans.records import ScanValues
-from sightline.scans.references.records import MEASURED, ReferenceValues
+from sightline.scans.references.records import (
+    MEASURED,
+    UNITS,
+    ReferenceValues,
+    ShownReference,
+    StoredReference,
+)
 from sightline.statistics.references import Agreement, agreement
 
 #: What of a motion is looked at.
 LOOKED_AT = ("status", *(name for one in MEASURED.values() for name in (one, f"u_{one}")))
+
+
+def shown_reference(one: StoredReference, ours: ScanValues | None) -> ShownReference:
+    """A reference beside our own stored value; None where the vehicle was never measured."""
+    return filled_from(
+        ShownReference,
+        one,
+        one.values,
+        unit=UNITS[one.values.quantity],
+        U95=expanded(one.values.u),
+        agreement=beside_ours(ours, one.values),
+    )
 
 
 def beside_ours(values: ScanValues | None, one: ReferenceValues) -> Agreement | None:

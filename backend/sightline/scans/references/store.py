@@ -2,30 +2,29 @@
 
 from collections.abc import Iterable
 from dataclasses import asdict, replace
-from typing import Any
 
 from sqlalchemy import ColumnElement, exists, select
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject, ReferenceQuantity, ReferenceSource
 from sightline.errors import Conflict
-from sightline.infra.audit import trail
 from sightline.infra.audit.records import name_or_somebody
-from sightline.infra.database.people import people
-from sightline.infra.database.rows import add_row, missing, stored_hash, who
-from sightline.infra.database.types import now
+from sightline.infra.by_name import record_of
+from sightline.infra.database.rows import missing
 from sightline.scans.references.records import ReferenceValues, StoredReference, require_reference
 from sightline.scans.tables import scan_references, scan_vehicles
 from sightline.scans.vehicles.store import require_scan_vehicle_version
+from sightline.scans.written_store import written_once, written_rows
 
-_VALUES = tuple(ReferenceValues.__slots__)
 _KEY = ("vehicle_id", "quantity", "source")
 _later = scan_references.alias("later")
 _is_current: ColumnElement[bool] = ~exists().where(
     *(_later.c[name] == scan_references.c[name] for name in _KEY),
     _later.c.revision > scan_references.c.revision,
 )
-_alive: ColumnElement[bool] = scan_vehicles.c.deleted_at.is_(None)
+_alive: ColumnElement[bool] = scan_references.c.vehicle_id.in_(
+    select(scan_vehicles.c.id).where(scan_vehicles.c.deleted_at.is_(None))
+)
 
 
 def append_scan_reference(
@@ -116,30 +115,18 @@ def _append(
         name = name_or_somebody(before.created_by if before else None)
         raise Conflict("reference-changed-meanwhile", name=name)
     place = {"survey_id": vehicle["survey_id"], "scan_id": vehicle["scan_id"], "vehicle_id": vehicle_id}
-    content: dict[str, Any] = {**place, "revision": revision + 1, **asdict(values)}
-    row_id = add_row(session, scan_references, {**content, "created_at": now(), "created_by": actor})
-    after = {**content, "content_sha256": stored_hash(session, scan_references, row_id)}
-    if matched is not None:
-        after["matched"] = matched
-    then = None if before is None else {**asdict(before.values), "revision": revision}
-    action = "withdraw" if values.withdrawn else "create" if before is None else "revise"
-    trail.record(session, actor, action, "scan_reference", row_id, vehicle["survey_id"], then, after)
+    row_id = written_once(
+        session,
+        scan_references,
+        {**place, "revision": revision + 1, **asdict(values)},
+        "withdraw" if values.withdrawn else "create" if before is None else "revise",
+        before=None if before is None else {**asdict(before.values), "revision": revision},
+        also={} if matched is None else {"matched": matched},
+        actor=actor,
+    )
     return _where(session, scan_references.c.id == row_id)[0]
 
 
 def _where(session: Session, *conditions: ColumnElement[bool]) -> tuple[StoredReference, ...]:
-    query = (
-        select(scan_references, people.c.name.label("maker"))
-        .join(scan_vehicles, scan_vehicles.c.id == scan_references.c.vehicle_id)
-        .outerjoin(people, people.c.id == scan_references.c.created_by)
-        .where(*conditions)
-        .order_by(scan_references.c.id)
-    )
-    return tuple(
-        StoredReference(
-            **{name: row[name] for name in ("id", "scan_id", "vehicle_id", "revision", "created_at")},
-            values=ReferenceValues(**{name: row[name] for name in _VALUES}),
-            created_by=who(row["created_by"], row["maker"]),
-        )
-        for row in session.execute(query).mappings()
-    )
+    rows = written_rows(session, scan_references, *conditions)
+    return tuple(record_of(StoredReference, row, values=record_of(ReferenceValues, row)) for row in rows)

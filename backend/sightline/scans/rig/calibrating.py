@@ -1,14 +1,15 @@
 """A rig's calibration from a table of passes: to look at, stored and put in force, and made again."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
-from typing import Any, cast
+from typing import Annotated, Any
+
+from pydantic import Field
 
 from sightline.coverage import expanded
 from sightline.enums import JsonObject
 from sightline.errors import BadInput
+from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.infra.version import code_version
 from sightline.linescan.parts import Rig
@@ -19,7 +20,7 @@ from sightline.linescan.rig_calibration import (
     calibrate_rig,
     lane_baseline,
 )
-from sightline.scans.records import ScanChanges
+from sightline.scans.bodies import DistanceM, UDistanceM
 from sightline.scans.rig.passes_csv import read_rig_passes
 from sightline.scans.rig.records import (
     CalibrationFigures,
@@ -36,17 +37,17 @@ from sightline.scans.store import CALIBRATED, get_scan, update_scan
 LENGTH_DECIMALS = 6
 
 
+Share = Annotated[float, Field(ge=0, le=0.1, description="A share that all passes have in common (k = 1).")]
+
+
 @dataclass(frozen=True, kw_only=True)
 class Given:
-    """What is said beside the passes: shares that all have in common, and where the vehicles drive.
+    """What is said beside the passes: shares that all have in common, and where the vehicles drive."""
 
-    A distance of None: the one that the rig has.
-    """
-
-    u_tape_ratio: float = 0.0
-    u_speed_ratio: float = 0.0
-    distance_m: float | None = None
-    u_distance_m: float = 0.0
+    u_tape_ratio: Share = 0.0
+    u_speed_ratio: Share = 0.0
+    distance_m: Annotated[DistanceM | None, Field(description="To the vehicles; null: as in the rig.")] = None
+    u_distance_m: UDistanceM = 0.0
 
 
 def preview_rig_calibration(
@@ -89,7 +90,7 @@ def store_rig_calibration(
     values = calibration_values(given.passes, common, found)
     changes: dict[str, Any] = {name: getattr(values, name) for name in CALIBRATED}
     changes |= {"distance_m": rig.distance_m, "u_distance_m": rig.u_distance_m}
-    update_scan(session, scan_id, cast(ScanChanges, changes), version=version, actor=actor)
+    update_scan(session, scan_id, changes, version=version, actor=actor)
     return append_rig_calibration(session, scan_id, values, actor=actor)
 
 
@@ -100,13 +101,11 @@ def rig_calibrations_of(session: Session, scan_id: int) -> tuple[RigCalibrationS
     for one in reversed(rig_calibration_history(session, scan_id)):
         same = all(getattr(one.values, name) == getattr(rig, name) for name in CALIBRATED)
         shown.append(
-            RigCalibrationShown(
-                id=one.id,
-                revision=one.revision,
+            filled_from(
+                RigCalibrationShown,
+                one,
                 in_force=same and not any(other.in_force for other in shown),
                 figures=_figures(found_of(one.values), rig),
-                created_by=one.created_by,
-                created_at=one.created_at,
             )
         )
     return tuple(shown)
@@ -116,40 +115,24 @@ def calibration_values(
     passes: Sequence[RigPass], common: Common, found: RigCalibration
 ) -> RigCalibrationValues:
     """A calibration as it is stored."""
-    return RigCalibrationValues(
+    return filled_from(
+        RigCalibrationValues,
+        found,
+        common,
         passes=[_document(one) for one in passes],
         line_rate_hz=common.line_rate_hz or 0.0,
-        u_line_rate_ratio=common.u_line_rate_ratio,
-        u_tape_ratio=common.u_tape_ratio,
-        u_speed_ratio=common.u_speed_ratio,
         baseline_m=round(found.baseline_m, LENGTH_DECIMALS),
         u_baseline_m=round(found.u_baseline_m, LENGTH_DECIMALS),
-        divergence_rad=found.divergence_rad,
-        u_divergence_rad=found.u_divergence_rad,
         baseline_correlation=found.correlation,
-        chi2=found.chi2,
-        degrees_of_freedom=found.degrees_of_freedom,
-        p_value=found.p_value,
         code_version=code_version(),
     )
 
 
 def found_of(values: RigCalibrationValues) -> RigCalibration:
     """A stored calibration, solved again from its passes; what the rig took stands as it was stored."""
-    common = Common(
-        line_rate_hz=values.line_rate_hz,
-        u_line_rate_ratio=values.u_line_rate_ratio,
-        u_tape_ratio=values.u_tape_ratio,
-        u_speed_ratio=values.u_speed_ratio,
-    )
-    found = solve_passes([RigPass(**one) for one in values.passes], common)
-    return replace(
-        found,
-        baseline_m=values.baseline_m,
-        u_baseline_m=values.u_baseline_m,
-        divergence_rad=values.divergence_rad,
-        u_divergence_rad=values.u_divergence_rad,
-        correlation=values.baseline_correlation,
+    found = solve_passes([RigPass(**one) for one in values.passes], filled_from(Common, values))
+    return filled_from(
+        RigCalibration, values, found, passes=found.passes, correlation=values.baseline_correlation
     )
 
 
@@ -169,12 +152,7 @@ def _at_lane(rig: Rig, said: Given) -> Rig:
 
 
 def _common(rig: Rig, said: Given) -> Common:
-    return Common(
-        line_rate_hz=rig.line_rate_hz,
-        u_line_rate_ratio=rig.u_line_rate_ratio,
-        u_tape_ratio=said.u_tape_ratio,
-        u_speed_ratio=said.u_speed_ratio,
-    )
+    return filled_from(Common, rig, said)
 
 
 def _document(one: RigPass) -> JsonObject:
@@ -186,41 +164,19 @@ def _document(one: RigPass) -> JsonObject:
 
 
 def _figures(found: RigCalibration, rig: Rig) -> CalibrationFigures:
-    return CalibrationFigures(
-        baseline_m=found.baseline_m,
-        u_baseline_m=found.u_baseline_m,
+    return filled_from(
+        CalibrationFigures,
+        found,
         U95_baseline_m=expanded(found.u_baseline_m),
-        divergence_rad=found.divergence_rad,
-        u_divergence_rad=found.u_divergence_rad,
         U95_divergence_rad=expanded(found.u_divergence_rad),
         baseline_correlation=found.correlation,
-        chi2=found.chi2,
-        degrees_of_freedom=found.degrees_of_freedom,
-        p_value=found.p_value,
-        nearest_m=found.nearest_m,
-        farthest_m=found.farthest_m,
-        passes=found.passes,
-        lane=_lane(found, rig),
+        lane=None if rig.distance_m is None else _at(found, rig.distance_m, rig.u_distance_m),
         lanes=tuple(_at(found, one.distance_m, one.u_distance_m, one.name) for one in rig.lanes),
-        warnings=found.warnings,
     )
-
-
-def _lane(found: RigCalibration, rig: Rig) -> LaneOfRig | None:
-    if rig.distance_m is None:
-        return None
-    return _at(found, rig.distance_m, rig.u_distance_m)
 
 
 def _at(found: RigCalibration, distance_m: float, u_distance_m: float, name: str | None = None) -> LaneOfRig:
     lane = lane_baseline(found, distance_m, u_distance_m)
     u95 = expanded(lane.u_baseline_m)
-    return LaneOfRig(
-        name=name,
-        distance_m=lane.distance_m,
-        baseline_m=lane.baseline_m,
-        u_baseline_m=lane.u_baseline_m,
-        U95_baseline_m=u95,
-        U95_percent=100 * u95 / lane.baseline_m,
-        warning=lane.warning,
-    )
+    U95_percent = 100 * u95 / lane.baseline_m
+    return filled_from(LaneOfRig, lane, name=name, U95_baseline_m=u95, U95_percent=U95_percent)

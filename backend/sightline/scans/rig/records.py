@@ -12,6 +12,7 @@ from sightline.enums import JsonObject, ScanPoseStatus
 from sightline.infra.audit.records import Who
 from sightline.linescan.rig_calibration import FittedPass
 from sightline.messages.said import Said
+from sightline.scans.records import StoredRevision
 from sightline.scans.rig.passes_csv import RefusedRow
 
 
@@ -38,15 +39,7 @@ class RigCalibrationValues:
     code_version: str
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class StoredRigCalibration:
-    id: int
-    survey_id: int
-    scan_id: int
-    revision: int
-    values: RigCalibrationValues
-    created_by: Who | None
-    created_at: datetime
+StoredRigCalibration = StoredRevision[RigCalibrationValues]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -4,10 +4,9 @@ from typing import Annotated
 
 from fastapi import APIRouter, Depends, File, Query, UploadFile
 
-from sightline.infra.database import Session
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired
 from sightline.infra.web.uploaded import whole_file
-from sightline.scans.bodies import DistanceM, ScanBody, UDistanceM
+from sightline.scans.bodies import ScanBody
 from sightline.scans.presenters import scan_body
 from sightline.scans.rig import calibrating
 from sightline.scans.rig.calibrating import Given
@@ -17,23 +16,7 @@ from sightline.scans.store import get_scan
 
 router = APIRouter()
 Sent = Annotated[UploadFile, File(description="CSV in UTF-8, a pass a row.")]
-Share = Annotated[float, Query(ge=0, le=0.1, description="A share that all passes have in common (k = 1).")]
-
-
-def _given(
-    u_tape_ratio: Share = 0.0,
-    u_speed_ratio: Share = 0.0,
-    distance_m: Annotated[
-        DistanceM | None, Query(description="To the vehicles; null: as in the rig.")
-    ] = None,
-    u_distance_m: UDistanceM = 0.0,
-) -> Given:
-    return Given(
-        u_tape_ratio=u_tape_ratio,
-        u_speed_ratio=u_speed_ratio,
-        distance_m=distance_m,
-        u_distance_m=u_distance_m,
-    )
+Said = Annotated[Given, Depends()]
 
 
 @router.get("/scans/{scan_id}/rig-calibrations")
@@ -48,7 +31,7 @@ def preview_rig_calibration(
     who: Operator,
     services: Wired,
     file: Sent,
-    said: Annotated[Given, Depends(_given)],
+    said: Said,
 ) -> CalibrationLook:
     """What the passes of a CSV give; nothing is stored."""
     name = file.filename or "The file"
@@ -64,23 +47,11 @@ def store_rig_calibration(
     services: Wired,
     file: Sent,
     version: Annotated[int, Query(ge=1, le=2**31 - 1, description="The version that you saw.")],
-    said: Annotated[Given, Depends(_given)],
+    said: Said,
 ) -> ScanBody:
     """Store the calibration of these passes and put its values in force; results keep those that they had."""
     name = file.filename or "The file"
     data = whole_file(file, MOST_BYTES, name)
     with services.writing() as session:
-        calibrating.store_rig_calibration(
-            session,
-            scan_id,
-            data,
-            name,
-            said,
-            version=version,
-            actor=who.id,
-        )
-        return _answer(session, scan_id)
-
-
-def _answer(session: Session, scan_id: int) -> ScanBody:
-    return scan_body(get_scan(session, scan_id))
+        calibrating.store_rig_calibration(session, scan_id, data, name, said, version=version, actor=who.id)
+        return scan_body(get_scan(session, scan_id))

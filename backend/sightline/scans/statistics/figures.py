@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 from sightline.infra.database import Session
-from sightline.linescan.clock import since_start_s
-from sightline.linescan.rig import baseline_of
 from sightline.recordings.filming import FilmedWithin
 from sightline.scans.heights.store import list_scan_heights
-from sightline.scans.records import Scan, ScanValues
+from sightline.scans.records import Scan
 from sightline.scans.statistics.heights import HeightSeen, ScannedHeights, scanned_heights
-from sightline.scans.statistics.service import GAPS, MOTION, ScanStatistics, VehicleMotion, statistics_of_seen
-from sightline.scans.statistics.traffic import ScanTraffic, Watched, rig_ratio, traffic_of_seen
+from sightline.scans.statistics.service import (
+    GAPS,
+    MOTION,
+    ScanStatistics,
+    VehicleMotion,
+    statistics_of_seen,
+    when_passed,
+)
+from sightline.scans.statistics.traffic import ScanTraffic, Watched, traffic_of_seen
 from sightline.scans.store import list_scans
 from sightline.scans.vehicles.listing import ShownVehicle, vehicles_of
 from sightline.scans.vehicles.motion import rig_of
@@ -67,9 +72,8 @@ def _filmed_at(one: ShownVehicle) -> str:
 def _seen(scan: Scan, one: ShownVehicle) -> VehicleMotion:
     vehicle = one.vehicle
     values = None if vehicle.measurement is None else vehicle.measurement.values
-    baseline_m, u_baseline_m = baseline_of(rig_of(values.rig)) if values else (1.0, 0.0)
     gap = {name: getattr(one.gap, name) for name in GAPS} if one.gap else {}
-    where = {} if values is None else _where(values)
+    where = values and when_passed(rig_of(values.rig), values.front_line_1, values.rear_line_1)
     return VehicleMotion(
         vehicle_id=vehicle.id,
         scan_id=vehicle.scan_id,
@@ -84,8 +88,6 @@ def _seen(scan: Scan, one: ShownVehicle) -> VehicleMotion:
             "wheelbase_m": vehicle.true_wheelbase_m,
             "u_wheelbase_m": vehicle.u_true_wheelbase_m,
         },
-        rig_baseline_m=baseline_m,
-        rig_u_baseline_m=u_baseline_m,
         status=values.status if values else "not_measurable",
         reason=values.reason if values else None,
         filmed_at=_filmed_at(one),
@@ -95,15 +97,5 @@ def _seen(scan: Scan, one: ShownVehicle) -> VehicleMotion:
         direction=None if values is None else values.direction,
         lane=None if values is None else values.lane,
         axles=None if values is None else values.axles,
-        **where,
+        **(where or {}),
     )
-
-
-def _where(values: ScanValues) -> dict[str, float]:
-    """When a vehicle passed, and what its rig gives to every speed."""
-    rate_hz = values.rig["line_rate_hz"]
-    return {
-        "since_s": since_start_s(values.front_line_1, rate_hz),
-        "occupied_s": (values.rear_line_1 - values.front_line_1) / rate_hz,
-        "rig_ratio": rig_ratio(rig_of(values.rig)),
-    }

@@ -1,37 +1,44 @@
-"""Statistics of a survey's line scans."""
+"""Statistics and traffic of a survey's line scans."""
 
 from dataclasses import dataclass
+from functools import partial
 from typing import Annotated
 
 from fastapi import APIRouter, Query
-from pydantic import Field
+from pydantic import BeforeValidator, Field
 
+from sightline.errors import BadInput
 from sightline.infra.by_name import filled_from
 from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import PathId, Reading, Viewer
-from sightline.infra.web.figures import DensityBody, EcdfBody, FigureBody, ReasonBody
+from sightline.infra.web.figures import (
+    DensityPart,
+    EcdfBody,
+    ErrorFiguresBody,
+    ReasonBody,
+    error_figures,
+    part_body,
+)
 from sightline.linescan.rig import RigEstimate
+from sightline.linescan.traffic import LENGTH_LIMITS_M, MINUTES
 from sightline.messages.said import Said
 from sightline.recordings.bodies import FilmedAsked
-from sightline.scans.statistics.figures import scan_height_statistics, scan_statistics
+from sightline.scans.statistics.figures import scan_height_statistics, scan_statistics, scan_traffic
 from sightline.scans.statistics.heights import ScannedHeights
 from sightline.scans.statistics.paper import TABLE_I, PaperCar
-from sightline.scans.statistics.service import CarRuns, ReferenceGroup, ScanRow, ScanStatistics, Spread
-from sightline.statistics.distributions import Density, Ecdf, Percentile
-from sightline.statistics.errors import ErrorGroup
+from sightline.scans.statistics.service import CarRuns, ReferenceGroup, ScanRow
+from sightline.scans.statistics.traffic import ScanTraffic
+from sightline.statistics.distributions import Percentile
 from sightline.surveys.store import get_survey
 
 router = APIRouter()
+NOTHING = Said("stat-no-value")
 _RATIO = "Measured over true, by weighted mean: 1.01 says that the baseline is 1 % too long."
-
-
-class ScanErrorGroupBody(Out):
-    """Errors of one lighting, metres: measured minus the maker's; Pearson's against the maker's value."""
-
-    group: str
-    n: int
-    figures: dict[str, FigureBody]
-    reason: Said | None
+Ratio = Annotated[RigEstimate, Field(description=_RATIO)]
+Errors = Annotated[
+    list[ErrorFiguresBody],
+    Field(description="By lighting, metres: measured minus the maker's; Pearson's against the latter."),
+]
 
 
 class ScanSpreadBody(Out):
@@ -42,8 +49,8 @@ class ScanSpreadBody(Out):
     n: int
     mean: float | None
     sd: float | None
-    ecdf: EcdfBody | ReasonBody
-    density: DensityBody | ReasonBody
+    ecdf: Annotated[EcdfBody | ReasonBody, BeforeValidator(partial(part_body, empty=NOTHING))]
+    density: DensityPart
     percentiles: list[Percentile]
 
 
@@ -57,16 +64,25 @@ class PaperCarBody(PaperCar):
 class ScanStatisticsBody(Out):
     scans: int
     counted: dict[str, int]
-    length_errors: list[ScanErrorGroupBody]
-    wheelbase_errors: list[ScanErrorGroupBody]
-    length_ratio: RigEstimate = Field(description=_RATIO)
-    wheelbase_ratio: RigEstimate = Field(description=_RATIO)
+    length_errors: Errors
+    wheelbase_errors: Errors
+    length_ratio: Ratio
+    wheelbase_ratio: Ratio
     spreads: list[ScanSpreadBody] = Field(description="Speed, length, time gap, distance gap, headway.")
     table: tuple[ScanRow, ...]
-    references: list[ReferenceGroup]
+    references: tuple[ReferenceGroup, ...]
     cars: tuple[CarRuns, ...]
-    heights: list[ScannedHeights]
+    heights: tuple[ScannedHeights, ...]
     paper: list[PaperCarBody]
+
+
+@dataclass(frozen=True)
+class ScanFlows:
+    """`length_limits_m` part the length classes."""
+
+    minutes: int
+    length_limits_m: tuple[float, ...]
+    scans: tuple[ScanTraffic, ...]
 
 
 @router.get("/surveys/{survey_id}/scan-statistics")
@@ -81,63 +97,31 @@ def get_scan_statistics(
     get_survey(session, survey_id)
     heights = scan_height_statistics(session, survey_id, accepted_only=accepted_only, filmed=filmed)
     found = scan_statistics(session, survey_id, accepted_only=accepted_only, filmed=filmed)
-    return _body(found, heights)
-
-
-def _body(found: ScanStatistics, heights: tuple[ScannedHeights, ...]) -> ScanStatisticsBody:
-    return ScanStatisticsBody(
-        scans=found.scans,
-        counted=found.counted,
-        length_errors=_errors(found.length_errors),
-        wheelbase_errors=_errors(found.wheelbase_errors),
-        length_ratio=found.length_ratio,
-        wheelbase_ratio=found.wheelbase_ratio,
-        spreads=[_spread(one) for one in found.spreads],
-        table=found.table,
-        references=list(found.references),
-        cars=found.cars,
-        heights=list(heights),
-        paper=[
-            filled_from(PaperCarBody, one, length_error_m=one.size_m - one.true_length_m) for one in TABLE_I
-        ],
+    paper = [filled_from(PaperCarBody, one, length_error_m=one.size_m - one.true_length_m) for one in TABLE_I]
+    return ScanStatisticsBody.model_validate(
+        {
+            **vars(found),
+            "length_errors": [error_figures(*one) for one in found.length_errors.items()],
+            "wheelbase_errors": [error_figures(*one) for one in found.wheelbase_errors.items()],
+            "spreads": [vars(one) for one in found.spreads],
+            "heights": heights,
+            "paper": paper,
+        }
     )
 
 
-def _errors(groups: dict[str, ErrorGroup]) -> list[ScanErrorGroupBody]:
-    return [
-        ScanErrorGroupBody(
-            group=name, n=one.n, reason=one.reason, figures={key: _figure(one, key) for key in one.figures}
-        )
-        for name, one in groups.items()
-    ]
-
-
-def _figure(group: ErrorGroup, name: str) -> FigureBody:
-    return FigureBody(value=group.figures[name], ci95=group.ci95[name], reason=group.reason)
-
-
-def _spread(one: Spread) -> ScanSpreadBody:
-    return ScanSpreadBody(
-        quantity=one.quantity,
-        unit=one.unit,
-        n=one.n,
-        mean=one.mean,
-        sd=one.sd,
-        ecdf=_ecdf(one.ecdf),
-        density=_density(one.density),
-        percentiles=one.percentiles,
-    )
-
-
-def _ecdf(found: Ecdf | None) -> EcdfBody | ReasonBody:
-    if found is None:
-        return ReasonBody(reason=Said("stat-no-value"))
-    columns = {name: getattr(found, name).tolist() for name in ("value", "share", "low", "high")}
-    return EcdfBody(n=found.n, **columns)
-
-
-def _density(found: Density | Said) -> DensityBody | ReasonBody:
-    if isinstance(found, Said):
-        return ReasonBody(reason=found)
-    columns = {name: getattr(found, name).tolist() for name in ("value", "density", "low", "high")}
-    return DensityBody(n=found.n, bandwidth=found.bandwidth, **columns)
+@router.get("/surveys/{survey_id}/scan-traffic")
+def get_scan_traffic(
+    survey_id: PathId,
+    who: Viewer,
+    session: Reading,
+    filmed: FilmedAsked,
+    minutes: Annotated[int, Query(description="Of an interval: 1, 5, 15 or 60.")] = 15,
+    accepted_only: Annotated[bool, Query(description="false: speeds that wait for a review too.")] = True,
+) -> ScanFlows:
+    """Flow, headways, speeds, occupancy and length classes per interval, by scan, direction and lane."""
+    get_survey(session, survey_id)
+    if minutes not in MINUTES:
+        raise BadInput("scans-traffic-other-minutes", minutes=minutes)
+    found = scan_traffic(session, survey_id, minutes, accepted_only=accepted_only, filmed=filmed)
+    return ScanFlows(minutes, LENGTH_LIMITS_M, found)

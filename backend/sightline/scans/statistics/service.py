@@ -19,7 +19,9 @@ from sightline.enums import (
     ScanDirection,
     ScanVehicleState,
 )
-from sightline.linescan.rig import RigEstimate, alone, baseline_ratio
+from sightline.linescan.clock import since_start_s
+from sightline.linescan.parts import Rig
+from sightline.linescan.rig import RigEstimate, alone, baseline_of, baseline_ratio, speed_ratio_of
 from sightline.messages.said import Said
 from sightline.recordings.filming import FilmedWithin
 from sightline.scans.references.records import MEASURED, UNITS, ReferenceValues
@@ -88,6 +90,18 @@ class VehicleMotion:
     direction: ScanDirection | None = None
     lane: str | None = None
     axles: int | None = None
+
+
+def when_passed(rig: Rig, front_line_1: float, rear_line_1: float) -> dict[str, float]:
+    """When a vehicle passed, and what the rig that it was measured with gives to its motion, by name."""
+    baseline_m, u_baseline_m = baseline_of(rig)
+    return {
+        "rig_baseline_m": baseline_m,
+        "rig_u_baseline_m": u_baseline_m,
+        "rig_ratio": speed_ratio_of(rig),
+        "since_s": since_start_s(front_line_1, rig.line_rate_hz),
+        "occupied_s": (rear_line_1 - front_line_1) / rig.line_rate_hz,
+    }
 
 
 @dataclass(frozen=True)

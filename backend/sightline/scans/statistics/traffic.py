@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
-from math import hypot
-from typing import Protocol, TypedDict
+from typing import Annotated, Protocol
 
 import numpy as np
+from pydantic import Field
 
 from sightline.enums import ScanDirection
-from sightline.linescan.parts import Rig
-from sightline.linescan.rig import baseline_of
+from sightline.infra.by_name import filled_from
 from sightline.linescan.traffic import Interval, Passed, Stream, intervals, streams_of
 from sightline.messages.said import Said
 from sightline.recordings.filming import FilmedWithin
@@ -40,48 +39,49 @@ class Watched:
     watched_s: float | None
 
 
-@dataclass(frozen=True, eq=False)
-class ShownInterval:
-    """An interval with the time at which it begins (ISO 8601 with offset) and its speeds' percentiles."""
+@dataclass(frozen=True, kw_only=True)
+class ShownInterval(Interval):
+    """Traffic past camera 1 from `begins_at` on; `partial`: the recording covers only a part of it.
 
-    begins_at: str
-    interval: Interval
+    Every vehicle counts for flow and occupancy, the `measured` ones for speeds. `u`: standard uncertainties
+    (k = 1); `reasons` say why a figure is missing.
+    """
+
+    begins_at: Annotated[str, Field(description="By the clocks of the place, ISO 8601 with offset.")]
+    near_edge: Annotated[
+        int,
+        Field(description="Passed so near to an edge that the clock leaves open on which side (95 %)."),
+    ]
+    refused: Annotated[int, Field(description="Those whose motion could not be measured.")]
+    flow_low: Annotated[
+        float,
+        Field(
+            description="Ends of the exact 95 % interval for vehicles that come independently of each other."
+        ),
+    ]
     percentiles: list[Percentile]
+    begin_s: Annotated[float, Field(exclude=True)]
+    speeds_mps: Annotated[tuple[float, ...], Field(exclude=True)]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class ScanTraffic:
-    """The traffic of one line scan in one direction and lane, in intervals of `minutes`; `reason`: why there
-    are none.
+    """The traffic of one line scan in one direction and lane, in intervals of `minutes`.
 
-    An empty road is one that nobody reached camera 1 first on. `unplaced`: vehicles that were never measured
-    and so have no place in time; they are in no interval. `lane`: None where the rig has none, or of those
-    whose lane is not known.
+    An empty road is one that nobody reached camera 1 first on. `lane`: None where the rig has none, or of
+    those whose lane is not known.
     """
 
     scan_id: int
     name: str
     minutes: int
+    direction: Annotated[ScanDirection, Field(description="Which camera its vehicles reached first.")]
+    lane: Annotated[
+        str | None, Field(description="Of the rig's lanes; null: not known, or the rig has none.")
+    ]
     intervals: tuple[ShownInterval, ...]
-    unplaced: int
-    reason: Said | None = None
-    direction: ScanDirection = "camera_1_first"
-    lane: str | None = None
-
-
-class _Named(TypedDict):
-    scan_id: int
-    name: str
-    minutes: int
-    unplaced: int
-    direction: ScanDirection
-    lane: str | None
-
-
-def rig_ratio(rig: Rig) -> float:
-    """What baseline and line rate give to every speed alike, a share of it (k = 1)."""
-    baseline_m, u_baseline_m = baseline_of(rig)
-    return hypot(u_baseline_m / baseline_m, rig.u_line_rate_ratio)
+    unplaced: Annotated[int, Field(description="Never measured, so in no interval.")]
+    reason: Annotated[Said | None, Field(description="Why it has no intervals.")]
 
 
 def traffic_of_seen(
@@ -117,28 +117,35 @@ def _traffic(
     accepted_only: bool,
 ) -> ScanTraffic:
     passed = [_passed(one, accepted_only) for one in found if one.since_s is not None]
-    named: _Named = {
-        "scan_id": scan.scan_id,
-        "name": scan.name,
-        "minutes": minutes,
-        "unplaced": len(found) - len(passed),
-        "direction": stream[0],
-        "lane": stream[1],
-    }
-    if scan.clock is None or scan.watched_s is None:
-        unread, undated = Said("scans-traffic-not-read"), Said("scans-traffic-no-start")
-        return ScanTraffic(**named, intervals=(), reason=unread if scan.watched_s is None else undated)
-    into_hour_s = _into_hour_s(scan.clock)
-    told = intervals(passed, scan.watched_s, into_hour_s, minutes)
-    shown = tuple(
-        ShownInterval(
-            scan.clock.at(one.begin_s),
-            one,
-            percentiles(np.array(one.speeds_mps, dtype=np.float64), PERCENTS),
-        )
-        for one in told
+    reason = None if scan.clock else Said("scans-traffic-no-start")
+    if scan.watched_s is None:
+        reason = Said("scans-traffic-not-read")
+    return ScanTraffic(
+        scan_id=scan.scan_id,
+        name=scan.name,
+        minutes=minutes,
+        direction=stream[0],
+        lane=stream[1],
+        intervals=_intervals(passed, scan.clock, scan.watched_s, minutes),
+        unplaced=len(found) - len(passed),
+        reason=reason,
     )
-    return ScanTraffic(**named, intervals=shown)
+
+
+def _intervals(
+    passed: Sequence[Passed], clock: Clock | None, watched_s: float | None, minutes: int
+) -> tuple[ShownInterval, ...]:
+    if clock is None or watched_s is None:
+        return ()
+    return tuple(
+        filled_from(
+            ShownInterval,
+            one,
+            begins_at=clock.at(one.begin_s),
+            percentiles=percentiles(np.array(one.speeds_mps, dtype=np.float64), PERCENTS),
+        )
+        for one in intervals(passed, watched_s, _into_hour_s(clock), minutes)
+    )
 
 
 def _passed(one: VehicleMotion, accepted_only: bool) -> Passed:

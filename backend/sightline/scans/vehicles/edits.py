@@ -13,7 +13,7 @@ from sightline.infra.version import code_version
 from sightline.linescan.by_hand import seen_by_camera_2
 from sightline.linescan.parts import Crossings, Rig
 from sightline.linescan.rig import lane_named
-from sightline.scans.records import Scan, ScanValues, ScanVehicle, ScanVehicleChanges
+from sightline.scans.records import Changes, Scan, ScanValues, ScanVehicle
 from sightline.scans.service import open_strips
 from sightline.scans.store import get_scan, rig_for
 from sightline.scans.vehicles.measure import Readers, measured_again, measured_at
@@ -193,7 +193,7 @@ def add_vehicle(
 def fill_in(
     session: Session,
     vehicle_id: int,
-    changes: ScanVehicleChanges,
+    changes: Changes,
     *,
     catalogue_id: int | None,
     version: int,
@@ -205,14 +205,14 @@ def fill_in(
     """
     if catalogue_id is not None:
         entry = get_catalogue_row(session, catalogue_id)
-        known = ScanVehicleChanges(
-            make=entry.make,
-            model=entry.model,
-            category=entry.category,
-            true_length_m=entry.length_m,
-            true_wheelbase_m=entry.wheelbase_m,
-            facts_source=entry.source or "catalogue",
-        )
+        known = {
+            "make": entry.make,
+            "model": entry.model,
+            "category": entry.category,
+            "true_length_m": entry.length_m,
+            "true_wheelbase_m": entry.wheelbase_m,
+            "facts_source": entry.source or "catalogue",
+        }
         changes = {**known, **changes}
     return change_scan_vehicle(session, vehicle_id, changes, version=version, actor=actor)
 

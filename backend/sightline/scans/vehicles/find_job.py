@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
-from sightline.enums import Cause, JsonObject, ScanMethod
+from sightline.enums import Cause, ScanMethod
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.registry import Finish, JobContext
@@ -17,7 +17,7 @@ from sightline.linescan.finding import Finder
 from sightline.linescan.parts import Crossings, Motion, Rig
 from sightline.linescan.rig import gain, misalignment
 from sightline.messages.said import Said
-from sightline.scans.records import Scan, ScanRunValues, ScanValues, ScanVehicle
+from sightline.scans.records import RunSummary, Scan, ScanRunValues, ScanValues, ScanVehicle, same_motion
 from sightline.scans.service import FIND, open_strips
 from sightline.scans.store import get_scan, rig_columns
 from sightline.scans.vehicles.measure import Readers, measured, measured_again, measured_at
@@ -35,7 +35,6 @@ NEIGHBOURS = 4
 Report = Callable[[float, Said], None]
 _LOOKING = Said("job-vehicles-searching")
 _AGAIN = Said("job-vehicles-again")
-_NOT_COMPARED = ("cause", "run_id", "code_version", "placed_by")
 
 
 @dataclass(frozen=True, eq=False)
@@ -151,15 +150,7 @@ def store(
     run = add_scan_run(
         session,
         scan.id,
-        ScanRunValues(
-            method=method,
-            rig=rig_columns(rig),
-            found=len(found.motions),
-            measured=sum(one.status == "ok" for one in motions),
-            summary=summary_of(motions),
-            warnings=list(found.notes),
-            code_version=code_version(),
-        ),
+        run_values(method, rig, motions, len(found.motions), found.notes),
         job_id=job_id,
         actor=actor,
     )
@@ -182,7 +173,7 @@ def store(
             overtaken += 1
             continue
         values = with_people(replace(values, placed_by=before.values.placed_by), before.values)
-        if not _alike(values, before.values):
+        if not same_motion(before.values, values):
             again.append((one.vehicle.id, values))
     # all at once: whoever else writes waits for the end of this
     made = create_scan_vehicles(session, scan.id, len(new), origin="found", actor=actor)
@@ -225,23 +216,32 @@ def _shared(found: Crossings, known: ScanVehicle) -> bool:
     return shared >= SAME_SHARE * shorter
 
 
-def _alike(one: ScanValues, other: ScanValues) -> bool:
-    """Whether two revisions say the same (the listed one comes without its profile)."""
-    names = [one.name for one in fields(ScanValues) if one.name not in (*_NOT_COMPARED, "profile")]
-    return all(getattr(one, name) == getattr(other, name) for name in names)
+def run_values(
+    method: ScanMethod, rig: Rig, motions: Sequence[Motion], found: int, notes: Sequence[Said]
+) -> ScanRunValues:
+    """What a run of the finder says that measured these motions."""
+    return ScanRunValues(
+        method=method,
+        rig=rig_columns(rig),
+        found=found,
+        measured=sum(one.status == "ok" for one in motions),
+        summary=summary_of(motions),
+        warnings=list(notes),
+        code_version=code_version(),
+    )
 
 
-def summary_of(motions: Sequence[Motion]) -> JsonObject:
+def summary_of(motions: Sequence[Motion]) -> RunSummary:
     """What the traffic says of the cameras."""
     shift, light = misalignment(motions), gain(motions)
-    return {
-        "misalignment_px": shift.value,
-        "u_misalignment_px": shift.u,
-        "misalignment_words": shift.warning or shift.reason,
-        "vehicles": shift.n,
-        "gain": light.value,
-        "u_gain": light.u,
-    }
+    return RunSummary(
+        misalignment_px=shift.value,
+        u_misalignment_px=shift.u,
+        misalignment_words=shift.warning or shift.reason,
+        vehicles=shift.n,
+        gain=light.value,
+        u_gain=light.u,
+    )
 
 
 def _told(found: int, added: int, revised: int, overtaken: int) -> list[Said]:

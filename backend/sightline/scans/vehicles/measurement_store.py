@@ -1,7 +1,7 @@
 """Measurements of scanned vehicles: append-only revisions. Nothing changes a row; the database refuses it."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, fields
 from typing import Any
 
 from sqlalchemy import func, select, update
@@ -19,34 +19,12 @@ from sightline.scans.vehicles.store import require_scan_vehicle_version
 
 # rows of one statement; each has some forty columns
 _AT_ONCE = 500
-_TOLD = (
-    "cause",
-    "method",
-    "direction",
-    "front_line_1",
-    "rear_line_1",
-    "front_line_2",
-    "rear_line_2",
-    "speed_mps",
-    "u_speed_mps",
-    "acceleration_mps2",
-    "u_acceleration_mps2",
-    "length_m",
-    "u_length_m",
-    "fit_error_percent",
-    "front_wheel_line",
-    "rear_wheel_line",
-    "wheelbase_m",
-    "u_wheelbase_m",
-    "axle_lines",
-    "axles_by",
-    "lane",
-    "lane_by",
-    "tyres_px",
-    "u_boundaries_m",
-    "status",
-    "reason",
+# What stands in the row alone, or is said of the event beside it.
+_UNTOLD = (
+    *("misalignment_px", "u_misalignment_px", "gain", "warnings", "code_version"),
+    *("placed_by", "run_id", "rig", "correlation", "budget", "profile"),
 )
+_TOLD = tuple(one.name for one in fields(ScanValues) if one.name not in _UNTOLD)
 
 
 def append_scan_measurement(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict, replace
+from dataclasses import asdict, fields, replace
 
 from sightline.enums import Cause, JsonObject
 from sightline.infra.version import code_version
@@ -14,19 +14,7 @@ from sightline.messages.said import Said
 from sightline.scans.records import ScanMeasurement, ScanValues, ScanVehicle
 from sightline.scans.store import rig_for
 
-_NUMBERS = (
-    "speed_mps",
-    "u_speed_mps",
-    "acceleration_mps2",
-    "u_acceleration_mps2",
-    "length_m",
-    "u_length_m",
-    "fit_error_percent",
-    "misalignment_px",
-    "u_misalignment_px",
-    "gain",
-    "correlation",
-)
+_NUMBERS = tuple(one.name for one in fields(Motion) if one.type == float | None)
 
 
 def values_of(
@@ -58,7 +46,6 @@ def values_of(
         axles_by=None if motion.axle_lines is None else "machine",
         lane=motion.lane,
         lane_by=motion.lane_by,
-        tyres_px=_number(motion.tyres_px),
         u_boundaries_m=float(motion.u_boundaries_m),
         status=motion.status,
         reason=motion.reason,
@@ -78,7 +65,6 @@ def motion_of(values: ScanValues) -> Motion:
         reason=values.reason,
         lane=values.lane,
         lane_by=values.lane_by,
-        tyres_px=values.tyres_px,
         u_boundaries_m=values.u_boundaries_m,
         budget=tuple(Entry(**entry) for entry in values.budget),
         **{name: getattr(values, name) for name in _NUMBERS},

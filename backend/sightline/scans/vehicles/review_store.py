@@ -4,15 +4,13 @@ from sqlalchemy.orm import Session
 
 from sightline.enums import ScanVerdict, Verdict
 from sightline.errors import Conflict, NotAllowed
-from sightline.infra.audit import trail
-from sightline.infra.database.rows import add_row, stored_hash
-from sightline.infra.database.types import now
 from sightline.measurements.verdicts import require_verdict
 from sightline.scans.query import reviews_where
 from sightline.scans.records import ScanMeasurement, ScanReview
 from sightline.scans.tables import scan_measurements, scan_reviews
 from sightline.scans.vehicles.measurement_store import get_scan_measurement, is_newest_scan_measurement
 from sightline.scans.vehicles.store import require_scan_vehicle_version
+from sightline.scans.written_store import written_once
 
 
 def add_scan_review(
@@ -36,13 +34,16 @@ def add_scan_review(
     if before.values.placed_by == actor:
         raise NotAllowed("scans-nobody-reviews-boundaries-they-placed-themselves")
     told = require_verdict(before.review, seen, verdict, reason)
-    content = {"survey_id": before.survey_id, "measurement_id": measurement_id}
-    content |= {"verdict": verdict, "reason": told}  # type: ignore[dict-item]
-    row_id = add_row(session, scan_reviews, {**content, "created_at": now(), "created_by": actor})
-    after = {**content, "vehicle_id": before.vehicle_id, "revision": before.revision}
-    after["content_sha256"] = stored_hash(session, scan_reviews, row_id)  # type: ignore[assignment]
-    then = {"verdict": before.review.verdict}
-    trail.record(session, actor, "review", "scan_review", row_id, before.survey_id, then, after)
+    content = {"survey_id": before.survey_id, "measurement_id": measurement_id, "verdict": verdict}
+    written_once(
+        session,
+        scan_reviews,
+        {**content, "reason": told},
+        "review",
+        before={"verdict": before.review.verdict},
+        also={"vehicle_id": before.vehicle_id, "revision": before.revision},
+        actor=actor,
+    )
     return get_scan_measurement(session, measurement_id)
 
 

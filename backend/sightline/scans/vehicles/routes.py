@@ -1,12 +1,11 @@
 """Vehicles of line-scan recordings: looked at, corrected by hand, reviewed."""
 
-from typing import Annotated, cast
+from typing import Annotated
 
 from fastapi import APIRouter, Query, Request, Response
 
 from sightline.enums import MatchPicture
 from sightline.errors import BadInput
-from sightline.infra.services import Services
 from sightline.infra.web.deps import Operator, PathId, Reading, Reviewer, Viewer, Wired, Writing
 from sightline.infra.web.pictures import JPEG, jpeg_once
 from sightline.linescan.parts import Crossings
@@ -23,16 +22,10 @@ from sightline.scans.bodies import (
     WheelsIn,
 )
 from sightline.scans.match import match_picture
-from sightline.scans.presenters import detail_body, vehicle_body
-from sightline.scans.records import ScanVehicleChanges
+from sightline.scans.presenters import changed_vehicle, detail_body, vehicle_body
 from sightline.scans.vehicles import edits, listing, review_store, store
 
 router = APIRouter()
-
-
-def _answer(services: Services, vehicle_id: int, asker: int) -> ScanVehicleBody:
-    with services.reading() as session:
-        return vehicle_body(listing.one_of(session, vehicle_id), asker)
 
 
 @router.get("/scans/{scan_id}/vehicles")
@@ -53,7 +46,7 @@ def add_scan_vehicle(
         raise BadInput("scans-camera-2-needs-both-lines-front")
     first = (body.front_line_1, body.rear_line_1)
     made = edits.add_vehicle(services, scan_id, first, second, body.method, who.id)
-    return _answer(services, made, who.id)
+    return changed_vehicle(services, made, who.id)
 
 
 @router.get("/scan-vehicles/{vehicle_id}")
@@ -69,7 +62,7 @@ def place_boundaries(
     """Measure again from boundaries that a person placed: a new revision."""
     crossings = Crossings(body.front_line_1, body.rear_line_1, body.front_line_2, body.rear_line_2)
     edits.place_boundaries(services, vehicle_id, crossings, body.method, body.version, who.id)
-    return _answer(services, vehicle_id, who.id)
+    return changed_vehicle(services, vehicle_id, who.id)
 
 
 @router.put("/scan-vehicles/{vehicle_id}/wheels")
@@ -81,21 +74,21 @@ def place_wheels(vehicle_id: PathId, body: WheelsIn, who: Operator, services: Wi
     elif body.front_wheel_line is not None or body.rear_wheel_line is not None:
         raise BadInput("scans-wheelbase-needs-both-wheels-send-both")
     edits.place_wheels(services, vehicle_id, lines, body.version, who.id)
-    return _answer(services, vehicle_id, who.id)
+    return changed_vehicle(services, vehicle_id, who.id)
 
 
 @router.put("/scan-vehicles/{vehicle_id}/axles")
 def place_axles(vehicle_id: PathId, body: AxlesIn, who: Operator, services: Wired) -> ScanVehicleBody:
     """All wheels' hubs in strip 1 as a person sees them: a new revision; null looks for them again."""
     edits.place_axles(services, vehicle_id, body.axle_lines, body.version, who.id)
-    return _answer(services, vehicle_id, who.id)
+    return changed_vehicle(services, vehicle_id, who.id)
 
 
 @router.put("/scan-vehicles/{vehicle_id}/lane")
 def place_lane(vehicle_id: PathId, body: LaneIn, who: Operator, services: Wired) -> ScanVehicleBody:
     """Measure again in the lane that a person chose: a new revision; null leaves it to the program."""
     edits.place_lane(services, vehicle_id, body.lane, body.version, who.id)
-    return _answer(services, vehicle_id, who.id)
+    return changed_vehicle(services, vehicle_id, who.id)
 
 
 @router.put("/scan-vehicles/{vehicle_id}/facts")
@@ -110,12 +103,12 @@ def fill_in_scan_vehicle(
         edits.fill_in(
             session,
             vehicle_id,
-            cast(ScanVehicleChanges, given),
+            given,
             catalogue_id=body.catalogue_id,
             version=body.version,
             actor=who.id,
         )
-    return _answer(services, vehicle_id, who.id)
+    return changed_vehicle(services, vehicle_id, who.id)
 
 
 @router.delete("/scan-vehicles/{vehicle_id}", status_code=204)
@@ -131,7 +124,7 @@ def restore_scan_vehicle(vehicle_id: PathId, who: Operator, services: Wired) -> 
     """Bring a vehicle back that was taken out."""
     with services.writing() as session:
         store.restore_scan_vehicle(session, vehicle_id, actor=who.id)
-    return _answer(services, vehicle_id, who.id)
+    return changed_vehicle(services, vehicle_id, who.id)
 
 
 @router.get("/scan-vehicles/{vehicle_id}/match/{picture}", response_class=Response, responses=JPEG)
@@ -155,4 +148,4 @@ def review_scan_measurement(
         judged = review_store.add_scan_review(
             session, measurement_id, verdict=body.verdict, reason=body.reason, seen=body.seen, actor=who.id
         )
-    return _answer(services, judged.vehicle_id, who.id)
+    return changed_vehicle(services, judged.vehicle_id, who.id)

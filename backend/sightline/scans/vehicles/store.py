@@ -1,7 +1,7 @@
 """Vehicles of a scan. Their state follows from their measurements and is never stored."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
+from dataclasses import fields, replace
 from functools import cache
 from typing import Any
 
@@ -14,11 +14,11 @@ from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_rows, change_row, get_row, last_change, missing
 from sightline.infra.database.types import document_text, now
 from sightline.scans.query import scan_vehicle_of_row, scan_vehicle_rows, scan_vehicle_states
-from sightline.scans.records import ScanCounts, ScanVehicle, ScanVehicleChanges, state_of
+from sightline.scans.records import Changes, KnownOfScanned, ScanCounts, ScanVehicle, state_of
 from sightline.scans.tables import scan_measurements, scan_vehicles, scans
 
 _ALIVE: ColumnElement[bool] = scan_vehicles.c.deleted_at.is_(None)
-_FIELDS = frozenset(ScanVehicleChanges.__annotations__)
+_FIELDS = frozenset(one.name for one in fields(KnownOfScanned))
 _LENGTHS = ("true_length_m", "u_true_length_m", "true_wheelbase_m", "u_true_wheelbase_m")
 RigFor = Callable[[str | None, ScanDirection], JsonObject]
 
@@ -26,14 +26,14 @@ RigFor = Callable[[str | None, ScanDirection], JsonObject]
 def create_scan_vehicle(
     session: Session,
     scan_id: int,
-    fields: ScanVehicleChanges | None = None,
+    given: Changes | None = None,
     *,
     origin: VehicleOrigin = "person",
     actor: int | None,
 ) -> ScanVehicle:
     """A vehicle of a scan, yet without a measurement. Numbers count up in the scan."""
     return get_scan_vehicle(
-        session, create_scan_vehicles(session, scan_id, 1, fields, origin=origin, actor=actor)[0]
+        session, create_scan_vehicles(session, scan_id, 1, given, origin=origin, actor=actor)[0]
     )
 
 
@@ -41,14 +41,14 @@ def create_scan_vehicles(
     session: Session,
     scan_id: int,
     count: int,
-    fields: ScanVehicleChanges | None = None,
+    given: Changes | None = None,
     *,
     origin: VehicleOrigin,
     actor: int | None,
 ) -> list[int]:
     """The ids of so many vehicles, alike but for their numbers, with an event each; a few statements."""
     scan = get_row(session, scans, scan_id, "line-scan recording", scans.c.deleted_at.is_(None))
-    content: dict[str, Any] = {**dict.fromkeys(_FIELDS), "notes": "", **_checked(fields or {})}
+    content: dict[str, Any] = {**dict.fromkeys(_FIELDS), "notes": "", **_checked(given or {})}
     counted = select(func.coalesce(func.max(scan_vehicles.c.number), 0))
     first = session.execute(counted.where(scan_vehicles.c.scan_id == scan_id)).scalar_one() + 1
     place = {"survey_id": scan["survey_id"], "scan_id": scan_id, "origin": origin}
@@ -137,7 +137,7 @@ def scan_vehicle_added_at(
 def change_scan_vehicle(
     session: Session,
     vehicle_id: int,
-    changes: ScanVehicleChanges,
+    changes: Changes,
     *,
     version: int,
     actor: int | None,
@@ -145,11 +145,7 @@ def change_scan_vehicle(
     """Fill in what is known of a vehicle. Raises Conflict if `version` is not the current one, BadInput."""
     before = require_scan_vehicle_version(session, vehicle_id, version)
     change = _checked(changes)
-    stamps = {"version": version + 1, "updated_at": now(), "updated_by": actor}
-    change_row(session, scan_vehicles, vehicle_id, {**change, **stamps})
-    what = trail.changed(before, change, change)
-    trail.record(session, actor, "update", "scan_vehicle", vehicle_id, before["survey_id"], *what)
-    return get_scan_vehicle(session, vehicle_id)
+    return _write(session, before, change, "update", trail.changed(before, change, change), actor)
 
 
 def remove_scan_vehicle(
@@ -157,11 +153,9 @@ def remove_scan_vehicle(
 ) -> ScanVehicle:
     """Take a vehicle out of all lists; `restore` brings it back. Found again, it stays away."""
     before = require_scan_vehicle_version(session, vehicle_id, version)
-    stamps = {"version": before["version"] + 1, "updated_at": now(), "updated_by": actor}
-    change_row(session, scan_vehicles, vehicle_id, {"deleted_at": stamps["updated_at"], **stamps})
-    then, after = {"deleted": False}, {"deleted": True}
-    trail.record(session, actor, "delete", "scan_vehicle", vehicle_id, before["survey_id"], then, after)
-    return get_scan_vehicle(session, vehicle_id, deleted=True)
+    return _write(
+        session, before, {"deleted_at": now()}, "delete", ({"deleted": False}, {"deleted": True}), actor
+    )
 
 
 def restore_scan_vehicle(session: Session, vehicle_id: int, *, actor: int | None) -> ScanVehicle:
@@ -169,11 +163,24 @@ def restore_scan_vehicle(session: Session, vehicle_id: int, *, actor: int | None
     before = get_row(session, scan_vehicles, vehicle_id, "scanned vehicle")
     if before["deleted_at"] is None:
         raise Conflict("scans-vehicle-not-deleted-nothing-restore")
+    return _write(
+        session, before, {"deleted_at": None}, "restore", ({"deleted": True}, {"deleted": False}), actor
+    )
+
+
+def _write(
+    session: Session,
+    before: Mapping[str, Any],
+    change: Mapping[str, Any],
+    action: str,
+    told: tuple[JsonObject, JsonObject],
+    actor: int | None,
+) -> ScanVehicle:
+    vehicle_id = before["id"]
     stamps = {"version": before["version"] + 1, "updated_at": now(), "updated_by": actor}
-    change_row(session, scan_vehicles, vehicle_id, {"deleted_at": None, **stamps})
-    then, after = {"deleted": True}, {"deleted": False}
-    trail.record(session, actor, "restore", "scan_vehicle", vehicle_id, before["survey_id"], then, after)
-    return get_scan_vehicle(session, vehicle_id)
+    change_row(session, scan_vehicles, vehicle_id, {**change, **stamps})
+    trail.record(session, actor, action, "scan_vehicle", vehicle_id, before["survey_id"], *told)
+    return get_scan_vehicle(session, vehicle_id, deleted=True)
 
 
 def require_scan_vehicle_version(session: Session, vehicle_id: int, version: int | None) -> dict[str, Any]:
@@ -194,8 +201,8 @@ def require_scan_vehicle_version(session: Session, vehicle_id: int, version: int
     return row
 
 
-def _checked(fields: Mapping[str, Any]) -> dict[str, Any]:
-    values = dict(fields)
+def _checked(given: Mapping[str, Any]) -> dict[str, Any]:
+    values = dict(given)
     unknown = set(values) - _FIELDS
     if unknown:
         raise BadInput("scans-scanned-vehicle-no-leave-out", unknown=", ".join(sorted(unknown)))

@@ -129,7 +129,7 @@ function headWords({ lines, rows_px, duration_s, rig, run, started_local }: Scan
     formatDuration(duration_s ?? 0),
     say("scans-fact-baseline", { baseline: formatLength(rig.baseline_m) }),
     say("scans-fact-rate", { rate_hz: formatCount(rig.line_rate_hz) }),
-    sentenceOf(run?.misalignment_words),
+    sentenceOf(run?.summary.misalignment_words),
   ];
   return words.filter(Boolean).join("  ·  ");
 }

@@ -1,0 +1,45 @@
+"""What the tables of statistics have in common: columns of intervals, and rows of errors and of curves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from sightline.infra.csv_package.columns import metres, number, text
+from sightline.infra.csv_package.schema import Cell, Column, Row, Table
+from sightline.statistics.errors import ErrorGroup
+
+Cells = dict[str, Cell]
+REASON = text("reason", "why a value or its interval is missing")
+INTERVAL = (
+    number("low", "lower end of its 95 % interval"),
+    number("high", "upper end of its 95 % interval"),
+)
+INTERVAL_M = (
+    metres("low_m", "lower end of its 95 % interval"),
+    metres("high_m", "upper end of its 95 % interval"),
+)
+
+
+def statistics_table(name: str, meaning: str, *columns: Column, **keys: Any) -> Table:
+    """A table of the folder of statistics, with the keys that it has."""
+    return Table(name, meaning, columns, folder="statistics/", **keys)
+
+
+def error_rows(key: Row, groups: Mapping[str, ErrorGroup]) -> Iterator[Cells]:
+    """Each figure of each group, with its interval and what that holds."""
+    for name, group in groups.items():
+        for figure, value in group.figures.items():
+            interval = group.ci95[figure]
+            row = {**key, "group": name, "figure": figure, "n": group.n, "value": value}
+            if interval is not None:
+                row |= {**vars(interval), "holds": " ".join(group.holds.get(figure, ()))}
+            yield {**row, "reason": group.reason}
+
+
+def curve_rows(key: Row, curve: object, **cells: str) -> Iterator[Cells]:
+    """Each point of a curve, if there is one and not its reason; `cells`: the array (N,) that fills each."""
+    if curve is None or isinstance(curve, str):
+        return
+    for point in zip(*(getattr(curve, name).tolist() for name in cells.values()), strict=True):
+        yield {**key, **dict(zip(cells, point, strict=True))}
