@@ -2790,7 +2790,6 @@ scan-revision-verdict-why = { $verdict ->
 }
 scan-by-search = Sightline
 scan-by-somebody = another user
-scan-by-nobody = nobody
 
 ## Line scan: the fit of a vehicle
 
@@ -2981,23 +2980,6 @@ scan-wish-lane = lane { $lane }
 scan-wish-axles = { $count } axles
 scan-wish-no-line = none
 scan-wish-nothing-known = none
-scan-wish-verdict-word = { $verdict ->
-    [accepted] accepted
-    [rejected] rejected
-   *[reopened] reopened
-}
-scan-wish-verdict-why = { $verdict ->
-    [accepted] accepted: { $reason }
-    [rejected] rejected: { $reason }
-   *[reopened] reopened: { $reason }
-}
-scan-wish-verdict-by = { $verdict ->
-    [to_review] to review by { $person }
-    [accepted] accepted by { $person }
-    [fixed] fixed by { $person }
-    [rejected] rejected by { $person }
-   *[reopened] reopened by { $person }
-}
 
 ## Motion: what the line scans of a survey say together
 

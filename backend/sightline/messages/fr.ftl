@@ -2788,7 +2788,6 @@ scan-revision-verdict-why = { $verdict ->
 }
 scan-by-search = Sightline
 scan-by-somebody = un autre utilisateur
-scan-by-nobody = personne
 
 ## Balayage : l’ajustement d’un véhicule
 
@@ -2979,23 +2978,6 @@ scan-wish-lane = voie { $lane }
 scan-wish-axles = { $count } essieux
 scan-wish-no-line = aucune
 scan-wish-nothing-known = aucune
-scan-wish-verdict-word = { $verdict ->
-    [accepted] validé
-    [rejected] rejeté
-   *[reopened] rouvert
-}
-scan-wish-verdict-why = { $verdict ->
-    [accepted] validé : { $reason }
-    [rejected] rejeté : { $reason }
-   *[reopened] rouvert : { $reason }
-}
-scan-wish-verdict-by = { $verdict ->
-    [to_review] à vérifier, par { $person }
-    [accepted] validé par { $person }
-    [fixed] corrigé par { $person }
-    [rejected] rejeté par { $person }
-   *[reopened] rouvert par { $person }
-}
 
 ## Mouvement : ce que disent ensemble les balayages d’un relevé
 

@@ -28,9 +28,7 @@ export function Offline() {
         {others > 0 && `${say("offline-changes", { count: others })} `}
         {seconds > 0 ? say("offline-next", { seconds }) : say("offline-now")}
       </span>
-      <Button small onClick={tryAgainNow}>
-        {say("offline-try")}
-      </Button>
+      <Button says="offline-try" small onClick={tryAgainNow} />
     </div>
   );
 }

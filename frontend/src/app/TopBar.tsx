@@ -28,9 +28,12 @@ export function TopBar() {
       <SaveWord />
       {topTools.value && <div class="topbar__tools">{topTools.value}</div>}
       <span class="topbar__rule" aria-hidden="true" />
-      <Button kind="quiet" beside={place !== "guide"} href={guideAddress(GUIDE_OF[place])}>
-        {say("page-guide")}
-      </Button>
+      <Button
+        says="page-guide"
+        kind="quiet"
+        beside={place !== "guide"}
+        href={guideAddress(GUIDE_OF[place])}
+      />
       <Button
         kind="quiet"
         label={say("app-keys") + hint("help")}

@@ -31,20 +31,15 @@ export default function Tour() {
       </h2>
       <p id="tour-words">{say(`tour-${name}`)}</p>
       <div class="tour__foot">
-        {!last && (
-          <Button kind="quiet" small onClick={endTour}>
-            {say("tour-skip")}
-          </Button>
-        )}
+        {!last && <Button says="tour-skip" kind="quiet" small onClick={endTour} />}
         <span class="grow" />
-        {at.step > 0 && (
-          <Button small onClick={() => stepTour(-1)}>
-            {say("tour-back")}
-          </Button>
-        )}
-        <Button kind="primary" small onClick={() => (last ? endTour() : stepTour(1))}>
-          {say(last ? "tour-end" : "tour-next")}
-        </Button>
+        {at.step > 0 && <Button says="tour-back" small onClick={() => stepTour(-1)} />}
+        <Button
+          says={last ? "tour-end" : "tour-next"}
+          kind="primary"
+          small
+          onClick={() => (last ? endTour() : stepTour(1))}
+        />
       </div>
     </aside>
   );

@@ -2,7 +2,7 @@
 import { Button, Icon } from "../components";
 import { Said } from "../components/Said";
 import { current, query } from "../core/address";
-import { say } from "../core/messages";
+
 import { outbox, type Wish } from "../core/outbox";
 
 export function Unsaved() {
@@ -26,12 +26,8 @@ export function Unsaved() {
 function Choice({ wish }: { wish: Wish }) {
   return (
     <>
-      <Button small onClick={() => outbox.resolve(wish.key, "theirs")}>
-        {say("unsaved-take")}
-      </Button>
-      <Button small onClick={() => outbox.resolve(wish.key, "mine")}>
-        {say("unsaved-keep")}
-      </Button>
+      <Button says="unsaved-take" small onClick={() => outbox.resolve(wish.key, "theirs")} />
+      <Button says="unsaved-keep" small onClick={() => outbox.resolve(wish.key, "mine")} />
     </>
   );
 }
@@ -39,12 +35,8 @@ function Choice({ wish }: { wish: Wish }) {
 function Again({ wish }: { wish: Wish }) {
   return (
     <>
-      <Button small onClick={() => outbox.send(wish.key)}>
-        {say("unsaved-again")}
-      </Button>
-      <Button small onClick={() => outbox.discard(wish.key)}>
-        {say("unsaved-drop")}
-      </Button>
+      <Button says="unsaved-again" small onClick={() => outbox.send(wish.key)} />
+      <Button says="unsaved-drop" small onClick={() => outbox.discard(wish.key)} />
     </>
   );
 }

@@ -1,8 +1,11 @@
 import type { ComponentChildren, Ref } from "preact";
+import { type PlainKey, say } from "../core/messages";
 import { Icon, type IconName } from "./Icon";
 
 export interface ButtonProps {
   children?: ComponentChildren;
+  /** The sentence on it, where it is one without values. */
+  says?: PlainKey;
   kind?: "plain" | "primary" | "quiet";
   small?: boolean;
   icon?: IconName;
@@ -28,12 +31,19 @@ function tabOf({ beside }: ButtonProps) {
   return beside ? { target: "_blank", rel: "noopener" } : {};
 }
 
+function classOf({ kind = "plain", small, says, children, class: more }: ButtonProps): string {
+  const shape = [
+    kind !== "plain" && `btn--${kind}`,
+    small && "btn--small",
+    !says && !children && "btn--icon",
+  ];
+  return ["btn", ...shape, more].filter(Boolean).join(" ");
+}
+
 export function Button(props: ButtonProps) {
-  const { kind = "plain", small, icon, label, children, busy } = props;
-  const names = ["btn", kind !== "plain" && `btn--${kind}`, small && "btn--small"];
-  if (!children) names.push("btn--icon");
-  if (props.class) names.push(props.class);
-  const className = names.filter(Boolean).join(" ");
+  const { small, icon, label, busy } = props;
+  const children = props.says ? say(props.says) : props.children;
+  const className = classOf(props);
   const inside = (
     <>
       {busy ? (

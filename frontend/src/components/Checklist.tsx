@@ -1,6 +1,6 @@
 import type { ComponentChildren } from "preact";
 import { useEffect, useId, useRef } from "preact/hooks";
-import { say } from "../core/messages";
+
 import { Button } from "./Button";
 
 interface Group {
@@ -60,9 +60,7 @@ export function Checklist({ label, words, help, groups }: Props) {
             </div>
           ))}
           {groups.some((group) => group.chosen.length > 0) && (
-            <Button small onClick={clear}>
-              {say("checklist-all")}
-            </Button>
+            <Button says="checklist-all" small onClick={clear} />
           )}
         </fieldset>
       </details>

@@ -86,7 +86,7 @@ export function AskDialog() {
       onClose={() => q.answer(false)}
       actions={
         <>
-          <Button onClick={() => q.answer(false)}>{say("action-cancel")}</Button>
+          <Button says="action-cancel" onClick={() => q.answer(false)} />
           <Button kind="primary" onClick={() => q.answer(true)}>
             {q.action}
           </Button>

@@ -70,12 +70,7 @@ export function Problem({ error, again }: { error: unknown; again?: () => void }
     <Notice
       kind="problem"
       actions={
-        again &&
-        !isRefusal(error) && (
-          <Button small icon="retry" onClick={again}>
-            {say("action-try-again")}
-          </Button>
-        )
+        again && !isRefusal(error) && <Button says="action-try-again" small icon="retry" onClick={again} />
       }
     >
       {explain(error)}
@@ -139,11 +134,7 @@ export function JobProgress({ job, onCancel }: { job: Job; onCancel?: () => void
       <div class="grow">
         <Progress value={job.progress} label={label} still={job.state === "queued"} />
       </div>
-      {onCancel && (
-        <Button small onClick={onCancel}>
-          {say("action-cancel")}
-        </Button>
-      )}
+      {onCancel && <Button says="action-cancel" small onClick={onCancel} />}
     </div>
   );
 }

@@ -148,7 +148,7 @@ interface SelectFieldProps<T extends string> {
   label: ComponentChildren;
   value: T;
   options: readonly { value: T; label: string; disabled?: boolean }[];
-  onChange: (value: T) => void;
+  onInput: (value: T) => void;
   hint?: ComponentChildren;
   problem?: string | null;
   hideLabel?: boolean;
@@ -164,7 +164,7 @@ export function SelectField<T extends string>(props: SelectFieldProps<T>) {
           class="input"
           value={props.value}
           disabled={props.disabled}
-          onChange={(event) => props.onChange(event.currentTarget.value as T)}
+          onChange={(event) => props.onInput(event.currentTarget.value as T)}
         >
           {props.options.map((option) => (
             <option key={option.value} value={option.value} disabled={option.disabled}>
@@ -177,16 +177,40 @@ export function SelectField<T extends string>(props: SelectFieldProps<T>) {
   );
 }
 
+interface OptionalFieldProps<T extends string> extends Omit<SelectFieldProps<T>, "value" | "onInput"> {
+  value: T | null;
+  onInput: (value: T | null) => void;
+  /** What it is called to choose none. */
+  none: string;
+}
+
+export function OptionalField<T extends string>({
+  value,
+  onInput,
+  none,
+  options,
+  ...rest
+}: OptionalFieldProps<T>) {
+  return (
+    <SelectField<T | "">
+      {...rest}
+      value={value ?? ""}
+      options={[{ value: "", label: none }, ...options]}
+      onInput={(chosen) => onInput(chosen || null)}
+    />
+  );
+}
+
 interface SegmentsProps<T extends string> {
   label: string;
   value: T;
   options: readonly { value: T; label: ComponentChildren }[];
-  onChange: (value: T) => void;
+  onInput: (value: T) => void;
   disabled?: boolean;
 }
 
 /** A few choices side by side, one taken: radio buttons, so arrows and Tab work as everywhere. */
-export function Segments<T extends string>({ label, value, options, onChange, disabled }: SegmentsProps<T>) {
+export function Segments<T extends string>({ label, value, options, onInput, disabled }: SegmentsProps<T>) {
   const name = useId();
   return (
     <div class="segments" role="radiogroup" aria-label={label}>
@@ -197,7 +221,7 @@ export function Segments<T extends string>({ label, value, options, onChange, di
             name={name}
             checked={option.value === value}
             disabled={disabled}
-            onChange={() => onChange(option.value)}
+            onChange={() => onInput(option.value)}
           />
           {option.label}
         </label>

@@ -43,7 +43,7 @@ export function FormDialog({ title, action, onClose, submit, disabled, wide, chi
       onEscape={() => void leave()}
       actions={
         <>
-          <Button onClick={onClose}>{say("action-cancel")}</Button>
+          <Button says="action-cancel" onClick={onClose} />
           <Button
             kind="primary"
             busy={busy}

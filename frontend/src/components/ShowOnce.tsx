@@ -1,5 +1,5 @@
 import { useId } from "preact/hooks";
-import { say } from "../core/messages";
+
 import { toast } from "../core/toasts";
 import { Button } from "./Button";
 import { Dialog } from "./Dialog";
@@ -31,10 +31,8 @@ export function ShowOnce({ title, help, label, copied, text, close }: Props) {
       onClose={close}
       actions={
         <>
-          <Button onClick={close}>{say("show-once-done")}</Button>
-          <Button kind="primary" icon="copy" onClick={() => void copy()}>
-            {say("show-once-copy")}
-          </Button>
+          <Button says="show-once-done" onClick={close} />
+          <Button says="show-once-copy" kind="primary" icon="copy" onClick={() => void copy()} />
         </>
       }
     >

@@ -1,9 +1,11 @@
 export { Button } from "./Button";
 export { Checklist } from "./Checklist";
+export { type Choice, choices, named } from "./choices";
 export { AskDialog, ask, Dialog } from "./Dialog";
 export { DropFiles } from "./DropFiles";
+export { type Fact, Facts } from "./Facts";
 export { Empty, JobProgress, Loaded, Loading, Notice, Problem, Progress } from "./Feedback";
-export { DateField, Field, Segments, SelectField, TextField } from "./Field";
+export { DateField, Field, OptionalField, Segments, SelectField, TextField } from "./Field";
 export { FormDialog } from "./FormDialog";
 export { Icon, type IconName } from "./Icon";
 export { LanguageChoice } from "./LanguageChoice";

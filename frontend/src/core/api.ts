@@ -20,7 +20,7 @@ export class ApiError extends Error {
   }
 }
 
-interface RequestOptions {
+export interface RequestOptions {
   signal?: AbortSignal;
   /** The key by which the server knows a write again: one of its own unless given. */
   idempotencyKey?: string;

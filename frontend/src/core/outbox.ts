@@ -9,13 +9,14 @@
  * Whatever the server answers, a wish is done, waits for the connection, or rests with a reason until it is sent again or
  * taken back; and the next one goes out. An answer of another shape than its kind's is no answer.
  */
-import { computed, effect, signal } from "@preact/signals";
+import { computed, signal } from "@preact/signals";
 import { ApiError, connection, explain, isStoredAlready, problemOf } from "./api";
 import { type Begun, Keeping, type Kept } from "./keeping";
 import { say } from "./messages";
 import { newKey } from "./random";
 import { changeSave } from "./save";
-import type { Kind, Wanted, Wish } from "./wish";
+import { until } from "./until";
+import { type Kind, readInstead, type Wanted, type Wish } from "./wish";
 
 export type { Kind, Sending, Wanted, Wish } from "./wish";
 
@@ -337,31 +338,6 @@ export class Outbox {
 /** Whether the server has looked: who is not let in, or not answered, learns nothing of a write before, and its key stays. */
 function tellsWhetherStored({ status }: ApiError): boolean {
   return status >= 400 && status < 500 && ![401, 403, 429].includes(status);
-}
-
-/** What the server has where it refused; undefined where that cannot be had. */
-async function readInstead(
-  kind: AnyKind,
-  sent: Wish,
-  refusal: ApiError,
-  signal: AbortSignal,
-): Promise<unknown> {
-  try {
-    const found: unknown = await kind.read(sent, refusal, signal);
-    return found === null || kind.isSaved(found) ? found : undefined;
-  } catch {
-    return undefined;
-  }
-}
-
-function until(happens: () => boolean): { happened: Promise<undefined>; stop: () => void } {
-  let stop = (): void => {};
-  const happened = new Promise<undefined>((resolve) => {
-    stop = effect(() => {
-      if (happens()) resolve(undefined);
-    });
-  });
-  return { happened, stop };
 }
 
 /** The one queue of this page. */

@@ -1,5 +1,7 @@
 import { useCallback, useEffect, useRef, useState } from "preact/hooks";
+import { api, type RequestOptions } from "./api";
 import { language } from "./messages";
+import type { AnswerOf, ParamsOf, Question } from "./routes";
 
 export interface Resource<T> {
   data: T | null;
@@ -51,6 +53,20 @@ export function useResource<T>(
   }, [...deps, language.value]);
   const set = useCallback((next: T | ((now: T) => T)) => setState((old) => withNext(old, next)), []);
   return { ...state, reload: load, set };
+}
+
+/** The answer to a question, asked again when another thing is asked, or when one of `also` is another. */
+export function useAsked<R extends Question>(
+  route: R,
+  params: ParamsOf<R> = {} as ParamsOf<R>,
+  { also = [], ...options }: Options & { also?: readonly unknown[] } = {},
+): Resource<AnswerOf<R>> {
+  const ask = api.ask as (route: R, params: ParamsOf<R>, how: RequestOptions) => Promise<AnswerOf<R>>;
+  return useResource(
+    (signal) => ask(route, params, { signal }),
+    [route, JSON.stringify(params), ...also],
+    options,
+  );
 }
 
 function withNext<T>(old: State<T>, next: T | ((now: T) => T)): State<T> {

@@ -53,3 +53,18 @@ export interface Kind<S, W, A> {
   /** What is still wanted once `sent` is stored. */
   left?(sent: W, want: W): W;
 }
+
+/** What the server has where it refused; undefined where that cannot be had. */
+export async function readInstead<S, W, A>(
+  kind: Kind<S, W, A>,
+  sent: Wish<S, W, A>,
+  refusal: ApiError,
+  signal: AbortSignal,
+): Promise<S | null | undefined> {
+  try {
+    const found = await kind.read(sent, refusal, signal);
+    return found === null || kind.isSaved(found) ? found : undefined;
+  } catch {
+    return undefined;
+  }
+}

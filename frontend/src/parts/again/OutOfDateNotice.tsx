@@ -3,7 +3,7 @@ import { useEffect } from "preact/hooks";
 import { Button, Notice, Problem } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { canWork } from "../../core/session";
 import { survey } from "../../core/survey";
 import { useComputing } from "./computing";
@@ -19,11 +19,7 @@ interface NoticeProps {
 export function OutOfDateNotice({ surveyId, computed }: NoticeProps) {
   const where = { survey_id: surveyId };
   // whoever changes an inset, a side or a pose has the survey read again
-  const read = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/computings", where, { signal }),
-    [surveyId, survey.value],
-    { keep: true },
-  );
+  const read = useAsked("GET /surveys/{survey_id}/computings", where, { keep: true, also: [survey.value] });
   const work = useComputing(() => Promise.all([read.reload(), computed?.()]));
   const answered = read.data?.out_of_date;
   useEffect(() => {
@@ -41,12 +37,11 @@ export function OutOfDateNotice({ surveyId, computed }: NoticeProps) {
         actions={
           canWork.value && (
             <Button
+              says="computing-start"
               small
               busy={work.underWay}
               onClick={() => void work.start(() => api.write("POST /surveys/{survey_id}/computings", where))}
-            >
-              {say("computing-start")}
-            </Button>
+            />
           )
         }
       >

@@ -3,6 +3,7 @@ import { Segments, SelectField, TextField } from "../../components";
 import { say } from "../../core/messages";
 import { type BoardKind, DICTIONARIES, type TypedMarkers } from "./markers";
 import "./markers.css";
+import { fieldsOf } from "../../core/form";
 
 interface Props {
   value: TypedMarkers;
@@ -21,7 +22,7 @@ export function KindField({ value, change, disabled }: Pick<Props, "value" | "ch
         { value: "checkerboard", label: say("board-checkerboard") },
         { value: "charuco", label: say("board-charuco") },
       ]}
-      onChange={(kind) => change({ kind })}
+      onInput={(kind) => change({ kind })}
       disabled={disabled}
     />
   );
@@ -29,22 +30,15 @@ export function KindField({ value, change, disabled }: Pick<Props, "value" | "ch
 
 export function MarkerFields({ value, unit, problem, change }: Props) {
   if (value.kind === "checkerboard") return null;
+  const field = fieldsOf(value, change);
   return (
     <div class="markers">
       <SelectField
         label={say("board-dictionary")}
-        value={value.dictionary}
+        {...field("dictionary")}
         options={DICTIONARIES.map((name) => ({ value: name, label: name }))}
-        onChange={(dictionary) => change({ dictionary })}
       />
-      <TextField
-        label={say("board-marker")}
-        numeric
-        unit={unit}
-        value={value.marker}
-        onInput={(marker) => change({ marker })}
-        problem={problem}
-      />
+      <TextField label={say("board-marker")} numeric unit={unit} {...field("marker")} problem={problem} />
     </div>
   );
 }

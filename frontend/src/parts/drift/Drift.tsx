@@ -4,7 +4,7 @@ import { Button, JobProgress, type MarkShape, Problem, Shape, TextField } from "
 import { api } from "../../core/api";
 import { useJobAction } from "../../core/jobs";
 import { say, sentenceOf } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { may } from "../../core/session";
 import type { Drift } from "../../core/types";
 import { DriftPlot } from "./DriftPlot";
@@ -18,9 +18,10 @@ interface Props {
 }
 
 export function DriftVerdict({ recordingId, poseId, open }: Props) {
-  const drift = useResource<Drift>(
-    (signal) => api.ask("GET /recordings/{recording_id}/drift", { recording_id: recordingId }, { signal }),
-    [recordingId, poseId],
+  const drift = useAsked(
+    "GET /recordings/{recording_id}/drift",
+    { recording_id: recordingId },
+    { also: [poseId] },
   );
   const { job, problem, setProblem, start } = useJobAction({
     known: drift.data?.job?.id ?? null,
@@ -99,15 +100,14 @@ function Decide({ recordingId, drift, set, onProblem }: DecideProps) {
   if (drift.decision) {
     return (
       <Button
+        says="drift-take-back"
         small
         onClick={() =>
           void send(() =>
             api.write("DELETE /recordings/{recording_id}/drift/decision", { recording_id: recordingId }),
           )
         }
-      >
-        {say("drift-take-back")}
-      </Button>
+      />
     );
   }
   if (drift.flagged.length === 0) return null;
@@ -126,9 +126,7 @@ function Decide({ recordingId, drift, set, onProblem }: DecideProps) {
       }}
     >
       <TextField label={say("drift-reason")} value={reason} onInput={setReason} />
-      <Button small type="submit" disabled={reason.trim() === ""}>
-        {say("drift-decide")}
-      </Button>
+      <Button says="drift-decide" small type="submit" disabled={reason.trim() === ""} />
     </form>
   );
 }

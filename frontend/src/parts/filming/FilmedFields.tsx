@@ -1,5 +1,5 @@
 /** Days and hours of filming, by the clocks of the place: one form for figures, packages and motions. */
-import { DateField, SelectField } from "../../components";
+import { DateField, OptionalField } from "../../components";
 import { say } from "../../core/messages";
 
 export interface Filmed {
@@ -48,18 +48,16 @@ export function FilmedFields({
         />
       ))}
       {HOURS.map((name, ends) => (
-        <SelectField
+        <OptionalField
           key={name}
           label={labels[name]}
-          value={value[name] === null ? "" : String(value[name])}
-          options={[
-            { value: "", label: say("statistics-filter-any") },
-            ...Array.from({ length: DAY_H }, (_, hour) => ({
-              value: String(hour + ends),
-              label: clockHour(hour + ends),
-            })),
-          ]}
-          onChange={(hour) => onChange({ [name]: hour === "" ? null : Number(hour) })}
+          value={value[name] === null ? null : String(value[name])}
+          none={say("statistics-filter-any")}
+          options={Array.from({ length: DAY_H }, (_, hour) => ({
+            value: String(hour + ends),
+            label: clockHour(hour + ends),
+          }))}
+          onInput={(hour) => onChange({ [name]: hour === null ? null : Number(hour) })}
         />
       ))}
     </>

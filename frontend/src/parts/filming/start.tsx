@@ -152,9 +152,7 @@ export function StartFields({ start, label, hint, step }: Props) {
               onInput={(event) => start.setLocal(event.currentTarget.value)}
             />
             {start.local && (
-              <Button small kind="quiet" onClick={() => start.setLocal("")}>
-                {say("filmed-unsay")}
-              </Button>
+              <Button says="filmed-unsay" small kind="quiet" onClick={() => start.setLocal("")} />
             )}
           </span>
         )}
@@ -163,7 +161,7 @@ export function StartFields({ start, label, hint, step }: Props) {
         <Segments
           label={say("filmed-which")}
           value={start.offset}
-          onChange={start.setOffset}
+          onInput={start.setOffset}
           options={start.twice.map((one, n) => ({
             value: one,
             label: say(n === 0 ? "filmed-first" : "filmed-second", { offset: one }),

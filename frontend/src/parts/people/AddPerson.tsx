@@ -1,6 +1,7 @@
 import { useState } from "preact/hooks";
 import { FormDialog, SelectField, TextField } from "../../components";
 import { api } from "../../core/api";
+import { useForm } from "../../core/form";
 import { say } from "../../core/messages";
 import type { Person, Role } from "../../core/types";
 import { DOES, roleOptions } from "./roles";
@@ -13,9 +14,8 @@ export function AddPerson({
   close: () => void;
   added: (made: Invitation, person: Person) => void;
 }) {
-  const [name, setName] = useState("");
-  const [email, setEmail] = useState("");
-  const [role, setRole] = useState<Role>("operator");
+  const form = useForm({ name: "", email: "", role: "operator" as Role });
+  const { name, email, role } = form.values;
   const [tried, setTried] = useState(false);
   const emailWrong = !/^\S+@\S+$/.test(email.trim());
   const submit = () => {
@@ -23,40 +23,28 @@ export function AddPerson({
     return !name.trim() || emailWrong ? null : add();
   };
   const add = async () => {
-    const made = await api.write(
-      "POST /people",
-      {},
-      {
-        body: {
-          name: name.trim(),
-          email: email.trim(),
-          role,
-        },
-      },
-    );
+    const body = { name: name.trim(), email: email.trim(), role };
+    const made = await api.write("POST /people", {}, { body });
     added({ name: made.person.name, link: made.link }, made.person);
   };
   return (
     <FormDialog title={say("people-add")} action={say("people-add-action")} onClose={close} submit={submit}>
       <TextField
         label={say("people-add-name")}
-        value={name}
-        onInput={setName}
+        {...form.field("name")}
         problem={tried && !name.trim() ? say("people-add-name-problem") : null}
       />
       <TextField
         label={say("people-add-email")}
         type="email"
-        value={email}
-        onInput={setEmail}
+        {...form.field("email")}
         hint={say("people-add-email-hint")}
         problem={tried && emailWrong ? say("people-add-email-problem") : null}
       />
       <SelectField
         label={say("people-add-role")}
-        value={role}
+        {...form.field("role")}
         options={roleOptions()}
-        onChange={setRole}
         hint={DOES[role]}
       />
     </FormDialog>

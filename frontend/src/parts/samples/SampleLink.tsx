@@ -1,13 +1,12 @@
 /** A file of the demonstration to try with, where one's own will go; nothing while there is none. */
-import { api } from "../../core/api";
 import { say } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { formatSmall } from "../../core/units";
 
 type Kind = "pictures" | "clip" | "catalogue";
 
 export function SampleLink({ kind }: { kind: Kind }) {
-  const { data } = useResource((signal) => api.ask("GET /samples", {}, { signal }), []);
+  const { data } = useAsked("GET /samples");
   if (!data) return null;
   const { pictures, clip } = data;
   if (kind === "pictures") {

@@ -22,14 +22,10 @@ export function UploadRow({ item }: { item: UploadItem }) {
           />
         </div>
         {item.state === "sending" && (
-          <Button small icon="pause" onClick={() => void pauseUpload(item.key)}>
-            {say("upload-pause")}
-          </Button>
+          <Button says="upload-pause" small icon="pause" onClick={() => void pauseUpload(item.key)} />
         )}
         {(item.state === "paused" || (item.state === "failed" && item.size > 0)) && (
-          <Button small icon="play" onClick={() => resumeUpload(item.key)}>
-            {say("upload-resume")}
-          </Button>
+          <Button says="upload-resume" small icon="play" onClick={() => resumeUpload(item.key)} />
         )}
         {item.state !== "done" && (
           <Button

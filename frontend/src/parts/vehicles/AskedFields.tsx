@@ -7,15 +7,15 @@ import "./surveyFields.css";
 export const USUALLY_ASKED: Asked = { daytime: ["roof", "driver_eye"], low_light: ["roof", "taillight"] };
 
 interface Props {
-  asked: Asked;
-  onChange(asked: Asked): void;
+  value: Asked;
+  onInput(asked: Asked): void;
 }
 
-export function AskedFields({ asked, onChange }: Props) {
+export function AskedFields({ value: asked, onInput }: Props) {
   const change = (lighting: Lighting, target: AskedTarget, wanted: boolean): void => {
     const now = asked[lighting];
     const next = ASKABLE.filter((one) => (one === target ? wanted : now.includes(one)));
-    onChange({ ...asked, [lighting]: next });
+    onInput({ ...asked, [lighting]: next });
   };
   return (
     <fieldset class="survey-fields" data-testid="asked">

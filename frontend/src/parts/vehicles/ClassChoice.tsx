@@ -1,5 +1,5 @@
 /** Which sets and classes of vehicles count: none chosen stands for all. */
-import { Checklist } from "../../components";
+import { Checklist, choices } from "../../components";
 import { allOf, say } from "../../core/messages";
 import type { Category, ClassSet } from "../../core/types";
 import { CATEGORY_WORDS, CLASS_SET_WORDS } from "../../core/words";
@@ -20,13 +20,13 @@ export function ClassChoice({ classSets, categories, onClassSets, onCategories }
       groups={[
         {
           title: say("class-choice-sets"),
-          options: listed(CLASS_SET_WORDS),
+          options: choices(CLASS_SET_WORDS),
           chosen: classSets,
           onChange: onClassSets,
         },
         {
           title: say("class-choice-classes"),
-          options: listed(CATEGORY_WORDS),
+          options: choices(CATEGORY_WORDS),
           chosen: categories,
           onChange: onCategories,
         },
@@ -42,8 +42,4 @@ export function classWords(classSets: readonly string[], categories: readonly st
     ...categories.map((one) => CATEGORY_WORDS[one as Category] ?? one),
   ];
   return words.length > 0 ? allOf(words) : "";
-}
-
-function listed(words: Readonly<Record<string, string>>): { value: string; label: string }[] {
-  return Object.entries(words).map(([value, label]) => ({ value, label }));
 }

@@ -1,5 +1,6 @@
 /** Where a survey's site lies, what road it is, and whose clocks are told there. */
-import { SelectField, TextField } from "../../components";
+import { choices, OptionalField, TextField } from "../../components";
+import { fieldsOf } from "../../core/form";
 import { say, wordsOf } from "../../core/messages";
 import { TIME_ZONES } from "../../core/times";
 import type { Place } from "../../core/types";
@@ -16,7 +17,7 @@ export interface TypedPlace {
   lane: string;
   travel: string;
   limit: string;
-  lamps: NonNullable<Place["street_lamps"]> | "";
+  lamps: Place["street_lamps"];
   zone: string;
 }
 
@@ -27,7 +28,7 @@ export const NO_PLACE: TypedPlace = {
   lane: "",
   travel: "",
   limit: "",
-  lamps: "",
+  lamps: null,
   zone: "",
 };
 
@@ -40,7 +41,7 @@ export function typedPlace(place: Place): TypedPlace {
     lane: place.lane ?? "",
     travel: place.travel_direction ?? "",
     limit: limit === null ? "" : String(Number((limit * speedScale()[0]).toFixed(1))),
-    lamps: place.street_lamps ?? "",
+    lamps: place.street_lamps,
     zone: place.time_zone ?? "",
   };
 }
@@ -61,7 +62,7 @@ export function readPlace(typed: TypedPlace, before: Place | null): Place | stri
     lane: typed.lane.trim() || null,
     travel_direction: typed.travel.trim() || null,
     speed_limit_mps: kept ? before.speed_limit_mps : limit === null ? null : limit / speedScale()[0],
-    street_lamps: typed.lamps || null,
+    street_lamps: typed.lamps,
     time_zone: typed.zone.trim() || null,
   };
 }
@@ -72,15 +73,12 @@ function optional(text: string): number | null | undefined {
 }
 
 interface Props {
-  place: TypedPlace;
-  onChange(place: TypedPlace): void;
+  value: TypedPlace;
+  onInput(place: TypedPlace): void;
 }
 
-export function PlaceFields({ place, onChange }: Props) {
-  const field = (key: Exclude<keyof TypedPlace, "lamps">) => ({
-    value: place[key],
-    onInput: (text: string) => onChange({ ...place, [key]: text }),
-  });
+export function PlaceFields({ value, onInput }: Props) {
+  const field = fieldsOf(value, (part) => onInput({ ...value, ...part }));
   return (
     <fieldset class="survey-fields stack" data-testid="place">
       <legend>{say("place-title")}</legend>
@@ -95,15 +93,11 @@ export function PlaceFields({ place, onChange }: Props) {
           suggestions={say("place-roads").split("; ")}
         />
         <TextField label={say("place-limit")} numeric unit={speedScale()[1]} {...field("limit")} />
-        <SelectField<TypedPlace["lamps"]>
+        <OptionalField
           label={say("place-lamps")}
-          value={place.lamps}
-          options={[
-            { value: "", label: say("place-not-said") },
-            { value: "present", label: LAMPS.present },
-            { value: "none", label: LAMPS.none },
-          ]}
-          onChange={(lamps) => onChange({ ...place, lamps })}
+          {...field("lamps")}
+          none={say("place-not-said")}
+          options={choices(LAMPS)}
         />
       </div>
       <div class="row row--wrap">

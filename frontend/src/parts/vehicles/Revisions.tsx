@@ -1,7 +1,6 @@
 import { Problem, StateMark } from "../../components";
-import { api } from "../../core/api";
 import { say } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { formatMoment } from "../../core/times";
 import type { History } from "../../core/types";
 import { formatHeight } from "../../core/units";
@@ -20,10 +19,10 @@ function reviewWords({ reviewer, reason }: History["reviews"][number]): string {
 
 /** Every revision with its value and every verdict, newest first. */
 export function Revisions({ id, revision }: { id: number; revision: number }) {
-  const { data: history, error } = useResource(
-    (signal) => api.ask("GET /measurements/{measurement_id}/history", { measurement_id: id }, { signal }),
-    [id, revision],
-    { keep: true },
+  const { data: history, error } = useAsked(
+    "GET /measurements/{measurement_id}/history",
+    { measurement_id: id },
+    { keep: true, also: [revision] },
   );
   if (error) return <Problem error={error} />;
   if (!history) return null;

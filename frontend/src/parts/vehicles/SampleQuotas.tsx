@@ -1,19 +1,15 @@
 /** How many vehicles of each kind are measured, of those that the survey wants. */
 import { useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import { api } from "../../core/api";
 import { say } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import type { Quota, SampleProgress } from "../../core/types";
 import { CLASS_SET_WORDS, LIGHTING_WORDS } from "../../core/words";
 import "./sample.css";
 
 /** The sample of a survey as it stands; read again whenever `of` gives another value. */
 export function useSample(surveyId: number, of: () => unknown = () => null) {
-  const found = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/sample", { survey_id: surveyId }, { signal }),
-    [surveyId],
-  );
+  const found = useAsked("GET /surveys/{survey_id}/sample", { survey_id: surveyId });
   const before = useRef<unknown>(undefined);
   useSignalEffect(() => {
     const now = of();

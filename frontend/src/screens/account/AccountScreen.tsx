@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { Button, LanguageChoice, Notice, PageHead, Panel, Problem, TextField } from "../../components";
+import { Button, Facts, LanguageChoice, Notice, PageHead, Panel, Problem, TextField } from "../../components";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
@@ -7,9 +7,11 @@ import { me } from "../../core/session";
 import { toast } from "../../core/toasts";
 import { ROLE_NAMES } from "../../core/types";
 import "./account.css";
+import { useForm } from "../../core/form";
 import { Tokens } from "./Tokens";
 
 const LEAST = 10;
+const EMPTY = { current: "", next: "", again: "" };
 
 /** Who you are, your password, and the tokens of your programs. */
 export default function AccountScreen() {
@@ -19,14 +21,13 @@ export default function AccountScreen() {
     <div class="page page--alone account">
       <PageHead title={say("page-account")} />
       <section class="panel panel__body">
-        <dl class="facts">
-          <dt>{say("account-name")}</dt>
-          <dd>{person.name}</dd>
-          <dt>{say("account-email")}</dt>
-          <dd>{person.email}</dd>
-          <dt>{say("account-role")}</dt>
-          <dd>{ROLE_NAMES[person.role]}</dd>
-        </dl>
+        <Facts
+          of={[
+            [say("account-name"), person.name],
+            [say("account-email"), person.email],
+            [say("account-role"), ROLE_NAMES[person.role]],
+          ]}
+        />
       </section>
       <section class="panel panel__body">
         <LanguageChoice class="field" />
@@ -38,9 +39,8 @@ export default function AccountScreen() {
 }
 
 function PasswordForm({ hasPassword }: { hasPassword: boolean }) {
-  const [current, setCurrent] = useState("");
-  const [next, setNext] = useState("");
-  const [again, setAgain] = useState("");
+  const form = useForm(EMPTY);
+  const { current, next, again } = form.values;
   const [tried, setTried] = useState(false);
   const { busy, problem, run } = useAction();
   const short = next.length < LEAST;
@@ -56,9 +56,7 @@ function PasswordForm({ hasPassword }: { hasPassword: boolean }) {
         { body: { current: hasPassword ? current : null, new: next } },
       );
       toast(say("account-password-is-set"));
-      setCurrent("");
-      setNext("");
-      setAgain("");
+      form.change(EMPTY);
       setTried(false);
     });
   };
@@ -71,16 +69,14 @@ function PasswordForm({ hasPassword }: { hasPassword: boolean }) {
           <TextField
             label={say("account-password-present")}
             type="password"
-            value={current}
-            onInput={setCurrent}
+            {...form.field("current")}
             autoComplete="current-password"
           />
         )}
         <TextField
           label={say("account-password-new")}
           type="password"
-          value={next}
-          onInput={setNext}
+          {...form.field("next")}
           autoComplete="new-password"
           hint={say("account-password-hint", { least: LEAST })}
           problem={
@@ -90,16 +86,13 @@ function PasswordForm({ hasPassword }: { hasPassword: boolean }) {
         <TextField
           label={say("account-password-again")}
           type="password"
-          value={again}
-          onInput={setAgain}
+          {...form.field("again")}
           autoComplete="new-password"
           problem={tried && !short && differs ? say("account-password-differs") : null}
         />
         <Problem error={problem} />
         <div>
-          <Button kind="primary" type="submit" busy={busy}>
-            {say("account-password-set")}
-          </Button>
+          <Button says="account-password-set" kind="primary" type="submit" busy={busy} />
         </div>
       </form>
     </Panel>

@@ -1,6 +1,7 @@
 import { useState } from "preact/hooks";
 import { FormDialog, SelectField, TextField } from "../../components";
 import { api } from "../../core/api";
+import { useForm } from "../../core/form";
 import { say } from "../../core/messages";
 import type { MadeToken } from "../../core/types";
 import { SCOPE_HINTS, SCOPE_NAMES, SCOPES, type Scope } from "./scopes";
@@ -9,9 +10,9 @@ const DAYS = ["7", "30", "90", "366"] as const;
 type Days = (typeof DAYS)[number];
 
 export function MakeToken({ close, made }: { close: () => void; made: (token: MadeToken) => void }) {
-  const [name, setName] = useState("");
+  const form = useForm({ name: "", days: "90" as Days });
+  const { name, days } = form.values;
   const [scopes, setScopes] = useState<readonly Scope[]>(["read"]);
-  const [days, setDays] = useState<Days>("90");
   const [tried, setTried] = useState(false);
   const submit = () => {
     setTried(true);
@@ -36,8 +37,7 @@ export function MakeToken({ close, made }: { close: () => void; made: (token: Ma
     >
       <TextField
         label={say("account-token-name-field")}
-        value={name}
-        onInput={setName}
+        {...form.field("name")}
         hint={say("account-token-name-hint")}
         problem={tried && !name.trim() ? say("account-token-name-problem") : null}
       />
@@ -60,12 +60,11 @@ export function MakeToken({ close, made }: { close: () => void; made: (token: Ma
       </fieldset>
       <SelectField
         label={say("account-token-days")}
-        value={days}
+        {...form.field("days")}
         options={DAYS.map((value) => ({
           value,
           label: say("account-token-days-count", { days: Number(value) }),
         }))}
-        onChange={setDays}
       />
     </FormDialog>
   );

@@ -3,7 +3,7 @@ import { ask, Button, DataTable, Empty, Loaded, Panel, Problem, ShowOnce } from 
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { formatAgo, formatDay } from "../../core/times";
 import type { ApiToken, MadeToken } from "../../core/types";
 import { MakeToken } from "./MakeToken";
@@ -11,7 +11,7 @@ import { SCOPE_NAMES } from "./scopes";
 
 /** Tokens with which programs speak for the person: made, seen and revoked here. */
 export function Tokens() {
-  const tokens = useResource((signal) => api.ask("GET /session/tokens", {}, { signal }), []);
+  const tokens = useAsked("GET /session/tokens");
   const [making, setMaking] = useState(false);
   const [made, setMade] = useState<MadeToken | null>(null);
   const { problem, run } = useAction();
@@ -30,9 +30,7 @@ export function Tokens() {
       title={say("account-tokens")}
       aside={
         !!tokens.data?.length && (
-          <Button icon="add" onClick={() => setMaking(true)}>
-            {say("account-token-make")}
-          </Button>
+          <Button says="account-token-make" icon="add" onClick={() => setMaking(true)} />
         )
       }
     >
@@ -41,11 +39,7 @@ export function Tokens() {
       {tokens.data?.length === 0 && (
         <Empty
           title={say("account-tokens-none")}
-          actions={
-            <Button icon="add" onClick={() => setMaking(true)}>
-              {say("account-token-make")}
-            </Button>
-          }
+          actions={<Button says="account-token-make" icon="add" onClick={() => setMaking(true)} />}
         >
           <p>{say("account-tokens-help")}</p>
         </Empty>
@@ -104,11 +98,7 @@ function TokenTable({ tokens, revoke }: TableProps) {
         ),
         col(
           <span class="visually-hidden">{say("people-actions")}</span>,
-          (token) => (
-            <Button small onClick={() => void revoke(token)}>
-              {say("account-token-revoke")}
-            </Button>
-          ),
+          (token) => <Button says="account-token-revoke" small onClick={() => void revoke(token)} />,
           "tokens__revoke",
         ),
       ]}

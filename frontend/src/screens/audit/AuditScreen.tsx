@@ -1,14 +1,16 @@
 import { useState } from "preact/hooks";
 import {
   Button,
+  choices,
+  DateField,
   Empty,
-  Field,
   Loaded,
   Notice,
+  named,
   num,
+  OptionalField,
   PageHead,
   Problem,
-  SelectField,
   Table,
 } from "../../components";
 import { CommitField } from "../../components/CommitField";
@@ -18,7 +20,7 @@ import { query, setQuery, surveyHere } from "../../core/address";
 import { api, explain, fromAddress } from "../../core/api";
 import { say, sentenceOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
-import { useResource } from "../../core/resource";
+import { useAsked, useResource } from "../../core/resource";
 import { me } from "../../core/session";
 import { formatClock, formatDay } from "../../core/times";
 import type { AuditCheck, AuditEvent, NamedEvent } from "../../core/types";
@@ -97,9 +99,7 @@ export default function AuditScreen({ surveyId }: ScreenProps) {
       <Problem error={problem} again={() => void more()} />
       {events.length > 0 && !atEnd && (
         <div>
-          <Button busy={busy} onClick={() => void more()}>
-            {say("audit-older")}
-          </Button>
+          <Button says="audit-older" busy={busy} onClick={() => void more()} />
         </div>
       )}
     </div>
@@ -116,51 +116,35 @@ function filtersOf(surveyId: number): Record<string, string> {
 }
 
 function Filters({ surveyId }: ScreenProps) {
-  const surveys = useResource((signal) => api.ask("GET /surveys", {}, { signal }), []);
-  const people = useResource((signal) => api.ask("GET /audit/people", {}, { signal }), []);
+  const surveys = useAsked("GET /surveys");
+  const people = useAsked("GET /audit/people");
   const at = (name: (typeof FILTERS)[number]): string => query.value.get(name) ?? "";
   return (
     <div class="audit__filters">
       {!surveyId && (
-        <SelectField
+        <OptionalField
           label={say("audit-survey")}
-          value={at("survey_id")}
-          options={[
-            { value: "", label: say("audit-survey-all") },
-            ...(surveys.data ?? []).map((survey) => ({ value: String(survey.id), label: survey.name })),
-          ]}
-          onChange={(value) => setQuery({ survey_id: value || null })}
+          value={at("survey_id") || null}
+          none={say("audit-survey-all")}
+          options={named(surveys.data ?? [])}
+          onInput={(survey_id) => setQuery({ survey_id })}
         />
       )}
-      <SelectField
+      <OptionalField
         label={say("audit-what")}
-        value={at("entity")}
-        options={[
-          { value: "", label: say("audit-what-all") },
-          ...Object.entries(ENTITY_WORDS).map(([value, label]) => ({ value, label })),
-        ]}
-        onChange={(value) => setQuery({ entity: value || null })}
+        value={at("entity") || null}
+        none={say("audit-what-all")}
+        options={choices<string>(ENTITY_WORDS)}
+        onInput={(entity) => setQuery({ entity })}
       />
-      <SelectField
+      <OptionalField
         label={say("audit-person")}
-        value={at("person_id")}
-        options={[
-          { value: "", label: say("audit-person-all") },
-          ...(people.data ?? []).map((one) => ({ value: String(one.id), label: one.name })),
-        ]}
-        onChange={(value) => setQuery({ person_id: value || null })}
+        value={at("person_id") || null}
+        none={say("audit-person-all")}
+        options={named(people.data ?? [])}
+        onInput={(person_id) => setQuery({ person_id })}
       />
-      <Field label={say("audit-day")}>
-        {(wiring) => (
-          <input
-            {...wiring}
-            class="input"
-            type="date"
-            value={at("day")}
-            onChange={(event) => setQuery({ day: event.currentTarget.value || null })}
-          />
-        )}
-      </Field>
+      <DateField label={say("audit-day")} value={at("day")} onChange={(day) => setQuery({ day })} />
       <CommitField
         label={say("audit-vehicle")}
         numeric
@@ -241,9 +225,7 @@ function Verify() {
     });
   return (
     <div class="audit__verify">
-      <Button busy={busy} onClick={() => void run()}>
-        {say("audit-check")}
-      </Button>
+      <Button says="audit-check" busy={busy} onClick={() => void run()} />
       {problem !== null && <Notice kind="problem">{explain(problem)}</Notice>}
       {check?.ok && (
         <Notice title={say("audit-whole-title")}>

@@ -1,6 +1,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { TextField } from "../../components";
 import { Said } from "../../components/Said";
+import { fieldsOf } from "../../core/form";
 import { say } from "../../core/messages";
 import type { CameraDetail } from "../../core/types";
 import { lengthUnit, parseNumber, parseSmall, smallScale, smallText } from "../../core/units";
@@ -65,6 +66,7 @@ export function BoardFields({ board, change }: { board: TypedBoard; change: (boa
     change(next);
     if (part.square && !problemsOf(next).square) keepSquare(part.square);
   };
+  const field = fieldsOf(board, set);
   return (
     <div class="board">
       <div class="board__fields">
@@ -73,26 +75,13 @@ export function BoardFields({ board, change }: { board: TypedBoard; change: (boa
           <Said what="camera-inner-corners" /> {board.kind === "charuco" && say("camera-charuco-corners")}
         </p>
         <div class="board__inputs">
-          <TextField
-            label={say("camera-columns")}
-            numeric
-            value={board.columns}
-            onInput={(columns) => set({ columns })}
-            problem={problems.columns}
-          />
-          <TextField
-            label={say("camera-rows")}
-            numeric
-            value={board.rows}
-            onInput={(rows) => set({ rows })}
-            problem={problems.rows}
-          />
+          <TextField label={say("camera-columns")} numeric {...field("columns")} problem={problems.columns} />
+          <TextField label={say("camera-rows")} numeric {...field("rows")} problem={problems.rows} />
           <TextField
             label={say("camera-square")}
             numeric
             unit={unit}
-            value={board.square}
-            onInput={(square) => set({ square })}
+            {...field("square")}
             problem={problems.square}
           />
         </div>

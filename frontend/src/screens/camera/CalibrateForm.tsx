@@ -1,9 +1,9 @@
 import { useState } from "preact/hooks";
 import { Button, Segments, SelectField, TextField } from "../../components";
 import { Said } from "../../components/Said";
-import { api } from "../../core/api";
+import { useForm } from "../../core/form";
 import { say } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { parseNumber } from "../../core/units";
 
 export interface Recipe {
@@ -31,16 +31,16 @@ interface Props {
 
 /** Which frames of a recording if it is one, which lens model; then the button. */
 export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate }: Props) {
-  const [model, setModel] = useState<Recipe["model"]>("brown");
-  const [shape, setShape] = useState<"flat" | "bent">("flat");
+  const form = useForm({
+    model: "brown" as Recipe["model"],
+    shape: "flat" as "flat" | "bent",
+    every: "10",
+    first: "",
+    last: "",
+  });
+  const { model, shape, every, first, last } = form.values;
   const [recordingId, setRecordingId] = useState("");
-  const [every, setEvery] = useState("10");
-  const [first, setFirst] = useState("");
-  const [last, setLast] = useState("");
-  const recordings = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/recordings", { survey_id: surveyId }, { signal }),
-    [surveyId],
-  );
+  const recordings = useAsked("GET /surveys/{survey_id}/recordings", { survey_id: surveyId });
   const usableClips = (recordings.data ?? []).filter((recording) => recording.state === "ready");
   const clip = usableClips.find((recording) => String(recording.id) === recordingId) ?? usableClips[0];
   const span = readSpan(first, last, every, clip?.frame_count ?? 0);
@@ -66,21 +66,14 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
                   count: recording.frame_count ?? 0,
                 }),
               }))}
-              onChange={setRecordingId}
+              onInput={setRecordingId}
             />
-            <TextField label={say("camera-every")} numeric value={every} onInput={setEvery} />
-            <TextField
-              label={say("camera-first-frame")}
-              numeric
-              value={first}
-              onInput={setFirst}
-              placeholder="0"
-            />
+            <TextField label={say("camera-every")} numeric {...form.field("every")} />
+            <TextField label={say("camera-first-frame")} numeric {...form.field("first")} placeholder="0" />
             <TextField
               label={say("camera-last-frame")}
               numeric
-              value={last}
-              onInput={setLast}
+              {...form.field("last")}
               placeholder={String((clip.frame_count ?? 1) - 1)}
             />
             {wrong && <p class="field__problem">{wrong}</p>}
@@ -96,8 +89,7 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
       <div class="row row--wrap calibrate__choices">
         <Segments
           label={say("camera-lens")}
-          value={model}
-          onChange={setModel}
+          {...form.field("model")}
           options={[
             { value: "brown", label: say("camera-lens-brown") },
             { value: "fisheye", label: say("camera-lens-fisheye") },
@@ -110,8 +102,7 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
       <div class="row row--wrap calibrate__choices">
         <Segments
           label={say("camera-board")}
-          value={shape}
-          onChange={setShape}
+          {...form.field("shape")}
           options={[
             { value: "flat", label: say("camera-board-flat") },
             { value: "bent", label: say("camera-board-bent") },
@@ -120,9 +111,7 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
         <span class="muted small grow">
           {say(shape === "flat" ? "camera-board-flat-hint" : "camera-board-bent-hint")}
         </span>
-        <Button kind="primary" busy={busy} disabled={!possible} onClick={go}>
-          {say("camera-calibrate")}
-        </Button>
+        <Button says="camera-calibrate" kind="primary" busy={busy} disabled={!possible} onClick={go} />
       </div>
       {source === "images" && usable < 3 && <p class="muted small">{say("camera-three-images")}</p>}
     </div>

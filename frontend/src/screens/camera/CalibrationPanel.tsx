@@ -1,8 +1,7 @@
 import { useState } from "preact/hooks";
 import { Button, Loading, Notice, Problem, StateMark } from "../../components";
-import { api } from "../../core/api";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { formatMoment } from "../../core/times";
 import type { Calibration, CameraDetail, CameraView } from "../../core/types";
 import { fixed } from "../../core/units";
@@ -20,10 +19,7 @@ interface Props {
 
 /** What a calibration came to: verdict, figures with uncertainties, where the picture was covered, which view fits worst. */
 export function CalibrationPanel({ id, camera, makeCurrent }: Props) {
-  const calibration = useResource(
-    (signal) => api.ask("GET /calibrations/{calibration_id}", { calibration_id: id }, { signal }),
-    [id],
-  );
+  const calibration = useAsked("GET /calibrations/{calibration_id}", { calibration_id: id });
   if (!calibration.data) {
     return calibration.error ? (
       <Problem error={calibration.error} again={calibration.reload} />
@@ -48,13 +44,17 @@ export function CalibrationPanel({ id, camera, makeCurrent }: Props) {
           <p class="muted small">{madeWords(c)}</p>
         </div>
         <div class="row">
-          <Button small icon="download" href={`/api/calibrations/${c.id}/camera.json`} download>
-            {say("camera-download")}
-          </Button>
+          <Button
+            says="camera-download"
+            small
+            icon="download"
+            href={`/api/calibrations/${c.id}/camera.json`}
+            download
+          />
           {inUse ? (
             <span class="badge badge--solid">{say("in-use")}</span>
           ) : (
-            makeCurrent && <Button onClick={() => void makeCurrent(c.id)}>{say("camera-use")}</Button>
+            makeCurrent && <Button says="camera-use" onClick={() => void makeCurrent(c.id)} />
           )}
         </div>
       </header>

@@ -51,7 +51,7 @@ export function CameraBench({ camera, surveyId, reload, set }: Props) {
             <Segments<Source>
               label={say("camera-where-boards")}
               value={source}
-              onChange={setSource}
+              onInput={setSource}
               options={[
                 { value: "images", label: say("camera-from-pictures") },
                 { value: "clip", label: say("camera-from-recording") },
@@ -130,11 +130,7 @@ function OtherBoard({ board, work }: { board: Board; work: CameraWork }) {
   return (
     <Notice
       kind="warning"
-      actions={
-        <Button busy={work.busy} onClick={() => void work.detectAgain()}>
-          {say("camera-look-again")}
-        </Button>
-      }
+      actions={<Button says="camera-look-again" busy={work.busy} onClick={() => void work.detectAgain()} />}
     >
       {dictionary
         ? say("camera-other-board-markers", { columns, rows, dictionary })
@@ -196,11 +192,7 @@ function Words({ camera, changed }: { camera: CameraDetail; changed: () => Promi
   return (
     <div class="row row--wrap small" data-testid="camera-words">
       <span>{words.length > 0 ? words.join("  ·  ") : say("camera-words-none")}</span>
-      {may("operator") && (
-        <Button small kind="quiet" onClick={() => setEditing(true)}>
-          {say("camera-edit")}
-        </Button>
-      )}
+      {may("operator") && <Button says="camera-edit" small kind="quiet" onClick={() => setEditing(true)} />}
       {editing && <EditCamera camera={camera} changed={changed} close={() => setEditing(false)} />}
     </div>
   );

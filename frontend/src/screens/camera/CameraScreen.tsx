@@ -1,10 +1,9 @@
 import { useState } from "preact/hooks";
-import { Button, Empty, Loading, Notice, PageHead, Problem } from "../../components";
+import { Button, Empty, Loaded, Loading, Notice, PageHead, Problem } from "../../components";
 import { asked, query, setQuery } from "../../core/address";
-import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { may } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import type { Camera } from "../../core/types";
@@ -15,10 +14,7 @@ import "./camera.css";
 
 /** The survey's cameras; one is open. */
 export default function CameraScreen({ surveyId }: ScreenProps) {
-  const cameras = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/cameras", { survey_id: surveyId }, { signal }),
-    [surveyId],
-  );
+  const cameras = useAsked("GET /surveys/{survey_id}/cameras", { survey_id: surveyId });
   const [adding, setAdding] = useState(false);
   const [taking, setTaking] = useState(false);
   const list = cameras.data ?? [];
@@ -39,10 +35,8 @@ export default function CameraScreen({ surveyId }: ScreenProps) {
       <PageHead title={say("page-camera")} lead={say("camera-lead")}>
         {canWork && list.length > 0 && (
           <div class="row">
-            <Button onClick={() => setTaking(true)}>{say("camera-take-open")}</Button>
-            <Button icon="add" onClick={() => setAdding(true)}>
-              {say("camera-another")}
-            </Button>
+            <Button says="camera-take-open" onClick={() => setTaking(true)} />
+            <Button says="camera-another" icon="add" onClick={() => setAdding(true)} />
           </div>
         )}
       </PageHead>
@@ -58,10 +52,8 @@ export default function CameraScreen({ surveyId }: ScreenProps) {
             actions={
               canWork && (
                 <>
-                  <Button kind="primary" icon="add" onClick={() => setAdding(true)}>
-                    {say("camera-add-first")}
-                  </Button>
-                  <Button onClick={() => setTaking(true)}>{say("camera-take-open")}</Button>
+                  <Button says="camera-add-first" kind="primary" icon="add" onClick={() => setAdding(true)} />
+                  <Button says="camera-take-open" onClick={() => setTaking(true)} />
                 </>
               )
             }
@@ -96,16 +88,9 @@ export default function CameraScreen({ surveyId }: ScreenProps) {
 }
 
 function OpenCamera({ id, surveyId }: { id: number; surveyId: number }) {
-  const camera = useResource(
-    (signal) => api.ask("GET /cameras/{camera_id}", { camera_id: id }, { signal }),
-    [id],
-  );
+  const camera = useAsked("GET /cameras/{camera_id}", { camera_id: id });
   if (!camera.data) {
-    return camera.error ? (
-      <Problem error={camera.error} again={camera.reload} />
-    ) : (
-      <Loading what={say("camera-loading")} />
-    );
+    return <Loaded of={camera} what={say("camera-loading")} />;
   }
   return <CameraBench camera={camera.data} surveyId={surveyId} reload={camera.reload} set={camera.set} />;
 }

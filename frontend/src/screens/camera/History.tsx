@@ -1,4 +1,4 @@
-import { Button, Panel, StateMark, Table } from "../../components";
+import { Button, DataTable, Panel, StateMark } from "../../components";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { formatMoment } from "../../core/times";
 import type { CameraDetail } from "../../core/types";
@@ -17,42 +17,37 @@ export function History({ camera, shownId, show }: Props) {
   if (newestFirst.length < 2) return null;
   return (
     <Panel title={say("camera-calibrations")}>
-      <Table
+      <DataTable
         label={say("camera-calibrations")}
         class="table--hover"
-        heads={[
-          say("camera-history-made"),
-          say("camera-history-by"),
-          say("camera-history-from"),
-          say("camera-history-verdict"),
-          say("camera-history-summary"),
-          <span class="visually-hidden">{say("camera-history-show")}</span>,
+        rows={newestFirst}
+        keyOf={(entry) => entry.id}
+        columns={({ col }) => [
+          col(say("camera-history-made"), (entry) => formatMoment(entry.created_at), "nowrap"),
+          col(say("camera-history-by"), (entry) => entry.created_by?.name ?? "–", "nowrap"),
+          col(say("camera-history-from"), (entry) => SOURCES[entry.source], "nowrap"),
+          col(say("camera-history-verdict"), (entry) => (
+            <StateMark state={entry.trusted ? "trusted" : "not_trusted"} />
+          )),
+          col(say("camera-history-summary"), (entry) => sentenceOf(entry.summary)),
+          col(
+            <span class="visually-hidden">{say("camera-history-show")}</span>,
+            (entry) => (
+              <>
+                {entry.id === camera.current_calibration_id && (
+                  <span class="badge badge--solid">{say("in-use")}</span>
+                )}{" "}
+                {entry.id === shownId ? (
+                  <span class="muted small">{say("camera-history-shown")}</span>
+                ) : (
+                  <Button says="camera-show" small onClick={() => show(entry.id)} />
+                )}
+              </>
+            ),
+            "num",
+          ),
         ]}
-      >
-        {newestFirst.map((entry) => (
-          <tr key={entry.id}>
-            <td class="nowrap">{formatMoment(entry.created_at)}</td>
-            <td class="nowrap">{entry.created_by?.name ?? "–"}</td>
-            <td class="nowrap">{SOURCES[entry.source]}</td>
-            <td>
-              <StateMark state={entry.trusted ? "trusted" : "not_trusted"} />
-            </td>
-            <td>{sentenceOf(entry.summary)}</td>
-            <td class="num">
-              {entry.id === camera.current_calibration_id && (
-                <span class="badge badge--solid">{say("in-use")}</span>
-              )}{" "}
-              {entry.id === shownId ? (
-                <span class="muted small">{say("camera-history-shown")}</span>
-              ) : (
-                <Button small onClick={() => show(entry.id)}>
-                  {say("camera-show")}
-                </Button>
-              )}
-            </td>
-          </tr>
-        ))}
-      </Table>
+      />
     </Panel>
   );
 }

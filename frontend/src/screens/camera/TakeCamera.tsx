@@ -1,8 +1,8 @@
 import { useState } from "preact/hooks";
-import { FormDialog, Loading, Notice, Problem, SelectField } from "../../components";
+import { FormDialog, Loading, Notice, named, Problem, SelectField } from "../../components";
 import { api } from "../../core/api";
 import { say, sentenceOf } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked, useResource } from "../../core/resource";
 import type { Camera } from "../../core/types";
 
 interface Props {
@@ -13,7 +13,7 @@ interface Props {
 
 /** A camera of another survey, with its calibration, for this one too. */
 export function TakeCamera({ surveyId, close, added }: Props) {
-  const surveys = useResource((signal) => api.ask("GET /surveys", {}, { signal }), []);
+  const surveys = useAsked("GET /surveys");
   const others = (surveys.data ?? []).filter((one) => one.id !== surveyId);
   const [from, setFrom] = useState<number | null>(null);
   const there = from ?? others[0]?.id ?? null;
@@ -50,8 +50,8 @@ export function TakeCamera({ surveyId, close, added }: Props) {
         <SelectField
           label={say("camera-take-survey")}
           value={String(there)}
-          onChange={(value) => setFrom(Number(value))}
-          options={others.map((one) => ({ value: String(one.id), label: one.name }))}
+          onInput={(value) => setFrom(Number(value))}
+          options={named(others)}
         />
       )}
       {cameras.data && there !== null && calibrated.length === 0 && (
@@ -61,8 +61,8 @@ export function TakeCamera({ surveyId, close, added }: Props) {
         <SelectField
           label={say("camera-take-camera")}
           value={String(camera?.id)}
-          onChange={(value) => setPicked(Number(value))}
-          options={calibrated.map((one) => ({ value: String(one.id), label: one.name }))}
+          onInput={(value) => setPicked(Number(value))}
+          options={named(calibrated)}
           hint={sentenceOf(now?.summary) ?? undefined}
         />
       )}

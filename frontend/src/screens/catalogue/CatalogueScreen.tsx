@@ -4,7 +4,7 @@ import { useAction } from "../../core/action";
 import { query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { canWork } from "../../core/session";
 import type { CatalogueRow } from "../../core/types";
 import { formatSmall, lengthScale, plainLength } from "../../core/units";
@@ -21,11 +21,7 @@ export default function CatalogueScreen() {
   const q = query.value.get("q") ?? "";
   const retired = query.value.get("retired") === "true";
   const offset = Number(query.value.get("offset") ?? 0) || 0;
-  const found = useResource(
-    (signal) => api.ask("GET /catalogue/page", { q, retired, offset }, { signal }),
-    [q, retired, offset],
-    { keep: true },
-  );
+  const found = useAsked("GET /catalogue/page", { q, retired, offset }, { keep: true });
   const [edited, setEdited] = useState<CatalogueRow | "new" | null>(null);
   const [importing, setImporting] = useState(false);
   const { problem, run } = useAction();
@@ -40,17 +36,16 @@ export default function CatalogueScreen() {
     <div class="page page--alone catalogue-page">
       <PageHead title={say("page-catalogue")} lead={say("catalogue-lead")}>
         <div class="row">
-          <Button href="/api/catalogue/export" icon="download">
-            {say("catalogue-export")}
-          </Button>
+          <Button says="catalogue-export" href="/api/catalogue/export" icon="download" />
           {canWork.value && (
             <>
-              <Button icon="add" onClick={() => setEdited("new")}>
-                {say("catalogue-add")}
-              </Button>
-              <Button kind="primary" icon="upload" onClick={() => setImporting(true)}>
-                {say("catalogue-import")}
-              </Button>
+              <Button says="catalogue-add" icon="add" onClick={() => setEdited("new")} />
+              <Button
+                says="catalogue-import"
+                kind="primary"
+                icon="upload"
+                onClick={() => setImporting(true)}
+              />
             </>
           )}
         </div>
@@ -69,7 +64,7 @@ export default function CatalogueScreen() {
             { value: "offered", label: say("catalogue-offered") },
             { value: "retired", label: say("catalogue-retired") },
           ]}
-          onChange={(value) => setQuery({ retired: value === "retired" ? "true" : null, offset: null })}
+          onInput={(value) => setQuery({ retired: value === "retired" ? "true" : null, offset: null })}
         />
       </div>
       <Problem error={problem ?? found.error} again={found.reload} />
@@ -136,15 +131,16 @@ function Models({ rows, edit, retire }: ModelsProps) {
             {canWork.value && (
               <>
                 <Button
+                  says="catalogue-correct"
                   small
                   label={say("catalogue-correct-model", { model: `${row.make} ${row.model}` })}
                   onClick={() => edit(row)}
-                >
-                  {say("catalogue-correct")}
-                </Button>{" "}
-                <Button small onClick={() => void retire(row)}>
-                  {say(row.retired_at === null ? "catalogue-retire" : "catalogue-restore")}
-                </Button>
+                />{" "}
+                <Button
+                  says={row.retired_at === null ? "catalogue-retire" : "catalogue-restore"}
+                  small
+                  onClick={() => void retire(row)}
+                />
               </>
             )}
           </td>
@@ -179,15 +175,17 @@ function Pages({ offset, total }: { offset: number; total: number }) {
     <footer class="catalogue-pages small">
       <span class="grow">{say("catalogue-shown", { first: Math.min(offset + 1, total), last, total })}</span>
       <Button
+        says="catalogue-before"
         small
         disabled={offset === 0}
         onClick={() => setQuery({ offset: Math.max(0, offset - A_PAGE) || null })}
-      >
-        {say("catalogue-before")}
-      </Button>
-      <Button small disabled={last >= total} onClick={() => setQuery({ offset: offset + A_PAGE })}>
-        {say("catalogue-after")}
-      </Button>
+      />
+      <Button
+        says="catalogue-after"
+        small
+        disabled={last >= total}
+        onClick={() => setQuery({ offset: offset + A_PAGE })}
+      />
     </footer>
   );
 }

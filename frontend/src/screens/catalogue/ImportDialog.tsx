@@ -1,16 +1,19 @@
 import { useState } from "preact/hooks";
 import {
   Button,
+  choices,
   DataTable,
   Dialog,
   DropFiles,
   Loading,
   Notice,
+  OptionalField,
   Problem,
   SelectField,
 } from "../../components";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
+import { fieldsOf } from "../../core/form";
 import { allOf, say } from "../../core/messages";
 import { formatCount } from "../../core/units";
 import { SampleLink } from "../../parts/samples/SampleLink";
@@ -19,22 +22,22 @@ import { CHANGE_WORDS, FIELDS, type Plan, UNIT_WORDS, type Unit } from "./model"
 interface Choices {
   /** Fields by header; "" leaves a column out. */
   columns: Readonly<Record<string, string>>;
-  unit: Unit | "";
+  unit: Unit | null;
   on_conflict: "keep" | "replace";
 }
 
-const NO_CHOICES: Choices = { columns: {}, unit: "", on_conflict: "keep" };
+const NO_CHOICES: Choices = { columns: {}, unit: null, on_conflict: "keep" };
 
 /** A CSV into the catalogue: what it is taken for and what it would change, before anything is stored. */
 export function ImportDialog({ close, imported }: { close: () => void; imported: () => void }) {
   const [file, setFile] = useState<File | null>(null);
-  const [choices, setChoices] = useState<Choices>(NO_CHOICES);
+  const [taken, setTaken] = useState<Choices>(NO_CHOICES);
   const [plan, setPlan] = useState<Plan | null>(null);
   const { busy, problem, run } = useAction();
   const [done, setDone] = useState<{ added: number; updated: number } | null>(null);
   const look = async (chosen: File, next: Choices) => {
     setFile(chosen);
-    setChoices(next);
+    setTaken(next);
     const read = async () =>
       setPlan(await api.ask("POST /catalogue/import/preview", asked(next), { body: chosen }));
     if (!(await run(read))) setPlan(null);
@@ -42,11 +45,11 @@ export function ImportDialog({ close, imported }: { close: () => void; imported:
   const store = async () => {
     if (!file) return;
     await run(async () => {
-      setDone(await api.write("POST /catalogue/import", asked(choices), { body: file }));
+      setDone(await api.write("POST /catalogue/import", asked(taken), { body: file }));
       imported();
     });
   };
-  const change = (part: Partial<Choices>) => file && void look(file, { ...choices, ...part });
+  const change = (part: Partial<Choices>) => file && void look(file, { ...taken, ...part });
   return (
     <Dialog
       wide
@@ -54,7 +57,7 @@ export function ImportDialog({ close, imported }: { close: () => void; imported:
       onClose={close}
       actions={
         <>
-          <Button onClick={close}>{say(done ? "action-close" : "action-cancel")}</Button>
+          <Button says={done ? "action-close" : "action-cancel"} onClick={close} />
           {!done && (
             <Button
               kind="primary"
@@ -83,48 +86,45 @@ export function ImportDialog({ close, imported }: { close: () => void; imported:
         {!file && !done && <SampleLink kind="catalogue" />}
         <Problem error={problem} />
         {busy && !plan && <Loading what={say("catalogue-import-looking")} />}
-        {plan && !done && <Preview plan={plan} choices={choices} change={change} />}
+        {plan && !done && <Preview plan={plan} taken={taken} change={change} />}
       </div>
     </Dialog>
   );
 }
 
-function asked(choices: Choices) {
-  const column = Object.entries(choices.columns).map(([header, field]) => `${field}=${header}`);
-  return { column, unit: choices.unit || undefined, on_conflict: choices.on_conflict };
+function asked({ columns, unit, on_conflict }: Choices) {
+  const column = Object.entries(columns).map(([header, field]) => `${field}=${header}`);
+  return { column, unit: unit ?? undefined, on_conflict };
 }
 
 interface PreviewProps {
   plan: Plan;
-  choices: Choices;
+  taken: Choices;
   change: (part: Partial<Choices>) => void;
 }
 
-function Preview({ plan, choices, change }: PreviewProps) {
+function Preview({ plan, taken, change }: PreviewProps) {
+  const field = fieldsOf(taken, change);
   return (
     <>
       {plan.problem && <Notice kind="problem">{plan.problem}</Notice>}
       <div class="catalogue-form">
-        <SelectField<Unit | "">
+        <OptionalField
           label={say("catalogue-import-unit")}
-          value={choices.unit}
-          options={[
-            { value: "", label: say("catalogue-import-unit-header") },
-            ...Object.entries(UNIT_WORDS).map(([value, label]) => ({ value: value as Unit, label })),
-          ]}
-          onChange={(unit) => change({ unit })}
+          {...field("unit")}
+          none={say("catalogue-import-unit-header")}
+          options={choices(UNIT_WORDS)}
         />
         <SelectField<Choices["on_conflict"]>
           label={say("catalogue-import-conflicts")}
-          value={choices.on_conflict}
+          {...field("on_conflict")}
           options={[
             { value: "keep", label: say("catalogue-import-keep") },
             { value: "replace", label: say("catalogue-import-replace") },
           ]}
-          onChange={(on_conflict) => change({ on_conflict })}
         />
       </div>
-      <Columns plan={plan} choices={choices} change={change} />
+      <Columns plan={plan} taken={taken} change={change} />
       <p class="catalogue-counts" data-testid="catalogue-counts">
         {Object.entries(CHANGE_WORDS).map(([name, word]) => (
           <span key={name}>
@@ -137,24 +137,22 @@ function Preview({ plan, choices, change }: PreviewProps) {
   );
 }
 
-function Columns({ plan, choices, change }: PreviewProps) {
+function Columns({ plan, taken, change }: PreviewProps) {
   const skipped = plan.columns.filter((one) => !one.field).map((one) => `“${one.header}”`);
   return (
     <>
       <fieldset class="catalogue-columns">
         <legend>{say("catalogue-import-columns")}</legend>
         {plan.columns.map((one, at) => (
-          <SelectField
+          <OptionalField
             key={`${at} ${one.header}`}
             label={one.header}
-            value={one.field ?? ""}
+            value={one.field}
             problem={one.problem}
             hint={one.unit ? say("catalogue-import-in", { unit: UNIT_WORDS[one.unit] }) : undefined}
-            options={[
-              { value: "", label: say("catalogue-import-left-out") },
-              ...FIELDS.map((field) => ({ value: field, label: field })),
-            ]}
-            onChange={(field) => change({ columns: { ...choices.columns, [one.header]: field } })}
+            none={say("catalogue-import-left-out")}
+            options={FIELDS.map((field) => ({ value: field, label: field }))}
+            onInput={(field) => change({ columns: { ...taken.columns, [one.header]: field ?? "" } })}
           />
         ))}
       </fieldset>

@@ -1,8 +1,9 @@
 import { useState } from "preact/hooks";
-import { FormDialog, SelectField, TextField } from "../../components";
+import { choices, FormDialog, OptionalField, TextField } from "../../components";
 import { api } from "../../core/api";
+import { fieldsOf, useForm } from "../../core/form";
 import { say } from "../../core/messages";
-import type { CatalogueRow, Category } from "../../core/types";
+import type { CatalogueRow } from "../../core/types";
 import { lengthText, lengthUnit, parseLength, parseSmall, smallScale, smallText } from "../../core/units";
 import { CATEGORY_WORDS } from "../../core/words";
 import { bodyOf, type ModelIn, SIZE_WORDS, SIZES, type Size } from "./model";
@@ -18,12 +19,15 @@ type Typed = Record<Size, { size: string; u: string; source: string }>;
 
 /** One model, to be added or corrected: each size with its uncertainty and its source. */
 export function ModelDialog({ row, close, saved }: Props) {
-  const [make, setMake] = useState(row?.make ?? "");
-  const [model, setModel] = useState(row?.model ?? "");
-  const [from, setFrom] = useState(yearText(row?.year_from));
-  const [to, setTo] = useState(yearText(row?.year_to));
-  const [category, setCategory] = useState<Category | "">(row?.category ?? "");
-  const [source, setSource] = useState(row?.source ?? "");
+  const form = useForm({
+    make: row?.make ?? "",
+    model: row?.model ?? "",
+    from: yearText(row?.year_from),
+    to: yearText(row?.year_to),
+    category: row?.category ?? null,
+    source: row?.source ?? "",
+  });
+  const { make, model, from, to, category, source } = form.values;
   const [typed, setTyped] = useState<Typed>(() => typedOf(row));
   const [tried, setTried] = useState(false);
   const sizes = read(typed);
@@ -42,7 +46,7 @@ export function ModelDialog({ row, close, saved }: Props) {
       source,
       year_from: years[0] ?? null,
       year_to: years[1] ?? null,
-      category: category || null,
+      category,
     };
     if (row) {
       const full = { ...body, version: row.version };
@@ -60,25 +64,17 @@ export function ModelDialog({ row, close, saved }: Props) {
       submit={submit}
     >
       <div class="catalogue-form">
-        <TextField label={say("catalogue-make")} value={make} onInput={setMake} problem={empty(make)} />
-        <TextField
-          label={say("catalogue-model-name")}
-          value={model}
-          onInput={setModel}
-          problem={empty(model)}
-        />
-        <TextField label={say("catalogue-year-from")} value={from} onInput={setFrom} problem={year(from)} />
-        <TextField label={say("catalogue-year-to")} value={to} onInput={setTo} problem={year(to)} />
-        <SelectField<Category | "">
+        <TextField label={say("catalogue-make")} {...form.field("make")} problem={empty(make)} />
+        <TextField label={say("catalogue-model-name")} {...form.field("model")} problem={empty(model)} />
+        <TextField label={say("catalogue-year-from")} {...form.field("from")} problem={year(from)} />
+        <TextField label={say("catalogue-year-to")} {...form.field("to")} problem={year(to)} />
+        <OptionalField
           label={say("catalogue-category")}
-          value={category}
-          options={[
-            { value: "", label: say("catalogue-category-unknown") },
-            ...Object.entries(CATEGORY_WORDS).map(([value, label]) => ({ value: value as Category, label })),
-          ]}
-          onChange={setCategory}
+          {...form.field("category")}
+          none={say("catalogue-category-unknown")}
+          options={choices(CATEGORY_WORDS)}
         />
-        <TextField label={say("catalogue-source")} value={source} onInput={setSource} />
+        <TextField label={say("catalogue-source")} {...form.field("source")} />
       </div>
       {SIZES.map((size) => (
         <SizeFields
@@ -104,29 +100,24 @@ function SizeFields({ size, typed, tried, change }: SizeProps) {
   const name = SIZE_WORDS[size];
   const wrong = (text: string, parsed: number | null) =>
     tried && text.trim() && parsed === null ? say("catalogue-number-problem") : null;
+  const field = fieldsOf(typed, change);
   return (
     <div class="catalogue-sizes">
       <TextField
         label={name}
         numeric
         unit={lengthUnit.value}
-        value={typed.size}
-        onInput={(text) => change({ size: text })}
+        {...field("size")}
         problem={wrong(typed.size, parseLength(typed.size))}
       />
       <TextField
         label={say("catalogue-u-of", { size: name })}
         numeric
         unit={smallScale()[1]}
-        value={typed.u}
-        onInput={(text) => change({ u: text })}
+        {...field("u")}
         problem={wrong(typed.u, parseSmall(typed.u))}
       />
-      <TextField
-        label={say("catalogue-source-of", { size: name })}
-        value={typed.source}
-        onInput={(text) => change({ source: text })}
-      />
+      <TextField label={say("catalogue-source-of", { size: name })} {...field("source")} />
     </div>
   );
 }

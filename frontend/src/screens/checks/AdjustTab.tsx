@@ -5,7 +5,7 @@ import {
   DataTable,
   Empty,
   JobProgress,
-  Loading,
+  Loaded,
   Notice,
   Panel,
   Problem,
@@ -14,7 +14,7 @@ import {
 import { api } from "../../core/api";
 import { useJobAction } from "../../core/jobs";
 import { allOf, say, sentenceOf, wordsOf } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { canWork } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import { toast } from "../../core/toasts";
@@ -51,10 +51,9 @@ const MILLI = 1000;
 
 export function AdjustTab({ surveyId }: { surveyId: number }) {
   const [known, setKnown] = useState(USUAL);
-  const read = useResource(
-    (signal) =>
-      api.ask("GET /surveys/{survey_id}/checks/adjustment", { survey_id: surveyId, ...known }, { signal }),
-    [surveyId, JSON.stringify(known)],
+  const read = useAsked(
+    "GET /surveys/{survey_id}/checks/adjustment",
+    { survey_id: surveyId, ...known },
     { keep: true },
   );
   const again = () => Promise.all([read.reload(), refreshSurvey()]);
@@ -72,12 +71,7 @@ export function AdjustTab({ surveyId }: { surveyId: number }) {
         await again();
       }
     });
-  if (!read.data)
-    return read.error ? (
-      <Problem error={read.error} again={read.reload} />
-    ) : (
-      <Loading what={say("adjust-loading")} />
-    );
+  if (!read.data) return <Loaded of={read} what={say("adjust-loading")} />;
   return (
     <>
       <KnownFields known={known} change={setKnown} />
@@ -172,14 +166,16 @@ function OfPose({ surveyId, found, busy, put, takeBack }: PoseProps) {
       aside={
         <>
           {canWork.value && found.adjusted_from !== null && (
-            <Button small icon="undo" busy={busy} onClick={() => void takeBack()}>
-              {say("adjust-take-back")}
-            </Button>
+            <Button says="adjust-take-back" small icon="undo" busy={busy} onClick={() => void takeBack()} />
           )}
           {canWork.value && camera && found.used > 0 && (
-            <Button small kind="primary" busy={busy} onClick={() => void put(camera.value)}>
-              {say("adjust-put")}
-            </Button>
+            <Button
+              says="adjust-put"
+              small
+              kind="primary"
+              busy={busy}
+              onClick={() => void put(camera.value)}
+            />
           )}
         </>
       }

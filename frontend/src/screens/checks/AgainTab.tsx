@@ -1,9 +1,9 @@
 /** Heights computed again: what is out of date, each time it was done, old beside new, and the undo of all. */
-import { Button, DataTable, JobProgress, Loading, Notice, Panel, Problem } from "../../components";
+import { Button, DataTable, JobProgress, Loaded, Notice, Panel, Problem } from "../../components";
 import { query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { say, wordsOf } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { canWork } from "../../core/session";
 import { formatMoment } from "../../core/times";
 import type { Computing, Computings } from "../../core/types";
@@ -16,21 +16,13 @@ const KINDS: Readonly<Record<Computing["kind"], string>> = wordsOf("computing-ki
 
 export function AgainTab({ surveyId }: { surveyId: number }) {
   const where = { survey_id: surveyId };
-  const read = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/computings", where, { signal }),
-    [surveyId],
-  );
+  const read = useAsked("GET /surveys/{survey_id}/computings", where);
   const work = useComputing((job) => {
     if (job.state === "done") setQuery({ computing: null });
     return read.reload();
   });
   const start = () => work.start(() => api.write("POST /surveys/{survey_id}/computings", where));
-  if (!read.data)
-    return read.error ? (
-      <Problem error={read.error} again={read.reload} />
-    ) : (
-      <Loading what={say("computing-loading")} />
-    );
+  if (!read.data) return <Loaded of={read} what={say("computing-loading")} />;
   const { computings } = read.data;
   const wanted = Number(query.value.get("computing"));
   const shown = computings.find((one) => one.id === wanted) ?? computings[0];
@@ -62,9 +54,12 @@ export function AgainTab({ surveyId }: { surveyId: number }) {
 function Stale({ found, busy, start }: { found: Computings; busy: boolean; start(): Promise<unknown> }) {
   const stale = found.out_of_date;
   const button = canWork.value && (
-    <Button kind={stale.heights > 0 ? "primary" : undefined} busy={busy} onClick={() => void start()}>
-      {say("computing-start")}
-    </Button>
+    <Button
+      says="computing-start"
+      kind={stale.heights > 0 ? "primary" : undefined}
+      busy={busy}
+      onClick={() => void start()}
+    />
   );
   return (
     <Notice kind={stale.heights > 0 ? "warning" : "info"} actions={button}>
@@ -107,9 +102,7 @@ function Runs({ computings, shown }: { computings: readonly Computing[]; shown: 
               one.id === shown ? (
                 <span class="muted">{say("computing-shown")}</span>
               ) : (
-                <Button small onClick={() => setQuery({ computing: String(one.id) })}>
-                  {say("computing-show")}
-                </Button>
+                <Button says="computing-show" small onClick={() => setQuery({ computing: String(one.id) })} />
               ),
             ),
           ]}

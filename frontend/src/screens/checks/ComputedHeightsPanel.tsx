@@ -1,8 +1,7 @@
 /** One computing: what it changed in words, as a figure, and height by height, with the undo of all. */
 import { Button, Loading, num, Panel, Problem, Table } from "../../components";
-import { api } from "../../core/api";
 import { say, sentenceOf } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { canWork } from "../../core/session";
 import type { ComputedHeight, ComputedHeights, Computing } from "../../core/types";
 import { fixed, formatCount, formatHeight, formatSmall, lengthScale, smallScale } from "../../core/units";
@@ -19,9 +18,10 @@ interface Props {
 }
 
 export function ComputedHeightsPanel({ surveyId, computing, busy, undo }: Props) {
-  const read = useResource(
-    (signal) => api.ask("GET /computings/{computing_id}", { computing_id: computing.id }, { signal }),
-    [computing.id, computing.undone_by],
+  const read = useAsked(
+    "GET /computings/{computing_id}",
+    { computing_id: computing.id },
+    { also: [computing.undone_by] },
   );
   const found = read.data;
   if (!found)
@@ -32,15 +32,14 @@ export function ComputedHeightsPanel({ surveyId, computing, busy, undo }: Props)
       aside={
         canWork.value && (
           <Button
+            says="computing-undo"
             small
             icon="undo"
             busy={busy}
             disabled={found.undoable !== null}
             title={found.undoable ?? say("computing-undo-text")}
             onClick={() => void undo()}
-          >
-            {say("computing-undo")}
-          </Button>
+          />
         )
       }
     >

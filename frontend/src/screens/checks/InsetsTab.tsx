@@ -5,7 +5,7 @@ import { Said } from "../../components/Said";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { allOf, say, sentenceOf, wordsOf } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { canWork } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import { toast } from "../../core/toasts";
@@ -18,10 +18,7 @@ import { type Estimate, type InsetCheck, TARGET_NAMES, type TargetInsets } from 
 const METHODS: Readonly<Record<Estimate["method"], string>> = wordsOf("checks-by-");
 
 export function InsetsTab({ survey }: { survey: Survey }) {
-  const check = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/checks/insets", { survey_id: survey.id }, { signal }),
-    [survey.id],
-  );
+  const check = useAsked("GET /surveys/{survey_id}/checks/insets", { survey_id: survey.id });
   const { problem, run } = useAction();
   const [busy, setBusy] = useState<string | null>(null);
   const use = async (name: InsetName, estimate: Estimate) => {

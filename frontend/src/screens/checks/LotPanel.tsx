@@ -110,32 +110,33 @@ function Acts({ surveyId, shown, done }: Props) {
         {state === "open" && (
           <>
             {progress.judged < progress.sample && (
-              <Button kind="primary" href={`/surveys/${surveyId}/review?lot=${lot.id}`}>
-                {say("lots-judge")}
-              </Button>
+              <Button says="lots-judge" kind="primary" href={`/surveys/${surveyId}/review?lot=${lot.id}`} />
             )}
             <Button
+              says="lots-accept"
               kind={progress.may_accept ? "primary" : undefined}
               busy={busy === "accept"}
               disabled={!progress.may_accept}
               onClick={() => void act("accept")}
-            >
-              {say("lots-accept")}
-            </Button>
-            <Button busy={busy === "inspect"} onClick={() => void inspect()}>
-              {say("lots-inspect")}
-            </Button>
+            />
+            <Button says="lots-inspect" busy={busy === "inspect"} onClick={() => void inspect()} />
             {progress.judged === 0 && (
-              <Button kind="quiet" busy={busy === "dissolve"} onClick={() => void act("dissolve")}>
-                {say("lots-dissolve")}
-              </Button>
+              <Button
+                says="lots-dissolve"
+                kind="quiet"
+                busy={busy === "dissolve"}
+                onClick={() => void act("dissolve")}
+              />
             )}
           </>
         )}
         {state === "accepted" && (
-          <Button icon="undo" busy={busy === "take-back"} onClick={() => void act("take-back")}>
-            {say("lots-take-back")}
-          </Button>
+          <Button
+            says="lots-take-back"
+            icon="undo"
+            busy={busy === "take-back"}
+            onClick={() => void act("take-back")}
+          />
         )}
       </div>
       {state === "open" && progress.own > 0 && (

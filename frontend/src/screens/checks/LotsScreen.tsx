@@ -7,12 +7,12 @@ import { query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { say, wordsOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
-import { useResource } from "../../core/resource";
+import { useAsked, useResource } from "../../core/resource";
 import { may } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import { reviewTabs } from "../../core/tabs";
 import type { LotSummary, PlannedLot, ShownLot } from "../../core/types";
-import { formatCount } from "../../core/units";
+import { formatCount, parseNumber } from "../../core/units";
 import { lotWords } from "../../parts/lots/words";
 import { LotPanel } from "./LotPanel";
 import { commonInWords, LOT_STATES } from "./lots";
@@ -101,15 +101,10 @@ function Draw({ surveyId, changed, done }: DrawProps) {
   const [typed, setTyped] = useState(USUAL);
   const { busy, problem, run } = useAction();
   const risks = fractions(typed);
-  const plan = useResource(
-    (signal) =>
-      api.ask(
-        "GET /surveys/{survey_id}/lots/plan",
-        { survey_id: surveyId, by: [...by], ...risks },
-        { signal },
-      ),
-    [surveyId, JSON.stringify([by, risks]), changed],
-    { keep: true },
+  const plan = useAsked(
+    "GET /surveys/{survey_id}/lots/plan",
+    { survey_id: surveyId, by: [...by], ...risks },
+    { keep: true, also: [changed] },
   );
   const draw = () =>
     run(async () => {
@@ -125,13 +120,12 @@ function Draw({ surveyId, changed, done }: DrawProps) {
       aside={
         may("reviewer") && (
           <Button
+            says="lots-draw"
             kind="primary"
             busy={busy}
             disabled={!!plan.error || !planned.some((one) => one.saves)}
             onClick={() => void draw()}
-          >
-            {say("lots-draw")}
-          </Button>
+          />
         )
       }
       data-testid="lots-draw"
@@ -178,8 +172,8 @@ function Draw({ surveyId, changed, done }: DrawProps) {
 
 function fractions(typed: Readonly<Record<Risk, string>>): Record<Risk, number> {
   const of = (one: Risk): number => {
-    const value = Number(typed[one].replace(",", "."));
-    return typed[one].trim() === "" || Number.isNaN(value) ? -1 : value / 100;
+    const percent = parseNumber(typed[one]);
+    return percent === null ? -1 : percent / 100;
   };
   return {
     producer_quality: of("producer_quality"),
@@ -244,9 +238,7 @@ function Lots({ lots, shown }: { lots: readonly ShownLot[]; shown: ShownLot | un
             one === shown ? (
               <span class="muted">{say("computing-shown")}</span>
             ) : (
-              <Button small onClick={() => setQuery({ lot: String(one.lot.id) })}>
-                {say("computing-show")}
-              </Button>
+              <Button says="computing-show" small onClick={() => setQuery({ lot: String(one.lot.id) })} />
             ),
           ),
         ]}

@@ -1,5 +1,5 @@
 /** What the traffic says of the pose, the vehicles with their headings, and the turn before it is accepted. */
-import { Button, DataTable, num, SelectField, Table } from "../../components";
+import { Button, DataTable, Facts, named, num, SelectField, Table } from "../../components";
 import { say, sentenceOf, sentencesOf } from "../../core/messages";
 import { canWork } from "../../core/session";
 import type { Vehicle } from "../../core/types";
@@ -18,8 +18,8 @@ export function TrafficSide({ model }: { model: TrafficModel }) {
             label={say("field-recording")}
             hideLabel
             value={String(model.reel.recording.value?.id ?? "")}
-            options={model.reel.recordings.value.map((one) => ({ value: String(one.id), label: one.name }))}
-            onChange={(id) => model.chooseRecording(Number(id))}
+            options={named(model.reel.recordings.value)}
+            onInput={(id) => model.chooseRecording(Number(id))}
           />
         </div>
       )}
@@ -38,16 +38,20 @@ function Verdict({ model }: { model: TrafficModel }) {
         {sentencesOf(pose.verdict)}
       </p>
       {pose.mean_rad !== null && (
-        <dl class="facts small">
-          <dt>{say("checks-mean")}</dt>
-          <dd>
-            {say("value-u", { value: formatDegrees(pose.mean_rad), u: formatDegrees(pose.u_mean_rad) })}
-          </dd>
-          <dt>{say("checks-spread-of-vehicles")}</dt>
-          <dd>{formatDegrees(pose.spread_rad)}</dd>
-          <dt>{say("checks-used-vehicles")}</dt>
-          <dd>{say("checks-used-of", { count: pose.used, all: pose.vehicles.length })}</dd>
-        </dl>
+        <Facts
+          small
+          of={[
+            [
+              say("checks-mean"),
+              say("value-u", { value: formatDegrees(pose.mean_rad), u: formatDegrees(pose.u_mean_rad) }),
+            ],
+            [say("checks-spread-of-vehicles"), formatDegrees(pose.spread_rad)],
+            [
+              say("checks-used-vehicles"),
+              say("checks-used-of", { count: pose.used, all: pose.vehicles.length }),
+            ],
+          ]}
+        />
       )}
       {pose.turned_from !== null && (
         <p class="small muted">
@@ -66,9 +70,12 @@ function Verdict({ model }: { model: TrafficModel }) {
             </Button>
           )}
           {pose.turned_from !== null && (
-            <Button small busy={model.turning.value} onClick={() => void model.turnBack()}>
-              {say("checks-use-before")}
-            </Button>
+            <Button
+              says="checks-use-before"
+              small
+              busy={model.turning.value}
+              onClick={() => void model.turnBack()}
+            />
           )}
         </div>
       )}
@@ -105,17 +112,20 @@ function Preview({ model, preview }: { model: TrafficModel; preview: TurnedPose 
         </div>
       )}
       <div class="row">
-        <Button small kind="primary" busy={model.turning.value} onClick={() => void model.turn()}>
-          {say("checks-turn")}
-        </Button>
         <Button
+          says="checks-turn"
+          small
+          kind="primary"
+          busy={model.turning.value}
+          onClick={() => void model.turn()}
+        />
+        <Button
+          says="action-cancel"
           small
           onClick={() => {
             model.preview.value = null;
           }}
-        >
-          {say("action-cancel")}
-        </Button>
+        />
       </div>
     </section>
   );
@@ -158,9 +168,13 @@ function Row({ model, vehicle }: { model: TrafficModel; vehicle: Vehicle }) {
         {found?.source === "two_frames" && <div class="small muted">{say("checks-two-frames")}</div>}
         {found?.reason && <div class="small">{sentenceOf(found.reason)}</div>}
         {current && model.pair.value && canWork.value && (
-          <Button small kind="quiet" icon="trash" onClick={() => void model.withdraw()}>
-            {say("checks-withdraw")}
-          </Button>
+          <Button
+            says="checks-withdraw"
+            small
+            kind="quiet"
+            icon="trash"
+            onClick={() => void model.withdraw()}
+          />
         )}
       </td>
       <td class="num">{found ? formatDegrees(found.heading_rad) : "–"}</td>

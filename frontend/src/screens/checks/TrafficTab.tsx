@@ -34,7 +34,7 @@ export function TrafficTab({ surveyId }: { surveyId: number }) {
     return (
       <Empty
         title={say("checks-no-vehicles-title")}
-        actions={<Button href={`/surveys/${surveyId}/measure`}>{say("checks-mark-passes")}</Button>}
+        actions={<Button says="checks-mark-passes" href={`/surveys/${surveyId}/measure`} />}
       >
         <p>{say("checks-no-vehicles")}</p>
       </Empty>

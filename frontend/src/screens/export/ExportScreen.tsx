@@ -1,15 +1,16 @@
 import { useEffect, useState } from "preact/hooks";
 import {
   Button,
+  choices,
   Empty,
   JobProgress,
   Loaded,
   Notice,
   num,
+  OptionalField,
   PageHead,
   Panel,
   Problem,
-  SelectField,
   Table,
 } from "../../components";
 import { nameOfLanguage } from "../../components/LanguageChoice";
@@ -18,11 +19,11 @@ import { api } from "../../core/api";
 import { isOver, useJobAction } from "../../core/jobs";
 import { apart, say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { survey } from "../../core/survey";
 import { formatMoment } from "../../core/times";
 import { toast } from "../../core/toasts";
-import type { ExportPackage, Lighting, Survey } from "../../core/types";
+import type { ExportPackage, Survey } from "../../core/types";
 import { formatBytes } from "../../core/units";
 import { LIGHTING_WORDS } from "../../core/words";
 import { Outdated } from "../../parts/again/Outdated";
@@ -63,10 +64,7 @@ const CONTENTS = [
 
 /** One button writes the package that a standards body needs; every package made stays listed with its hash. */
 export default function ExportScreen({ surveyId }: ScreenProps) {
-  const packages = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/exports", { survey_id: surveyId }, { signal }),
-    [surveyId],
-  );
+  const packages = useAsked("GET /surveys/{survey_id}/exports", { survey_id: surveyId });
   const [crops, setCrops] = useState(true);
   const [wanted, setWanted] = useState<Wanted>(ALL);
   const { job, busy, underWay, problem, start, follow, cancel } = useJobAction({
@@ -95,9 +93,13 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
             />
             <span>{say("export-crops")}</span>
           </label>
-          <Button kind="primary" icon="package" busy={busy || underWay} onClick={() => void build()}>
-            {say("export-build")}
-          </Button>
+          <Button
+            says="export-build"
+            kind="primary"
+            icon="package"
+            busy={busy || underWay}
+            onClick={() => void build()}
+          />
         </div>
       </PageHead>
       <OutOfDateNotice surveyId={Number(surveyId)} />
@@ -147,18 +149,15 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
 
 /** The vehicles that statistics and report of a package are of. */
 function Choosing({ wanted, onChange }: { wanted: Wanted; onChange(wanted: Wanted): void }) {
-  const lights = Object.entries(LIGHTING_WORDS).map(([value, label]) => ({
-    value: value as Lighting,
-    label,
-  }));
   return (
     <section class="panel panel__body" aria-label={say("export-of-title")}>
       <div class="row row--wrap export__of">
-        <SelectField
+        <OptionalField
           label={say("export-of-lighting")}
-          value={wanted.lighting ?? ""}
-          options={[{ value: "" as const, label: say("statistics-filter-any") }, ...lights]}
-          onChange={(lighting) => onChange({ ...wanted, lighting: lighting || null })}
+          value={wanted.lighting}
+          none={say("statistics-filter-any")}
+          options={choices(LIGHTING_WORDS)}
+          onInput={(lighting) => onChange({ ...wanted, lighting })}
         />
         <ClassChoice
           classSets={wanted.class_sets}
@@ -241,9 +240,7 @@ function Packages({ list }: { list: ExportPackage[] }) {
           <Hash text={entry.sha256} which="sha256" />
           <Hash text={entry.audit_head} which="audit-head" />
           <td class="num">
-            <Button small icon="download" href={entry.url} download>
-              {say("export-download")}
-            </Button>
+            <Button says="export-download" small icon="download" href={entry.url} download />
           </td>
         </tr>
       ))}

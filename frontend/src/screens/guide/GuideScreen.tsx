@@ -22,7 +22,7 @@ export default function GuideScreen() {
   return (
     <div class="page page--alone guide">
       <PageHead title={say(`guide-page-${name}`)}>
-        <Button onClick={() => print()}>{say("action-print")}</Button>
+        <Button says="action-print" onClick={() => print()} />
       </PageHead>
       <div class="guide__columns">
         <nav class="guide__pages" aria-label={say("guide-pages")}>

@@ -1,12 +1,13 @@
 /** Long work of the server: what waits, what is under way, what came of it; stopped and done once more here. */
 import {
   Button,
+  choices,
   Empty,
   Loaded,
+  OptionalField,
   PageHead,
   Problem,
   Progress,
-  SelectField,
   StateMark,
   Table,
 } from "../../components";
@@ -15,7 +16,7 @@ import { query, setQuery } from "../../core/address";
 import { api, fromAddress } from "../../core/api";
 import { cancelJob, isOver, jobName, lastWords } from "../../core/jobs";
 import { say, sentenceOf } from "../../core/messages";
-import { useEvery, useResource } from "../../core/resource";
+import { useAsked, useEvery } from "../../core/resource";
 import { may } from "../../core/session";
 import { formatAgo, formatMoment } from "../../core/times";
 import { toast } from "../../core/toasts";
@@ -27,13 +28,9 @@ const STATES = ["queued", "running", "failed", "cancelled", "done"] as const;
 const EVERY_MS = 2000;
 
 export default function JobsScreen() {
-  const state = query.value.get("state") ?? "";
-  const jobs = useResource(
-    (signal) => api.ask("GET /jobs", fromAddress<"GET /jobs">({ state: state || undefined }), { signal }),
-    [state],
-    { keep: true },
-  );
-  const surveys = useResource((signal) => api.ask("GET /surveys", {}, { signal }), []);
+  const state = query.value.get("state");
+  const jobs = useAsked("GET /jobs", fromAddress<"GET /jobs">({ state: state ?? undefined }), { keep: true });
+  const surveys = useAsked("GET /surveys");
   const { problem, run: attempt } = useAction();
   useEvery(EVERY_MS, jobs.reload);
   const run = async (work: () => Promise<unknown>) => {
@@ -44,14 +41,12 @@ export default function JobsScreen() {
   return (
     <div class="page page--alone">
       <PageHead title={say("page-jobs")} lead={say("jobs-lead")}>
-        <SelectField
+        <OptionalField
           label={say("jobs-show")}
           value={state}
-          options={[
-            { value: "", label: say("jobs-all") },
-            ...STATES.map((value) => ({ value, label: STATE_WORDS[value] })),
-          ]}
-          onChange={(value) => setQuery({ state: value || null })}
+          none={say("jobs-all")}
+          options={choices<string>(STATE_WORDS, STATES)}
+          onInput={(state) => setQuery({ state })}
         />
       </PageHead>
       <Problem error={problem} />

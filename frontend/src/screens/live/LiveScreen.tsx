@@ -1,9 +1,8 @@
 /** Line cameras at work: the last vehicles, the flow, and how the stream is; read again every second. */
 import { Button, Empty, Loaded, Notice, num, PageHead, StateMark, Table } from "../../components";
-import { api } from "../../core/api";
 import { say, sentenceOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
-import { useEvery, useResource } from "../../core/resource";
+import { useAsked, useEvery } from "../../core/resource";
 import { formatAgo, formatClock, formatMoment } from "../../core/times";
 import type { LiveStream, LiveVehicle } from "../../core/types";
 import { fixed, formatLength, formatSpeed } from "../../core/units";
@@ -16,16 +15,12 @@ import "./live.css";
 const EVERY_MS = 1000;
 
 export default function LiveScreen({ surveyId }: ScreenProps) {
-  const streams = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/live", { survey_id: surveyId }, { signal }),
-    [surveyId],
-    { keep: true },
-  );
+  const streams = useAsked("GET /surveys/{survey_id}/live", { survey_id: surveyId }, { keep: true });
   useEvery(EVERY_MS, streams.reload);
   return (
     <div class="page">
       <PageHead title={say("page-live")} lead={say("live-lead")}>
-        <Button href={`/surveys/${surveyId}/scans`}>{say("scans-all")}</Button>
+        <Button says="scans-all" href={`/surveys/${surveyId}/scans`} />
       </PageHead>
       <Loaded of={streams} what={say("live-loading")} />
       {streams.data?.length === 0 && <HowToStart surveyId={surveyId} />}

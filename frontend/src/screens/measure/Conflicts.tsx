@@ -53,15 +53,13 @@ export function VehicleConflict({ model, id }: { model: MeasureModel; id: number
                 label: say("measure-conflict-theirs", { value: showFact(field, theirs[field]) }),
               },
             ]}
-            onChange={(side) => {
+            onInput={(side) => {
               choice.value = new Map(choice.value).set(field, side);
             }}
           />
         </div>
       ))}
-      <Button small kind="primary" onClick={settle}>
-        {say("measure-conflict-save")}
-      </Button>
+      <Button says="measure-conflict-save" small kind="primary" onClick={settle} />
     </section>
   );
 }
@@ -84,12 +82,16 @@ export function MeasurementConflict({ model, entry }: { model: MeasureModel; ent
         <dd>{mine}</dd>
       </dl>
       <div class="row row--wrap">
-        <Button small onClick={() => outbox.resolve(entry.key, "theirs")}>
-          {say("measure-conflict-keep-theirs")}
-        </Button>
-        <Button small onClick={() => outbox.resolve(entry.key, "mine")}>
-          {say(values.withdrawn ? "measure-conflict-withdraw" : "measure-conflict-save-mine")}
-        </Button>
+        <Button
+          says="measure-conflict-keep-theirs"
+          small
+          onClick={() => outbox.resolve(entry.key, "theirs")}
+        />
+        <Button
+          says={values.withdrawn ? "measure-conflict-withdraw" : "measure-conflict-save-mine"}
+          small
+          onClick={() => outbox.resolve(entry.key, "mine")}
+        />
       </div>
     </div>
   );

@@ -1,6 +1,6 @@
 /** The frames of a measurement, and what a further one gains. */
 import { useEffect, useState } from "preact/hooks";
-import { Button } from "../../components";
+import { Button, Facts } from "../../components";
 import { explain } from "../../core/api";
 import { hint } from "../../core/commands";
 import { say, sentenceOf } from "../../core/messages";
@@ -70,12 +70,13 @@ function AgainstOne({ model, entry }: { model: MeasureModel; entry: Entry }) {
   }).answer;
   if (!answer?.single) return null;
   return (
-    <dl class="facts small">
-      <dt>{say("measure-one-frame")}</dt>
-      <dd>{formatHeight(answer.single.height_m, answer.single.U95_height_m)}</dd>
-      <dt>{say("measure-all-frames", { count: answer.frames })}</dt>
-      <dd>{heightOrReason(answer)}</dd>
-    </dl>
+    <Facts
+      small
+      of={[
+        [say("measure-one-frame"), formatHeight(answer.single.height_m, answer.single.U95_height_m)],
+        [say("measure-all-frames", { count: answer.frames }), heightOrReason(answer)],
+      ]}
+    />
   );
 }
 

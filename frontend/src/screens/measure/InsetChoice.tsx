@@ -1,5 +1,5 @@
 /** What only a look at the vehicle can tell: where the driver sits, which spot of the roof was clicked. */
-import { Segments } from "../../components";
+import { choices, Segments } from "../../components";
 import { Said } from "../../components/Said";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
@@ -39,11 +39,8 @@ function DriverSideChoice({ model, vehicle }: { model: MeasureModel; vehicle: Ve
         <Segments
           label={say("measure-inset-side")}
           value={side ?? ""}
-          options={(Object.keys(SIDE_WORDS) as DriverSide[]).map((one) => ({
-            value: one,
-            label: SIDE_WORDS[one],
-          }))}
-          onChange={(picked) => model.insets.chooseSide(picked as DriverSide)}
+          options={choices<string>(SIDE_WORDS)}
+          onInput={(picked) => model.insets.chooseSide(picked as DriverSide)}
         />
       ) : (
         <span class="small">{side ? SIDE_WORDS[side] : say("measure-side-unknown")}</span>
@@ -66,11 +63,11 @@ function DriverSideChoice({ model, vehicle }: { model: MeasureModel; vehicle: Ve
 
 function RoofChoice({ model, target, entry }: Props) {
   const category = model.vehicle.value?.category ?? null;
-  const choices = insetChoices(survey.value, target, category);
+  const offered = insetChoices(survey.value, target, category);
   const asked = model.flow.value.target === target;
-  if (choices.length < 2 || !asked || !canWork.value) return null;
+  if (offered.length < 2 || !asked || !canWork.value) return null;
   const now = model.insetOf(target) ?? entry?.values.inset ?? model.insets.usual(target);
-  const value = choices.findIndex(
+  const value = offered.findIndex(
     (choice) => choice.inset_m === now?.inset_m && choice.u_inset_m === now?.u_inset_m,
   );
   return (
@@ -79,12 +76,12 @@ function RoofChoice({ model, target, entry }: Props) {
       <Segments
         label={say("measure-inset-roof")}
         value={String(value)}
-        options={choices.map((choice, i) => ({
+        options={offered.map((choice, i) => ({
           value: String(i),
           label: INSET_PLACE_WORDS[choice.place],
         }))}
-        onChange={(picked) => {
-          const choice = choices[Number(picked)];
+        onInput={(picked) => {
+          const choice = offered[Number(picked)];
           if (choice) model.insets.choose(target, { inset_m: choice.inset_m, u_inset_m: choice.u_inset_m });
         }}
       />

@@ -1,4 +1,4 @@
-import { Button } from "../../components";
+import { Button, Facts } from "../../components";
 import { CommitField } from "../../components/CommitField";
 import { hint } from "../../core/commands";
 import { say } from "../../core/messages";
@@ -18,42 +18,30 @@ export function MeasurementDetail({ model, entry }: { model: MeasureModel; entry
       <Frames model={model} entry={entry} />
       {canWork.value && entry.state === "saved" && (
         <Button
+          says="measure-whole-follow"
           small
           title={say("measure-whole-go") + hint("followPass")}
           onClick={() => void model.whole.start(entry.key)}
-        >
-          {say("measure-whole-follow")}
-        </Button>
+        />
       )}
       <InsetEditor model={model} entry={entry} />
       {source && source.budget.length > 0 && <Budget entries={source.budget} total_m={source.u_height_m} />}
-      <dl class="facts small">
-        <dt>{say("stage-frame")}</dt>
-        <dd>{entry.values.frame}</dd>
-        <dt>{say("measure-contact")}</dt>
-        <dd>{pixels(entry.values.contact)}</dd>
-        <dt>{say("measure-point")}</dt>
-        <dd>{pixels(entry.values.point)}</dd>
-        {entry.saved && (
-          <>
-            <dt>{say("measure-points-set")}</dt>
-            <dd>{say("measure-made", { made: entry.saved.made })}</dd>
-            <dt>{say("measure-distance")}</dt>
-            <dd>{formatLength(entry.saved.distance_m, 2)}</dd>
-            <dt>{say("measure-lateral")}</dt>
-            <dd>{formatLength(entry.saved.y_m, 2)}</dd>
-            <dt>{say("measure-along")}</dt>
-            <dd>{formatLength(entry.saved.x_m, 2)}</dd>
-            <dt>{say("measure-without-inset")}</dt>
-            <dd>{formatLength(entry.saved.uncorrected_height_m)}</dd>
-          </>
-        )}
-      </dl>
+      <Facts
+        small
+        of={[
+          [say("stage-frame"), entry.values.frame],
+          [say("measure-contact"), pixels(entry.values.contact)],
+          [say("measure-point"), pixels(entry.values.point)],
+          entry.saved && [say("measure-points-set"), say("measure-made", { made: entry.saved.made })],
+          entry.saved && [say("measure-distance"), formatLength(entry.saved.distance_m, 2)],
+          entry.saved && [say("measure-lateral"), formatLength(entry.saved.y_m, 2)],
+          entry.saved && [say("measure-along"), formatLength(entry.saved.x_m, 2)],
+          entry.saved && [say("measure-without-inset"), formatLength(entry.saved.uncorrected_height_m)],
+        ]}
+      />
       {entry.saved && <Revisions id={entry.saved.id} revision={entry.saved.revision} />}
       {canWork.value && (
-        <Button small icon="trash" onClick={() => model.points.withdraw(entry.key)}>
-          {say("measure-withdraw")}
-        </Button>
+        <Button says="measure-withdraw" small icon="trash" onClick={() => model.points.withdraw(entry.key)} />
       )}
     </div>
   );

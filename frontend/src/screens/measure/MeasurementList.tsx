@@ -197,12 +197,8 @@ function Said({ model, entry }: { model: MeasureModel; entry: Entry }) {
       <div class="height-row__said" role="alert">
         <Icon name="warning" size={14} />
         <span class="grow">{entry.problem}</span>
-        <Button small onClick={() => outbox.send(entry.key)}>
-          {say("action-try-again")}
-        </Button>
-        <Button small kind="quiet" onClick={() => outbox.discard(entry.key)}>
-          {say("measure-discard")}
-        </Button>
+        <Button says="action-try-again" small onClick={() => outbox.send(entry.key)} />
+        <Button says="measure-discard" small kind="quiet" onClick={() => outbox.discard(entry.key)} />
       </div>
     );
   }

@@ -221,23 +221,21 @@ function NewPass({ model }: { model: MeasureModel }) {
     <footer class="passes__foot">
       {from === null ? (
         <Button
+          says="measure-pass-begin"
           small
           icon="add"
           title={say("measure-pass-begins") + hint("passBegin")}
           onClick={() => model.passes.mark("first")}
-        >
-          {say("measure-pass-begin")}
-        </Button>
+        />
       ) : (
         <>
           <Button
+            says="measure-pass-end"
             small
             kind="primary"
             title={say("measure-pass-ends") + hint("passEnd")}
             onClick={() => model.passes.mark("last")}
-          >
-            {say("measure-pass-end")}
-          </Button>
+          />
           <Button
             small
             kind="quiet"

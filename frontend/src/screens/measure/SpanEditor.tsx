@@ -36,13 +36,12 @@ export function SpanEditor({ model, vehicle }: { model: MeasureModel; vehicle: V
               />
               {canWork.value && (
                 <Button
+                  says={take}
                   small
                   disabled={here < 0 || why !== null || vehicle[end] === here}
                   title={why ?? say("measure-frame", { frame: String(here) })}
                   onClick={() => model.edit({ [end]: here })}
-                >
-                  {say(take)}
-                </Button>
+                />
               )}
             </div>
           );

@@ -24,9 +24,12 @@ export function Unseen({ model, target }: { model: MeasureModel; target: Target 
         <Icon name="info" size={14} />
         <span class="grow">{say("measure-unseen", { why: NOT_VISIBLE_WORDS[why] })}</span>
         {canWork.value && (
-          <Button small kind="quiet" onClick={() => model.setUnseen(asked, null)}>
-            {say("measure-unseen-back")}
-          </Button>
+          <Button
+            says="measure-unseen-back"
+            small
+            kind="quiet"
+            onClick={() => model.setUnseen(asked, null)}
+          />
         )}
       </p>
     );
@@ -36,13 +39,12 @@ export function Unseen({ model, target }: { model: MeasureModel; target: Target 
     <p class="height-row__said">
       <span class="grow" />
       <Button
+        says="measure-unseen-ask"
         small
         kind="quiet"
         title={say("measure-unseen-ask") + hint("notVisible")}
         onClick={() => model.askWhyUnseen()}
-      >
-        {say("measure-unseen-ask")}
-      </Button>
+      />
     </p>
   );
 }

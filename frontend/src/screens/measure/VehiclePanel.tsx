@@ -61,13 +61,12 @@ function DraftWord({ model, id }: { model: MeasureModel; id: number }) {
   if (draft.state === "failed") {
     return (
       <Button
+        says="measure-save-again"
         small
         icon="warning"
         title={draft.problem ?? undefined}
         onClick={() => void model.vehicles.flush(id)}
-      >
-        {say("measure-save-again")}
-      </Button>
+      />
     );
   }
   return <span class="small muted">{say("save-pending")}</span>;

@@ -1,6 +1,8 @@
 /** The record of a vehicle: its model, what is known of it, how it was filmed; saved by itself. */
+
 import { useMemo, useRef } from "preact/hooks";
-import { SelectField } from "../../components";
+import { choices, OptionalField } from "../../components";
+
 import { CommitField } from "../../components/CommitField";
 import { TypingHold } from "../../components/typing";
 import { say } from "../../core/messages";
@@ -17,12 +19,6 @@ import { KnownHeights } from "./KnownHeights";
 import type { MeasureModel } from "./model";
 import { noteModel, RecentModels } from "./RecentModels";
 import { CannotFit, ModelChosen, useModelFits, WhichModel } from "./WhichModel";
-
-/** What can be chosen, or nothing. */
-function choices<W extends string>(words: Readonly<Record<W, string>>): { value: W | ""; label: string }[] {
-  const named = (Object.keys(words) as W[]).map((value) => ({ value, label: words[value] }));
-  return [{ value: "", label: "–" }, ...named];
-}
 
 export function VehicleRecord({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
   const unit = lengthUnit.value;
@@ -93,13 +89,14 @@ export function VehicleRecord({ model, vehicle }: { model: MeasureModel; vehicle
             check={yearProblem}
             onCommit={(text) => model.edit({ year: text === "" ? null : Number(text) })}
           />
-          <SelectField
+          <OptionalField
             label={FIELD_WORDS.category}
-            value={vehicle.category ?? ""}
+            value={vehicle.category}
+            none="–"
             options={choices(CATEGORY_WORDS)}
             hint={lacksClass(vehicle) ? say("measure-class-missing") : undefined}
             disabled={locked}
-            onChange={(category) => model.edit({ category: category === "" ? null : category })}
+            onInput={(category) => model.edit({ category })}
           />
           <div class="facts-form__wide">
             <ModelYears make={vehicle.make} model={vehicle.model} year={vehicle.year} />
@@ -133,34 +130,31 @@ export function VehicleRecord({ model, vehicle }: { model: MeasureModel; vehicle
           <div class="facts-form__wide">
             <KnownHeights vehicle={vehicle} locked={locked} edit={(changes) => model.edit(changes)} />
           </div>
-          <SelectField
+          <OptionalField
             label={FIELD_WORDS.lighting}
-            value={vehicle.lighting ?? ""}
+            value={vehicle.lighting}
+            none="–"
             options={choices(LIGHTING_WORDS)}
             disabled={locked}
-            onChange={(lighting) => model.edit({ lighting: lighting === "" ? null : lighting })}
+            onInput={(lighting) => model.edit({ lighting })}
           />
-          <SelectField
+          <OptionalField
             label={FIELD_WORDS.direction}
-            value={vehicle.direction ?? ""}
+            value={vehicle.direction}
+            none="–"
             options={choices(DIRECTION_WORDS)}
             disabled={locked}
-            onChange={(direction) => model.edit({ direction: direction === "" ? null : direction })}
+            onInput={(direction) => model.edit({ direction })}
           />
           <div class="facts-form__wide">
-            <SelectField
+            <OptionalField
               label={FIELD_WORDS.discarded}
-              value={vehicle.discarded ?? ""}
-              options={[
-                {
-                  value: "" as const,
-                  label: say(vehicle.in_sample ? "measure-in-sample" : "measure-out-of-sample"),
-                },
-                ...choices(DISCARDED_WORDS).slice(1),
-              ]}
+              value={vehicle.discarded}
+              none={say(vehicle.in_sample ? "measure-in-sample" : "measure-out-of-sample")}
+              options={choices(DISCARDED_WORDS)}
               hint={vehicle.measurements.length > 0 ? say("measure-discard-measured") : undefined}
               disabled={locked || (vehicle.measurements.length > 0 && !vehicle.discarded)}
-              onChange={(why) => model.edit({ discarded: why === "" ? null : why })}
+              onInput={(discarded) => model.edit({ discarded })}
             />
           </div>
           <div class="facts-form__wide">

@@ -2,10 +2,9 @@
  *  returns to the frame. And the word where the model filled in cannot fit. */
 import { useEffect, useRef, useState } from "preact/hooks";
 import { Button, Problem } from "../../components";
-import { api } from "../../core/api";
 import { hint, useCommands } from "../../core/commands";
 import { allOf, say, sentenceOf } from "../../core/messages";
-import { type Resource, useResource } from "../../core/resource";
+import { type Resource, useAsked } from "../../core/resource";
 import type { CatalogueRow, FittingModel, ModelFits, ModelSize, Vehicle } from "../../core/types";
 import { formatSmall } from "../../core/units";
 import { yearsOf } from "../../parts/vehicles/ModelYears";
@@ -14,10 +13,10 @@ import { SIZE_WORDS, sizesWords } from "./sizes";
 /** Asked again whenever the record or a height of it was stored. */
 export function useModelFits(vehicle: Vehicle): Resource<ModelFits> {
   const made = vehicle.measurements.map((one) => one.revision_id).join();
-  return useResource<ModelFits>(
-    (signal) => api.ask("GET /vehicles/{vehicle_id}/which-model", { vehicle_id: vehicle.id }, { signal }),
-    [vehicle.id, vehicle.version, made],
-    { keep: true },
+  return useAsked(
+    "GET /vehicles/{vehicle_id}/which-model",
+    { vehicle_id: vehicle.id },
+    { keep: true, also: [vehicle.version, made] },
   );
 }
 
@@ -62,11 +61,7 @@ export function ModelChosen({ vehicle, locked, onSeen }: ChosenProps) {
   return (
     <div class="field__hint model-chosen" data-testid="model-chosen">
       <p>{say(by === "size" ? "model-chosen-by-size" : "model-chosen-seen", { sizes: words })}</p>
-      {by === "size" && (
-        <Button small disabled={locked} onClick={onSeen}>
-          {say("model-chosen-see")}
-        </Button>
-      )}
+      {by === "size" && <Button says="model-chosen-see" small disabled={locked} onClick={onSeen} />}
     </div>
   );
 }

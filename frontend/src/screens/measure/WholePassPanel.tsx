@@ -1,5 +1,5 @@
 /** A pass that is followed: what comes of it, and what to do with it. */
-import { Button } from "../../components";
+import { Button, Facts } from "../../components";
 import { type Said, say, sentenceOf } from "../../core/messages";
 import { formatHeight, formatLength, formatSpeed } from "../../core/units";
 import { heightOrReason } from "../../viewer/geometry";
@@ -18,38 +18,29 @@ export function WholePassPanel({ model }: { model: MeasureModel }) {
   return (
     <section class="whole-pass" data-testid="whole-pass">
       <h3 class="small">{say("measure-whole-heading")}</h3>
-      <dl class="facts small">
-        <dt>{say("measure-whole-height")}</dt>
-        <dd>{height && heightOrReason(height)}</dd>
-        {height?.single && (
-          <>
-            <dt>{say("measure-one-frame")}</dt>
-            <dd>{formatHeight(height.single.height_m, height.single.U95_height_m)}</dd>
-          </>
-        )}
-        <dt>{say("measure-whole-frames")}</dt>
-        <dd>
-          {say("measure-whole-frames-used", { used: height?.frames ?? 0, all: whole.frames.value.length })}
-        </dd>
-        {height?.solved_inset_m != null && (
-          <>
-            <dt>{say("measure-inset")}</dt>
-            <dd>{formatHeight(height.solved_inset_m, 1.96 * (height.u_solved_inset_m ?? 0))}</dd>
-          </>
-        )}
-        {height?.speed_mps != null && (
-          <>
-            <dt>{say("measure-whole-speed")}</dt>
-            <dd>{formatSpeed(Math.abs(height.speed_mps), null, 1)}</dd>
-          </>
-        )}
-        {height?.wheelbase_m != null && (
-          <>
-            <dt>{say("measure-whole-wheelbase")}</dt>
-            <dd>{formatLength(height.wheelbase_m)}</dd>
-          </>
-        )}
-      </dl>
+      <Facts
+        small
+        of={[
+          [say("measure-whole-height"), height && heightOrReason(height)],
+          height?.single && [
+            say("measure-one-frame"),
+            formatHeight(height.single.height_m, height.single.U95_height_m),
+          ],
+          [
+            say("measure-whole-frames"),
+            say("measure-whole-frames-used", { used: height?.frames ?? 0, all: whole.frames.value.length }),
+          ],
+          height?.solved_inset_m != null && [
+            say("measure-inset"),
+            formatHeight(height.solved_inset_m, 1.96 * (height.u_solved_inset_m ?? 0)),
+          ],
+          height?.speed_mps != null && [
+            say("measure-whole-speed"),
+            formatSpeed(Math.abs(height.speed_mps), null, 1),
+          ],
+          height?.wheelbase_m != null && [say("measure-whole-wheelbase"), formatLength(height.wheelbase_m)],
+        ]}
+      />
       <ul class="small muted">
         {reasonsOf(dropped)
           .slice(0, MOST_REASONS)
@@ -58,12 +49,8 @@ export function WholePassPanel({ model }: { model: MeasureModel }) {
           ))}
       </ul>
       <p class="small muted">{say("measure-whole-look", { count: points.length })}</p>
-      <Button small kind="primary" disabled={!ok} onClick={() => whole.keep()}>
-        {say("measure-whole-keep")}
-      </Button>{" "}
-      <Button small onClick={() => whole.forget()}>
-        {say("measure-whole-leave")}
-      </Button>
+      <Button says="measure-whole-keep" small kind="primary" disabled={!ok} onClick={() => whole.keep()} />{" "}
+      <Button says="measure-whole-leave" small onClick={() => whole.forget()} />
     </section>
   );
 }

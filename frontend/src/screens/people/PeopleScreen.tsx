@@ -1,8 +1,8 @@
-import { Fragment } from "preact";
 import { useState } from "preact/hooks";
 import {
   ask,
   Button,
+  Facts,
   Loaded,
   Notice,
   PageHead,
@@ -74,9 +74,7 @@ export default function PeopleScreen() {
   return (
     <div class="page page--alone">
       <PageHead title={say("page-people")} lead={say("people-lead")}>
-        <Button kind="primary" icon="add" onClick={() => setAdding(true)}>
-          {say("people-add")}
-        </Button>
+        <Button says="people-add" kind="primary" icon="add" onClick={() => setAdding(true)} />
       </PageHead>
       <Problem error={problem} />
       <Loaded of={people} what={say("people-loading")} />
@@ -106,14 +104,7 @@ export default function PeopleScreen() {
           </Table>
         </div>
       )}
-      <dl class="facts people__roles">
-        {roles().map((role) => (
-          <Fragment key={role}>
-            <dt>{ROLE_NAMES[role]}</dt>
-            <dd>{DOES[role]}</dd>
-          </Fragment>
-        ))}
-      </dl>
+      <Facts class="people__roles" of={roles().map((role) => [ROLE_NAMES[role], DOES[role]])} />
       {adding && (
         <AddPerson
           close={() => setAdding(false)}
@@ -153,7 +144,7 @@ function PersonRow({ person, put, newLink, switchOff, changeRole }: RowProps) {
           label={say("people-role-of", { person: person.name })}
           value={person.role}
           options={roleOptions()}
-          onChange={(role) => void changeRole(person, role)}
+          onInput={(role) => void changeRole(person, role)}
         />
       </td>
       <td>
@@ -167,18 +158,23 @@ function PersonRow({ person, put, newLink, switchOff, changeRole }: RowProps) {
       </td>
       <td class="num">
         {person.active && (
-          <Button small kind="quiet" onClick={() => void newLink(person)}>
-            {say("people-new-link")}
-          </Button>
+          <Button says="people-new-link" small kind="quiet" onClick={() => void newLink(person)} />
         )}
         {person.active ? (
-          <Button small kind="quiet" disabled={isMe} onClick={() => void switchOff(person)}>
-            {say("people-switch-off")}
-          </Button>
+          <Button
+            says="people-switch-off"
+            small
+            kind="quiet"
+            disabled={isMe}
+            onClick={() => void switchOff(person)}
+          />
         ) : (
-          <Button small kind="quiet" onClick={() => void put(person, { active: true })}>
-            {say("people-switch-on")}
-          </Button>
+          <Button
+            says="people-switch-on"
+            small
+            kind="quiet"
+            onClick={() => void put(person, { active: true })}
+          />
         )}
       </td>
     </tr>

@@ -2,12 +2,11 @@
 
 import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
-import { DataTable, Loading, Panel, Problem, Table } from "../../components";
+import { DataTable, Loaded, Panel, Table } from "../../components";
 import { Said } from "../../components/Said";
 import { current, query, setQuery } from "../../core/address";
-import { api } from "../../core/api";
 import { region, say, wordsOf } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked, useResource } from "../../core/resource";
 import {
   fixed,
   formatCount,
@@ -23,21 +22,13 @@ import { Value } from "./PlanForm";
 import { askLinePlan, completedLines, LINE_NAMES, type Values, valuesOf } from "./values";
 
 export function LineRate({ surveyId }: { surveyId: number }) {
-  const scans = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/scans", { survey_id: surveyId }, { signal }),
-    [surveyId],
-  );
+  const scans = useAsked("GET /surveys/{survey_id}/scans", { survey_id: surveyId });
   const values = scans.data && completedLines(valuesOf(query.value, LINE_NAMES), scans.data);
   const address = JSON.stringify(values);
   useEffect(() => {
     if (values && current.value?.place.name === "planning") setQuery({ ...values });
   }, [address, query.value]);
-  if (!values)
-    return scans.error ? (
-      <Problem error={scans.error} again={scans.reload} />
-    ) : (
-      <Loading what={say("planning-loading-rig")} />
-    );
+  if (!values) return <Loaded of={scans} what={say("planning-loading-rig")} />;
   return (
     <>
       <Form values={values} />
@@ -93,8 +84,7 @@ function Form({ values }: { values: Values }) {
 /** What the server makes of the values; what it says last stays until the next answer is there. */
 function Planned({ values }: { values: Values }) {
   const plan = useResource((signal) => askLinePlan(values, signal), [JSON.stringify(values)], { keep: true });
-  if (plan.error) return <Problem error={plan.error} />;
-  if (!plan.data) return <Loading what={say("planning-loading")} />;
+  if (plan.error || !plan.data) return <Loaded of={plan} what={say("planning-loading")} />;
   return <Result plan={plan.data} />;
 }
 

@@ -70,7 +70,7 @@ function CameraChoice({ cameras, values }: Props) {
         ...(known ? [] : [{ value: chosen, label: say("planning-calibration-unknown", { id: chosen }) }]),
         { value: "plain", label: say("planning-camera-plain") },
       ]}
-      onChange={(choice) => setQuery(withCamera(choice))}
+      onInput={(choice) => setQuery(withCamera(choice))}
     />
   );
 }

@@ -1,10 +1,9 @@
 import { useEffect } from "preact/hooks";
-import { Loading, Notice, PageHead, Problem, Segments } from "../../components";
+import { Loaded, Loading, Notice, PageHead, Problem, Segments } from "../../components";
 import { current, query, setQuery } from "../../core/address";
-import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
-import { useResource } from "../../core/resource";
+import { useAsked, useResource } from "../../core/resource";
 import { Advice } from "./Advice";
 import { BiasFigure, DistanceFigure } from "./Figures";
 import { LineRate } from "./LineRate";
@@ -39,7 +38,7 @@ export default function PlanningScreen({ surveyId }: ScreenProps) {
             { value: "heights", label: say("planning-what-heights") },
             { value: "lines", label: say("planning-what-lines") },
           ]}
-          onChange={(next) => setQuery({ plan: next === "lines" ? next : null })}
+          onInput={(next) => setQuery({ plan: next === "lines" ? next : null })}
         />
       </PageHead>
       {what === "heights" ? <Heights surveyId={surveyId} /> : <LineRate surveyId={surveyId} />}
@@ -48,10 +47,7 @@ export default function PlanningScreen({ surveyId }: ScreenProps) {
 }
 
 function Heights({ surveyId }: { surveyId: number }) {
-  const cameras = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/cameras", { survey_id: surveyId }, { signal }),
-    [surveyId],
-  );
+  const cameras = useAsked("GET /surveys/{survey_id}/cameras", { survey_id: surveyId });
   const list = cameras.data;
   const values = list && completed(valuesOf(query.value), list);
   const address = JSON.stringify(values);
@@ -88,8 +84,7 @@ function Planned({ surveyId, values }: { surveyId: number; values: Values }) {
       keep: true,
     },
   );
-  if (plan.error) return <Problem error={plan.error} />;
-  if (!plan.data) return <Loading what={say("planning-loading")} />;
+  if (plan.error || !plan.data) return <Loaded of={plan} what={say("planning-loading")} />;
   return <Result plan={plan.data} />;
 }
 

@@ -2,6 +2,7 @@
 
 import { Button, JobProgress, Notice, Segments, SelectField, TextField } from "../../components";
 import { hint } from "../../core/commands";
+import { fieldsOf } from "../../core/form";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { fixed, lengthUnit, smallScale, smallText } from "../../core/units";
@@ -48,7 +49,7 @@ function LensQuestions({ model }: { model: PoseModel }) {
           label: one.name,
           disabled: one.state !== "ready",
         }))}
-        onChange={(id) => void model.openRecording(Number(id))}
+        onInput={(id) => void model.openRecording(Number(id))}
       />
       <SelectField
         label={say("field-calibration")}
@@ -65,7 +66,7 @@ function LensQuestions({ model }: { model: PoseModel }) {
             }),
           })),
         ]}
-        onChange={(id) => model.set({ calibrationId: id === "" ? null : Number(id) })}
+        onInput={(id) => model.set({ calibrationId: id === "" ? null : Number(id) })}
       />
     </fieldset>
   );
@@ -130,21 +131,19 @@ function SpanQuestions({ model }: { model: PoseModel }) {
       <legend>{say("pose-still")}</legend>
       <div class="row row--wrap">
         <Button
+          says="pose-begins"
           small
           title={say("pose-begins-title") + hint("passBegin")}
           onClick={() => model.mark("first")}
           disabled={locked}
-        >
-          {say("pose-begins")}
-        </Button>
+        />
         <Button
+          says="pose-ends"
           small
           title={say("pose-ends-title") + hint("passEnd")}
           onClick={() => model.mark("last")}
           disabled={locked}
-        >
-          {say("pose-ends")}
-        </Button>
+        />
         <span class="nowrap" data-testid="pose-span">
           {span(form.first, form.last)}
         </span>
@@ -157,9 +156,7 @@ function SpanQuestions({ model }: { model: PoseModel }) {
               last_frame: String(model.offered.value.last_frame),
             })}
           </span>
-          <Button small onClick={() => model.takeOffered()}>
-            {say("pose-span-take")}
-          </Button>
+          <Button says="pose-span-take" small onClick={() => model.takeOffered()} />
         </p>
       )}
       {shown(model, problems.span) && <p class="field__problem">{problems.span}</p>}
@@ -172,17 +169,17 @@ function HeightQuestions({ model }: { model: PoseModel }) {
   const problems = model.problems.value;
   const unit = lengthUnit.value;
   const locked = !canWork.value;
+  const field = fieldsOf(form, (part) => model.set(part));
   return (
     <fieldset disabled={locked}>
       <legend>{say("pose-height")}</legend>
       <Segments
         label={say("pose-reference")}
-        value={form.reference}
+        {...field("reference")}
         options={[
           { value: "bottom", label: say("pose-reference-bottom") },
           { value: "top", label: say("pose-reference-top") },
         ]}
-        onChange={(reference) => model.set({ reference })}
         disabled={locked}
       />
       <BoardDrawing
@@ -195,9 +192,8 @@ function HeightQuestions({ model }: { model: PoseModel }) {
         label={say("pose-reference-height", { reference: form.reference })}
         numeric
         unit={unit}
-        value={form.referenceHeight}
+        {...field("referenceHeight")}
         hint={say("pose-reference-height-hint")}
-        onInput={(referenceHeight) => model.set({ referenceHeight })}
         problem={shown(model, problems.referenceHeight)}
       />
       <SurenessQuestions model={model} />
@@ -209,6 +205,7 @@ function SurenessQuestions({ model }: { model: PoseModel }) {
   const form = model.form.value;
   const problems = model.problems.value;
   const [, unit] = smallScale();
+  const field = fieldsOf(form, (part) => model.set(part));
   return (
     <details>
       <summary>{say("pose-sure")}</summary>
@@ -217,32 +214,28 @@ function SurenessQuestions({ model }: { model: PoseModel }) {
           label={say("pose-u-tape")}
           numeric
           unit={unit}
-          value={form.uReferenceHeight}
-          onInput={(uReferenceHeight) => model.set({ uReferenceHeight })}
+          {...field("uReferenceHeight")}
           placeholder={smallText(U_TAPE_M)}
         />
         <TextField
           label={say("pose-u-lean")}
           numeric
           unit="°"
-          value={form.uLean}
-          onInput={(uLean) => model.set({ uLean })}
+          {...field("uLean")}
           problem={problems.uncertainty}
         />
         <TextField
           label={say("pose-u-square")}
           numeric
           unit={unit}
-          value={form.uSquare}
-          onInput={(uSquare) => model.set({ uSquare })}
+          {...field("uSquare")}
           placeholder={say("percent", { percent: fixed(0.1, 1) })}
         />
         <TextField
           label={say("pose-u-bow")}
           numeric
           unit={unit}
-          value={form.uBow}
-          onInput={(uBow) => model.set({ uBow })}
+          {...field("uBow")}
           placeholder={smallText(U_BOW_M)}
         />
       </div>
@@ -262,9 +255,12 @@ function Run({ model }: { model: PoseModel }) {
         <JobProgress job={model.job.value} onCancel={() => model.cancel()} />
       ) : (
         <span data-testid="pose-run">
-          <Button kind={again ? "plain" : "primary"} type="submit" disabled={locked}>
-            {say(again ? "pose-find-again" : "pose-find")}
-          </Button>
+          <Button
+            says={again ? "pose-find-again" : "pose-find"}
+            kind={again ? "plain" : "primary"}
+            type="submit"
+            disabled={locked}
+          />
         </span>
       )}
       {locked && <p class="small muted">{say("pose-look-only")}</p>}

@@ -34,16 +34,20 @@ export function PoseResult({ model }: { model: PoseModel }) {
           </header>
           <Verdict pose={pose} />
           {inUse && <DriftVerdict recordingId={recording.id} poseId={recording.pose_id} open />}
-          <Button small icon="download" href={`/api/poses/${pose.id}/pose.json`} download>
-            {say("pose-download")}
-          </Button>
-          {!inUse && canWork.value && (
-            <Button onClick={() => void model.choose(pose.id)}>{say("pose-use")}</Button>
-          )}
+          <Button
+            says="pose-download"
+            small
+            icon="download"
+            href={`/api/poses/${pose.id}/pose.json`}
+            download
+          />
+          {!inUse && canWork.value && <Button says="pose-use" onClick={() => void model.choose(pose.id)} />}
           {inUse && (
-            <Button kind="primary" href={`/surveys/${model.surveyId}/measure?recording=${recording.id}`}>
-              {say("pose-measure")}
-            </Button>
+            <Button
+              says="pose-measure"
+              kind="primary"
+              href={`/surveys/${model.surveyId}/measure?recording=${recording.id}`}
+            />
           )}
         </>
       )}
@@ -143,9 +147,7 @@ function PoseHistory({ model }: { model: PoseModel }) {
               <span class="small">{say("in-use")}</span>
             ) : (
               canWork.value && (
-                <Button small onClick={() => void model.choose(one.id)}>
-                  {say("pose-use-short")}
-                </Button>
+                <Button says="pose-use-short" small onClick={() => void model.choose(one.id)} />
               )
             )}
           </li>

@@ -61,9 +61,7 @@ export default function PoseScreen({ surveyId }: ScreenProps) {
       <Empty
         title={say("pose-no-recording-title")}
         actions={
-          <Button kind="primary" href={`/surveys/${surveyId}/recordings`}>
-            {say("pose-add-recordings")}
-          </Button>
+          <Button says="pose-add-recordings" kind="primary" href={`/surveys/${surveyId}/recordings`} />
         }
       >
         <p>{say("pose-no-recording")}</p>

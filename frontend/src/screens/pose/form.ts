@@ -8,6 +8,7 @@ import {
   lengthText,
   lengthUnit,
   parseLength,
+  parseNumber,
   parseSmall,
   smallText,
 } from "../../core/units";
@@ -71,7 +72,7 @@ export function problemsOf(form: BoardForm): FormProblems {
   const square = parseSmall(form.square);
   const height = parseLength(form.referenceHeight);
   const tape = smallOr(form.uReferenceHeight, U_TAPE_M);
-  const lean = Number(form.uLean.replace(",", "."));
+  const lean = leanOf(form);
   const ofSquare = smallOr(form.uSquare, 0);
   const bow = smallOr(form.uBow, U_BOW_M);
   return {
@@ -85,6 +86,10 @@ export function problemsOf(form: BoardForm): FormProblems {
       : say("pose-problem-u"),
     span: form.first !== null && form.last !== null ? null : say("pose-problem-span"),
   };
+}
+
+function leanOf({ uLean }: BoardForm): number | null {
+  return parseNumber(uLean.trim() || "0");
 }
 
 function smallOr(text: string, metres: number): number | null {
@@ -113,7 +118,7 @@ export function requestOf(form: BoardForm): BodyOf<"POST /recordings/{recording_
     reference: form.reference,
     reference_height_m,
     u_reference_height_m,
-    u_lean_rad: Number(form.uLean.replace(",", ".")) * RADIANS_PER_DEGREE,
+    u_lean_rad: (leanOf(form) ?? 0) * RADIANS_PER_DEGREE,
     ...(form.uSquare.trim() === "" ? {} : { u_square_m: parseSmall(form.uSquare) }),
     u_bow_m,
   };

@@ -1,10 +1,11 @@
 /** When and in what weather a recording was filmed: proposed from its file, confirmed by a person. */
-import { useState } from "preact/hooks";
-import { FormDialog, SelectField, TextField } from "../../components";
+
+import { choices, FormDialog, OptionalField, TextField } from "../../components";
+import { useForm } from "../../core/form";
 import { say, wordsOf } from "../../core/messages";
 import { may } from "../../core/session";
 import { formatPlaceMoment } from "../../core/times";
-import type { Recording, RecordingChange, StreetLighting } from "../../core/types";
+import type { Recording, RecordingChange } from "../../core/types";
 import { StartFields, StartLine, startWords, useStart } from "../../parts/filming/start";
 
 const LAMPS = wordsOf({ on: "filmed-lamps-on", off: "filmed-lamps-off" });
@@ -35,12 +36,14 @@ export function Filmed({ recording, change }: Props) {
 
 function FilmedDialog({ recording, change, close }: Props & { close: () => void }) {
   const start = useStart(recording);
-  const [weather, setWeather] = useState(recording.weather ?? "");
-  const [lamps, setLamps] = useState<StreetLighting | "">(recording.street_lighting ?? "");
+  const { values, field } = useForm({
+    weather: recording.weather ?? "",
+    street_lighting: recording.street_lighting,
+  });
   const { local, proposed } = start;
   const submit = async () => {
     try {
-      await change({ start: start.said(), weather, street_lighting: lamps || null });
+      await change({ start: start.said(), ...values });
     } catch (error) {
       start.learn(error);
       throw error;
@@ -66,19 +69,14 @@ function FilmedDialog({ recording, change, close }: Props & { close: () => void 
       />
       <TextField
         label={say("filmed-weather")}
-        value={weather}
+        {...field("weather")}
         suggestions={say("filmed-weathers").split(", ")}
-        onInput={setWeather}
       />
-      <SelectField<StreetLighting | "">
+      <OptionalField
         label={say("filmed-lamps")}
-        value={lamps}
-        options={[
-          { value: "", label: say("filmed-not-said") },
-          { value: "on", label: LAMPS.on },
-          { value: "off", label: LAMPS.off },
-        ]}
-        onChange={setLamps}
+        {...field("street_lighting")}
+        none={say("filmed-not-said")}
+        options={choices(LAMPS)}
       />
     </FormDialog>
   );

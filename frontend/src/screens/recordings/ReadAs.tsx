@@ -6,7 +6,7 @@ import { say } from "../../core/messages";
 import { may } from "../../core/session";
 import { toast } from "../../core/toasts";
 import type { Recording } from "../../core/types";
-import { fixed } from "../../core/units";
+import { fixed, parseNumber } from "../../core/units";
 
 interface Props {
   recording: Recording;
@@ -70,13 +70,12 @@ function Rate({ recording, reload }: Pick<Props, "recording" | "reload">) {
       </span>
       {may("operator") && (
         <Button
+          says={filmed_hz === null ? "recordings-filming-rate-state" : "filmed-edit"}
           small
           kind={filmed_hz === null ? "plain" : "quiet"}
           label={say("recordings-filming-rate-of", { recording: recording.name })}
           onClick={() => setAsking(true)}
-        >
-          {say(filmed_hz === null ? "recordings-filming-rate-state" : "filmed-edit")}
-        </Button>
+        />
       )}
       {asking && <RateDialog recording={recording} reload={reload} close={() => setAsking(false)} />}
     </div>
@@ -89,8 +88,8 @@ function RateDialog({
   close,
 }: Pick<Props, "recording" | "reload"> & { close: () => void }) {
   const [typed, setTyped] = useState(recording.filmed_hz?.toString() ?? "");
-  const rate = Number(typed.replace(",", "."));
-  const fits = typed.trim() !== "" && rate >= 1 && rate <= 2000;
+  const rate = parseNumber(typed) ?? 0;
+  const fits = rate >= 1 && rate <= 2000;
   const submit = async () => {
     const body = { filmed_hz: rate };
     const values = { recording_id: recording.id };

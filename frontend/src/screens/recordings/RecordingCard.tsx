@@ -121,11 +121,10 @@ export function RecordingCard({ recording, passes, cameras, changed, reload }: P
             <FindPasses recording={recording} found={reload} />
             {recording.state === "ready" && (
               <Button
+                says={recording.pose_id === null ? "recordings-find-road" : "recordings-measure"}
                 href={`/surveys/${recording.survey_id}/${recording.pose_id === null ? "pose" : "measure"}?recording=${recording.id}`}
                 kind="plain"
-              >
-                {say(recording.pose_id === null ? "recordings-find-road" : "recordings-measure")}
-              </Button>
+              />
             )}
           </footer>
         )}
@@ -138,13 +137,7 @@ function Failed({ reason, again }: { reason: string | null; again?: () => void }
   return (
     <Notice
       kind="problem"
-      actions={
-        again && (
-          <Button small icon="retry" onClick={again}>
-            {say("recordings-read-again")}
-          </Button>
-        )
-      }
+      actions={again && <Button says="recordings-read-again" small icon="retry" onClick={again} />}
     >
       {reason ?? say("recordings-unreadable")}
     </Notice>
@@ -174,13 +167,12 @@ function Name({ recording, rename }: { recording: Recording; rename: (name: stri
         {recording.name}
         {may("operator") && (
           <Button
+            says="recordings-rename"
             small
             kind="quiet"
             onClick={() => setTyped(recording.name)}
             label={say("recordings-rename-one", { recording: recording.name })}
-          >
-            {say("recordings-rename")}
-          </Button>
+          />
         )}
       </h2>
     );
@@ -203,7 +195,7 @@ function Name({ recording, rename }: { recording: Recording; rename: (name: stri
         onInput={(event) => setTyped(event.currentTarget.value)}
         onKeyDown={(event) => event.key === "Escape" && setTyped(null)}
       />
-      <Button type="submit">{say("action-save")}</Button>
+      <Button says="action-save" type="submit" />
     </form>
   );
 }

@@ -3,7 +3,7 @@ import { DropFiles, Empty, Loading, Problem } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
-import { useEvery, useResource } from "../../core/resource";
+import { useAsked, useEvery } from "../../core/resource";
 import { may } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import { toastProblem } from "../../core/toasts";
@@ -15,23 +15,10 @@ import { startUpload, uploads } from "../../parts/uploads/uploads";
 
 /** Video in: drop files, watch them arrive and be read, say which camera and which light. */
 export default function RecordingsScreen({ surveyId }: ScreenProps) {
-  const recordings = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/recordings", { survey_id: surveyId }, { signal }),
-    [surveyId],
-  );
-  const cameras = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/cameras", { survey_id: surveyId }, { signal }),
-    [surveyId],
-  );
-  const counts = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/pass-counts", { survey_id: surveyId }, { signal }),
-    [surveyId],
-    { keep: true },
-  );
-  const unfinished = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/uploads", { survey_id: surveyId }, { signal }),
-    [surveyId],
-  );
+  const recordings = useAsked("GET /surveys/{survey_id}/recordings", { survey_id: surveyId });
+  const cameras = useAsked("GET /surveys/{survey_id}/cameras", { survey_id: surveyId });
+  const counts = useAsked("GET /surveys/{survey_id}/pass-counts", { survey_id: surveyId }, { keep: true });
+  const unfinished = useAsked("GET /surveys/{survey_id}/uploads", { survey_id: surveyId });
   const busy = recordings.data?.some((recording) => recording.state === "ingesting") ?? false;
   const wasBusy = useRef(false);
   useEvery(busy ? 1000 : null, async () => {

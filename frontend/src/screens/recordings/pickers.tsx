@@ -1,4 +1,4 @@
-import { Segments, SelectField } from "../../components";
+import { OptionalField, Segments } from "../../components";
 import { Said } from "../../components/Said";
 import { say } from "../../core/messages";
 import { may } from "../../core/session";
@@ -26,21 +26,19 @@ export function CameraPick({
   }
   return (
     <div class="recording__pick">
-      <SelectField
+      <OptionalField
         label={say("recordings-camera")}
-        value={String(recording.camera_id ?? "")}
+        value={recording.camera_id === null ? null : String(recording.camera_id)}
         disabled={!may("operator")}
-        options={[
-          { value: "", label: say("recordings-camera-unsaid") },
-          ...cameras.map((camera) => ({
-            value: String(camera.id),
-            label:
-              camera.current_calibration_id === null
-                ? say("recordings-camera-uncalibrated", { camera: camera.name })
-                : camera.name,
-          })),
-        ]}
-        onChange={(value) => pick(value === "" ? null : Number(value))}
+        none={say("recordings-camera-unsaid")}
+        options={cameras.map((camera) => ({
+          value: String(camera.id),
+          label:
+            camera.current_calibration_id === null
+              ? say("recordings-camera-uncalibrated", { camera: camera.name })
+              : camera.name,
+        }))}
+        onInput={(value) => pick(value === null ? null : Number(value))}
       />
     </div>
   );
@@ -75,7 +73,7 @@ export function LightPick({ recording, pick }: { recording: Recording; pick: (li
           { value: "daytime", label: words("daytime") },
           { value: "low_light", label: words("low_light") },
         ]}
-        onChange={(next) => next !== "none" && pick(next)}
+        onInput={(next) => next !== "none" && pick(next)}
       />
     </div>
   );

@@ -2,7 +2,7 @@
 import { num, Panel, Problem, Table } from "../../components";
 import { api } from "../../core/api";
 import { say, sayCode } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { may } from "../../core/session";
 import { toastProblem } from "../../core/toasts";
 import type { Anchoring, ProposedTarget } from "../../core/types";
@@ -11,10 +11,7 @@ import { TARGET_WORDS } from "../../core/words";
 import { shiftWords } from "./words";
 
 export function AnchoringPanel({ surveyId }: { surveyId: number }) {
-  const found = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/anchoring", { survey_id: surveyId }, { signal }),
-    [surveyId],
-  );
+  const found = useAsked("GET /surveys/{survey_id}/anchoring", { survey_id: surveyId });
   const data = found.data;
   const choose = async (free_one_in: number): Promise<void> => {
     const version = data?.plan.version ?? 0;

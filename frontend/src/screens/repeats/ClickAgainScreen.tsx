@@ -66,14 +66,13 @@ export default function ClickAgainScreen({ surveyId }: ScreenProps) {
         <CommandButton command={undo} kind="plain">
           {say("again-undo")}
         </CommandButton>
-        {item && (
-          <Button small onClick={() => session.skip()}>
-            {say("again-skip")}
-          </Button>
-        )}
-        <Button small kind={item ? "quiet" : "primary"} href={results}>
-          {say(item ? "again-stop" : "again-results")}
-        </Button>
+        {item && <Button says="again-skip" small onClick={() => session.skip()} />}
+        <Button
+          says={item ? "again-stop" : "again-results"}
+          small
+          kind={item ? "quiet" : "primary"}
+          href={results}
+        />
       </header>
       {item && player ? (
         <>
@@ -113,11 +112,13 @@ function NothingToClick({ surveyId, onlyOwn }: { surveyId: number; onlyOwn: bool
         actions={
           <>
             {onlyOwn && (
-              <Button kind="primary" href={`/surveys/${surveyId}/repeats/click?of=all`}>
-                {say("repeats-click-anybodys")}
-              </Button>
+              <Button
+                says="repeats-click-anybodys"
+                kind="primary"
+                href={`/surveys/${surveyId}/repeats/click?of=all`}
+              />
             )}
-            <Button href={`/surveys/${surveyId}/measure`}>{say("again-to-measure")}</Button>
+            <Button says="again-to-measure" href={`/surveys/${surveyId}/measure`} />
           </>
         }
       >

@@ -99,9 +99,13 @@ function Sigma({ one, busy, choose }: { one: PersonRepeats } & Pick<Props, "busy
       {found !== null && !one.may_choose && <p class="small muted">{say("repeats-sigma-needs")}</p>}
       {chosen !== null && reviewer && (
         <p>
-          <Button small kind="quiet" disabled={busy} onClick={() => void choose(one, false)}>
-            {say("repeats-sigma-back")}
-          </Button>
+          <Button
+            says="repeats-sigma-back"
+            small
+            kind="quiet"
+            disabled={busy}
+            onClick={() => void choose(one, false)}
+          />
         </p>
       )}
     </>

@@ -5,7 +5,7 @@ import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { canWork } from "../../core/session";
 import { checksTabs } from "../../core/tabs";
 import type { PersonRepeats } from "../../core/types";
@@ -16,14 +16,8 @@ import { TargetTable } from "./TargetTable";
 import "./repeats.css";
 
 export default function RepeatsScreen({ surveyId }: ScreenProps) {
-  const found = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/repeats", { survey_id: surveyId }, { signal }),
-    [surveyId],
-  );
-  const plan = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/review-plan", { survey_id: surveyId }, { signal }),
-    [surveyId],
-  );
+  const found = useAsked("GET /surveys/{survey_id}/repeats", { survey_id: surveyId });
+  const plan = useAsked("GET /surveys/{survey_id}/review-plan", { survey_id: surveyId });
   const { busy, problem, run } = useAction();
   const choose = (person: PersonRepeats, own: boolean) =>
     run(async () => {
@@ -66,10 +60,8 @@ function Again({ surveyId }: { surveyId: number }) {
   const path = `/surveys/${surveyId}/repeats/click`;
   return (
     <div class="row row--wrap">
-      <Button kind="primary" href={path}>
-        {say("repeats-click-mine")}
-      </Button>
-      <Button href={`${path}?of=all`}>{say("repeats-click-anybodys")}</Button>
+      <Button says="repeats-click-mine" kind="primary" href={path} />
+      <Button says="repeats-click-anybodys" href={`${path}?of=all`} />
     </div>
   );
 }
@@ -81,7 +73,7 @@ function Nothing({ surveyId, oneIn }: { surveyId: number; oneIn: number }) {
       actions={
         <>
           {canWork.value && <Again surveyId={surveyId} />}
-          <Button href={`/surveys/${surveyId}/review`}>{say("repeats-to-review")}</Button>
+          <Button says="repeats-to-review" href={`/surveys/${surveyId}/review`} />
         </>
       }
     >

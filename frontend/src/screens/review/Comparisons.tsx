@@ -60,9 +60,12 @@ function Row({ model, one }: { model: ReviewModel; one: Comparison }) {
         <Icon name={one.agrees === null ? "info" : one.agrees ? "check" : "warning"} size={14} />
         <span class="grow">{comparisonWords(one)}</span>
         {own && (
-          <Button small kind="quiet" onClick={() => void model.takeBack(repeat)}>
-            {say("review-again-take-back")}
-          </Button>
+          <Button
+            says="review-again-take-back"
+            small
+            kind="quiet"
+            onClick={() => void model.takeBack(repeat)}
+          />
         )}
       </p>
     </div>

@@ -75,9 +75,7 @@ export function Queue({ model }: { model: ReviewModel }) {
         ))}
         {model.queue.more.value && (
           <li>
-            <Button small kind="quiet" onClick={() => void model.queue.loadMore()}>
-              {say("review-queue-more")}
-            </Button>
+            <Button says="review-queue-more" small kind="quiet" onClick={() => void model.queue.loadMore()} />
           </li>
         )}
       </ul>
@@ -103,18 +101,14 @@ function LotLine({ model }: { model: ReviewModel }) {
             <p class="small" data-testid="review-lot-judged">
               {say("lots-sample-done")}
             </p>
-            <Button small kind="primary" href={toLot}>
-              {say("lots-decide")}
-            </Button>
+            <Button says="lots-decide" small kind="primary" href={toLot} />
           </div>
         )}
         <p class="small row" data-testid="review-lot">
           <a class="grow" href={toLot}>
             {number ? say("lots-sample-of", { number: String(number) }) : say("page-lots")}
           </a>
-          <Button small kind="quiet" onClick={() => void model.leaveLot()}>
-            {say("lots-show-all")}
-          </Button>
+          <Button says="lots-show-all" small kind="quiet" onClick={() => void model.leaveLot()} />
         </p>
       </>
     );

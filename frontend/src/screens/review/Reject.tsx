@@ -76,7 +76,7 @@ export function Reject({ model }: { model: ReviewModel }) {
             {commandName("reviewReject")}
           </Button>
         </span>
-        <Button onClick={() => model.cancel()}>{say("action-cancel")}</Button>
+        <Button says="action-cancel" onClick={() => model.cancel()} />
       </div>
     </footer>
   );

@@ -96,11 +96,7 @@ function NothingHere({ surveyId, model }: { surveyId: number; model: ReviewModel
     return (
       <Empty
         title={say("lots-sample-done-title")}
-        actions={
-          <Button kind="primary" href={lotAddress(surveyId, model.queue.lot)}>
-            {say("lots-decide")}
-          </Button>
-        }
+        actions={<Button says="lots-decide" kind="primary" href={lotAddress(surveyId, model.queue.lot)} />}
       >
         <p>{say("lots-sample-done")}</p>
       </Empty>
@@ -118,9 +114,11 @@ function NothingHere({ surveyId, model }: { surveyId: number; model: ReviewModel
     <Empty
       title={say(measured > 0 ? "review-all-done-title" : "review-none-title")}
       actions={
-        <Button kind="primary" href={`/surveys/${surveyId}/${measured > 0 ? "export" : "measure"}`}>
-          {say(measured > 0 ? "review-to-export" : "review-to-measure")}
-        </Button>
+        <Button
+          says={measured > 0 ? "review-to-export" : "review-to-measure"}
+          kind="primary"
+          href={`/surveys/${surveyId}/${measured > 0 ? "export" : "measure"}`}
+        />
       }
     >
       <p>{say(measured > 0 ? "review-all-done" : "review-none")}</p>

@@ -1,29 +1,21 @@
 /** What is known of the reviewed measurement, and the verdict: accept, fix, reject with a reason. */
-import { Button, Icon, Notice, StateMark } from "../../components";
+import { Button, Facts, Icon, Notice, StateMark } from "../../components";
 import { type ActionId, commandName, hint, keyMap, showChord } from "../../core/commands";
 import { allOf, say, sentenceOf } from "../../core/messages";
 import { may } from "../../core/session";
 import { survey } from "../../core/survey";
 import { formatFrameTime, formatMoment, formatPlaceMoment } from "../../core/times";
-import type { LineHeight, Measurement, Px, Recording, ReviewItem, Target } from "../../core/types";
+import type { LineHeight, Measurement, ReviewItem } from "../../core/types";
 import { formatHeight, formatLength } from "../../core/units";
-import {
-  INSET_PLACE_WORDS,
-  LIGHTING_NOUNS,
-  STATE_WORDS,
-  TARGET_NOUNS,
-  TARGET_WORDS,
-  vehicleName,
-} from "../../core/words";
+import { INSET_PLACE_WORDS, LIGHTING_NOUNS, STATE_WORDS, TARGET_WORDS, vehicleName } from "../../core/words";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { StaleMarks } from "../../parts/again/StaleMarks";
 import { Budget } from "../../parts/vehicles/Budget";
 import { Revisions } from "../../parts/vehicles/Revisions";
-import { cropUrl } from "../../viewer/frames";
-import { clamp } from "../../viewer/view";
 import { BlindPanel, Comparisons } from "./Comparisons";
 import { type Height, isOfFrame, isOfLine } from "./kinds";
 import type { ReviewModel } from "./model";
+import { Pieces } from "./Pieces";
 import { Reject, RejectButton } from "./Reject";
 
 export function VerdictPanel({ model, item }: { model: ReviewModel; item: ReviewItem }) {
@@ -59,7 +51,7 @@ export function VerdictPanel({ model, item }: { model: ReviewModel; item: Review
         <Signs item={item} />
         <Comparisons model={model} />
         {isOfFrame(m) && <Pieces m={m} model={model} />}
-        <Facts item={item} />
+        <Known item={item} />
         {m.budget.length > 0 && <Budget entries={m.budget} total_m={m.u_height_m} />}
         <Revisions id={m.id} revision={m.revision} />
       </div>
@@ -68,149 +60,66 @@ export function VerdictPanel({ model, item }: { model: ReviewModel; item: Review
   );
 }
 
-function Pieces({ m, model }: { m: Measurement; model: ReviewModel }) {
-  const recording = model.reel.player.value?.recording.value ?? null;
-  return (
-    <>
-      <Crops m={m} recording={recording} />
-      <Neighbours m={m} recording={recording} model={model} />
-    </>
-  );
-}
-
-/** Lossless pixels around both points, four times as large, the point in the middle. */
-function Crops({ m, recording }: { m: Measurement; recording: Recording | null }) {
-  const size = { width: recording?.width_px ?? 0, height: recording?.height_px ?? 0 };
-  if (size.width === 0) return null;
-  return (
-    <div class="review__crops">
-      <Crop m={m} at={m.contact} point="contact" size={size} />
-      <Crop m={m} at={m.target_point} point={m.target} size={size} />
-    </div>
-  );
-}
-
-const CROP_PX = 38;
-const ZOOM = 4;
-
-interface CropProps {
-  m: Measurement;
-  at: Px;
-  point: "contact" | Target;
-  size: { width: number; height: number };
-}
-
-function Crop({ m, at, point, size }: CropProps) {
-  const x = clamp(Math.round(at[0]) - CROP_PX / 2, 0, Math.max(0, size.width - CROP_PX));
-  const y = clamp(Math.round(at[1]) - CROP_PX / 2, 0, Math.max(0, size.height - CROP_PX));
-  const w = Math.min(CROP_PX, size.width);
-  const h = Math.min(CROP_PX, size.height);
-  const cross = { left: `${((at[0] - x + 0.5) / w) * 100}%`, top: `${((at[1] - y + 0.5) / h) * 100}%` };
-  return (
-    <figure>
-      <div class="review__crop">
-        <img
-          src={cropUrl(m.recording_id, m.frame, { x, y, w, h })}
-          width={w * ZOOM}
-          height={h * ZOOM}
-          alt={say("review-pixels", { point })}
-        />
-        <svg viewBox="-20 -20 40 40" style={cross} aria-hidden="true">
-          <path class="review__cross review__cross--halo" d="M-18 0H-6M6 0H18M0 -18V-6M0 6V18" />
-          <path class="review__cross" d="M-18 0H-6M6 0H18M0 -18V-6M0 6V18" />
-        </svg>
-      </div>
-      <figcaption class="small muted">
-        {point === "contact" ? say("review-contact") : TARGET_NOUNS[point]}
-      </figcaption>
-    </figure>
-  );
-}
-
-function Facts({ item }: { item: ReviewItem }) {
+function Known({ item }: { item: ReviewItem }) {
   const { measurement: m, vehicle, judged } = item;
   const side = m.target === "driver_eye" ? sideWords(m) : null;
   const name = [vehicle.make, vehicle.model, vehicle.year].filter(Boolean).join(" ");
+  const made = isOfFrame(m) ? m.made : "clicked";
   return (
-    <dl class="facts small">
-      <dt>{say("review-vehicle")}</dt>
-      <dd>{name || say("review-vehicle-unknown")}</dd>
-      {vehicle.manufacturer_height_m !== null && (
-        <>
-          <dt>{say("review-manufacturer-height")}</dt>
-          <dd>{formatLength(vehicle.manufacturer_height_m)}</dd>
-        </>
-      )}
-      {judged.error_m !== null && (
-        <>
-          <dt>{say("review-error")}</dt>
-          <dd>{formatHeight(judged.error_m, judged.U95_error_m)}</dd>
-        </>
-      )}
-      {side && (
-        <>
-          <dt>{say("review-side")}</dt>
-          <dd>{side}</dd>
-        </>
-      )}
-      {vehicle.lighting && (
-        <>
-          <dt>{say("review-lighting")}</dt>
-          <dd>{LIGHTING_NOUNS[vehicle.lighting]}</dd>
-        </>
-      )}
-      {isOfFrame(m) ? <FrameFacts m={m} /> : <ScanFacts m={m} name={vehicle.scan_name} />}
-      <dt>{say("review-distance")}</dt>
-      <dd>{formatLength(m.distance_m, 2)}</dd>
-      <dt>{say("review-inset")}</dt>
-      <dd>
-        {say("review-inset-estimate", {
-          inset: formatLength(m.inset_m, 2),
-          u_inset: formatLength(m.u_inset_m, 2),
-        })}
-      </dd>
-      <dt>{say("review-points-set")}</dt>
-      <dd data-testid="review-made">
-        {say("review-made-by", {
-          made: isOfFrame(m) ? m.made : "clicked",
-          person: m.created_by?.name ?? say("person-unknown"),
-          time: formatMoment(m.created_at),
-        })}
-      </dd>
-    </dl>
+    <Facts
+      small
+      of={[
+        [say("review-vehicle"), name || say("review-vehicle-unknown")],
+        vehicle.manufacturer_height_m !== null && [
+          say("review-manufacturer-height"),
+          formatLength(vehicle.manufacturer_height_m),
+        ],
+        judged.error_m !== null && [say("review-error"), formatHeight(judged.error_m, judged.U95_error_m)],
+        side && [say("review-side"), side],
+        vehicle.lighting && [say("review-lighting"), LIGHTING_NOUNS[vehicle.lighting]],
+        isOfFrame(m) && [say("stage-frame"), <ClickedFrame m={m} />],
+        isOfFrame(m) &&
+          m.more_frames.length > 0 && [
+            say("review-further-frames"),
+            allOf(m.more_frames.map((one) => String(one.frame))),
+          ],
+        isOfLine(m) && [say("page-scan"), <ToBench m={m} name={vehicle.scan_name} />],
+        [say("review-distance"), formatLength(m.distance_m, 2)],
+        [
+          say("review-inset"),
+          say("review-inset-estimate", {
+            inset: formatLength(m.inset_m, 2),
+            u_inset: formatLength(m.u_inset_m, 2),
+          }),
+        ],
+        [
+          say("review-points-set"),
+          say("review-made-by", {
+            made,
+            person: m.created_by?.name ?? say("person-unknown"),
+            time: formatMoment(m.created_at),
+          }),
+          "review-made",
+        ],
+      ]}
+    />
   );
 }
 
-function FrameFacts({ m }: { m: Measurement }) {
+function ClickedFrame({ m }: { m: Measurement }) {
   return (
     <>
-      <dt>{say("stage-frame")}</dt>
-      <dd>
-        {say("review-frame-at", { frame: String(m.frame), time: formatFrameTime(m.time_s) })}
-        {m.filmed_at && (
-          <div class="muted small">{say("filmed-at", { time: formatPlaceMoment(m.filmed_at) })}</div>
-        )}
-      </dd>
-      {m.more_frames.length > 0 && (
-        <>
-          <dt>{say("review-further-frames")}</dt>
-          <dd>{allOf(m.more_frames.map((one) => String(one.frame)))}</dd>
-        </>
+      {say("review-frame-at", { frame: String(m.frame), time: formatFrameTime(m.time_s) })}
+      {m.filmed_at && (
+        <div class="muted small">{say("filmed-at", { time: formatPlaceMoment(m.filmed_at) })}</div>
       )}
     </>
   );
 }
 
 /** The recording, with the way to the vehicle on its bench, where it is measured again. */
-function ScanFacts({ m, name }: { m: LineHeight; name: string | null }) {
-  return (
-    <>
-      <dt>{say("page-scan")}</dt>
-      <dd>
-        <a href={`/surveys/${survey.value?.id}/scan?scan=${m.scan_id}&vehicle=${m.vehicle_id}`}>{name}</a>
-      </dd>
-    </>
-  );
+function ToBench({ m, name }: { m: LineHeight; name: string | null }) {
+  return <a href={`/surveys/${survey.value?.id}/scan?scan=${m.scan_id}&vehicle=${m.vehicle_id}`}>{name}</a>;
 }
 
 /** Near or far, in the survey's words; null where the inset is neither. */
@@ -231,53 +140,6 @@ function Signs({ item }: { item: ReviewItem }) {
         <strong>{say("review-signs")}:</strong> {allOf(signs.map((sign) => say("review-sign", { sign })))}
       </span>
     </p>
-  );
-}
-
-const NEAR_FRAMES = [-4, 4] as const;
-const PIECE_PX = 256;
-
-/** The same piece of the picture a little before and after: what moves with the vehicle is the vehicle. */
-function Neighbours({
-  m,
-  recording,
-  model,
-}: {
-  m: Measurement;
-  recording: Recording | null;
-  model: ReviewModel;
-}) {
-  const [width, height] = [recording?.width_px ?? 0, recording?.height_px ?? 0];
-  const last = (recording?.frame_count ?? 0) - 1;
-  if (width === 0) return null;
-  const [w, h] = [Math.min(PIECE_PX, width), Math.min(PIECE_PX, height)];
-  const x = clamp(Math.round((m.contact[0] + m.target_point[0] - w) / 2), 0, width - w);
-  const y = clamp(Math.round((m.contact[1] + m.target_point[1] - h) / 2), 0, height - h);
-  return (
-    <section aria-label={say("review-neighbours")}>
-      <h3 class="small">{say("review-neighbours")}</h3>
-      <div class="review__crops">
-        {NEAR_FRAMES.map((by) => m.frame + by)
-          .filter((frame) => frame >= 0 && frame <= last)
-          .map((frame) => (
-            <button
-              key={frame}
-              type="button"
-              class="review__neighbour"
-              onClick={() => model.reel.show(m.recording_id, frame)}
-            >
-              <img
-                src={cropUrl(m.recording_id, frame, { x, y, w, h })}
-                width={w}
-                height={h}
-                loading="lazy"
-                alt=""
-              />
-              <span class="small">{say("review-neighbour", { frame: String(frame) })}</span>
-            </button>
-          ))}
-      </div>
-    </section>
   );
 }
 
@@ -306,16 +168,15 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
         <div class="row">
           <span class="grow" data-testid="review-save-fix">
             <Button
+              says="review-fix-save"
               kind="primary"
               busy={model.busy.value}
               disabled={!model.fixing.differs.value}
               title={model.fixing.differs.value ? undefined : say("review-fix-nothing")}
               onClick={() => void model.judge("fixed")}
-            >
-              {say("review-fix-save")}
-            </Button>
+            />
           </span>
-          <Button onClick={() => model.cancel()}>{say("review-fix-leave")}</Button>
+          <Button says="review-fix-leave" onClick={() => model.cancel()} />
         </div>
       </footer>
     );
@@ -351,14 +212,15 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
         <RejectButton model={model} />
       </div>
       {own && own.repeat.frame === model.ofFrame.value?.frame && (
-        <Button small disabled={!model.mayJudge} onClick={() => model.startFix(own.repeat)}>
-          {say("review-fix-mine")}
-        </Button>
+        <Button
+          says="review-fix-mine"
+          small
+          disabled={!model.mayJudge}
+          onClick={() => model.startFix(own.repeat)}
+        />
       )}
       {judged && (
-        <Button small kind="quiet" onClick={() => void model.judge("reopened")}>
-          {say("review-reopen")}
-        </Button>
+        <Button says="review-reopen" small kind="quiet" onClick={() => void model.judge("reopened")} />
       )}
     </footer>
   );

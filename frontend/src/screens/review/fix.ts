@@ -3,9 +3,10 @@ import { computed, signal } from "@preact/signals";
 import { keyMap, showChord } from "../../core/commands";
 import { say } from "../../core/messages";
 import { toast } from "../../core/toasts";
-import type { ImagePoint } from "../../viewer/points";
-import { imagePoint } from "../../viewer/points";
+import type { Measurement } from "../../core/types";
+import { fromServer, type ImagePoint, imagePoint, samePoint } from "../../viewer/points";
 import type { DragPhase, Handle, Tool } from "../../viewer/tool";
+import { insetOf, valuesOf } from "../../viewer/values";
 
 /** Points of a fix that has not been saved yet. */
 export interface Fix {
@@ -107,4 +108,16 @@ export class FixTool implements Tool<ImagePoint> {
 /** The key is the one that the map has now. */
 function fixHint(): string {
   return say("review-fix-hint", { key: showChord(keyMap.value.selectNext[0] ?? "Tab") });
+}
+
+/** Whether a fix puts the points elsewhere than they stand. */
+export function isMoved(m: Measurement, { contact, point }: Fix): boolean {
+  return !samePoint(contact, fromServer(m.contact)) || !samePoint(point, fromServer(m.target_point));
+}
+
+/** The clicks whose height is asked for: those of a measurement, with the points of a fix. */
+export function clicksOf(m: Measurement, { contact, point }: Fix) {
+  const { recording_id: recordingId, vehicle_id: vehicleId, target, frame, sigma_px } = m;
+  const { more } = valuesOf(m);
+  return { recordingId, vehicleId, target, frame, contact, point, inset: insetOf(m), sigma_px, more };
 }

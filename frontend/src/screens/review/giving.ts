@@ -6,7 +6,8 @@ import { me } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import { toast } from "../../core/toasts";
 import type { ReviewItem } from "../../core/types";
-import { STATE_WORDS, TARGET_WORDS, vehicleName } from "../../core/words";
+import { TARGET_WORDS, vehicleName } from "../../core/words";
+import { verdictWords } from "../../parts/verdicts/kind";
 import { type GivenVerdict, type Height, VERDICT, type VerdictAbout } from "./kinds";
 import { isWaiting, type ReviewQueue } from "./queue";
 
@@ -45,7 +46,6 @@ export class Verdicts {
 
   private verdictOn(item: ReviewItem, want: GivenVerdict): Wanted<Height, GivenVerdict, VerdictAbout> {
     const m = item.measurement;
-    const verdict = STATE_WORDS[want.verdict];
     return {
       key: keyOf(item),
       kind: VERDICT,
@@ -55,7 +55,7 @@ export class Verdicts {
         target: TARGET_WORDS[m.target],
         vehicle: vehicleName(item.vehicle.number),
       }),
-      mine: want.reason ? say("review-verdict-reason", { verdict, reason: want.reason }) : verdict,
+      mine: verdictWords(want),
       page: `/surveys/${this.queue.surveyId}/review?measurement=${m.id}`,
       saved: m,
       want,

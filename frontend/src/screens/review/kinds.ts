@@ -1,10 +1,9 @@
 /** How the outbox brings a verdict on a measurement to the server. */
 import { api } from "../../core/api";
-import { say } from "../../core/messages";
-import { type Kind, outbox } from "../../core/outbox";
+import { outbox } from "../../core/outbox";
 import { shapeOf } from "../../core/shape";
-import type { LineHeight, Measurement, ReviewItem, Verdict } from "../../core/types";
-import { STATE_WORDS } from "../../core/words";
+import type { LineHeight, Measurement, ReviewItem } from "../../core/types";
+import { type Verdict, verdictKind } from "../../parts/verdicts/kind";
 
 export const VERDICT = "verdict";
 
@@ -28,9 +27,7 @@ const isHeight = shapeOf<Height>({
   review: "object",
 });
 
-export interface GivenVerdict {
-  readonly verdict: "accepted" | "rejected" | "fixed" | "reopened";
-  readonly reason: string | null;
+export interface GivenVerdict extends Verdict {
   /** Where a fix puts the points. */
   readonly points: {
     readonly contact: [number, number];
@@ -47,35 +44,17 @@ export interface VerdictAbout {
   readonly by: number;
 }
 
-const verdictKind: Kind<Height, GivenVerdict, VerdictAbout> = {
-  once: true,
-  send({ about, saved, want: { verdict, reason, points } }, sending) {
-    const seen = saved ? { seen: saved.review.verdict } : {};
-    const body = { revision: about.revision, verdict, ...seen, ...(reason ? { reason } : {}), ...points };
-    return api.write(
-      "POST /measurements/{measurement_id}/reviews",
-      { measurement_id: about.id },
-      { body, ...sending },
-    );
+const heightVerdict = verdictKind<Height, GivenVerdict, VerdictAbout>({
+  send({ about: { id, revision }, want: { points } }, verdict, sending) {
+    const body = { ...verdict, revision, ...points };
+    const route = "POST /measurements/{measurement_id}/reviews";
+    return api.write(route, { measurement_id: id }, { body, ...sending });
   },
   read: ({ about: { id } }, _error, signal) => readHeight(id, signal),
   isSaved: isHeight,
-  done({ about, saved, want }) {
-    const review = saved?.review;
-    // what waits needs no reopening: a verdict that was taken back before it was sent
-    if (want.verdict === "reopened" && review?.verdict === "to_review") return true;
-    if (review?.verdict !== want.verdict || review.reviewer?.id !== about.by) return false;
-    return (review.reason ?? null) === want.reason && (!want.points || fits(saved as Height, want.points));
-  },
-  version: (saved) => (saved ? `${saved.revision} ${saved.review.verdict} ${saved.review.at}` : ""),
-  words: (saved) =>
-    saved?.review.reviewer
-      ? say("review-verdict-by", {
-          verdict: STATE_WORDS[saved.review.verdict as Verdict],
-          person: saved.review.reviewer.name,
-        })
-      : say("review-verdict-none"),
-};
+  review: ({ revision, review }) => ({ of: revision, review }),
+  isOn: (saved, { want: { points } }) => !points || fits(saved, points),
+});
 
 /** The newest revision. */
 export async function readHeight(measurement_id: number, signal?: AbortSignal): Promise<Height | null> {
@@ -89,4 +68,4 @@ function fits(saved: Height, points: NonNullable<GivenVerdict["points"]>): boole
   return `${saved.contact} ${saved.target_point}` === `${contact} ${target_point}`;
 }
 
-outbox.register(VERDICT, verdictKind);
+outbox.register(VERDICT, heightVerdict);

@@ -10,11 +10,11 @@ import type { Measurement, ReviewItem } from "../../core/types";
 import { vehicleName } from "../../core/words";
 import { type Again, BlindClicks } from "../../viewer/blind";
 import { Geometry } from "../../viewer/geometry";
-import { fromServer, type ImagePoint, pair, samePoint } from "../../viewer/points";
+import { fromServer, type ImagePoint, pair } from "../../viewer/points";
 import { Reel } from "../../viewer/reel";
 import { FrameStage } from "../../viewer/stage";
-import { insetOf, valuesOf } from "../../viewer/values";
-import { type Fix, FixTool } from "./fix";
+import { insetOf } from "../../viewer/values";
+import { clicksOf, type Fix, FixTool, isMoved } from "./fix";
 import { Verdicts } from "./giving";
 import { isOfFrame, isOfLine } from "./kinds";
 import { LinePicture } from "./LinePicture";
@@ -100,11 +100,9 @@ export class ReviewModel {
   }
 
   /** Other points than those that stand, or the same with a road pose that they were not computed with. */
-  private differs({ contact, point }: Fix): boolean {
+  private differs(fix: Fix): boolean {
     const m = this.ofFrame.value;
-    if (!m) return false;
-    const moved = !samePoint(contact, fromServer(m.contact)) || !samePoint(point, fromServer(m.target_point));
-    return moved || this.poseChanged(m);
+    return m !== null && (isMoved(m, fix) || this.poseChanged(m));
   }
 
   private readonly stops: (() => void)[] = [];
@@ -298,19 +296,7 @@ export class ReviewModel {
 
   private askHeight(fix: Fix): void {
     const m = this.ofFrame.value;
-    if (!m) return;
-    const inset = insetOf(m);
-    this.geometry.wantHeight({
-      recordingId: m.recording_id,
-      vehicleId: m.vehicle_id,
-      target: m.target,
-      frame: m.frame,
-      contact: fix.contact,
-      point: fix.point,
-      inset,
-      sigma_px: m.sigma_px,
-      more: valuesOf(m).more,
-    });
+    if (m) this.geometry.wantHeight(clicksOf(m, fix));
   }
 
   /** On to the next that waits, unless something else was opened meanwhile. What was judged stays in the list, to go back to. */

@@ -1,10 +1,20 @@
 /** A new line scan: two uploaded strips, or two pixel columns or rows of a recording; and the rig's values. */
 import { useRef, useState } from "preact/hooks";
-import { Button, DropFiles, Problem, Segments, SelectField, TextField } from "../../components";
+import {
+  Button,
+  DropFiles,
+  named,
+  OptionalField,
+  Problem,
+  Segments,
+  SelectField,
+  TextField,
+} from "../../components";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
+import { fieldsOf } from "../../core/form";
 import { say } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import type { BodyOf } from "../../core/routes";
 import { formatBytes, parseNumber } from "../../core/units";
 import { UploadRow } from "../../parts/uploads/UploadRow";
@@ -62,7 +72,7 @@ export function AddScan({ surveyId, onClose, added }: Props) {
             { value: "strips", label: say("scans-new-strips") },
             { value: "video", label: say("scans-new-columns") },
           ]}
-          onChange={(value) => {
+          onInput={(value) => {
             setSource(value);
             setChosen(null);
           }}
@@ -86,21 +96,16 @@ export function AddScan({ surveyId, onClose, added }: Props) {
       <TextField label={say("field-name")} value={name} onInput={setName} hint={say("scans-new-name-hint")} />
       <Problem error={problem} />
       <div class="row">
-        <Button type="submit" kind="primary" busy={busy} disabled={chosen === null}>
-          {say("scans-new-read")}
-        </Button>
-        {onClose && <Button onClick={onClose}>{say("action-cancel")}</Button>}
+        <Button says="scans-new-read" type="submit" kind="primary" busy={busy} disabled={chosen === null} />
+        {onClose && <Button says="action-cancel" onClick={onClose} />}
       </div>
     </form>
   );
 }
 
 function Strips({ surveyId, choose }: { surveyId: number; choose: (chosen: ChosenStrips | null) => void }) {
-  const waiting = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/strip-uploads", { survey_id: surveyId }, { signal }),
-    [surveyId],
-  );
-  const [picked, setPicked] = useState<PickedStrips>({ first: "", second: "", axis: "width" });
+  const waiting = useAsked("GET /surveys/{survey_id}/strip-uploads", { survey_id: surveyId });
+  const [picked, setPicked] = useState<PickedStrips>({ first: null, second: null, axis: "width" });
   // an upload that ends asks what is chosen then, not what was chosen when it began
   const latest = useRef(picked);
   const here = waiting.data ?? [];
@@ -114,20 +119,21 @@ function Strips({ surveyId, choose }: { surveyId: number; choose: (chosen: Chose
     await waiting.reload();
     const uploaded = await api.ask("GET /surveys/{survey_id}/strip-uploads", { survey_id: surveyId });
     const [first, second] = [...uploaded].sort((a, b) => a.filename.localeCompare(b.filename));
-    const untouched = latest.current.first === "" && latest.current.second === "";
+    const untouched = latest.current.first === null && latest.current.second === null;
     if (first && second && untouched) pick({ first: String(first.id), second: String(second.id) });
   };
   const add = (files: File[]): void => {
     for (const file of files) void startUpload(surveyId, file, () => void arrived(), "strip");
   };
-  const options = [
-    { value: "", label: say(here.length === 0 ? "scans-new-no-strip" : "scans-new-choose-strip") },
-    ...here.map((one) => ({
+  const offered = {
+    none: say(here.length === 0 ? "scans-new-no-strip" : "scans-new-choose-strip"),
+    options: here.map((one) => ({
       value: String(one.id),
       label: say("scans-new-strip", { file: one.filename, size: formatBytes(one.size_bytes) }),
     })),
-  ];
+  };
   const mine = uploads.value.filter((item) => item.surveyId === surveyId && item.purpose === "strip");
+  const field = fieldsOf(picked, pick);
   return (
     <>
       <DropFiles
@@ -142,27 +148,20 @@ function Strips({ surveyId, choose }: { surveyId: number; choose: (chosen: Chose
       ))}
       <Problem error={waiting.error} again={waiting.reload} />
       <div class="scan__fields">
-        <SelectField
-          label={say("scans-new-camera-1")}
-          value={picked.first}
-          options={options}
-          onChange={(first) => pick({ first })}
-        />
-        <SelectField
+        <OptionalField label={say("scans-new-camera-1")} {...field("first")} {...offered} />
+        <OptionalField
           label={say("scans-new-camera-2")}
-          value={picked.second}
-          options={options}
+          {...field("second")}
+          {...offered}
           problem={sameStrip(picked) ? say("scans-new-same-strip") : null}
-          onChange={(second) => pick({ second })}
         />
         <SelectField
           label={say("scans-new-time-axis")}
-          value={picked.axis}
+          {...field("axis")}
           options={[
             { value: "width", label: say("scans-new-time-width") },
             { value: "height", label: say("scans-new-time-height") },
           ]}
-          onChange={(axis) => pick({ axis })}
         />
       </div>
     </>
@@ -179,17 +178,17 @@ type ChosenCuts = Pick<
 >;
 
 interface PickedStrips {
-  /** Ids of uploads, as the boxes hold them; empty while none is chosen. */
-  readonly first: string;
-  readonly second: string;
+  /** Ids of uploads, as the boxes hold them. */
+  readonly first: string | null;
+  readonly second: string | null;
   readonly axis: "width" | "height";
 }
 
 type CutAlong = NonNullable<ChosenCuts["cut_along"]>;
 
 interface TypedCuts {
-  /** The recording's id and both cuts, as the boxes hold them; empty while nothing is given. */
-  readonly recording: string;
+  /** The recording's id and both cuts, as the boxes hold them. */
+  readonly recording: string | null;
   readonly along: CutAlong;
   readonly one: string;
   readonly two: string;
@@ -203,21 +202,18 @@ const ALONG_WORDS = {
 } as const;
 
 function sameStrip({ first, second }: PickedStrips): boolean {
-  return first !== "" && first === second;
+  return first !== null && first === second;
 }
 
 function requestOf(picked: PickedStrips): ChosenStrips | null {
   const { first, second, axis } = picked;
-  if (first === "" || second === "" || sameStrip(picked)) return null;
+  if (first === null || second === null || sameStrip(picked)) return null;
   return { first_upload: Number(first), second_upload: Number(second), time_axis: axis };
 }
 
 function Cuts({ surveyId, choose }: { surveyId: number; choose: (chosen: ChosenCuts | null) => void }) {
-  const recordings = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/recordings", { survey_id: surveyId }, { signal }),
-    [surveyId],
-  );
-  const [values, setValues] = useState<TypedCuts>({ recording: "", along: "columns", one: "", two: "" });
+  const recordings = useAsked("GET /surveys/{survey_id}/recordings", { survey_id: surveyId });
+  const [values, setValues] = useState<TypedCuts>({ recording: null, along: "columns", one: "", two: "" });
   const change = (part: Partial<TypedCuts>): void => {
     const next = { ...values, ...part };
     setValues(next);
@@ -225,7 +221,7 @@ function Cuts({ surveyId, choose }: { surveyId: number; choose: (chosen: ChosenC
     const whole =
       one !== null && two !== null && Number.isInteger(one) && Number.isInteger(two) && one !== two;
     choose(
-      whole && next.recording !== ""
+      whole && next.recording !== null
         ? { recording_id: Number(next.recording), cut_along: next.along, cut_1_px: one, cut_2_px: two }
         : null,
     );
@@ -234,32 +230,26 @@ function Cuts({ surveyId, choose }: { surveyId: number; choose: (chosen: ChosenC
   const recording = ready.find((one) => String(one.id) === values.recording);
   const along = values.along === "columns" ? "columns" : "rows";
   const size_px = along === "columns" ? recording?.width_px : recording?.height_px;
+  const field = fieldsOf(values, change);
   return (
     <>
       <Problem error={recordings.error} again={recordings.reload} />
       <div class="scan__fields">
-        <SelectField
+        <OptionalField
           label={say("field-recording")}
-          value={values.recording}
-          options={[
-            {
-              value: "",
-              label: say(ready.length === 0 ? "scans-new-no-recording" : "scans-new-choose-recording"),
-            },
-            ...ready.map((one) => ({ value: String(one.id), label: one.name })),
-          ]}
+          {...field("recording")}
+          none={say(ready.length === 0 ? "scans-new-no-recording" : "scans-new-choose-recording")}
+          options={named(ready)}
           hint={say("scans-new-recording-hint")}
-          onChange={(recording) => change({ recording })}
         />
         <SelectField
           label={say("scans-new-cut-along")}
-          value={values.along}
+          {...field("along")}
           options={ALONG.map((value) => ({ value, label: say(ALONG_WORDS[value]) }))}
-          onChange={(along) => change({ along })}
         />
         <TextField
           label={say("scans-new-cut-1", { along })}
-          value={values.one}
+          {...field("one")}
           numeric
           unit={say("unit-px")}
           hint={
@@ -267,14 +257,12 @@ function Cuts({ surveyId, choose }: { surveyId: number; choose: (chosen: ChosenC
               ? say("scans-new-cut-1-hint-to", { last_px: String(size_px - 1) })
               : say("scans-new-cut-1-hint")
           }
-          onInput={(one) => change({ one })}
         />
         <TextField
           label={say("scans-new-cut-2", { along })}
-          value={values.two}
+          {...field("two")}
           numeric
           unit={say("unit-px")}
-          onInput={(two) => change({ two })}
         />
       </div>
     </>

@@ -2,6 +2,7 @@
 import { useState } from "preact/hooks";
 import { Button, FormDialog, Segments, TextField } from "../../components";
 import { api } from "../../core/api";
+import { useForm } from "../../core/form";
 import { say } from "../../core/messages";
 import { toast } from "../../core/toasts";
 import type { ScanVehicle } from "../../core/types";
@@ -17,19 +18,26 @@ export function EvidenceButton({ vehicle }: { vehicle: ScanVehicle }) {
   const [asking, setAsking] = useState(false);
   return (
     <div class="row">
-      <Button small icon="download" title={say("scan-evidence-what")} onClick={() => setAsking(true)}>
-        {say("scan-evidence")}
-      </Button>
+      <Button
+        says="scan-evidence"
+        small
+        icon="download"
+        title={say("scan-evidence-what")}
+        onClick={() => setAsking(true)}
+      />
       {asking && <EvidenceDialog vehicle={vehicle} close={() => setAsking(false)} />}
     </div>
   );
 }
 
 function EvidenceDialog({ vehicle, close }: { vehicle: ScanVehicle; close: () => void }) {
-  const [quantity, setQuantity] = useState<Quantity>("none");
-  const [limit, setLimit] = useState("");
-  const [risk, setRisk] = useState(USUAL_RISK_PERCENT);
-  const [source, setSource] = useState("");
+  const { values, change, field } = useForm({
+    quantity: "none" as Quantity,
+    limit: "",
+    risk: USUAL_RISK_PERCENT,
+    source: "",
+  });
+  const { quantity, limit, risk, source } = values;
   const [problem, setProblem] = useState<string | null>(null);
   const [perMps, speedUnit] = speedScale();
   const unit = { none: "", speed: speedUnit, time_gap: "s", distance_gap: "m" }[quantity];
@@ -73,8 +81,8 @@ function EvidenceDialog({ vehicle, close }: { vehicle: ScanVehicle; close: () =>
           { value: "time_gap", label: say("scan-evidence-time-gap") },
           { value: "distance_gap", label: say("scan-evidence-distance-gap") },
         ]}
-        onChange={(value) => {
-          setQuantity(value);
+        onInput={(quantity) => {
+          change({ quantity });
           setProblem(null);
         }}
       />
@@ -86,8 +94,8 @@ function EvidenceDialog({ vehicle, close }: { vehicle: ScanVehicle; close: () =>
             numeric
             value={limit}
             problem={problem}
-            onInput={(text) => {
-              setLimit(text);
+            onInput={(limit) => {
+              change({ limit });
               setProblem(null);
             }}
           />
@@ -95,15 +103,13 @@ function EvidenceDialog({ vehicle, close }: { vehicle: ScanVehicle; close: () =>
             label={say("scan-evidence-risk")}
             unit="%"
             numeric
-            value={risk}
+            {...field("risk")}
             hint={say("scan-evidence-risk-hint")}
-            onInput={setRisk}
           />
           <TextField
             label={say("scan-evidence-source")}
-            value={source}
+            {...field("source")}
             hint={say("scan-evidence-source-hint")}
-            onInput={setSource}
           />
         </>
       )}

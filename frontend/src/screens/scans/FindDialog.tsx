@@ -33,7 +33,7 @@ export function FindDialog({ model, scan, onClose }: Props) {
           { value: "direct", label: say("scan-find-direct") },
           { value: "paper", label: say("scan-find-paper") },
         ]}
-        onChange={setMethod}
+        onInput={setMethod}
       />
       <p class="small muted">{say(method === "direct" ? "scan-find-direct-what" : "scan-find-paper-what")}</p>
       {known && (
@@ -44,7 +44,7 @@ export function FindDialog({ model, scan, onClose }: Props) {
             { value: "search", label: say("scan-find-all") },
             { value: "again", label: say("scan-find-known") },
           ]}
-          onChange={setSearch}
+          onInput={setSearch}
         />
       )}
       <p class="small muted">{say("scan-find-note")}</p>

@@ -1,6 +1,6 @@
 /** The chosen vehicle's heights: one line per target; budget, inset and history on demand. */
 import { useEffect, useRef, useState } from "preact/hooks";
-import { Button, Notice, Segments, StateMark } from "../../components";
+import { Button, Facts, Notice, Segments, StateMark } from "../../components";
 import { keyMap, showChord } from "../../core/commands";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { outbox } from "../../core/outbox";
@@ -54,9 +54,7 @@ function Older({ model }: { model: ScanModel }) {
   return (
     <div class="line-heights__older small">
       <span>{say("scan-heights-older", { count })}</span>
-      <Button small href={`/surveys/${survey.value?.id}/checks?tab=again`}>
-        {say("computing-look")}
-      </Button>
+      <Button says="computing-look" small href={`/surveys/${survey.value?.id}/checks?tab=again`} />
     </div>
   );
 }
@@ -65,11 +63,7 @@ function Uncalibrated({ model }: { model: ScanModel }) {
   return (
     <div class="panel__body stack">
       <p class="small">{say("scan-heights-no-pose")}</p>
-      {canWork.value && (
-        <Button small onClick={() => model.start("rod")}>
-          {say("scan-heights-calibrate")}
-        </Button>
-      )}
+      {canWork.value && <Button says="scan-heights-calibrate" small onClick={() => model.start("rod")} />}
     </div>
   );
 }
@@ -188,7 +182,7 @@ function InsetOf({ model, target }: { model: ScanModel; target: Target }) {
         label={ASKED[target] ?? TARGET_WORDS[target]}
         value={String(chosen)}
         options={choices.map((choice, at) => ({ value: String(at), label: INSET_PLACE_WORDS[choice.place] }))}
-        onChange={(picked) => {
+        onInput={(picked) => {
           const choice = choices[Number(picked)];
           if (choice) void model.heights.setInset(target, insetOfChoice(choice));
         }}
@@ -211,35 +205,38 @@ function Detail({ model, one }: { model: ScanModel; one: LineHeight }) {
   return (
     <div class="stack line-heights__detail">
       {one.budget.length > 0 && <Budget entries={one.budget} total_m={one.u_height_m} />}
-      <dl class="facts small">
-        <dt>{say("scan-height-distance")}</dt>
-        <dd>{formatHeight(one.distance_m, one.U95_distance_m)}</dd>
-        <dt>{say("scan-height-inset")}</dt>
-        <dd>
-          {say("scan-height-inset-value", {
-            inset: formatLength(one.inset_m, 2),
-            u_inset: formatLength(one.u_inset_m, 2),
-          })}
-        </dd>
-        <dt>{say("scan-height-rows")}</dt>
-        <dd>
-          {say("scan-height-rows-value", {
-            contact_px: fixed(one.contact[1], 1),
-            target_px: fixed(one.target_point[1], 1),
-          })}
-        </dd>
-      </dl>
+      <Facts
+        small
+        of={[
+          [say("scan-height-distance"), formatHeight(one.distance_m, one.U95_distance_m)],
+          [
+            say("scan-height-inset"),
+            say("scan-height-inset-value", {
+              inset: formatLength(one.inset_m, 2),
+              u_inset: formatLength(one.u_inset_m, 2),
+            }),
+          ],
+          [
+            say("scan-height-rows"),
+            say("scan-height-rows-value", {
+              contact_px: fixed(one.contact[1], 1),
+              target_px: fixed(one.target_point[1], 1),
+            }),
+          ],
+        ]}
+      />
       {one.id > 0 && <Revisions id={one.id} revision={one.revision} />}
       {canWork.value && (
         <div class="row row--wrap">
           {one.older && (
-            <Button small onClick={() => void model.heights.again(one.target)}>
-              {say("scan-height-again")}
-            </Button>
+            <Button says="scan-height-again" small onClick={() => void model.heights.again(one.target)} />
           )}
-          <Button small icon="trash" onClick={() => void model.heights.withdraw(one.target)}>
-            {say("scan-height-withdraw")}
-          </Button>
+          <Button
+            says="scan-height-withdraw"
+            small
+            icon="trash"
+            onClick={() => void model.heights.withdraw(one.target)}
+          />
         </div>
       )}
     </div>

@@ -28,13 +28,12 @@ export function LaneFields({ lanes, problems, change }: Props) {
         />
       ))}
       <Button
+        says="scans-lane-add"
         small
         icon="add"
         disabled={lanes.length >= MOST_LANES}
         onClick={() => change([...lanes, NEW_LANE])}
-      >
-        {say("scans-lane-add")}
-      </Button>
+      />
     </details>
   );
 }
@@ -65,7 +64,7 @@ function Lane({ number, lane, problems, put, remove }: LaneProps) {
           label={say("scan-direction")}
           value={lane.direction}
           options={WAYS.map((value) => ({ value, label: say("scans-lane-way", { way: value }) }))}
-          onChange={(direction) => put({ direction })}
+          onInput={(direction) => put({ direction })}
         />
         <TextField label={say("scans-lane-distance")} numeric unit={unit} {...typed("distance")} />
         <TextField label={say("scans-rig-u")} numeric unit={unit} {...typed("uDistance")} />
@@ -85,9 +84,7 @@ function Lane({ number, lane, problems, put, remove }: LaneProps) {
           {...typed("shadow")}
         />
       </div>
-      <Button small icon="trash" onClick={remove}>
-        {say("scans-lane-remove")}
-      </Button>
+      <Button says="scans-lane-remove" small icon="trash" onClick={remove} />
     </fieldset>
   );
 }

@@ -37,7 +37,7 @@ export function MatchPictures({ detail }: { detail: ScanVehicleDetail }) {
             { value: "blink", label: say("scan-match-blink") },
             { value: "difference", label: say("scan-match-difference") },
           ]}
-          onChange={setShown}
+          onInput={setShown}
         />
       </header>
       <div class="scan__match-box">

@@ -1,9 +1,10 @@
 /** One reference value of a vehicle, with its uncertainty and what measured it. */
 import { useState } from "preact/hooks";
-import { FormDialog, SelectField, TextField } from "../../components";
+import { choices, FormDialog, SelectField, TextField } from "../../components";
 import { api } from "../../core/api";
+import { useForm } from "../../core/form";
 import { say } from "../../core/messages";
-import type { ReferenceQuantity, ReferenceSource, ScanReference, ScanVehicle } from "../../core/types";
+import type { ReferenceQuantity, ScanReference, ScanVehicle } from "../../core/types";
 import { fixed, lengthScale, parseNumber, type Scale, smallScale, speedScale } from "../../core/units";
 import type { ScanModel } from "./model";
 import { QUANTITY_WORDS, SOURCE_WORDS } from "./referenceWords";
@@ -17,11 +18,13 @@ interface Props {
 }
 
 export function ReferenceDialog({ model, vehicle, before, onClose }: Props) {
-  const [quantity, setQuantity] = useState<ReferenceQuantity>(before?.quantity ?? "speed");
-  const [source, setSource] = useState<ReferenceSource>(before?.source ?? "radar");
-  const [value, setValue] = useState(() => typed(before?.value, scales(quantity).value, 3));
-  const [u, setU] = useState(() => typed(before?.u, scales(quantity).u, 3));
-  const [device, setDevice] = useState(before?.device ?? "");
+  const form = useForm(() => {
+    const { quantity = "speed", source = "radar", device = null } = before ?? {};
+    const first = scales(quantity);
+    const [value, u] = [typed(before?.value, first.value, 3), typed(before?.u, first.u, 3)];
+    return { quantity, source, value, u, device: device ?? "" };
+  });
+  const { quantity, source, value, u, device } = form.values;
   const [asked, setAsked] = useState(false);
   const units = scales(quantity);
   const read = { value: parsed(value, units.value), u: parsed(u, units.u) };
@@ -52,36 +55,32 @@ export function ReferenceDialog({ model, vehicle, before, onClose }: Props) {
       <div class="scan__fields">
         <SelectField
           label={say("scan-reference-quantity")}
-          value={quantity}
-          options={options(QUANTITY_WORDS)}
+          {...form.field("quantity")}
+          options={choices(QUANTITY_WORDS)}
           disabled={before !== null}
-          onChange={setQuantity}
         />
         <SelectField
           label={say("scan-reference-source")}
-          value={source}
-          options={options(SOURCE_WORDS)}
+          {...form.field("source")}
+          options={choices(SOURCE_WORDS)}
           disabled={before !== null}
-          onChange={setSource}
         />
         <TextField
           label={say("scan-reference-value")}
-          value={value}
+          {...form.field("value")}
           numeric
           unit={units.value[1]}
           problem={asked && read.value === null ? say("scan-reference-value-problem") : null}
-          onInput={setValue}
         />
         <TextField
           label={say("scan-reference-u")}
-          value={u}
+          {...form.field("u")}
           numeric
           unit={units.u[1]}
           problem={asked && read.u === null ? say("scan-reference-u-problem") : null}
-          onInput={setU}
         />
       </div>
-      <TextField label={say("scan-reference-device")} value={device} onInput={setDevice} />
+      <TextField label={say("scan-reference-device")} {...form.field("device")} />
       <p class="small muted">
         {say(quantity === "speed" ? "scan-reference-note-speed" : "scan-reference-note-length")}
       </p>
@@ -103,8 +102,4 @@ function typed(value: number | undefined, [factor]: Scale, digits: number): stri
 function parsed(text: string, [factor]: Scale): number | null {
   const number = parseNumber(text);
   return number !== null && number > 0 ? number / factor : null;
-}
-
-function options<N extends string>(words: Readonly<Record<N, string>>) {
-  return (Object.keys(words) as N[]).map((value) => ({ value, label: words[value] }));
 }

@@ -1,7 +1,7 @@
 /** The survey's values against references, by what measured those; and the runs of each car. */
-import { num, Panel, Table } from "../../components";
+import { DataTable, Panel } from "../../components";
 import { say, wordsOf } from "../../core/messages";
-import type { CarRuns, ReferenceGroup, RunsTogether, ScanStatistics } from "../../core/types";
+import type { CarRuns, RunsTogether, ScanStatistics } from "../../core/types";
 import { fixed, formatSpeed } from "../../core/units";
 import { vehicleName } from "../../core/words";
 import { apartWords, differenceWords, QUANTITY_WORDS, SOURCE_WORDS } from "./referenceWords";
@@ -11,47 +11,38 @@ export function ReferenceErrors({ found }: { found: ScanStatistics }) {
   if (found.references.length === 0) return null;
   return (
     <Panel title={say("motion-references-title")} note={say("motion-references-note")}>
-      <Table
+      <DataTable
         label={say("motion-references-title")}
         data-testid="scan-reference-errors"
-        heads={[
-          say("motion-references-of"),
-          num(say("motion-references-n")),
-          num(say("motion-references-mean")),
-          num(say("motion-sd")),
-          num(say("motion-rmse")),
-          num(say("motion-references-share")),
+        rows={found.references}
+        keyOf={(one) => `${one.quantity} ${one.source}`}
+        columns={({ col, num }) => [
+          col(say("motion-references-of"), ({ quantity, source }) =>
+            say("motion-references-by", {
+              quantity: QUANTITY_WORDS[quantity],
+              source: source ? SOURCE_WORDS[source] : say("motion-references-all"),
+            }),
+          ),
+          num(say("motion-references-n"), ({ errors }) => errors.n),
+          num(say("motion-references-mean"), ({ quantity, errors }) =>
+            differenceWords(quantity, errors.mean),
+          ),
+          num(say("motion-sd"), ({ quantity, errors }) =>
+            errors.sd === null ? "–" : apartWords(quantity, errors.sd),
+          ),
+          num(say("motion-rmse"), ({ quantity, errors }) => apartWords(quantity, errors.rmse)),
+          num(say("motion-references-share"), ({ errors }) => (
+            <>
+              {say("motion-references-within", { within: errors.within, n: errors.n })}
+              <p class="small muted nowrap">
+                {say("interval", { low: percent(errors.share_low), high: percent(errors.share_high) })}
+              </p>
+            </>
+          )),
         ]}
-      >
-        {found.references.map((one) => (
-          <Group key={`${one.quantity} ${one.source}`} one={one} />
-        ))}
-      </Table>
+      />
       <p class="panel__body small muted">{say("motion-references-shared")}</p>
     </Panel>
-  );
-}
-
-function Group({ one: { quantity, source, errors } }: { one: ReferenceGroup }) {
-  return (
-    <tr>
-      <td>
-        {say("motion-references-by", {
-          quantity: QUANTITY_WORDS[quantity],
-          source: source ? SOURCE_WORDS[source] : say("motion-references-all"),
-        })}
-      </td>
-      <td class="num">{errors.n}</td>
-      <td class="num">{differenceWords(quantity, errors.mean)}</td>
-      <td class="num">{errors.sd === null ? "–" : apartWords(quantity, errors.sd)}</td>
-      <td class="num">{apartWords(quantity, errors.rmse)}</td>
-      <td class="num">
-        {say("motion-references-within", { within: errors.within, n: errors.n })}
-        <p class="small muted nowrap">
-          {say("interval", { low: percent(errors.share_low), high: percent(errors.share_high) })}
-        </p>
-      </td>
-    </tr>
   );
 }
 
@@ -93,44 +84,28 @@ function Car({ car }: { car: CarRuns }) {
               })}
         </p>
       </div>
-      <Table
+      <DataTable
         label={say("motion-cars-table", { car: car.car })}
-        heads={[
-          say("motion-cars-size"),
-          num(say("motion-references-n")),
-          num(say("motion-cars-mean")),
-          num(say("motion-sd")),
-          num(say("motion-cars-stated")),
-          num(say("motion-cars-chi-square")),
-          say("motion-cars-says"),
+        rows={sizes}
+        keyOf={([size]) => size}
+        columns={({ col, num }) => [
+          col(say("motion-cars-size"), ([size]) => QUANTITY_WORDS[size]),
+          num(say("motion-references-n"), ([, one]) => one.n),
+          num(say("motion-cars-mean"), ([, one]) => formatMeasured(one.mean, one.U95_mean)),
+          num(say("motion-sd"), ([size, one]) => (one.sd === null ? "–" : apartWords(size, one.sd))),
+          num(say("motion-cars-stated"), ([size, one]) => apartWords(size, one.u_stated)),
+          num(say("motion-cars-chi-square"), ([, one]) =>
+            one.chi_square === null || one.p === null
+              ? "–"
+              : say("motion-cars-chi", {
+                  chi_square: fixed(one.chi_square, 1),
+                  degrees: one.degrees,
+                  p: fixed(one.p, 3),
+                }),
+          ),
+          col(say("motion-cars-says"), ([, one]) => VERDICTS[one.verdict]),
         ]}
-      >
-        {sizes.map(([size, one]) => (
-          <Size key={size} size={size} one={one} />
-        ))}
-      </Table>
+      />
     </div>
-  );
-}
-
-function Size({ size, one }: { size: "length" | "wheelbase"; one: RunsTogether }) {
-  return (
-    <tr>
-      <td>{QUANTITY_WORDS[size]}</td>
-      <td class="num">{one.n}</td>
-      <td class="num">{formatMeasured(one.mean, one.U95_mean)}</td>
-      <td class="num">{one.sd === null ? "–" : apartWords(size, one.sd)}</td>
-      <td class="num">{apartWords(size, one.u_stated)}</td>
-      <td class="num">
-        {one.chi_square === null || one.p === null
-          ? "–"
-          : say("motion-cars-chi", {
-              chi_square: fixed(one.chi_square, 1),
-              degrees: one.degrees,
-              p: fixed(one.p, 3),
-            })}
-      </td>
-      <td>{VERDICTS[one.verdict]}</td>
-    </tr>
   );
 }

@@ -50,7 +50,7 @@ export function ReferenceImport({ model, onClose }: { model: ScanModel; onClose:
       onClose={onClose}
       actions={
         <>
-          <Button onClick={onClose}>{say(done ? "action-close" : "action-cancel")}</Button>
+          <Button says={done ? "action-close" : "action-cancel"} onClick={onClose} />
           {!done && (
             <Button kind="primary" busy={busy} disabled={usable === 0} onClick={() => void store()}>
               {say("scan-references-store", { count: usable })}

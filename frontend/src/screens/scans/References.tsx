@@ -29,12 +29,8 @@ export function References({ model, vehicle }: { model: ScanModel; vehicle: Scan
       ))}
       {canWork.value && (
         <div class="row row--wrap">
-          <Button small icon="add" onClick={() => setOpen("new")}>
-            {say("scan-reference-add")}
-          </Button>
-          <Button small onClick={() => setOpen("import")}>
-            {say("scan-reference-import")}
-          </Button>
+          <Button says="scan-reference-add" small icon="add" onClick={() => setOpen("new")} />
+          <Button says="scan-reference-import" small onClick={() => setOpen("import")} />
         </div>
       )}
       <CommitField
@@ -80,9 +76,13 @@ function Reference({ one, edit, remove }: ReferenceProps) {
       </div>
       {canWork.value && (
         <div class="row">
-          <Button small kind="quiet" label={say("scan-reference-edit-one", named)} onClick={edit}>
-            {say("scan-reference-edit")}
-          </Button>
+          <Button
+            says="scan-reference-edit"
+            small
+            kind="quiet"
+            label={say("scan-reference-edit-one", named)}
+            onClick={edit}
+          />
           <Button
             small
             kind="quiet"

@@ -4,10 +4,9 @@ import { Button, Empty, Loaded, Notice, PageHead, Segments } from "../../compone
 import { PageTabs } from "../../components/PageTabs";
 import { Said } from "../../components/Said";
 import { query, setQuery } from "../../core/address";
-import { api } from "../../core/api";
 import { say, sentenceOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { resultsTabs } from "../../core/tabs";
 import { FilmedFields, filmedOf } from "../../parts/filming/FilmedFields";
 import { ReferenceErrors, RunsOfCars } from "./ReferenceErrors";
@@ -23,17 +22,12 @@ type Which = "accepted" | "all";
 export default function ResultsScreen({ surveyId }: ScreenProps) {
   const [which, setWhich] = useState<Which>("accepted");
   const filmed = filmedOf(query.value);
-  const limits = Object.values(filmed);
-  const found = useResource(
-    (signal) =>
-      api.ask(
-        "GET /surveys/{survey_id}/scan-statistics",
-        { survey_id: surveyId, accepted_only: which === "accepted", ...filmed },
-        { signal },
-      ),
-    [surveyId, which, ...limits],
-  );
-  const limited = limits.some((one) => one !== null);
+  const found = useAsked("GET /surveys/{survey_id}/scan-statistics", {
+    survey_id: surveyId,
+    accepted_only: which === "accepted",
+    ...filmed,
+  });
+  const limited = Object.values(filmed).some((one) => one !== null);
   const data = found.data;
   const vehicles = data?.table.length ?? 0;
   return (
@@ -47,9 +41,9 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
               { value: "accepted", label: say("motion-which-accepted") },
               { value: "all", label: say("motion-which-all") },
             ]}
-            onChange={setWhich}
+            onInput={setWhich}
           />
-          <Button href={`/surveys/${surveyId}/scans`}>{say("scans-all")}</Button>
+          <Button says="scans-all" href={`/surveys/${surveyId}/scans`} />
         </div>
       </PageHead>
       <PageTabs label={say("page-statistics")} tabs={resultsTabs("scan-results")} />

@@ -1,7 +1,7 @@
 /** What passes of a staff or board say of the rig: its figures, how well each pass agrees, and the rows that were refused. */
-import { Fragment } from "preact";
+
 import type { components } from "#schema";
-import { DataTable, Notice } from "../../components";
+import { DataTable, Facts, Notice } from "../../components";
 import { say, sentenceOf } from "../../core/messages";
 import { fixed, formatHeight, formatLength, formatSmall } from "../../core/units";
 
@@ -33,41 +33,43 @@ function FiguresOf({ figures }: { figures: Figures }) {
   const mrad = (value: number) => fixed(1000 * value, 3);
   return (
     <>
-      <dl class="facts small">
-        {lanes.map((lane) => (
-          <Fragment key={lane.name}>
-            <dt>
-              {say("scans-calibrate-lane", { distance: formatLength(lane.distance_m, 2) })}
-              {lane.name && ` (${lane.name})`}
-            </dt>
-            <dd>
-              {formatHeight(lane.baseline_m, lane.U95_baseline_m, 4)}{" "}
-              <span class="muted">
-                {say("scans-calibrate-share", { percent: fixed(lane.U95_percent, 3) })}
-              </span>
-            </dd>
-          </Fragment>
-        ))}
-        <dt>{say("scans-calibrate-baseline")}</dt>
-        <dd>{formatHeight(figures.baseline_m, figures.U95_baseline_m, 4)}</dd>
-        <dt>{say("scans-rig-divergence")}</dt>
-        <dd>
-          {say("scans-calibrate-mrad", {
-            value: mrad(figures.divergence_rad),
-            U95: mrad(figures.U95_divergence_rad),
-          })}
-        </dd>
-        <dt>{say("scans-rig-correlation")}</dt>
-        <dd>{fixed(figures.baseline_correlation, 3)}</dd>
-        <dt>{say("scans-calibrate-agree")}</dt>
-        <dd>
-          {say("scans-calibrate-chi2", {
-            chi2: fixed(figures.chi2, 1),
-            degrees: figures.degrees_of_freedom,
-            percent: fixed(100 * figures.p_value, 1),
-          })}
-        </dd>
-      </dl>
+      <Facts
+        small
+        of={[
+          ...lanes.map(
+            (lane) =>
+              [
+                <>
+                  {say("scans-calibrate-lane", { distance: formatLength(lane.distance_m, 2) })}
+                  {lane.name && ` (${lane.name})`}
+                </>,
+                <>
+                  {formatHeight(lane.baseline_m, lane.U95_baseline_m, 4)}{" "}
+                  <span class="muted">
+                    {say("scans-calibrate-share", { percent: fixed(lane.U95_percent, 3) })}
+                  </span>
+                </>,
+              ] as const,
+          ),
+          [say("scans-calibrate-baseline"), formatHeight(figures.baseline_m, figures.U95_baseline_m, 4)],
+          [
+            say("scans-rig-divergence"),
+            say("scans-calibrate-mrad", {
+              value: mrad(figures.divergence_rad),
+              U95: mrad(figures.U95_divergence_rad),
+            }),
+          ],
+          [say("scans-rig-correlation"), fixed(figures.baseline_correlation, 3)],
+          [
+            say("scans-calibrate-agree"),
+            say("scans-calibrate-chi2", {
+              chi2: fixed(figures.chi2, 1),
+              degrees: figures.degrees_of_freedom,
+              percent: fixed(100 * figures.p_value, 1),
+            }),
+          ],
+        ]}
+      />
       {[...lanes.map((one) => one.warning), ...figures.warnings]
         .map(sentenceOf)
         .map((one) => one && <Notice key={one}>{one}</Notice>)}

@@ -78,10 +78,14 @@ export function RigCalibration({ scan, onClose, put, take }: Props) {
       onClose={onClose}
       actions={
         <>
-          <Button onClick={onClose}>{say("action-cancel")}</Button>
-          <Button kind="primary" busy={busy} disabled={!figures} onClick={() => void store()}>
-            {say("scans-calibrate-store")}
-          </Button>
+          <Button says="action-cancel" onClick={onClose} />
+          <Button
+            says="scans-calibrate-store"
+            kind="primary"
+            busy={busy}
+            disabled={!figures}
+            onClick={() => void store()}
+          />
         </>
       }
     >
@@ -91,7 +95,7 @@ export function RigCalibration({ scan, onClose, put, take }: Props) {
           label={say("scans-calibrate-way")}
           value={way}
           options={WAYS.map((value) => ({ value, label: say(`scans-calibrate-way-${value}`) }))}
-          onChange={(chosen) => {
+          onInput={(chosen) => {
             setWay(chosen);
             setPasses(rowsOf(chosen));
             changed();
@@ -107,16 +111,17 @@ export function RigCalibration({ scan, onClose, put, take }: Props) {
           }}
         />
         <div class="row row--wrap">
-          <Button small onClick={() => setPasses([...passes, nextPass(way, passes[passes.length - 1])])}>
-            {say("scans-passes-add")}
-          </Button>
           <Button
+            says="scans-passes-add"
+            small
+            onClick={() => setPasses([...passes, nextPass(way, passes[passes.length - 1])])}
+          />
+          <Button
+            says="scans-calibrate-compute"
             small
             disabled={!said || tableOf(way, passes) === null}
             onClick={() => void compute(tableOf(way, passes))}
-          >
-            {say("scans-calibrate-compute")}
-          </Button>
+          />
         </div>
         <DropFiles
           label={say("scans-passes-choose")}

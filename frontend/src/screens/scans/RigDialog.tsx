@@ -111,9 +111,7 @@ export function RigDialog({ model, scan, onClose, changed, offered }: Props) {
         }}
       />
       <p class="row row--wrap">
-        <Button small onClick={() => setCalibrating(true)}>
-          {say("scans-calibrate")}
-        </Button>
+        <Button says="scans-calibrate" small onClick={() => setCalibrating(true)} />
         <span class="small muted">{say("scans-calibrate-why")}</span>
       </p>
       {scan.run && (

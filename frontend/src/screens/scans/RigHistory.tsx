@@ -3,7 +3,7 @@ import type { components } from "#schema";
 import { Button, Problem } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Scan } from "../../core/types";
 import { formatCount, formatHeight } from "../../core/units";
@@ -24,9 +24,10 @@ interface Props {
 }
 
 export function RigHistory({ scan, put, onClose, lane }: Props) {
-  const found = useResource(
-    (signal) => api.ask("GET /scans/{scan_id}/rig-calibrations", { scan_id: scan.id }, { signal }),
-    [scan.id, scan.version],
+  const found = useAsked(
+    "GET /scans/{scan_id}/rig-calibrations",
+    { scan_id: scan.id },
+    { also: [scan.version] },
   );
   if (found.error) return <Problem error={found.error} again={found.reload} />;
   if (!found.data || found.data.length === 0) return null;
@@ -57,13 +58,12 @@ export function RigHistory({ scan, put, onClose, lane }: Props) {
               <strong>{say("scans-calibrate-in-force")}</strong>
             ) : (
               <Button
+                says="scans-traffic-use"
                 small
                 disabled={!lane}
                 label={say("scans-calibrate-use-one", { number: one.revision })}
                 onClick={() => void use(one)}
-              >
-                {say("scans-traffic-use")}
-              </Button>
+              />
             )}
           </li>
         ))}

@@ -1,9 +1,9 @@
 /** What the vehicles say of the rig, beside what is in force. Nothing changes unless somebody takes a value over. */
 
-import { Button, Loading, Notice, num, Problem, Table } from "../../components";
+import { Button, Loaded, Notice, num, Table } from "../../components";
 import { api } from "../../core/api";
 import { say, sentenceOf } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { may } from "../../core/session";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Scan } from "../../core/types";
@@ -35,12 +35,12 @@ async function swapCameras({ id }: Pick<Scan, "id">, changed: () => Promise<void
 }
 
 export function RigOfTraffic({ scan, use, narrow, changed }: Props) {
-  const found = useResource(
-    (signal) => api.ask("GET /scans/{scan_id}/rig-of-traffic", { scan_id: scan.id }, { signal }),
-    [scan.id, scan.version],
+  const found = useAsked(
+    "GET /scans/{scan_id}/rig-of-traffic",
+    { scan_id: scan.id },
+    { also: [scan.version] },
   );
-  if (found.error) return <Problem error={found.error} again={found.reload} />;
-  if (!found.data) return <Loading what={say("scans-traffic-loading")} />;
+  if (found.error || !found.data) return <Loaded of={found} what={say("scans-traffic-loading")} />;
   return <Told found={found.data} scan={scan} use={use} narrow={narrow} changed={changed} />;
 }
 
@@ -57,9 +57,7 @@ function Told({ found, scan, use, narrow, changed }: Props & { found: Found }) {
           kind="warning"
           actions={
             may("operator") && (
-              <Button small onClick={() => void swapCameras(scan, changed)}>
-                {say("scans-traffic-swap")}
-              </Button>
+              <Button says="scans-traffic-swap" small onClick={() => void swapCameras(scan, changed)} />
             )
           }
         >
@@ -163,9 +161,12 @@ function Row({ what, value, n, inForce, reason, use }: RowProps) {
       {inForce !== null && <td class="num">{inForce}</td>}
       <td class="num">
         {use && value !== null && may("operator") && (
-          <Button small label={say("scans-traffic-use-for", { what })} onClick={use}>
-            {say("scans-traffic-use")}
-          </Button>
+          <Button
+            says="scans-traffic-use"
+            small
+            label={say("scans-traffic-use-for", { what })}
+            onClick={use}
+          />
         )}
       </td>
     </tr>

@@ -1,5 +1,5 @@
 /** The line camera's calibration: where the rod stood, its marks with their residuals, and what they give. */
-import { Button, DataTable, Empty, Notice } from "../../components";
+import { Button, DataTable, Empty, Facts, Notice } from "../../components";
 import { CommitField } from "../../components/CommitField";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
 import type { RodMark } from "../../core/types";
@@ -25,9 +25,7 @@ export function RodPanel({ model }: { model: ScanModel }) {
       <header class="vehicle__head">
         <h2>{say("scan-rod-title")}</h2>
         <span class="grow" />
-        <Button small kind="quiet" onClick={() => model.cancel()}>
-          {say("action-close")}
-        </Button>
+        <Button says="action-close" small kind="quiet" onClick={() => model.cancel()} />
       </header>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard must reach it */}
       <div class="scan__body stack" role="group" aria-label={say("scan-rod-body")} tabIndex={0}>
@@ -141,16 +139,18 @@ function Result({ model }: { model: ScanModel }) {
   return (
     <section class="stack" aria-label={say("scan-rod-result")} aria-live="polite">
       {solved?.status === "ok" && (
-        <dl class="facts small">
-          <dt>{say("scan-rod-camera-height")}</dt>
-          <dd>
-            <strong data-testid="rod-camera-height">
-              {formatHeight(solved.camera_height_m, solved.U95_camera_height_m)}
-            </strong>
-          </dd>
-          <dt>{say("scan-rod-residuals")}</dt>
-          <dd>{say("scan-rod-rms", { rms_px: fixed(solved.rms_px ?? 0, 2) })}</dd>
-        </dl>
+        <Facts
+          small
+          of={[
+            [
+              say("scan-rod-camera-height"),
+              <strong data-testid="rod-camera-height">
+                {formatHeight(solved.camera_height_m, solved.U95_camera_height_m)}
+              </strong>,
+            ],
+            [say("scan-rod-residuals"), say("scan-rod-rms", { rms_px: fixed(solved.rms_px ?? 0, 2) })],
+          ]}
+        />
       )}
       {solved && solved.status !== "ok" && marks > 0 && <Notice>{sentenceOf(solved.reason)}</Notice>}
       {solved?.warnings.map(sentenceOf).map((one) => (
@@ -160,18 +160,15 @@ function Result({ model }: { model: ScanModel }) {
       ))}
       <div class="row row--wrap">
         <Button
+          says="scan-rod-store"
           kind="primary"
           busy={model.busy.value}
           disabled={solved?.status !== "ok" || !rod.changed.value}
           onClick={() => void rod.store()}
-        >
-          {say("scan-rod-store")}
-        </Button>
-        {marks > 0 && <Button onClick={() => rod.clear()}>{say("scan-rod-clear")}</Button>}
+        />
+        {marks > 0 && <Button says="scan-rod-clear" onClick={() => rod.clear()} />}
         {rod.changed.value && model.heights.kept.pose.value && (
-          <Button kind="quiet" onClick={() => rod.reset()}>
-            {say("scan-rod-reset")}
-          </Button>
+          <Button says="scan-rod-reset" kind="quiet" onClick={() => rod.reset()} />
         )}
       </div>
     </section>

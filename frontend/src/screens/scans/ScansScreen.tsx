@@ -4,7 +4,7 @@ import { ask, Button, Empty, JobProgress, Loaded, Notice, PageHead, StateMark } 
 import { api } from "../../core/api";
 import { say, sentenceOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
-import { useEvery, useResource } from "../../core/resource";
+import { useAsked, useEvery } from "../../core/resource";
 import { canWork } from "../../core/session";
 import { formatDuration } from "../../core/times";
 import { toast, toastProblem } from "../../core/toasts";
@@ -19,10 +19,7 @@ import { ScanStart } from "./ScanStart";
 import "./scan.css";
 
 export default function ScansScreen({ surveyId }: ScreenProps) {
-  const scans = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/scans", { survey_id: surveyId }, { signal }),
-    [surveyId],
-  );
+  const scans = useAsked("GET /surveys/{survey_id}/scans", { survey_id: surveyId });
   const [adding, setAdding] = useState(false);
   const busy = scans.data?.some((scan) => scan.state === "reading" || isWorking(scan)) ?? false;
   useEvery(busy ? 1000 : null, scans.reload);
@@ -31,17 +28,13 @@ export default function ScansScreen({ surveyId }: ScreenProps) {
     <div class="page">
       <PageHead title={say("page-scans")} lead={say("scans-lead")}>
         <div class="row row--wrap">
-          <Button href={`/surveys/${surveyId}/planning?plan=lines`}>{say("page-planning")}</Button>
-          <Button href={`/surveys/${surveyId}/live`}>{say("page-live")}</Button>
+          <Button says="page-planning" href={`/surveys/${surveyId}/planning?plan=lines`} />
+          <Button says="page-live" href={`/surveys/${surveyId}/live`} />
           {!none && (
-            <Button icon="chart" href={`/surveys/${surveyId}/scans/results`}>
-              {say("page-scan-results")}
-            </Button>
+            <Button says="page-scan-results" icon="chart" href={`/surveys/${surveyId}/scans/results`} />
           )}
           {!none && canWork.value && !adding && (
-            <Button kind="primary" icon="add" onClick={() => setAdding(true)}>
-              {say("scans-add")}
-            </Button>
+            <Button says="scans-add" kind="primary" icon="add" onClick={() => setAdding(true)} />
           )}
         </div>
       </PageHead>
@@ -160,14 +153,13 @@ function ScanCard({ scan, reload }: { scan: Scan; reload: () => Promise<void> })
             actions={
               canWork.value && (
                 <Button
+                  says="scans-read-again"
                   small
                   icon="retry"
                   onClick={() =>
                     void run(() => api.write("POST /scans/{scan_id}/read", { scan_id: scan.id }))
                   }
-                >
-                  {say("scans-read-again")}
-                </Button>
+                />
               )
             }
           >
@@ -188,11 +180,7 @@ function ScanCard({ scan, reload }: { scan: Scan; reload: () => Promise<void> })
             {rigOpen && (
               <>
                 <RigOfTraffic scan={scan} use={setOffered} changed={reload} />
-                {canWork.value && (
-                  <Button small onClick={() => setOffered({})}>
-                    {say("scans-rig-change")}
-                  </Button>
-                )}
+                {canWork.value && <Button says="scans-rig-change" small onClick={() => setOffered({})} />}
               </>
             )}
           </details>
@@ -203,9 +191,7 @@ function ScanCard({ scan, reload }: { scan: Scan; reload: () => Promise<void> })
         {scan.state === "ready" && (
           <footer class="row row--apart">
             <span class="small">{counts(scan)}</span>
-            <Button kind="primary" href={bench}>
-              {say("scans-open")}
-            </Button>
+            <Button says="scans-open" kind="primary" href={bench} />
           </footer>
         )}
       </div>

@@ -1,9 +1,8 @@
 /** Traffic past the line cameras by the clock: flow, speeds, occupancy and length classes per interval. */
 import { useState } from "preact/hooks";
 import { Button, Empty, Loaded, Notice, num, Segments, Table } from "../../components";
-import { api } from "../../core/api";
 import { say, sentenceOf } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { formatPlaceClock, formatPlaceDay } from "../../core/times";
 import type { ScanTraffic, TrafficFigure, TrafficInterval, TrafficOfScans } from "../../core/types";
 import { fixed, heads, plainLength, speedScale } from "../../core/units";
@@ -20,15 +19,12 @@ const MINUTES = ["1", "5", "15", "60"] as const;
 
 export function Traffic({ surveyId, acceptedOnly, filmed }: Props) {
   const [minutes, setMinutes] = useState<(typeof MINUTES)[number]>("5");
-  const found = useResource(
-    (signal) =>
-      api.ask(
-        "GET /surveys/{survey_id}/scan-traffic",
-        { survey_id: surveyId, minutes: Number(minutes), accepted_only: acceptedOnly, ...filmed },
-        { signal },
-      ),
-    [surveyId, minutes, acceptedOnly, ...Object.values(filmed)],
-  );
+  const found = useAsked("GET /surveys/{survey_id}/scan-traffic", {
+    survey_id: surveyId,
+    minutes: Number(minutes),
+    accepted_only: acceptedOnly,
+    ...filmed,
+  });
   const scans = found.data?.scans ?? [];
   return (
     <section class="stack" aria-labelledby="scan-traffic" data-testid="scan-traffic">
@@ -41,7 +37,7 @@ export function Traffic({ surveyId, acceptedOnly, filmed }: Props) {
           label={say("flows-minutes")}
           value={minutes}
           options={MINUTES.map((one) => ({ value: one, label: say("flows-minutes-of", { minutes: one }) }))}
-          onChange={setMinutes}
+          onInput={setMinutes}
         />
       </header>
       <Loaded of={found} what={say("flows-loading")} />

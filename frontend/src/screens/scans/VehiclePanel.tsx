@@ -1,5 +1,5 @@
 /** The chosen vehicle: its numbers, what is known of it, profile, match, budget, history, and the verdict. */
-import { Button, Loading, Notice, SelectField, StateMark } from "../../components";
+import { Button, type Fact, Facts, Loading, Notice, OptionalField, StateMark } from "../../components";
 import { Said } from "../../components/Said";
 import { hint } from "../../core/commands";
 import { say, sentenceOf } from "../../core/messages";
@@ -73,7 +73,6 @@ interface NumbersProps {
 }
 
 function Numbers({ m, vehicle, lanes }: NumbersProps) {
-  const gap = vehicle.gap;
   return (
     <section class="stack stack--tight" aria-label={say("scan-motion")}>
       {m.status === "ok" ? (
@@ -91,79 +90,69 @@ function Numbers({ m, vehicle, lanes }: NumbersProps) {
         </Notice>
       ))}
       {m.older && <Notice>{say("scan-older")}</Notice>}
-      <dl class="facts small">
-        {m.status === "ok" && (
-          <>
-            <dt>{say("scan-length")}</dt>
-            <dd data-testid="scan-length">{formatMeasured(m.length_m, m.U95_length_m)}</dd>
-            <dt>{say("scan-acceleration")}</dt>
-            <dd>{formatAcceleration(m.acceleration_mps2, m.U95_acceleration_mps2)}</dd>
-            <dt>{say("scan-wheelbase")}</dt>
-            <dd data-testid="scan-wheelbase">
-              {m.wheelbase_m === null
-                ? say("scan-wheelbase-none")
-                : formatMeasured(m.wheelbase_m, m.U95_wheelbase_m)}
-            </dd>
-          </>
-        )}
-        {m.axle_lines !== null && (
-          <>
-            <dt>{say("scan-axles")}</dt>
-            <dd data-testid="scan-axles">
-              {say("scan-axles-of", { count: m.axle_lines.length, by: m.axles_by ?? "machine" })}
-            </dd>
-          </>
-        )}
-        <dt>{say("scan-passed")}</dt>
-        <dd data-testid="scan-passed">
-          <Passed vehicle={vehicle} />
-        </dd>
-        <dt>{say("scan-direction")}</dt>
-        <dd data-testid="scan-direction">{say("scan-direction-of", { direction: m.direction })}</dd>
-        {lanes.length > 0 && (
-          <>
-            <dt>{say("scan-lane")}</dt>
-            <dd data-testid="scan-lane">
+      <Facts
+        small
+        of={[
+          m.status === "ok" && [
+            say("scan-length"),
+            formatMeasured(m.length_m, m.U95_length_m),
+            "scan-length",
+          ],
+          m.status === "ok" && [
+            say("scan-acceleration"),
+            formatAcceleration(m.acceleration_mps2, m.U95_acceleration_mps2),
+          ],
+          m.status === "ok" && [
+            say("scan-wheelbase"),
+            m.wheelbase_m === null
+              ? say("scan-wheelbase-none")
+              : formatMeasured(m.wheelbase_m, m.U95_wheelbase_m),
+            "scan-wheelbase",
+          ],
+          m.axle_lines !== null && [
+            say("scan-axles"),
+            say("scan-axles-of", { count: m.axle_lines.length, by: m.axles_by ?? "machine" }),
+            "scan-axles",
+          ],
+          [say("scan-passed"), <Passed vehicle={vehicle} />, "scan-passed"],
+          [say("scan-direction"), say("scan-direction-of", { direction: m.direction }), "scan-direction"],
+          lanes.length > 0 && [
+            say("scan-lane"),
+            <>
               {m.lane === null
                 ? say("scan-lane-unknown")
                 : say("scan-lane-of", { lane: m.lane, by: m.lane_by ?? "machine" })}
               {m.tyres_px !== null && (
                 <span class="muted"> {say("scan-lane-tyres", { row: fixed(m.tyres_px, 0) })}</span>
               )}
-            </dd>
-          </>
-        )}
-        <dt>{say("scan-time-gap")}</dt>
-        <dd>
-          {gap?.time_gap_s == null
-            ? (sentenceOf(gap?.reason) ?? say("scan-time-gap-first"))
-            : formatSeconds(gap.time_gap_s, 3)}
-        </dd>
-        {gap?.time_gap_s != null && (
-          <>
-            <dt>{say("scan-distance-gap")}</dt>
-            <dd>
-              <DistanceGap gap={gap} />
-            </dd>
-            <dt>{say("scan-headway")}</dt>
-            <dd>{formatSeconds(gap.headway_s, 3)}</dd>
-          </>
-        )}
-        <dt>{say("scan-by")}</dt>
-        <dd>
-          {m.fit_error_percent === null
-            ? causeWords(m)
-            : say("scan-cause-scatter", { cause: causeWords(m), percent: fixed(m.fit_error_percent, 2) })}
-        </dd>
-        {m.misalignment_px !== null && (
-          <>
-            <dt>{say("scan-misalignment")}</dt>
-            <dd>{misalignmentWords(m.misalignment_px, m.u_misalignment_px)}</dd>
-          </>
-        )}
-      </dl>
+            </>,
+            "scan-lane",
+          ],
+          ...gapFacts(vehicle.gap),
+          [
+            say("scan-by"),
+            m.fit_error_percent === null
+              ? causeWords(m)
+              : say("scan-cause-scatter", { cause: causeWords(m), percent: fixed(m.fit_error_percent, 2) }),
+          ],
+          m.misalignment_px !== null && [
+            say("scan-misalignment"),
+            misalignmentWords(m.misalignment_px, m.u_misalignment_px),
+          ],
+        ]}
+      />
     </section>
   );
+}
+
+function gapFacts(gap: ScanVehicle["gap"]): Fact[] {
+  if (gap?.time_gap_s == null)
+    return [[say("scan-time-gap"), sentenceOf(gap?.reason) ?? say("scan-time-gap-first")]];
+  return [
+    [say("scan-time-gap"), formatSeconds(gap.time_gap_s, 3)],
+    [say("scan-distance-gap"), <DistanceGap gap={gap} />],
+    [say("scan-headway"), formatSeconds(gap.headway_s, 3)],
+  ];
 }
 
 interface ChooseLaneProps {
@@ -174,16 +163,13 @@ interface ChooseLaneProps {
 
 /** The program proposes; what a person says stays. */
 function ChooseLane({ model, m, lanes }: ChooseLaneProps) {
-  const options = [
-    { value: "", label: say("scan-lane-by-program") },
-    ...lanes.map(({ name }) => ({ value: name, label: name })),
-  ];
   return (
-    <SelectField
+    <OptionalField
       label={say("scan-lane-choose")}
-      value={laneByPerson(m) ?? ""}
-      options={options}
-      onChange={(name) => void model.edits.storeLane(name || null)}
+      value={laneByPerson(m)}
+      none={say("scan-lane-by-program")}
+      options={lanes.map(({ name }) => ({ value: name, label: name }))}
+      onInput={(name) => void model.edits.storeLane(name)}
     />
   );
 }
@@ -222,52 +208,49 @@ function Tools({ model, m }: { model: ScanModel; m: ScanMotion | null }) {
   const wheels = model.mode.value === "wheels";
   return (
     <div class="row row--wrap">
-      <Button small title={say("scan-show-title") + hint("scanFit")} onClick={() => model.show("fit")}>
-        {say("scan-show")}
-      </Button>
+      <Button
+        says="scan-show"
+        small
+        title={say("scan-show-title") + hint("scanFit")}
+        onClick={() => model.show("fit")}
+      />
       {m?.status === "ok" && (
         <Button
+          says={m.wheelbase_m === null ? "scan-wheels" : "scan-wheels-again"}
           small
           pressed={wheels}
           title={say("scan-wheels-title") + hint("scanWheels")}
           onClick={() => model.start("wheels")}
-        >
-          {say(m.wheelbase_m === null ? "scan-wheels" : "scan-wheels-again")}
-        </Button>
+        />
       )}
       {m?.status === "ok" && (
         <Button
+          says="scan-axles-correct"
           small
           pressed={model.mode.value === "axles"}
           title={say("scan-axles-title")}
           onClick={() => model.start("axles")}
-        >
-          {say("scan-axles-correct")}
-        </Button>
+        />
       )}
       {m?.axles_by === "person" && (
-        <Button small onClick={() => void model.edits.storeAxles(null)}>
-          {say("scan-axles-again")}
-        </Button>
+        <Button says="scan-axles-again" small onClick={() => void model.edits.storeAxles(null)} />
       )}
       {model.heights.kept.pose.value && (
         <Button
+          says="scan-heights-measure"
           small
           pressed={model.mode.value === "height"}
           title={say("scan-heights-title") + hint("scanHeight")}
           onClick={() => model.heights.begin(null)}
-        >
-          {say("scan-heights-measure")}
-        </Button>
+        />
       )}
       <Button
+        says="scan-take-out"
         small
         icon="trash"
         title={say("scan-take-out-title") + hint("remove")}
         onClick={() => void model.edits.remove()}
-      >
-        {say("scan-take-out")}
-      </Button>
+      />
     </div>
   );
 }

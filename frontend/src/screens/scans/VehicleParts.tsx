@@ -17,8 +17,8 @@ import {
 } from "../../core/units";
 import { STATE_WORDS } from "../../core/words";
 import { CatalogueField } from "../../parts/vehicles/CatalogueField";
-import type { Facts } from "./kinds";
 import type { ScanModel } from "./model";
+import type { Facts } from "./wanted";
 import { causeWords } from "./words";
 
 export function Known({ model, vehicle }: { model: ScanModel; vehicle: ScanVehicle }) {

@@ -23,26 +23,30 @@ export function Verdict({ model, m }: { model: ScanModel; m: ScanMotion }) {
     return (
       <div class="row row--wrap">
         <span class="small grow">{given}</span>
-        <Button small busy={model.busy.value} onClick={() => void judging.review("reopened")}>
-          {say("scan-verdict-reopen")}
-        </Button>
+        <Button
+          says="scan-verdict-reopen"
+          small
+          busy={model.busy.value}
+          onClick={() => void judging.review("reopened")}
+        />
       </div>
     );
   }
   return (
     <div class="row row--wrap">
       <Button
+        says="scan-verdict-accept"
         kind="primary"
         icon="check"
         busy={model.busy.value}
         title={say("scan-verdict-accept") + hint("reviewAccept")}
         onClick={() => void judging.review("accepted")}
-      >
-        {say("scan-verdict-accept")}
-      </Button>
-      <Button title={say("scan-verdict-reject") + hint("reviewReject")} onClick={() => judging.reject()}>
-        {say("scan-verdict-reject-why")}
-      </Button>
+      />
+      <Button
+        says="scan-verdict-reject-why"
+        title={say("scan-verdict-reject") + hint("reviewReject")}
+        onClick={() => judging.reject()}
+      />
     </div>
   );
 }
@@ -77,10 +81,8 @@ function Reject({ model: { judging } }: { model: ScanModel }) {
       </div>
       <TextField label={say("scan-verdict-reason")} value={reason} onInput={setReason} />
       <div class="row">
-        <Button type="submit" kind="primary" disabled={reason.trim() === ""}>
-          {say("scan-verdict-reject")}
-        </Button>
-        <Button onClick={leave}>{say("scan-verdict-leave")}</Button>
+        <Button says="scan-verdict-reject" type="submit" kind="primary" disabled={reason.trim() === ""} />
+        <Button says="scan-verdict-leave" onClick={leave} />
       </div>
     </form>
   );

@@ -8,8 +8,9 @@ import { toast } from "../../core/toasts";
 import type { ScanVehicle } from "../../core/types";
 import { fixed } from "../../core/units";
 import type { Strips } from "./bench";
-import { ADDED, type Axles, type Facts } from "./kinds";
+import { ADDED } from "./kinds";
 import type { ScannedVehicles } from "./scanned";
+import type { Axles, Facts } from "./wanted";
 
 type Step = "scan-step-wheels" | "scan-step-axles" | "scan-step-lane";
 

@@ -7,7 +7,7 @@ import { toast } from "../../core/toasts";
 import type { ScanVehicle } from "../../core/types";
 import { nextThat } from "../../parts/worklist";
 import type { Bench } from "./bench";
-import { SCAN_VERDICT, type Verdict } from "./kinds";
+import { type MotionVerdict, SCAN_VERDICT } from "./kinds";
 import type { ScannedVehicles } from "./scanned";
 
 export class Judging {
@@ -41,7 +41,7 @@ export class Judging {
     if (m?.status === "ok" && !m.mine && may("reviewer")) this.rejecting.value = true;
   }
 
-  async review(verdict: Verdict["verdict"], reason?: string): Promise<void> {
+  async review(verdict: MotionVerdict["verdict"], reason?: string): Promise<void> {
     const vehicle = this.bench.chosen.value;
     const measured = vehicle?.measurement;
     if (!vehicle || !measured || measured.mine || !may("reviewer") || this.busy) return;

@@ -1,6 +1,6 @@
 /** How the outbox brings what is done on the strips to the server: addresses, bodies, and when two of them are the same. */
 import { api } from "../../core/api";
-import { apart, say } from "../../core/messages";
+import { say } from "../../core/messages";
 import { type Kind, outbox } from "../../core/outbox";
 import type { BodyOf } from "../../core/routes";
 import { shapeOf } from "../../core/shape";
@@ -13,10 +13,12 @@ import type {
   ScanVehicle,
   Target,
 } from "../../core/types";
-import { fixed, formatHeight, formatLength } from "../../core/units";
-import { CATEGORY_WORDS, STATE_WORDS } from "../../core/words";
+import { formatHeight } from "../../core/units";
+import { STATE_WORDS } from "../../core/words";
 import { type Crossings, EDGES } from "../../parts/strips/draw";
 import { type Place, placeOf } from "../../parts/strips/view";
+import { type Verdict, verdictKind } from "../../parts/verdicts/kind";
+import { type Axles, type Facts, type Hubs, rodWords, type ScannedWanted, scannedWords } from "./wanted";
 
 export const LINE_HEIGHT = "line-height";
 export const ROD = "rod";
@@ -166,33 +168,6 @@ const rodKind: Kind<LinePose, RodValues, { scanId: number }> = {
   words: (saved) => (saved ? rodWords(saved.marks) : say("scan-wish-no-marks")),
 };
 
-export function rodWords(marks: readonly RodMark[]): string {
-  const distances = [...new Set(marks.map((mark) => formatLength(mark.distance_m, 2)))];
-  return say("scan-wish-marks", { count: marks.length, distances: distances.join(", ") });
-}
-
-export type Facts = Partial<
-  Pick<
-    ScanVehicle,
-    "make" | "model" | "category" | "true_length_m" | "true_wheelbase_m" | "facts_source" | "run_of"
-  >
->;
-/** Lines of all hubs as a person says; null: as the program finds them. */
-export type Axles = readonly number[] | null;
-export type Hubs = readonly [front: number | null, rear: number | null];
-
-/** What a scanned vehicle is to become; what is left out stays. */
-export interface ScannedWanted {
-  readonly boundaries?: Crossings;
-  readonly hubs?: Hubs;
-  readonly axles?: Axles;
-  /** Null: as the program tells it. */
-  readonly lane?: string | null;
-  readonly facts?: Facts;
-  /** Whether it is in the list. */
-  readonly there?: boolean;
-}
-
 interface ScannedAbout {
   readonly id: number;
   readonly scanId: number;
@@ -291,31 +266,6 @@ function wantedOf({
   return { facts, boundaries: crossingsOf(m), hubs: [m.front_wheel_line, m.rear_wheel_line] as Hubs };
 }
 
-/** What is wanted of a vehicle, or stands, in words. */
-export function scannedWords({ there, boundaries, hubs, axles, lane, facts }: ScannedWanted): string {
-  const told = [
-    there === undefined ? "" : say(there ? "scan-wish-there" : "scan-wish-taken-out"),
-    boundaries
-      ? say("scan-wish-boundaries", { lines: linesWords(EDGES.map((edge) => boundaries[edge])) })
-      : "",
-    hubs ? say("scan-wish-hubs", { lines: linesWords(hubs) }) : "",
-    axles ? say("scan-wish-axles", { count: axles.length }) : "",
-    lane === undefined ? "" : say("scan-wish-lane", { lane: lane ?? say("scan-lane-by-program") }),
-    facts ? factsWords(facts) : "",
-  ];
-  return apart(told.filter(Boolean));
-}
-
-function linesWords(lines: readonly (number | null)[]): string {
-  return lines.map((one) => (one === null ? say("scan-wish-no-line") : fixed(one, 1))).join(", ");
-}
-
-function factsWords(facts: Facts): string {
-  const { category } = facts;
-  const known = Object.values({ ...facts, ...(category ? { category: CATEGORY_WORDS[category] } : {}) });
-  return known.filter((value) => value !== null).join(" ") || say("scan-wish-nothing-known");
-}
-
 interface Added {
   readonly front_line_1: number;
   readonly rear_line_1: number;
@@ -331,10 +281,8 @@ const addedKind: Kind<ScanVehicle, Added, { scanId: number }> = {
   words: () => "",
 };
 
-export interface Verdict {
-  readonly verdict: "accepted" | "rejected" | "reopened";
-  readonly reason: string | null;
-}
+/** A motion is not fixed by its reviewer. */
+export type MotionVerdict = Verdict & { readonly verdict: Exclude<Verdict["verdict"], "fixed"> };
 
 interface VerdictAbout {
   readonly id: number;
@@ -343,49 +291,18 @@ interface VerdictAbout {
   readonly by: number;
 }
 
-const verdictKind: Kind<ScanVehicle, Verdict, VerdictAbout> = {
-  once: true,
-  send: ({ about, saved, want: { verdict, reason } }, sending) =>
+const motionVerdict = verdictKind<ScanVehicle, MotionVerdict, VerdictAbout>({
+  send: ({ about }, body, sending) =>
     api.write(
       "POST /scan-measurements/{measurement_id}/review",
       { measurement_id: about.measurementId },
-      {
-        body: { verdict, seen: saved?.measurement?.review.verdict, ...(reason ? { reason } : {}) },
-        ...sending,
-      },
+      { body, ...sending },
     ),
   read: ({ about: { id } }, _error, signal) => readVehicle(id, signal),
   isSaved: isScanned,
-  done({ about, saved, want }) {
-    const m = saved?.measurement;
-    return m?.id === about.measurementId && isGiven(m.review, want, about.by);
-  },
-  version: (saved) => {
-    const m = saved?.measurement;
-    return m ? `${m.id} ${m.review.verdict} ${m.review.at}` : "";
-  },
-  words: (saved) => {
-    const review = saved?.measurement?.review;
-    return review ? reviewWords(review) : "";
-  },
-};
-
-/** By this person; what waits for a verdict need not be reopened, whoever left it so. */
-function isGiven({ verdict, reason, reviewer }: LineHeight["review"], want: Verdict, by: number): boolean {
-  if (want.verdict === "reopened") return verdict === "reopened" || verdict === "to_review";
-  return verdict === want.verdict && (reason ?? null) === want.reason && reviewer?.id === by;
-}
-
-function reviewWords({ verdict, reviewer }: LineHeight["review"]): string {
-  return say("scan-wish-verdict-by", { verdict, person: reviewer?.name ?? say("scan-by-nobody") });
-}
-
-/** What was wanted, as it reads beside what another gave meanwhile. */
-export function verdictWords({ verdict, reason }: Verdict): string {
-  return reason
-    ? say("scan-wish-verdict-why", { verdict, reason })
-    : say("scan-wish-verdict-word", { verdict });
-}
+  review: ({ measurement: m }) => m && { of: m.id, review: m.review },
+  isOn: (saved, { about }) => saved.measurement?.id === about.measurementId,
+});
 
 /** The same values under these names. */
 function same<T extends object>(
@@ -400,4 +317,4 @@ outbox.register(LINE_HEIGHT, heightKind);
 outbox.register(ROD, rodKind);
 outbox.register(SCANNED, scannedKind);
 outbox.register(ADDED, addedKind);
-outbox.register(SCAN_VERDICT, verdictKind);
+outbox.register(SCAN_VERDICT, motionVerdict);

@@ -4,11 +4,7 @@ import type { ReferenceQuantity, ReferenceSource, ScanReference } from "../../co
 import { formatSmall, formatSpeed } from "../../core/units";
 import { formatMeasured } from "./words";
 
-export const QUANTITY_WORDS: Readonly<Record<ReferenceQuantity, string>> = wordsOf({
-  speed: "scan-reference-speed",
-  length: "scan-reference-length",
-  wheelbase: "scan-reference-wheelbase",
-});
+export const QUANTITY_WORDS = wordsOf("scan-reference-", "speed", "length", "wheelbase");
 export const SOURCE_WORDS: Readonly<Record<ReferenceSource, string>> = wordsOf({
   counter: "scan-reference-counter",
   radar: "scan-reference-radar",

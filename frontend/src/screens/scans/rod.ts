@@ -10,7 +10,8 @@ import type { LinePose, RodMark, SolvedRod } from "../../core/types";
 import { type Place, showLines } from "../../parts/strips/view";
 import type { Bench } from "./bench";
 import type { LineHeights } from "./heights";
-import { ROD, type RodValues, rodWords } from "./kinds";
+import { ROD, type RodValues } from "./kinds";
+import { rodWords } from "./wanted";
 
 /** Where the next click belongs: the rod's distance, the mark's height, and how much higher the one after it is. */
 export interface NextMark {

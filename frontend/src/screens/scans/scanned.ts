@@ -7,20 +7,10 @@ import { outbox, type Wish } from "../../core/outbox";
 import { me } from "../../core/session";
 import type { ScanVehicle } from "../../core/types";
 import type { Crossings } from "../../parts/strips/draw";
+import { verdictWords } from "../../parts/verdicts/kind";
 import type { Bench } from "./bench";
-import {
-  type Axles,
-  crossingsOf,
-  type Facts,
-  type Hubs,
-  laneByPerson,
-  SCAN_VERDICT,
-  SCANNED,
-  type ScannedWanted,
-  scannedWords,
-  type Verdict,
-  verdictWords,
-} from "./kinds";
+import { crossingsOf, laneByPerson, type MotionVerdict, SCAN_VERDICT, SCANNED } from "./kinds";
+import { type Axles, type Facts, type Hubs, type ScannedWanted, scannedWords } from "./wanted";
 
 type ScannedAbout = { id: number; scanId: number };
 export type ScannedWish = Wish<ScanVehicle, ScannedWanted, ScannedAbout>;
@@ -87,10 +77,10 @@ export class ScannedVehicles {
   };
 
   /** The verdict that stands on the newest revision; what waits is written as reopened. */
-  readonly verdicts: Ledger<number, Verdict> = {
+  readonly verdicts: Ledger<number, MotionVerdict> = {
     read: (id) => {
       const measured = this.measurementOf(id);
-      const kept = measured && outbox.get<ScanVehicle, Verdict, unknown>(verdictKey(measured.id))?.want;
+      const kept = measured && outbox.get<ScanVehicle, MotionVerdict, unknown>(verdictKey(measured.id))?.want;
       if (kept) return kept;
       const { verdict, reason } = measured?.review ?? {};
       if (verdict !== "accepted" && verdict !== "rejected") return { verdict: "reopened", reason: null };
@@ -99,7 +89,7 @@ export class ScannedVehicles {
     write: (id, want) => this.giveVerdict(id, want),
   };
 
-  private async giveVerdict(id: number, want: Verdict): Promise<void> {
+  private async giveVerdict(id: number, want: MotionVerdict): Promise<void> {
     const vehicle = this.of(id);
     const measured = vehicle?.measurement;
     if (!measured) return;

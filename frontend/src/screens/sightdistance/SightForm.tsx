@@ -66,7 +66,7 @@ function StandardChoice({ name, usual, label, options }: StandardChoiceProps) {
           })),
           { value: "", label: say("sight-standard-any") },
         ]}
-        onChange={(value) => {
+        onInput={(value) => {
           const one = options.find((option) => standardKey(option) === value);
           const rule = name === "eye_m" ? "eye_percent" : "object_percent";
           // the survey is read by the rule of the standard, where one is known
@@ -101,7 +101,7 @@ function SurveyRule() {
           { value: "roof", label: TARGET_WORDS.roof },
           { value: STANDARDS_OBJECT, label: say("sight-object-standard") },
         ]}
-        onChange={(value) => setQuery({ object_target: value })}
+        onInput={(value) => setQuery({ object_target: value })}
       />
       <Plain
         name="object_percent"
@@ -118,7 +118,7 @@ function SurveyRule() {
           { value: "", label: STATE_WORDS.accepted },
           { value: "all", label: say("statistics-filter-state-all") },
         ]}
-        onChange={(value) => setQuery({ state: value || null })}
+        onInput={(value) => setQuery({ state: value || null })}
       />
       <SelectField
         label={say("statistics-filter-lighting")}
@@ -127,7 +127,7 @@ function SurveyRule() {
           { value: "", label: say("statistics-filter-any") },
           ...Object.entries(LIGHTING_WORDS).map(([value, label]) => ({ value, label })),
         ]}
-        onChange={(value) => setQuery({ lighting: value || null })}
+        onInput={(value) => setQuery({ lighting: value || null })}
       />
       <ClassChoice
         classSets={at.getAll("class_set")}
@@ -150,7 +150,7 @@ function Road() {
         label={say("sight-kind")}
         value={(at.get("kind") ?? "stopping") as Kind}
         options={Object.entries(KIND_WORDS).map(([value, label]) => ({ value: value as Kind, label }))}
-        onChange={(value) => setQuery({ kind: value === "stopping" ? null : value })}
+        onInput={(value) => setQuery({ kind: value === "stopping" ? null : value })}
       />
       <CommitField
         label={say("sight-speed")}
@@ -182,9 +182,7 @@ function Fleet({ found }: { found: Sight }) {
   if (shares.size === 0)
     return (
       <div class="sight-form__fleet">
-        <Button icon="add" onClick={begin}>
-          {say("sight-fleet-begin")}
-        </Button>
+        <Button says="sight-fleet-begin" icon="add" onClick={begin} />
         <span class="field__hint">{say("sight-fleet-hint")}</span>
       </div>
     );
@@ -203,9 +201,7 @@ function Fleet({ found }: { found: Sight }) {
           onCommit={(text) => setShares(new Map(shares).set(one.category, parseNumber(text) ?? 0))}
         />
       ))}
-      <Button small icon="close" onClick={() => setShares(new Map())}>
-        {say("sight-fleet-end")}
-      </Button>
+      <Button says="sight-fleet-end" small icon="close" onClick={() => setShares(new Map())} />
     </fieldset>
   );
 }

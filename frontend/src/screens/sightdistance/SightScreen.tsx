@@ -1,12 +1,12 @@
 /** From heights to roads: crests by a standard's heights, by the survey's and by another fleet's. */
 import { useEffect } from "preact/hooks";
-import { Loading, Notice, num, PageHead, Panel, Problem, Table } from "../../components";
+import { Facts, Loading, Notice, num, PageHead, Panel, Problem, Table } from "../../components";
 import { PageTabs } from "../../components/PageTabs";
 import { query } from "../../core/address";
 import { api, fromAddress } from "../../core/api";
 import { say, sentenceOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
-import { useResource } from "../../core/resource";
+import { useAsked, useResource } from "../../core/resource";
 import { resultsTabs } from "../../core/tabs";
 import { fixed, formatLength, formatSpeed, lengthScale, numbersIn, plainHeight } from "../../core/units";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
@@ -18,11 +18,7 @@ import "./sightdistance.css";
 
 export default function SightScreen(_props: ScreenProps) {
   const asked = sightQuery(query.value);
-  const found = useResource(
-    (signal) => api.ask("GET /sightdistance", fromAddress<"GET /sightdistance">(asked), { signal }),
-    [JSON.stringify(asked)],
-    { keep: true },
-  );
+  const found = useAsked("GET /sightdistance", fromAddress<"GET /sightdistance">(asked), { keep: true });
   const only = query.value.getAll("survey").length === 1 ? Number(query.value.get("survey")) : null;
   const standards = useResource(
     async (signal) =>
@@ -172,23 +168,25 @@ function Besides({ sight }: { sight: Sight }) {
   const unit = lengthScale()[1];
   return (
     <Panel title={say("sight-besides-title")} class="sight-besides">
-      <dl class="facts">
-        <dt>{say("sight-sag")}</dt>
-        <dd>
-          {say("sight-sag-words", {
-            k: plain(sight.sag_k_m, 1),
-            unit,
-            length: formatLength(sight.sag.length_m, 0),
-            case: sight.sag.case === "S < L" ? "within" : sight.sag.case === "S > L" ? "beyond" : "none",
-          })}
-        </dd>
-        <dt>{say("sight-curve")}</dt>
-        <dd>
-          {sight.offset_m === null
-            ? say("sight-curve-none")
-            : say("sight-curve-words", { offset: formatLength(sight.offset_m, 2) })}
-        </dd>
-      </dl>
+      <Facts
+        of={[
+          [
+            say("sight-sag"),
+            say("sight-sag-words", {
+              k: plain(sight.sag_k_m, 1),
+              unit,
+              length: formatLength(sight.sag.length_m, 0),
+              case: sight.sag.case === "S < L" ? "within" : sight.sag.case === "S > L" ? "beyond" : "none",
+            }),
+          ],
+          [
+            say("sight-curve"),
+            sight.offset_m === null
+              ? say("sight-curve-none")
+              : say("sight-curve-words", { offset: formatLength(sight.offset_m, 2) }),
+          ],
+        ]}
+      />
       <Notice>{say("sight-besides-note")}</Notice>
     </Panel>
   );

@@ -1,4 +1,4 @@
-import { useEffect, useState } from "preact/hooks";
+import { useEffect } from "preact/hooks";
 import { Button, Loading, Mark, Notice, TextField } from "../../components";
 import { useAction } from "../../core/action";
 import { navigate, query } from "../../core/address";
@@ -7,6 +7,7 @@ import { say } from "../../core/messages";
 import { enter, me, safeNext } from "../../core/session";
 import { formatHeight } from "../../core/units";
 import "./signin.css";
+import { useForm } from "../../core/form";
 
 /** Signs in with a one-time link (`/sign-in?token=...`) or with e-mail and password. */
 export default function SignInScreen() {
@@ -41,19 +42,17 @@ function LinkSignIn({ token }: { token: string }) {
       <h1>{say("signin-link-title")}</h1>
       <Notice kind="problem">{explain(problem)}</Notice>
       {used ? (
-        <Button href="/sign-in">{say("signin-with-password")}</Button>
+        <Button says="signin-with-password" href="/sign-in" />
       ) : (
-        <Button kind="primary" onClick={() => void go()}>
-          {say("action-try-again")}
-        </Button>
+        <Button says="action-try-again" kind="primary" onClick={() => void go()} />
       )}
     </>
   );
 }
 
 function PasswordSignIn() {
-  const [email, setEmail] = useState("");
-  const [password, setPassword] = useState("");
+  const form = useForm({ email: "", password: "" });
+  const { email, password } = form.values;
   const { busy, problem, run } = useAction();
   useEffect(() => {
     if (me.value) navigate("/", { replace: true });
@@ -72,22 +71,18 @@ function PasswordSignIn() {
       <TextField
         label={say("signin-email")}
         type="email"
-        value={email}
-        onInput={setEmail}
+        {...form.field("email")}
         autoComplete="username"
         required
       />
       <TextField
         label={say("signin-password")}
         type="password"
-        value={password}
-        onInput={setPassword}
+        {...form.field("password")}
         autoComplete="current-password"
         required
       />
-      <Button kind="primary" type="submit" busy={busy}>
-        {say("signin-submit")}
-      </Button>
+      <Button says="signin-submit" kind="primary" type="submit" busy={busy} />
       <p class="field__hint">{say("signin-help")}</p>
     </form>
   );

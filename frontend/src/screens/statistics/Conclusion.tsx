@@ -1,16 +1,15 @@
 import { Problem } from "../../components";
-import { api } from "../../core/api";
-import { language, say } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { say } from "../../core/messages";
+import { useAsked } from "../../core/resource";
 import { lengthUnit } from "../../core/units";
 
 /** What came out of a survey's accepted heights, in the sentences that its report opens with. */
 export function Conclusion({ surveyId, of }: { surveyId: number; of: unknown }) {
   const unit = lengthUnit.value;
-  const found = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/conclusion", { survey_id: surveyId, unit }, { signal }),
-    [surveyId, unit, language.value, of],
-    { keep: true },
+  const found = useAsked(
+    "GET /surveys/{survey_id}/conclusion",
+    { survey_id: surveyId, unit },
+    { keep: true, also: [of] },
   );
   if (!found.data) return <Problem error={found.error} again={found.reload} />;
   const [, ...rest] = found.data.sentences; // how many there are stands above

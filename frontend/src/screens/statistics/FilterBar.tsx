@@ -1,5 +1,14 @@
 import { useState } from "preact/hooks";
-import { Button, Checklist, DateField, SelectField, TextField } from "../../components";
+import {
+  Button,
+  Checklist,
+  type Choice,
+  choices,
+  DateField,
+  named,
+  OptionalField,
+  TextField,
+} from "../../components";
 import { query, setQuery } from "../../core/address";
 import { say, wordsOf } from "../../core/messages";
 import { lengthUnit, parseSmall, smallScale, smallText } from "../../core/units";
@@ -27,30 +36,19 @@ const MORE: readonly SingleName[] = [
   "u_reference_m",
 ];
 
-const states = () => [
-  { value: "", label: STATE_WORDS.accepted },
-  { value: "to_review", label: STATE_WORDS.to_review },
-  { value: "rejected", label: STATE_WORDS.rejected },
-  { value: "all", label: say("statistics-filter-state-all") },
-];
-
 /** What counts, and how figures are made. Each change goes into the address, and from there to the server. */
 export function FilterBar({ found }: { found: Statistics | null }) {
   const at = query.value;
-  const choice = (name: SingleName, label: string, options: { value: string; label: string }[]) => (
-    <SelectField
+  const choice = (name: SingleName, label: string, none: string, options: readonly Choice<string>[]) => (
+    <OptionalField
       label={label}
-      value={at.get(name) ?? ""}
+      value={at.get(name)}
+      none={none}
       options={options}
-      onChange={(value) => setFilter({ [name]: value || null })}
+      onInput={(value) => setFilter({ [name]: value })}
     />
   );
-  const words = (list: Record<string, string>, all: string) => [
-    { value: "", label: all },
-    ...Object.entries(list).map(([value, label]) => ({ value, label })),
-  ];
   const any = say("statistics-filter-any");
-  const operators = found?.operators.map((one) => ({ value: String(one.id), label: one.name })) ?? [];
   return (
     <form
       class="panel stat-filter stat-noprint"
@@ -58,8 +56,11 @@ export function FilterBar({ found }: { found: Statistics | null }) {
       onSubmit={(event) => event.preventDefault()}
     >
       <Surveys found={found} chosen={at.getAll("survey")} />
-      {choice("state", say("statistics-filter-state"), states())}
-      {choice("lighting", say("statistics-filter-lighting"), words(LIGHTING_WORDS, any))}
+      {choice("state", say("statistics-filter-state"), STATE_WORDS.accepted, [
+        ...choices<string>(STATE_WORDS, ["to_review", "rejected"]),
+        { value: "all", label: say("statistics-filter-state-all") },
+      ])}
+      {choice("lighting", say("statistics-filter-lighting"), any, choices<string>(LIGHTING_WORDS))}
       <ClassChoice
         classSets={at.getAll("class_set")}
         categories={at.getAll("category")}
@@ -72,23 +73,25 @@ export function FilterBar({ found }: { found: Statistics | null }) {
           {choice(
             "target",
             say("statistics-filter-target"),
-            words(TARGET_TITLES, say("statistics-filter-target-all")),
+            say("statistics-filter-target-all"),
+            choices<string>(TARGET_TITLES),
           )}
-          {choice("operator", say("statistics-filter-operator"), [
-            { value: "", label: say("statistics-filter-anybody") },
-            ...operators,
-          ])}
+          {choice(
+            "operator",
+            say("statistics-filter-operator"),
+            say("statistics-filter-anybody"),
+            named(found?.operators ?? []),
+          )}
           <FilmedFields value={filmedOf(at)} onChange={setQuery} />
           <Day name="first_day" label={say("statistics-filter-first-day")} />
           <Day name="last_day" label={say("statistics-filter-last-day")} />
-          {choice("correction", say("statistics-filter-correction"), [
-            ...CORRECTIONS.map((one) => ({
-              value: one === "inset" ? "" : one,
-              label: CORRECTION_WORDS[one],
-            })),
-          ])}
-          {choice("rounding", say("statistics-filter-rounding"), [
-            { value: "", label: say("statistics-rounding-none") },
+          {choice(
+            "correction",
+            say("statistics-filter-correction"),
+            CORRECTION_WORDS.inset,
+            choices<string>(CORRECTION_WORDS, CORRECTIONS.slice(1)),
+          )}
+          {choice("rounding", say("statistics-filter-rounding"), say("statistics-rounding-none"), [
             { value: "cm", label: say("statistics-rounding-cm") },
           ])}
           <ReferenceU value={at.get("u_reference_m")} />
@@ -96,9 +99,7 @@ export function FilterBar({ found }: { found: Statistics | null }) {
       </details>
       {narrowed(at) && (
         <div class="stat-filter__clear">
-          <Button small onClick={() => setFilter(WIDE)}>
-            {say("action-clear-filter")}
-          </Button>
+          <Button says="action-clear-filter" small onClick={() => setFilter(WIDE)} />
         </div>
       )}
     </form>
@@ -120,7 +121,7 @@ function Surveys({ found, chosen }: { found: Statistics | null; chosen: readonly
       help={say("statistics-filter-surveys-help")}
       groups={[
         {
-          options: list.map((one) => ({ value: String(one.id), label: one.name })),
+          options: named(list),
           chosen,
           onChange: (survey) => setFilter({ survey }),
         },

@@ -38,13 +38,13 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
             label={say("statistics-groups-target")}
             value={target.target}
             options={there.map((one) => ({ value: one.target, label: TARGET_TITLES[one.target] }))}
-            onChange={setChosen}
+            onInput={setChosen}
           />
           <Segments
             label={say("statistics-groups-by")}
             value={grouping}
             options={GROUPINGS.map((value) => ({ value, label: GROUPING_WORDS[value] }))}
-            onChange={setGrouping}
+            onInput={setGrouping}
           />
         </div>
       }

@@ -1,6 +1,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { Panel, Problem, TextField } from "../../components";
 import { api } from "../../core/api";
+import { useForm } from "../../core/form";
 import { say, sentenceOf } from "../../core/messages";
 import { lengthText, lengthUnit, parseLength, parseNumber } from "../../core/units";
 import type { SampleSize } from "./model";
@@ -11,14 +12,12 @@ const PAUSE_MS = 300;
 export function SamplePlan({ sdM }: { sdM: number | null }) {
   const unit = lengthUnit.value;
   const shown = (metres: number) => lengthText(metres, unit, 3);
-  const [percent, setPercent] = useState("10");
-  const [width, setWidth] = useState(() => shown(0.02));
-  const [sd, setSd] = useState(() => shown(sdM ?? 0.08));
+  const form = useForm({ percent: "10", width: shown(0.02), sd: shown(sdM ?? 0.08) });
+  const { percent, width, sd } = form.values;
   const [found, setFound] = useState<SampleSize | null>(null);
   const [error, setError] = useState<unknown>(null);
   useEffect(() => {
-    setWidth(shown(0.02));
-    setSd(shown(sdM ?? 0.08));
+    form.change({ width: shown(0.02), sd: shown(sdM ?? 0.08) });
   }, [unit]);
   const asked = [parseNumber(percent), parseLength(width), parseLength(sd)] as const;
   const complete = asked.every((value) => value !== null);
@@ -46,15 +45,9 @@ export function SamplePlan({ sdM }: { sdM: number | null }) {
   return (
     <Panel title={say("statistics-plan-title")} class="stat-noprint">
       <form class="stat-plan" onSubmit={(event) => event.preventDefault()}>
-        <TextField label={say("statistics-plan-percentile")} numeric value={percent} onInput={setPercent} />
-        <TextField
-          label={say("statistics-plan-width")}
-          numeric
-          unit={unit}
-          value={width}
-          onInput={setWidth}
-        />
-        <TextField label={say("statistics-plan-sd")} numeric unit={unit} value={sd} onInput={setSd} />
+        <TextField label={say("statistics-plan-percentile")} numeric {...form.field("percent")} />
+        <TextField label={say("statistics-plan-width")} numeric unit={unit} {...form.field("width")} />
+        <TextField label={say("statistics-plan-sd")} numeric unit={unit} {...form.field("sd")} />
         <p class="stat-plan__answer" data-testid="sample-size" role="status">
           {!complete ? say("statistics-plan-incomplete") : error ? "" : sentenceOf(found?.words)}
         </p>

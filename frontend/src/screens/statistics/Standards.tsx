@@ -1,13 +1,13 @@
 import { useState } from "preact/hooks";
-import { Button, num, Panel, SelectField, Table, TextField } from "../../components";
+import { Button, choices, num, Panel, SelectField, Table, TextField } from "../../components";
 import { query } from "../../core/address";
+import { useForm } from "../../core/form";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { formatLength, lengthUnit, parseLength, plainPercent } from "../../core/units";
 import { formatLimit, standardKey, STANDARD_OF as WHAT } from "../../parts/figures/standards";
 import type { Standard } from "../../parts/figures/types";
 import { setFilter } from "./filters";
-
 import { STANDARD_FOR } from "./model";
 import { StandardsEditor } from "./StandardsEditor";
 
@@ -38,11 +38,7 @@ export function Standards({ standards, surveyId, reload }: Props) {
       aside={
         surveyId &&
         canWork.value &&
-        !editing && (
-          <Button small onClick={() => setEditing(true)}>
-            {say("statistics-standards-change")}
-          </Button>
-        )
+        !editing && <Button says="statistics-standards-change" small onClick={() => setEditing(true)} />
       }
       class="stat-noprint"
     >
@@ -158,8 +154,8 @@ function remove(one: Standard): void {
 }
 
 function AddOwn() {
-  const [what, setWhat] = useState<Standard["what"]>("eye_car");
-  const [text, setText] = useState("");
+  const form = useForm({ what: "eye_car" as Standard["what"], text: "" });
+  const { what, text } = form.values;
   const [problem, setProblem] = useState<string | null>(null);
   const add = () => {
     const metres = parseLength(text);
@@ -168,7 +164,7 @@ function AddOwn() {
       return;
     }
     setProblem(null);
-    setText("");
+    form.change({ text: "" });
     const name = nameOf(what);
     const value = String(Number(metres.toFixed(4)));
     setFilter({ [name]: [...new Set([...query.value.getAll(name), value])] });
@@ -183,21 +179,17 @@ function AddOwn() {
     >
       <SelectField
         label={say("statistics-standard-own")}
-        value={what}
-        options={(["eye_car", "object_stopping"] as const).map((value) => ({ value, label: WHAT[value] }))}
-        onChange={setWhat}
+        {...form.field("what")}
+        options={choices(WHAT, ["eye_car", "object_stopping"])}
       />
       <TextField
         label={say("statistics-standard-height")}
         numeric
         unit={lengthUnit.value}
-        value={text}
+        {...form.field("text")}
         problem={problem}
-        onInput={setText}
       />
-      <Button type="submit" icon="add">
-        {say("action-add")}
-      </Button>
+      <Button says="action-add" type="submit" icon="add" />
     </form>
   );
 }

@@ -1,9 +1,10 @@
 import { useState } from "preact/hooks";
-import { Button, Loading, Problem, SelectField, TextField } from "../../components";
+import { Button, choices, Loaded, Problem, SelectField, TextField } from "../../components";
 import { useAction } from "../../core/action";
 import { ApiError, api } from "../../core/api";
+import { fieldsOf } from "../../core/form";
 import { say } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { formatLength, lengthText, lengthUnit, parseLength, parseNumber } from "../../core/units";
 import { STANDARD_OF } from "../../parts/figures/standards";
 import type { Standard } from "../../parts/figures/types";
@@ -31,18 +32,10 @@ const EMPTY: Row = {
 /** A survey's own table of standards: rows to change, add and remove, saved as a whole. */
 export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (saved: boolean) => void }) {
   const survey_id = Number(surveyId);
-  const found = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/standards", { survey_id }, { signal }),
-    [survey_id],
-  );
+  const found = useAsked("GET /surveys/{survey_id}/standards", { survey_id });
   const [typed, setTyped] = useState<Row[] | null>(null);
   const { busy, problem, setProblem, run } = useAction();
-  if (!found.data)
-    return found.error ? (
-      <Problem error={found.error} />
-    ) : (
-      <Loading what={say("statistics-standards-loading")} />
-    );
+  if (!found.data) return <Loaded of={found} what={say("statistics-standards-loading")} />;
   const { version, standards } = found.data;
   const rows = typed ?? standards.map(rowOf);
   const change = (at: number, changes: Partial<Row>) =>
@@ -84,14 +77,10 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
       ))}
       <Problem error={problem} />
       <div class="row">
-        <Button icon="add" onClick={() => setTyped([...rows, EMPTY])}>
-          {say("statistics-standards-add")}
-        </Button>
+        <Button says="statistics-standards-add" icon="add" onClick={() => setTyped([...rows, EMPTY])} />
         <span class="grow" />
-        <Button onClick={() => done(false)}>{say("action-cancel")}</Button>
-        <Button type="submit" kind="primary" disabled={busy}>
-          {say("statistics-standards-save")}
-        </Button>
+        <Button says="action-cancel" onClick={() => done(false)} />
+        <Button says="statistics-standards-save" type="submit" kind="primary" disabled={busy} />
       </div>
     </form>
   );
@@ -121,66 +110,35 @@ interface RowProps {
 }
 
 function RowFields({ row, change, remove }: RowProps) {
+  const field = fieldsOf(row, change);
   return (
     <fieldset class="stat-editor__row">
       <legend class="visually-hidden">{row.name || say("statistics-standard-new")}</legend>
-      <TextField
-        label={say("statistics-standard-name")}
-        value={row.name}
-        required
-        onInput={(name) => change({ name })}
-      />
-      <SelectField
-        label={say("statistics-standard-for")}
-        value={row.what}
-        options={Object.entries(STANDARD_OF).map(([value, label]) => ({
-          value: value as Standard["what"],
-          label,
-        }))}
-        onChange={(what) => change({ what })}
-      />
+      <TextField label={say("statistics-standard-name")} {...field("name")} required />
+      <SelectField label={say("statistics-standard-for")} {...field("what")} options={choices(STANDARD_OF)} />
       <TextField
         label={say("statistics-standard-height")}
         numeric
         unit={lengthUnit.value}
-        value={row.height}
-        onInput={(height) => change({ height })}
+        {...field("height")}
       />
-      <TextField
-        label={say("statistics-standard-source")}
-        value={row.source}
-        onInput={(source) => change({ source })}
-      />
-      <TextField
-        label={say("statistics-standard-edition-field")}
-        value={row.edition}
-        onInput={(edition) => change({ edition })}
-      />
+      <TextField label={say("statistics-standard-source")} {...field("source")} />
+      <TextField label={say("statistics-standard-edition-field")} {...field("edition")} />
       <TextField
         label={say("statistics-standard-year")}
-        value={row.year}
+        {...field("year")}
         problem={/^(\d{4})?$/.test(row.year.trim()) ? null : say("catalogue-year-problem")}
-        onInput={(year) => change({ year })}
       />
       <TextField
         label={say("statistics-percentile")}
         numeric
-        value={row.percent}
+        {...field("percent")}
         problem={
           row.percent.trim() && parseNumber(row.percent) === null ? say("catalogue-number-problem") : null
         }
-        onInput={(percent) => change({ percent })}
       />
-      <TextField
-        label={say("statistics-standard-class")}
-        value={row.vehicle_class}
-        onInput={(vehicle_class) => change({ vehicle_class })}
-      />
-      <TextField
-        label={say("statistics-standard-cited-by")}
-        value={row.cited_by}
-        onInput={(cited_by) => change({ cited_by })}
-      />
+      <TextField label={say("statistics-standard-class")} {...field("vehicle_class")} />
+      <TextField label={say("statistics-standard-cited-by")} {...field("cited_by")} />
       <SelectField
         label={say("statistics-standards-drawn")}
         value={row.drawn ? "yes" : "no"}
@@ -188,7 +146,7 @@ function RowFields({ row, change, remove }: RowProps) {
           { value: "yes", label: say("statistics-standard-drawn-yes") },
           { value: "no", label: say("statistics-standard-drawn-no") },
         ]}
-        onChange={(drawn) => change({ drawn: drawn === "yes" })}
+        onInput={(drawn) => change({ drawn: drawn === "yes" })}
       />
       <Button
         icon="close"

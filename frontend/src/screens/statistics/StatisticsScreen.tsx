@@ -4,9 +4,9 @@ import { Button, Empty, Loaded, Notice, PageHead } from "../../components";
 import { PageTabs } from "../../components/PageTabs";
 import { Said } from "../../components/Said";
 import { query } from "../../core/address";
-import { api, fromAddress } from "../../core/api";
+import { fromAddress } from "../../core/api";
 import { say } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { resultsTabs } from "../../core/tabs";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { loadPlot } from "../../parts/figures/PlotFigure";
@@ -29,11 +29,7 @@ import "./statistics.css";
 
 export default function StatisticsScreen() {
   const asked = statisticsQuery(query.value);
-  const found = useResource(
-    (signal) => api.ask("GET /statistics", fromAddress<"GET /statistics">(asked), { signal }),
-    [JSON.stringify(asked)],
-    { keep: true },
-  );
+  const found = useAsked("GET /statistics", fromAddress<"GET /statistics">(asked), { keep: true });
   useEffect(() => {
     loadPlot().catch(() => null); // while the server counts; who draws tells what is wrong
   }, []);
@@ -59,7 +55,7 @@ export default function StatisticsScreen() {
             />
             {say("results-paper")}
           </label>
-          <Button onClick={() => window.print()}>{say("action-print")}</Button>
+          <Button says="action-print" onClick={() => window.print()} />
         </div>
       </PageHead>
       <PageTabs label={say("page-statistics")} tabs={resultsTabs(errors ? "errors" : "heights")} />
@@ -110,10 +106,7 @@ export default function StatisticsScreen() {
 
 /** Said where lots were accepted: those heights were not looked at one by one. */
 function ByLot({ surveyId }: { surveyId: number }) {
-  const summary = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/lots/summary", { survey_id: surveyId }, { signal }),
-    [surveyId],
-  );
+  const summary = useAsked("GET /surveys/{survey_id}/lots/summary", { survey_id: surveyId });
   if (!summary.data || summary.data.by_lot === 0) return null;
   return (
     <p class="small" data-testid="stat-by-lot">
@@ -192,18 +185,14 @@ function Nothing({ found, surveyId }: { found: Statistics; surveyId: string | nu
         actions={
           <>
             {surveyId && waiting > 0 && (
-              <Button kind="primary" href={`/surveys/${surveyId}/review`}>
-                {say("statistics-to-review")}
-              </Button>
+              <Button says="statistics-to-review" kind="primary" href={`/surveys/${surveyId}/review`} />
             )}
             {waiting > 0 && (
-              <Button onClick={() => setFilter({ state: "to_review" })}>
-                {say("statistics-show-to-review")}
-              </Button>
+              <Button says="statistics-show-to-review" onClick={() => setFilter({ state: "to_review" })} />
             )}
-            {filtered && <Button onClick={() => setFilter(WIDE)}>{say("action-clear-filter")}</Button>}
+            {filtered && <Button says="action-clear-filter" onClick={() => setFilter(WIDE)} />}
             {surveyId && waiting === 0 && !filtered && (
-              <Button href={`/surveys/${surveyId}/measure`}>{say("statistics-to-measure")}</Button>
+              <Button says="statistics-to-measure" href={`/surveys/${surveyId}/measure`} />
             )}
           </>
         }

@@ -2,20 +2,19 @@ import { useState } from "preact/hooks";
 import { Button, DataTable, Empty, FormDialog, Loaded, PageHead, TextField } from "../../components";
 import { navigate } from "../../core/address";
 import { api } from "../../core/api";
+import { useForm } from "../../core/form";
 import { say } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { may } from "../../core/session";
 import { formatMoment } from "../../core/times";
 import type { ListedStudy } from "../../core/types";
 
 /** Surveys joined: every study with what its newest computing was of. */
 export default function StudiesScreen() {
-  const studies = useResource((signal) => api.ask("GET /studies", {}, { signal }), []);
+  const studies = useAsked("GET /studies");
   const [making, setMaking] = useState(false);
   const make = may("operator") && (
-    <Button kind="primary" icon="add" onClick={() => setMaking(true)}>
-      {say("studies-new")}
-    </Button>
+    <Button says="studies-new" kind="primary" icon="add" onClick={() => setMaking(true)} />
   );
   return (
     <div class="page page--alone">
@@ -67,16 +66,16 @@ function List({ studies }: { studies: readonly ListedStudy[] }) {
 }
 
 function NewStudy({ close }: { close: () => void }) {
-  const [name, setName] = useState("");
-  const [description, setDescription] = useState("");
+  const form = useForm({ name: "", description: "" });
+  const { name, description } = form.values;
   const make = async () => {
     const made = await api.write("POST /studies", {}, { body: { name, description } });
     navigate(`/study?id=${made.id}`);
   };
   return (
     <FormDialog title={say("studies-new")} action={say("studies-new-make")} onClose={close} submit={make}>
-      <TextField label={say("study-name")} value={name} onInput={setName} />
-      <TextField label={say("study-description")} value={description} onInput={setDescription} rows={3} />
+      <TextField label={say("study-name")} {...form.field("name")} />
+      <TextField label={say("study-description")} {...form.field("description")} rows={3} />
     </FormDialog>
   );
 }

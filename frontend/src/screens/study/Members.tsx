@@ -1,17 +1,14 @@
-import { Button, Panel, Problem, SelectField } from "../../components";
+import { Button, named, OptionalField, Panel, Problem } from "../../components";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { may } from "../../core/session";
 
 /** Who sees a study: its members, everybody where it is open, and administrators. */
 export function Members({ studyId }: { studyId: number }) {
   const here = { study_id: studyId };
-  const found = useResource(
-    (signal) => api.ask("GET /studies/{study_id}/members", here, { signal }),
-    [studyId],
-  );
+  const found = useAsked("GET /studies/{study_id}/members", here);
   const { problem, run } = useAction();
   const change = (sent: Promise<NonNullable<typeof found.data>>) =>
     run(async () => {
@@ -57,17 +54,12 @@ export function Members({ studyId }: { studyId: number }) {
           ))}
         </ul>
         {may("operator") && (
-          <SelectField
+          <OptionalField
             label={say("study-members-add")}
-            value=""
-            options={[
-              {
-                value: "",
-                label: say(others.length > 0 ? "study-members-choose" : "study-members-nobody"),
-              },
-              ...others.map((one) => ({ value: String(one.id), label: one.name })),
-            ]}
-            onChange={(id) =>
+            value={null}
+            none={say(others.length > 0 ? "study-members-choose" : "study-members-nobody")}
+            options={named(others)}
+            onInput={(id) =>
               id && void change(api.write("PUT /studies/{study_id}/members/{person_id}", person(Number(id))))
             }
           />

@@ -1,9 +1,11 @@
 import { useId, useState } from "preact/hooks";
-import { Button, FormDialog, Problem, SelectField, TextField } from "../../components";
+import { Button, FormDialog, named, OptionalField, Problem, TextField } from "../../components";
 import { api } from "../../core/api";
+import { fieldsOf, useForm } from "../../core/form";
 import { say } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import type { Study } from "../../core/types";
+import { parseNumber } from "../../core/units";
 
 interface Props {
   study: Study;
@@ -21,35 +23,23 @@ interface Row {
 
 /** What a study joins and how it weighs: sent as a whole, refused in one sentence where it does not hold together. */
 export function StudyDialog({ study, close, saved }: Props) {
-  const [name, setName] = useState(study.name);
-  const [description, setDescription] = useState(study.description);
+  const { values, field } = useForm(() => {
+    const { name, description, fleet_csv, sites_csv } = study;
+    return { name, description, fleet_csv, sites_csv, goal: String(1000 * study.goal_m) };
+  });
   const [rows, setRows] = useState<readonly Row[]>(
     study.surveys.map((one) => ({ ...one, year: one.year === null ? "" : String(one.year) })),
   );
-  const [fleet, setFleet] = useState(study.fleet_csv);
-  const [sites, setSites] = useState(study.sites_csv);
-  const [goal, setGoal] = useState(String(1000 * study.goal_m));
   const submit = async () => {
-    await api.write(
-      "PUT /studies/{study_id}",
-      { study_id: study.id },
-      {
-        body: {
-          name,
-          description,
-          version: study.version,
-          surveys: rows.map(({ survey_id, site, stratum, year }) => ({
-            survey_id,
-            site,
-            stratum,
-            year: year.trim() ? Math.round(Number(year)) || 0 : null,
-          })),
-          fleet_csv: fleet,
-          sites_csv: sites,
-          goal_m: Number(goal) / 1000 || 0,
-        },
-      },
-    );
+    const { goal, ...words } = values;
+    const surveys = rows.map(({ survey_id, site, stratum, year }) => ({
+      survey_id,
+      site,
+      stratum,
+      year: year.trim() ? Math.round(parseNumber(year) ?? 0) : null,
+    }));
+    const body = { ...words, version: study.version, surveys, goal_m: (parseNumber(goal) ?? 0) / 1000 };
+    await api.write("PUT /studies/{study_id}", { study_id: study.id }, { body });
     saved();
   };
   return (
@@ -60,28 +50,25 @@ export function StudyDialog({ study, close, saved }: Props) {
       onClose={close}
       submit={submit}
     >
-      <TextField label={say("study-name")} value={name} onInput={setName} />
-      <TextField label={say("study-description")} value={description} onInput={setDescription} rows={2} />
+      <TextField label={say("study-name")} {...field("name")} />
+      <TextField label={say("study-description")} {...field("description")} rows={2} />
       <Surveys rows={rows} change={setRows} />
       <Table
         label={say("study-fleet")}
         hint={say("study-fleet-hint")}
-        value={fleet}
-        change={setFleet}
+        {...field("fleet_csv")}
         example="category,share"
       />
       <Table
         label={say("study-sites")}
         hint={say("study-sites-hint")}
-        value={sites}
-        change={setSites}
+        {...field("sites_csv")}
         example="site,stratum"
       />
       <TextField
         label={say("study-goal")}
         hint={say("study-goal-hint")}
-        value={goal}
-        onInput={setGoal}
+        {...field("goal")}
         numeric
         unit={say("study-goal-unit")}
       />
@@ -90,12 +77,12 @@ export function StudyDialog({ study, close, saved }: Props) {
 }
 
 function Surveys({ rows, change }: { rows: readonly Row[]; change: (rows: readonly Row[]) => void }) {
-  const surveys = useResource((signal) => api.ask("GET /surveys", {}, { signal }), []);
+  const surveys = useAsked("GET /surveys");
   const there = new Set(rows.map((one) => one.survey_id));
   const others = surveys.data?.filter((one) => !there.has(one.id)) ?? [];
-  const set = (id: number, changed: Partial<Row>) =>
-    change(rows.map((one) => (one.survey_id === id ? { ...one, ...changed } : one)));
-  const add = (id: string) => {
+  const field = (row: Row) =>
+    fieldsOf(row, (part) => change(rows.map((one) => (one === row ? { ...one, ...part } : one))));
+  const add = (id: string | null) => {
     const survey = others.find((one) => String(one.id) === id);
     if (!survey) return;
     const site = survey.site || survey.name;
@@ -107,22 +94,9 @@ function Surveys({ rows, change }: { rows: readonly Row[]; change: (rows: readon
       {rows.map((one) => (
         <div class="study-surveys__row" key={one.survey_id}>
           <span class="study-surveys__name">{one.name}</span>
-          <TextField
-            label={say("study-site")}
-            value={one.site}
-            onInput={(site) => set(one.survey_id, { site })}
-          />
-          <TextField
-            label={say("study-stratum")}
-            value={one.stratum}
-            onInput={(stratum) => set(one.survey_id, { stratum })}
-          />
-          <TextField
-            label={say("study-year")}
-            value={one.year}
-            onInput={(year) => set(one.survey_id, { year })}
-            numeric
-          />
+          <TextField label={say("study-site")} {...field(one)("site")} />
+          <TextField label={say("study-stratum")} {...field(one)("stratum")} />
+          <TextField label={say("study-year")} {...field(one)("year")} numeric />
           <Button
             small
             kind="quiet"
@@ -133,14 +107,12 @@ function Surveys({ rows, change }: { rows: readonly Row[]; change: (rows: readon
         </div>
       ))}
       <Problem error={surveys.error} again={surveys.reload} />
-      <SelectField
+      <OptionalField
         label={say("study-add-survey")}
-        value=""
-        options={[
-          { value: "", label: say(others.length > 0 ? "study-choose-survey" : "study-no-more-surveys") },
-          ...others.map((one) => ({ value: String(one.id), label: one.name })),
-        ]}
-        onChange={add}
+        value={null}
+        none={say(others.length > 0 ? "study-choose-survey" : "study-no-more-surveys")}
+        options={named(others)}
+        onInput={add}
       />
       <p class="field__hint">{say("study-surveys-hint")}</p>
     </fieldset>
@@ -151,16 +123,16 @@ interface TableProps {
   label: string;
   hint: string;
   value: string;
-  change: (text: string) => void;
+  onInput: (text: string) => void;
   example: string;
 }
 
 /** A table as CSV: from a file, or typed. */
-function Table({ label, hint, value, change, example }: TableProps) {
+function Table({ example, onInput, ...field }: TableProps) {
   const id = useId();
   return (
     <div class="study-table">
-      <TextField label={label} hint={hint} value={value} onInput={change} rows={4} placeholder={example} />
+      <TextField {...field} onInput={onInput} rows={4} placeholder={example} />
       <label class="btn btn--small" for={id}>
         {say("study-choose-file")}
         <input
@@ -168,11 +140,11 @@ function Table({ label, hint, value, change, example }: TableProps) {
           class="visually-hidden"
           type="file"
           accept=".csv,text/csv"
-          aria-label={say("study-choose-file-of", { table: label })}
+          aria-label={say("study-choose-file-of", { table: field.label })}
           onChange={(event) => {
             const file = event.currentTarget.files?.[0];
             event.currentTarget.value = "";
-            void file?.text().then(change);
+            void file?.text().then(onInput);
           }}
         />
       </label>

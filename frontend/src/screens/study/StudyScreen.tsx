@@ -5,7 +5,7 @@ import { asked, navigate } from "../../core/address";
 import { api } from "../../core/api";
 import { isOver, useJobAction } from "../../core/jobs";
 import { say } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { may } from "../../core/session";
 import { formatMoment } from "../../core/times";
 import { toast } from "../../core/toasts";
@@ -27,10 +27,7 @@ function NotChosen() {
   return (
     <div class="page page--alone study">
       <div class="panel">
-        <Empty
-          title={say("study-not-chosen")}
-          actions={<Button href="/studies">{say("page-studies")}</Button>}
-        >
+        <Empty title={say("study-not-chosen")} actions={<Button says="page-studies" href="/studies" />}>
           <p>{say("studies-none")}</p>
         </Empty>
       </div>
@@ -39,10 +36,7 @@ function NotChosen() {
 }
 
 function Chosen({ id }: { id: number }) {
-  const page = useResource(
-    (signal) => api.ask("GET /studies/{study_id}", { study_id: id }, { signal }),
-    [id],
-  );
+  const page = useAsked("GET /studies/{study_id}", { study_id: id });
   return (
     <div class="page page--alone study">
       <Loaded of={page} what={say("study-loading")} />
@@ -119,18 +113,17 @@ function Head({ page, running, compute }: { page: StudyPage; running: boolean; c
       <div class="row row--wrap">
         {result && (
           <>
-            <Button icon="download" href={result.report_url} download>
-              {say("study-report")}
-            </Button>
-            <Button icon="package" href={result.package_url} download>
-              {say("study-package")}
-            </Button>
+            <Button says="study-report" icon="download" href={result.report_url} download />
+            <Button says="study-package" icon="package" href={result.package_url} download />
           </>
         )}
         {may("operator") && study.surveys.length > 0 && (
-          <Button kind={fresh ? "plain" : "primary"} busy={running} onClick={compute}>
-            {say(result ? "study-compute-again" : "study-compute")}
-          </Button>
+          <Button
+            says={result ? "study-compute-again" : "study-compute"}
+            kind={fresh ? "plain" : "primary"}
+            busy={running}
+            onClick={compute}
+          />
         )}
       </div>
     </PageHead>
@@ -183,9 +176,7 @@ function NotComputed({ page, edit }: { page: StudyPage; edit: (() => void) | und
         title={say(none ? "study-empty-title" : "study-not-computed-title")}
         actions={
           none && edit ? (
-            <Button kind="primary" icon="add" onClick={edit}>
-              {say("study-add-surveys")}
-            </Button>
+            <Button says="study-add-surveys" kind="primary" icon="add" onClick={edit} />
           ) : undefined
         }
       >

@@ -1,18 +1,17 @@
 /** What a survey makes of the classes of its vehicles: the set that each counts in, and what the EU and FHWA call it. */
 import { useState } from "preact/hooks";
-import { FormDialog, SelectField, Table, TextField } from "../../components";
+import { choices, FormDialog, OptionalField, Table, TextField } from "../../components";
 import { api } from "../../core/api";
+import { fieldsOf } from "../../core/form";
 import { say } from "../../core/messages";
 import { refreshSurvey } from "../../core/survey";
-import type { ClassSet, Survey, VehicleClass } from "../../core/types";
+import type { Survey, VehicleClass } from "../../core/types";
 import { CATEGORY_WORDS, CLASS_SET_WORDS } from "../../core/words";
 
 type Eu = VehicleClass["eu"][number];
 const EU: readonly Eu[] = ["L", "M1", "M2", "M3", "N1", "N2", "N3", "O1", "O2", "O3", "O4", "T"];
 
-interface Typed {
-  category: VehicleClass["category"];
-  class_set: ClassSet | "";
+interface Typed extends Pick<VehicleClass, "category" | "class_set"> {
   eu: string;
   fhwa: string;
 }
@@ -25,10 +24,6 @@ export function ClassesDialog({ survey, close }: { survey: Survey; close: () => 
     const read = rows.map(readClass);
     return read.every((one) => one !== null) ? save(survey, read, close) : null;
   };
-  const sets = [
-    { value: "" as const, label: say("class-set-none") },
-    ...Object.entries(CLASS_SET_WORDS).map(([value, label]) => ({ value: value as ClassSet, label })),
-  ];
   return (
     <FormDialog wide title={say("classes-title")} action={say("action-save")} onClose={close} submit={submit}>
       <p class="field__hint">{say("classes-help")}</p>
@@ -38,7 +33,7 @@ export function ClassesDialog({ survey, close }: { survey: Survey; close: () => 
         heads={[say("classes-class"), say("classes-set"), say("classes-eu"), say("classes-fhwa")]}
       >
         {rows.map((row) => (
-          <ClassRow key={row.category} row={row} sets={sets} change={change} />
+          <ClassRow key={row.category} row={row} change={(part) => change(row.category, part)} />
         ))}
       </Table>
     </FormDialog>
@@ -47,54 +42,46 @@ export function ClassesDialog({ survey, close }: { survey: Survey; close: () => 
 
 interface RowProps {
   row: Typed;
-  sets: readonly { value: ClassSet | ""; label: string }[];
-  change(category: string, part: Partial<Typed>): void;
+  change(part: Partial<Typed>): void;
 }
 
-function ClassRow({ row, sets, change }: RowProps) {
-  const { category } = row;
-  const word = CATEGORY_WORDS[category];
+function ClassRow({ row, change }: RowProps) {
+  const word = CATEGORY_WORDS[row.category];
+  const field = fieldsOf(row, change);
   return (
     <tr>
       <td class="nowrap">{word}</td>
       <td>
-        <SelectField
+        <OptionalField
           hideLabel
           label={say("classes-set-of", { category: word })}
-          value={row.class_set}
-          options={sets}
-          onChange={(class_set) => change(category, { class_set })}
+          {...field("class_set")}
+          none={say("class-set-none")}
+          options={choices(CLASS_SET_WORDS)}
         />
       </td>
       <td>
         <TextField
           hideLabel
           label={say("classes-eu-of", { category: word })}
-          value={row.eu}
+          {...field("eu")}
           problem={euOf(row.eu) ? null : say("classes-eu-problem")}
-          onInput={(eu) => change(category, { eu })}
         />
       </td>
       <td>
         <TextField
           hideLabel
           label={say("classes-fhwa-of", { category: word })}
-          value={row.fhwa}
+          {...field("fhwa")}
           problem={fhwaOf(row.fhwa) ? null : say("classes-fhwa-problem")}
-          onInput={(fhwa) => change(category, { fhwa })}
         />
       </td>
     </tr>
   );
 }
 
-function typed(one: VehicleClass): Typed {
-  return {
-    category: one.category,
-    class_set: one.class_set ?? "",
-    eu: one.eu.join(" "),
-    fhwa: one.fhwa.join(" "),
-  };
+function typed({ category, class_set, eu, fhwa }: VehicleClass): Typed {
+  return { category, class_set, eu: eu.join(" "), fhwa: fhwa.join(" ") };
 }
 
 function words(text: string): string[] {
@@ -120,7 +107,7 @@ export function fhwaOf(text: string): number[] | null {
 
 function readClass({ category, class_set, eu, fhwa }: Typed): VehicleClass | null {
   const [inEu, inFhwa] = [euOf(eu), fhwaOf(fhwa)];
-  return inEu && inFhwa ? { category, class_set: class_set || null, eu: inEu, fhwa: inFhwa } : null;
+  return inEu && inFhwa ? { category, class_set, eu: inEu, fhwa: inFhwa } : null;
 }
 
 async function save(survey: Survey, classes: (VehicleClass | null)[], close: () => void): Promise<void> {

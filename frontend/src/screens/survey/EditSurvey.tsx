@@ -1,6 +1,7 @@
 import { useState } from "preact/hooks";
 import { FormDialog, num, Table, TextField } from "../../components";
 import { api } from "../../core/api";
+import { useForm } from "../../core/form";
 import { say } from "../../core/messages";
 import { refreshSurvey } from "../../core/survey";
 import type { Inset, InsetName, Place, Survey } from "../../core/types";
@@ -14,39 +15,26 @@ type Typed = Record<InsetName, { inset: string; u: string }>;
 
 /** Name, site, description, and how far each target usually lies behind the side plane. */
 export function EditSurvey({ survey, close }: { survey: Survey; close: () => void }) {
-  const [name, setName] = useState(survey.name);
-  const [site, setSite] = useState(survey.site);
-  const [description, setDescription] = useState(survey.description);
-  const [asked, setAsked] = useState(survey.asked);
-  const [traffic, setTraffic] = useState(survey.traffic);
-  const [place, setPlace] = useState(() => typedPlace(survey.place));
+  const { values, field } = useForm(() => {
+    const { name, site, description, traffic, asked } = survey;
+    return { name, site, description, traffic, asked, place: typedPlace(survey.place) };
+  });
   const [insets, setInsets] = useState<Typed>(() => typedInsets(survey));
   const [wrong, setWrong] = useState<string | null>(null);
   const [misplaced, setMisplaced] = useState<string | null>(null);
   const submit = () => {
     const read = readInsets(insets, survey);
-    const placed = readPlace(place, survey.place);
+    const placed = readPlace(values.place, survey.place);
     setWrong(typeof read === "string" ? read : null);
     setMisplaced(typeof placed === "string" ? placed : null);
-    if (typeof read === "string" || typeof placed === "string" || !name.trim()) return null;
+    if (typeof read === "string" || typeof placed === "string" || !values.name.trim()) return null;
     return save(read, placed);
   };
   const save = async (read: Record<InsetName, Inset>, placed: Place) => {
     await api.write(
       "PUT /surveys/{survey_id}",
       { survey_id: survey.id },
-      {
-        body: {
-          name,
-          site,
-          description,
-          traffic,
-          place: placed,
-          asked,
-          insets: read,
-          version: survey.version,
-        },
-      },
+      { body: { ...values, place: placed, insets: read, version: survey.version } },
     );
     await refreshSurvey();
     close();
@@ -58,16 +46,15 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
     <FormDialog title={say("survey-edit-title")} action={say("action-save")} onClose={close} submit={submit}>
       <TextField
         label={say("survey-name")}
-        value={name}
-        onInput={setName}
-        problem={name.trim() ? null : say("survey-name-problem")}
+        {...field("name")}
+        problem={values.name.trim() ? null : say("survey-name-problem")}
       />
-      <TextField label={say("survey-site")} value={site} onInput={setSite} />
-      <TextField label={say("survey-description")} value={description} onInput={setDescription} rows={3} />
-      <PlaceFields place={place} onChange={setPlace} />
+      <TextField label={say("survey-site")} {...field("site")} />
+      <TextField label={say("survey-description")} {...field("description")} rows={3} />
+      <PlaceFields {...field("place")} />
       {misplaced && <p class="field__problem">{misplaced}</p>}
-      <TrafficFields traffic={traffic} onChange={setTraffic} />
-      <AskedFields asked={asked} onChange={setAsked} />
+      <TrafficFields {...field("traffic")} />
+      <AskedFields {...field("asked")} />
       <fieldset class="insets">
         <legend>{say("survey-insets")}</legend>
         <p class="field__hint">{say("survey-insets-help")}</p>

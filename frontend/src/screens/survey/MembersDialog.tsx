@@ -1,10 +1,20 @@
 /** Who belongs to the survey and as what; a manager changes it, everybody who sees the survey reads it. */
 import { useState } from "preact/hooks";
-import { ask, Button, Dialog, Loaded, Problem, SelectField, Table } from "../../components";
+import {
+  ask,
+  Button,
+  DataTable,
+  Dialog,
+  Loaded,
+  named,
+  OptionalField,
+  Problem,
+  SelectField,
+} from "../../components";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say, wordsOf } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked, useResource } from "../../core/resource";
 import { may, me } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import {
@@ -26,10 +36,7 @@ const roleOptions = () => roles().map((value) => ({ value, label: SURVEY_ROLE_NA
 
 export function MembersDialog({ surveyId, close }: { surveyId: number; close: () => void }) {
   const manages = may("manager");
-  const found = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/members", { survey_id: surveyId }, { signal }),
-    [surveyId],
-  );
+  const found = useAsked("GET /surveys/{survey_id}/members", { survey_id: surveyId });
   const others = useResource(
     (signal) =>
       manages
@@ -106,9 +113,7 @@ export function MembersDialog({ surveyId, close }: { surveyId: number; close: ()
           )}
           {manages && others.data && <AddMember others={others.data} add={put} />}
           {me.value?.person.role === "admin" && (
-            <Button small onClick={() => setInviting(true)}>
-              {say("members-invite")}
-            </Button>
+            <Button says="members-invite" small onClick={() => setInviting(true)} />
           )}
         </>
       )}
@@ -125,45 +130,42 @@ interface TableProps {
 
 function MemberTable({ members, manages, put, remove }: TableProps) {
   return (
-    <Table
+    <DataTable
       label={say("members-title")}
       class="members"
-      heads={[
-        say("members-name"),
-        say("members-role"),
-        <span class="visually-hidden">{say("members-remove")}</span>,
-      ]}
-    >
-      {members.map((one) => (
-        <tr key={one.person_id}>
-          <td>
+      rows={members}
+      keyOf={(one) => one.person_id}
+      columns={({ col }) => [
+        col(say("members-name"), (one) => (
+          <>
             <strong>{one.name}</strong>
             {!one.active && <span class="muted"> {say("members-inactive")}</span>}
-          </td>
-          <td>
+          </>
+        )),
+        col(say("members-role"), (one) => (
+          <>
             {manages ? (
               <SelectField
                 hideLabel
                 label={say("members-role-of", { person: one.name })}
                 value={one.role}
                 options={roleOptions()}
-                onChange={(role) => void put(one.person_id, role)}
+                onInput={(role) => void put(one.person_id, role)}
               />
             ) : (
               SURVEY_ROLE_NAMES[one.role]
             )}
             {one.account_role === "admin" && <p class="field__hint">{say("members-admin")}</p>}
-          </td>
-          <td class="num">
-            {manages && (
-              <Button small kind="quiet" onClick={() => void remove(one)}>
-                {say("members-remove")}
-              </Button>
-            )}
-          </td>
-        </tr>
-      ))}
-    </Table>
+          </>
+        )),
+        col(
+          <span class="visually-hidden">{say("members-remove")}</span>,
+          (one) =>
+            manages && <Button says="members-remove" small kind="quiet" onClick={() => void remove(one)} />,
+          "num",
+        ),
+      ]}
+    />
   );
 }
 
@@ -173,37 +175,37 @@ interface AddProps {
 }
 
 export function AddMember({ others, add }: AddProps) {
-  const [person, setPerson] = useState("");
+  const [person, setPerson] = useState<string | null>(null);
   const [role, setRole] = useState<SurveyRole>("operator");
   if (others.length === 0) return <p class="muted">{say("members-everybody")}</p>;
-  const people = [
-    { value: "", label: say("members-choose") },
-    ...others.map((one) => ({ value: String(one.id), label: one.name })),
-  ];
   const accountRole = others.find((one) => String(one.id) === person)?.account_role;
   /** What they are elsewhere is what they most likely are here: no reviewer becomes an operator unawares. */
-  const choose = (id: string) => {
+  const choose = (id: string | null) => {
     setPerson(id);
     const chosen = others.find((one) => String(one.id) === id)?.account_role;
     if (chosen) setRole(chosen === "admin" ? "manager" : chosen);
   };
   const submit = async () => {
     await add(Number(person), role);
-    setPerson("");
+    setPerson(null);
   };
   return (
     <div class="members__add">
-      <SelectField label={say("members-add-person")} value={person} options={people} onChange={choose} />
+      <OptionalField
+        label={say("members-add-person")}
+        value={person}
+        none={say("members-choose")}
+        options={named(others)}
+        onInput={choose}
+      />
       <SelectField
         label={say("members-add-role")}
         value={role}
         options={roleOptions()}
         hint={accountRole === "admin" ? say("members-admin") : DOES[role]}
-        onChange={setRole}
+        onInput={setRole}
       />
-      <Button disabled={person === ""} onClick={() => void submit()}>
-        {say("members-add")}
-      </Button>
+      <Button says="members-add" disabled={person === null} onClick={() => void submit()} />
     </div>
   );
 }

@@ -2,7 +2,7 @@ import { useEffect, useState } from "preact/hooks";
 import { Button, DropFiles, Icon, Problem } from "../../components";
 import { api, explain } from "../../core/api";
 import { say } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { may } from "../../core/session";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Photograph } from "../../core/types";
@@ -11,10 +11,7 @@ import "./photographs.css";
 /** Pictures of the set-up: added, captioned, put in order; the report shows them in this order. */
 export function Photographs({ surveyId }: { surveyId: number }) {
   const where = { survey_id: surveyId };
-  const read = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/photographs", where, { signal }),
-    [surveyId],
-  );
+  const read = useAsked("GET /surveys/{survey_id}/photographs", where);
   const work = usePhotographs(where, read.data ?? [], read.set, read.reload);
   const mayChange = may("operator");
   if (!read.data) return <Problem error={read.error} />;

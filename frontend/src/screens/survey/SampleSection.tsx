@@ -13,13 +13,7 @@ export function SampleSection({ survey, edit }: { survey: Survey; edit(): void }
   return (
     <Panel
       title={say("sample-title")}
-      aside={
-        may("operator") && (
-          <Button small onClick={edit}>
-            {say("sample-edit")}
-          </Button>
-        )
-      }
+      aside={may("operator") && <Button says="sample-edit" small onClick={edit} />}
       data-testid="sample"
     >
       <div class="panel__body stack">

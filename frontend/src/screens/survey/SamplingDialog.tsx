@@ -1,10 +1,12 @@
 /** Which passes of a survey are to be measured, and how many of each lighting and set of classes. */
 import { useState } from "preact/hooks";
-import { FormDialog, SelectField, TextField } from "../../components";
+import { choices, FormDialog, SelectField, TextField } from "../../components";
 import { api } from "../../core/api";
+import { fieldsOf } from "../../core/form";
 import { say, wordsOf } from "../../core/messages";
 import { refreshSurvey } from "../../core/survey";
 import type { ClassSet, Lighting, Quota, Sampling, Survey } from "../../core/types";
+import { parseNumber } from "../../core/units";
 import { CLASS_SET_WORDS, LIGHTING_WORDS } from "../../core/words";
 import { quotaWords } from "../../parts/vehicles/SampleQuotas";
 
@@ -32,34 +34,19 @@ export function SamplingDialog({ survey, close }: { survey: Survey; close: () =>
   const change = (part: Partial<Typed>) => setTyped({ ...typed, ...part });
   const wrong = problemsOf(typed);
   const submit = () => (Object.values(wrong).some(Boolean) ? null : save(survey, samplingOf(typed), close));
+  const field = fieldsOf(typed, change);
   return (
     <FormDialog title={say("sample-dialog")} action={say("action-save")} onClose={close} submit={submit}>
       <SelectField
         label={say("sample-method")}
-        value={typed.method}
-        options={(Object.keys(METHODS) as Sampling["method"][]).map((value) => ({
-          value,
-          label: METHODS[value],
-        }))}
-        onChange={(method) => change({ method })}
+        {...field("method")}
+        options={choices(METHODS)}
         hint={say("sample-method-help")}
       />
       {typed.method === "nth" && (
         <div class="row row--wrap">
-          <TextField
-            numeric
-            label={say("sample-step")}
-            value={typed.step}
-            problem={wrong.step}
-            onInput={(step) => change({ step })}
-          />
-          <TextField
-            numeric
-            label={say("sample-start")}
-            value={typed.start}
-            problem={wrong.start}
-            onInput={(start) => change({ start })}
-          />
+          <TextField numeric label={say("sample-step")} {...field("step")} problem={wrong.step} />
+          <TextField numeric label={say("sample-start")} {...field("start")} problem={wrong.start} />
         </div>
       )}
       {typed.method === "share" && (
@@ -68,17 +55,10 @@ export function SamplingDialog({ survey, close }: { survey: Survey; close: () =>
             numeric
             unit="%"
             label={say("sample-share-percent")}
-            value={typed.share}
+            {...field("share")}
             problem={wrong.share}
-            onInput={(share) => change({ share })}
           />
-          <TextField
-            numeric
-            label={say("sample-seed")}
-            value={typed.seed}
-            problem={wrong.seed}
-            onInput={(seed) => change({ seed })}
-          />
+          <TextField numeric label={say("sample-seed")} {...field("seed")} problem={wrong.seed} />
         </div>
       )}
       <TextField
@@ -86,9 +66,8 @@ export function SamplingDialog({ survey, close }: { survey: Survey; close: () =>
         unit="s"
         label={say("sample-free")}
         hint={say("sample-free-help")}
-        value={typed.free}
+        {...field("free")}
         problem={wrong.free}
-        onInput={(free) => change({ free })}
       />
       <label>
         <input
@@ -139,8 +118,8 @@ function wholeOf(text: string, least: number, most: number): number | null {
 }
 
 function amountOf(text: string, most: number): number | null {
-  const value = Number(text.replace(",", ".").trim() || "NaN");
-  return value > 0 && value <= most ? value : null;
+  const value = parseNumber(text);
+  return value !== null && value > 0 && value <= most ? value : null;
 }
 
 function problemsOf(

@@ -1,11 +1,10 @@
 import { useState } from "preact/hooks";
 import { Button, Icon, JobProgress, Loading, Notice, PageHead, Shape } from "../../components";
 import { Said } from "../../components/Said";
-import { api } from "../../core/api";
 import { isOver } from "../../core/jobs";
 import { say, sentencesOf, wordsOf } from "../../core/messages";
 import { type ScreenProps, titleOf } from "../../core/places";
-import { useEvery, useResource } from "../../core/resource";
+import { useAsked, useEvery } from "../../core/resource";
 import { may } from "../../core/session";
 import { survey as openSurvey, refreshSurvey } from "../../core/survey";
 import { toastProblem } from "../../core/toasts";
@@ -23,7 +22,7 @@ import "./survey.css";
 /** What is there and what is missing, as the order of work; each step says what to do next. */
 export default function SurveyScreen({ surveyId }: ScreenProps) {
   const [editing, setEditing] = useState(false);
-  const jobs = useResource((signal) => api.ask("GET /jobs", { survey_id: surveyId }, { signal }), [surveyId]);
+  const jobs = useAsked("GET /jobs", { survey_id: surveyId });
   const running = (jobs.data ?? []).filter((job) => !isOver(job));
   useEvery(running.length > 0 ? 1500 : 10_000, async () => {
     await jobs.reload();

@@ -23,9 +23,7 @@ export function OwnName() {
       <p class="muted small">{say("own-name-why")}</p>
       <div class="row">
         <TextField hideLabel label={say("own-name")} value={name} onInput={setName} autoComplete="name" />
-        <Button type="submit" disabled={!name.trim()}>
-          {say("action-save")}
-        </Button>
+        <Button says="action-save" type="submit" disabled={!name.trim()} />
       </div>
       <Problem error={problem} />
     </form>

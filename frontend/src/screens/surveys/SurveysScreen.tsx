@@ -2,10 +2,9 @@ import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
 import { Button, Empty, JobProgress, Loading, Notice, PageHead, Problem, StateMark } from "../../components";
 import { Said } from "../../components/Said";
-import { api } from "../../core/api";
 import { isOver } from "../../core/jobs";
 import { say, sentencesOf } from "../../core/messages";
-import { useEvery, useResource } from "../../core/resource";
+import { useAsked, useEvery } from "../../core/resource";
 import { may, me } from "../../core/session";
 import { formatDay } from "../../core/times";
 import type { Job, Survey } from "../../core/types";
@@ -15,8 +14,8 @@ import "./surveys.css";
 
 /** Home: every survey with its progress. While the demonstration survey is being made, its card shows how far it is. */
 export default function SurveysScreen() {
-  const surveys = useResource((signal) => api.ask("GET /surveys", {}, { signal }), []);
-  const jobs = useResource((signal) => api.ask("GET /jobs", {}, { signal }), []);
+  const surveys = useAsked("GET /surveys");
+  const jobs = useAsked("GET /jobs");
   // newest first: the last try to make the demonstration survey is the one that counts
   const lastDemo = jobs.data?.find((job) => job.kind === "demonstration") ?? null;
   const underWay = lastDemo !== null && !isOver(lastDemo);

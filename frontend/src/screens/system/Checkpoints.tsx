@@ -1,10 +1,10 @@
 /** What the installation signed: where its audit chains ended, to be kept in another place. */
 
-import { Button, Empty, Loading, num, Panel, Problem, Table } from "../../components";
+import { Button, Empty, Facts, Loading, num, Panel, Problem, Table } from "../../components";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import type { AnswerOf } from "../../core/routes";
 import { formatMoment } from "../../core/times";
 import { formatCount } from "../../core/units";
@@ -13,7 +13,7 @@ import "./checkpoints.css";
 type Listed = AnswerOf<"GET /audit/checkpoints">;
 
 export function Checkpoints() {
-  const found = useResource((signal) => api.ask("GET /audit/checkpoints", {}, { signal }), []);
+  const found = useAsked("GET /audit/checkpoints");
   const { busy, problem, run } = useAction();
   const sign = () =>
     run(async () => {
@@ -23,11 +23,7 @@ export function Checkpoints() {
   return (
     <Panel
       title={say("system-checkpoints")}
-      aside={
-        <Button busy={busy} onClick={() => void sign()}>
-          {say("system-checkpoints-sign")}
-        </Button>
-      }
+      aside={<Button says="system-checkpoints-sign" busy={busy} onClick={() => void sign()} />}
       data-testid="checkpoints"
     >
       <div class="panel__body checkpoints">
@@ -43,17 +39,21 @@ export function Checkpoints() {
 
 function Key({ listed }: { listed: Listed }) {
   return (
-    <dl class="facts">
-      <dt>{say("system-checkpoints-key")}</dt>
-      <dd>
-        <code class="checkpoints__key">{listed.key}</code>
-        {listed.keys_before > 0 && (
-          <div class="small muted">
-            {say("system-checkpoints-keys-before", { count: listed.keys_before })}
-          </div>
-        )}
-      </dd>
-    </dl>
+    <Facts
+      of={[
+        [
+          say("system-checkpoints-key"),
+          <>
+            <code class="checkpoints__key">{listed.key}</code>
+            {listed.keys_before > 0 && (
+              <div class="small muted">
+                {say("system-checkpoints-keys-before", { count: listed.keys_before })}
+              </div>
+            )}
+          </>,
+        ],
+      ]}
+    />
   );
 }
 
@@ -87,14 +87,13 @@ function List({ listed }: { listed: Listed }) {
           </td>
           <td class="nowrap">
             <Button
+              says="system-checkpoints-download"
               small
               icon="download"
               href={`/api/audit/checkpoints/${one.id}/checkpoint.json`}
               download
               label={say("system-checkpoints-download-of", { when: formatMoment(one.at) })}
-            >
-              {say("system-checkpoints-download")}
-            </Button>
+            />
           </td>
         </tr>
       ))}

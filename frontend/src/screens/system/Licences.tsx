@@ -2,9 +2,8 @@
 import inPages from "virtual:licences";
 import { useState } from "preact/hooks";
 import { Button, DataTable, Loaded, Panel } from "../../components";
-import { api } from "../../core/api";
 import { say } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 
 export function Licences() {
   const [open, setOpen] = useState(false);
@@ -12,9 +11,10 @@ export function Licences() {
     <Panel
       title={say("system-licences")}
       aside={
-        <Button onClick={() => setOpen(!open)}>
-          {say(open ? "system-licences-hide" : "system-licences-show")}
-        </Button>
+        <Button
+          says={open ? "system-licences-hide" : "system-licences-show"}
+          onClick={() => setOpen(!open)}
+        />
       }
     >
       {open && <Lists />}
@@ -23,7 +23,7 @@ export function Licences() {
 }
 
 function Lists() {
-  const found = useResource((signal) => api.ask("GET /system/licences", {}, { signal }), []);
+  const found = useAsked("GET /system/licences");
   return (
     <>
       <Loaded of={found} what={say("system-licences-loading")} />

@@ -1,16 +1,11 @@
 /** One line on the frame when the camera had moved by then. */
 import { Said } from "../../../components/Said";
-import { api } from "../../../core/api";
-import { useResource } from "../../../core/resource";
-import type { Drift } from "../../../core/types";
+import { useAsked } from "../../../core/resource";
 import { fixed, formatSmall } from "../../../core/units";
 
 export function DriftLine(props: { surveyId: number; recordingId: number; frame: number }) {
   const { recordingId, frame } = props;
-  const drift = useResource<Drift>(
-    (signal) => api.ask("GET /recordings/{recording_id}/drift", { recording_id: recordingId }, { signal }),
-    [recordingId],
-  ).data;
+  const drift = useAsked("GET /recordings/{recording_id}/drift", { recording_id: recordingId }).data;
   const span = drift?.flagged.find((one) => one.first_frame <= frame && frame <= one.last_frame);
   if (!span) return null;
   const moved_px = fixed(span.moved_px, 1);
