@@ -73,7 +73,7 @@ def _progress(counts: dict[str, int]) -> ScanProgress:
     if of["not_measurable"]:
         said += f" {of['not_measurable']} cannot be measured; see their reasons."
     if of["heights"]:
-        said += f" {counts.get('heights_accepted', 0)} of {_number(of['heights'], 'height')} accepted."
+        said += f" {of['heights_accepted']} of {_number(of['heights'], 'height')} accepted."
     return ScanProgress("done", said, **of)
 
 
