@@ -93,7 +93,7 @@ function page({ policy, data }: Alone, script: string, style: string): string {
 <title>Sightline</title>
 <style>${style.replaceAll("</style", "<\\/style")}</style>
 </head>
-<body>
+<body style="background: var(--paper)">
 <div id="opened"></div>
 <noscript>Sightline needs JavaScript; please switch it on for this page.</noscript>
 ${data}

@@ -11,7 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Browser, Locator, Page, expect
 
 from sightline.export.build import build
 from sightline.geometry.documents import pose_from_dict
@@ -131,12 +131,22 @@ def test_its_heights_are_those_of_verify_to_a_nanometre(whole: Path, opened: Cal
         assert height_m is None or abs(float(found[row["id"]]) - height_m) <= 1e-9, row["id"]
 
 
+def wide_px(one: Locator) -> float:
+    box = one.bounding_box()
+    assert box
+    return box["width"]
+
+
 def test_crops_figures_tables_and_sizes_are_shown(whole: Path, opened: Callable[[Path], Page]) -> None:
     page = opened(whole)
     for figure in page.locator("#figures img").all():
         figure.scroll_into_view_if_needed()
         expect(figure).to_have_js_property("complete", True)
         assert figure.evaluate("one => one.naturalWidth") > 0
+    one = page.locator("#figures figure", has=page.locator('img[src="figures/driver_eye-ecdf.svg"]'))
+    expect(one.locator("figcaption")).to_have_text("Heights of the driver’s eye, cumulative")
+    half = page.locator("#figures figure:not(.opened__sheet--wide)").first
+    assert wide_px(one) > 1.8 * wide_px(half)
     crop = next(row for row in rows(whole, "tables/crops.csv") if row["file"])
     page.locator(f'[data-measurement="{crop["measurement_id"]}"]').get_by_role("button").click()
     assert page.locator("#measurements image").first.get_attribute("href") == crop["file"]

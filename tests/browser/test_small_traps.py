@@ -60,6 +60,19 @@ def test_a_bench_without_a_recording_is_the_list_where_one_is_chosen(page: Page,
     expect(page.locator("nav.rail")).to_be_visible()
 
 
+def test_a_study_without_a_number_is_the_list_where_one_is_chosen(page: Page) -> None:
+    page.goto("/study")
+    expect(page).to_have_url(re.compile("/studies$"))
+
+
+def test_in_a_narrow_window_a_line_scans_card_is_whole(page: Page, survey_id: int) -> None:
+    page.set_viewport_size({"width": 1024, "height": 768})
+    page.goto(f"/surveys/{survey_id}/scans")
+    card = page.locator("article.scan-card")
+    box, way = card.bounding_box(), card.get_by_role("link", name="Open").bounding_box()
+    assert box and way and way["x"] + way["width"] < box["x"] + box["width"]
+
+
 def test_a_recordings_card_names_its_file_as_the_file_is_named(page: Page, survey_id: int) -> None:
     recording = page.request.get(f"/api/surveys/{survey_id}/recordings").json()[0]
     assert recording["name"].endswith(".mp4") and recording["container"].startswith("mov,")

@@ -119,6 +119,15 @@ def check_shown(admin: Client, survey_id: int) -> None:
     assert f"{measured} are measured" in survey["description"]
     verdicts = {m["review"]["verdict"] for one in vehicles for m in one["measurements"]}
     assert verdicts == {"accepted", "fixed", "rejected", "to_review"}
+    # one truth, heights of frames and of line scans: Overview and Review
+    counts, work = survey["counts"], admin.seen(f"/surveys/{survey_id}/review-work")
+    assert counts["to_review"] == work["to_review"] + work["own"] + work["in_lots"]
+    assert (counts["accepted"], counts["rejected"]) == (work["accepted"], work["rejected"])
+    assert (
+        counts["measurements"]
+        < work["heights"]
+        == sum(counts[one] for one in ("to_review", "accepted", "rejected"))
+    )
     for recording in admin.seen(f"/surveys/{survey_id}/recordings"):
         assert recording["state"] == "ready" and recording["thumbs"]
         assert admin.http.get(recording["thumbs"][0]["url"]).status_code == 200

@@ -74,7 +74,9 @@ def test_a_study_of_two_sites(
     assert page["study"]["simulated"] and page["job"] is None
     first = page["result"]["found"]
     assert first["heights"] > 80, first["notes"]
-    assert first["consequence"] is not None, first["rules"]
+    assert "Too few heights for the percentile" in first["consequence"], first["rules"]
+    asked = operator.get(f"/studies/{simulated}", headers={"Accept-Language": "fr"}).json()
+    assert "Trop peu de hauteurs pour le centile" in asked["result"]["found"]["consequence"]
     _the_report_says_what_matters_first(operator, page["result"])
     _a_class_that_no_survey_saw_is_said(operator, work, page)
     page = operator.seen(f"/studies/{simulated}")

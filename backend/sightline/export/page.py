@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import base64
 import binascii
+import html
 import json
 import re
 import zlib
@@ -67,6 +68,9 @@ _SENTENCES = {
 _POSES = re.compile(r"records/pose-\d+\.json")
 _ABOUT = re.compile(r'<script type="application/json" id="about">(.*?)</script>\n', re.DOTALL)
 _BLOCK = re.compile(r'<script type="text/plain" data-path="([\w./-]+)">([A-Za-z0-9+/=]*)</script>\n')
+_TITLE = re.compile(r"<title>([^<]*)</title>")
+_WIDTH = re.compile(r'<svg [^>]*\bwidth="(\d+(?:\.\d+)?)pt"')
+_HALF_PT = 300.0  # between the widths of the sheets that figures are drawn on
 _SCRIPT = "globalThis.sightlineAudit = "
 #: Written with or after the page, so that its sizes leave them out.
 _LATER = (PAGE, DESCRIPTION, AUDIT.path, AUDIT_SCRIPT, CHECKPOINT, CHECKSUMS)
@@ -199,7 +203,7 @@ def _about_block(
         only = selection_words(selection_in(files))
     carried = set(_carried(tables, written))
     said = {one: _said(files, tables, carried, one) for one in languages() if one != SOURCE}
-    told = {"language": language, "only": only, "said": said, **_about(tables, written, version)}
+    told = {"language": language, "only": only, "said": said, **_about(files, tables, written, version)}
     text = json.dumps(told, ensure_ascii=False).replace("<", "\\u003c")
     return f'<script type="application/json" id="about">{text}</script>\n'
 
@@ -225,8 +229,16 @@ def _said(files: Files, tables: Sequence[AnyTable], carried: Set[str], language:
     return {text: said[text] for text in sorted(said) if said[text] != text}
 
 
+def _figure(files: Files, path: str) -> dict[str, object]:
+    """A drawing's title, and whether it is as wide as a sheet, as its file says them."""
+    text = read_whole(files, path).decode("utf-8", "replace")
+    title, width = _TITLE.search(text), _WIDTH.search(text)
+    wide = width is not None and float(width[1]) > _HALF_PT
+    return {"path": path, "title": path if title is None else html.unescape(title[1]), "wide": wide}
+
+
 def _about(
-    tables: Sequence[AnyTable], written: Mapping[str, Written], version: str | None
+    files: Files, tables: Sequence[AnyTable], written: Mapping[str, Written], version: str | None
 ) -> dict[str, object]:
     """What the page says of the package: sizes by folder, figures, tables with their columns' meaning."""
     folders: dict[str, list[int]] = defaultdict(lambda: [0, 0])
@@ -241,7 +253,7 @@ def _about(
         "folders": [
             {"folder": name, "files": files, "bytes": size} for name, (files, size) in sorted(folders.items())
         ],
-        "figures": sorted(path for path in written if path.startswith("figures/")),
+        "figures": [_figure(files, path) for path in sorted(written) if path.startswith("figures/")],
         "left_out": [table.path for table in there if table.path not in carried],
         "tables": [
             {

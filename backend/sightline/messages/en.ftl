@@ -2024,7 +2024,7 @@ review-plan-name = Blind check
 review-plan-choose = Blind check, for all reviewers of this survey
 review-plan-choice = { $one_in ->
     [0] off
-    [1] every measurement
+    [1] every one
    *[other] 1 in { $one_in }
 }
 review-blind-click = click it again
@@ -3961,6 +3961,15 @@ survey-count-vehicles = { $count ->
    *[other] vehicles
 }
 survey-count-measured = of { NUMBER($count) } measured
+survey-count-accepted = { $count ->
+   *[other] accepted
+}
+survey-count-rejected = { $count ->
+   *[other] rejected
+}
+survey-count-scanned-accepted = { $count ->
+   *[other] accepted
+}
 survey-count-measurements = { $count ->
     [one] measurement
    *[other] measurements
@@ -4035,7 +4044,6 @@ studies-lead = Surveys of several sites and years combined: heights of the fleet
 studies-loading = the studies
 studies-new = New study
 studies-new-make = Create study
-study-not-chosen = No study is chosen
 studies-none-title = No studies
 studies-none = A study combines surveys of several sites, weights their vehicles to the fleet, and states the uncertainty of its percentiles.
 studies-name = Study
@@ -7813,12 +7821,15 @@ report-fig-height-above = Height of the { $target } above the road ({ $unit })
 report-fig-height = Height of the { $target } ({ $unit })
 report-fig-share = Share of vehicles (%)
 report-fig-share-below = { $standard }, { $share } below
-report-fig-cumulative-caption = All classes together. Solid line: heights corrected by the inset, with the simultaneous 95 % band. Points: percentiles of true heights with their total 95 % intervals.
+report-fig-cumulative-caption = All classes together. Solid line: heights corrected by the inset. Points: percentiles of true heights with their total 95 % intervals.
 report-fig-density = Heights of the { $target }, density
 report-fig-density-axis = Density (per { $unit })
-report-fig-density-caption = Corrected heights, n = { $n }; Gaussian kernel, bandwidth { $width }; pointwise 95 % band.
+report-fig-density-caption = Corrected heights, n = { $n }; Gaussian kernel, bandwidth { $width }.
 report-fig-by = Heights of the { $target } by { $grouping }
-report-fig-by-caption = Corrected heights by group (number of vehicles): median (ring), 15th to 85th percentile (thick), 5th to 95th (thin).
+report-fig-by-caption = Corrected heights by group (number of vehicles): median (ring), 15th to 85th percentile (thick), 5th to 95th (thin); each vehicle (stroke) where they are too few.
+report-fig-band = Band: 95 %, simultaneous.
+report-fig-band-pointwise = Band: 95 %, pointwise.
+report-fig-no-band = No band for fewer than { $least } vehicles.
 report-fig-by-rules = Vertical lines: { $rules }.
 report-fig-by-left-out = { $n } smaller groups are not shown.
 report-fig-group = { $group }, n = { $n }
@@ -7826,15 +7837,15 @@ report-fig-no-error = No vehicle has a reference height.
 report-fig-no-errors = There are no errors to draw.
 report-fig-absolute-axis = Absolute error ({ $unit })
 report-fig-absolute = Absolute error, cumulative
-report-fig-absolute-caption = Cumulative share of vehicles by absolute error. Bands: 95 %, simultaneous.
+report-fig-absolute-caption = Cumulative share of vehicles by absolute error.
 report-fig-relative-axis = Absolute error over reference height (%)
 report-fig-relative = Relative error, cumulative
-report-fig-relative-caption = Absolute error divided by the reference height. Bands: 95 %, simultaneous.
+report-fig-relative-caption = Absolute error divided by the reference height.
 report-fig-signed = Signed error, density
 report-fig-signed-axis = Measured minus reference ({ $unit })
 report-fig-signed-width = { $width } { $group }
-report-fig-signed-caption = Gaussian kernel, bandwidth { $widths }. Bands: 95 %, pointwise.
-report-fig-signed-caption-cm = Gaussian kernel, bandwidth { $widths }, at least half of the { $rounding } of rounding. Bands: 95 %, pointwise.
+report-fig-signed-caption = Gaussian kernel, bandwidth { $widths }.
+report-fig-signed-caption-cm = Gaussian kernel, bandwidth { $widths }, at least half of the { $rounding } of rounding.
 report-fig-trend = Signed error against manufacturer’s height
 report-fig-regression = regression
 report-fig-maker-height = Manufacturer’s height ({ $unit })
@@ -7846,7 +7857,7 @@ report-fig-trend-caption = { $seen }; regression with its 95 % band: slope { $sl
 report-fig-trend-caption-absolute = { $seen }; regression with its 95 % band: slope { $slope } ({ $interval }), r = { $r }; absolute error: r = { $r_absolute }.
 report-fig-lateral = Lateral position by lane and class
 report-fig-lateral-axis = Distance from the camera across the road ({ $unit })
-report-fig-lateral-caption = Tyre contact, one per vehicle, by travel direction in the frame and class (number of vehicles): median (ring), 15th to 85th percentile (thick), 5th to 95th (thin).
+report-fig-lateral-caption = Tyre contact, one per vehicle, by travel direction in the frame and class (number of vehicles): median (ring), 15th to 85th percentile (thick), 5th to 95th (thin); each vehicle (stroke) where they are too few.
 report-fig-crest = K of a crest against design speed
 report-fig-by-standard = standard’s heights
 report-fig-by-survey = survey’s heights
@@ -7854,7 +7865,7 @@ report-fig-design-speed = Design speed ({ $unit })
 report-fig-k = K ({ $unit } per %)
 report-fig-crest-caption = K = S²/C at the stopping sight distance of each speed, rounded up as in design tables. Solid: survey’s heights, with their 95 % band; dashed: standard’s.
 report-fig-scanned = Scanned vehicles: { $quantity }, cumulative
-report-fig-scanned-caption = n = { $n }; { $percentiles }; 95 % intervals where n allows, and the 95 % band of the curve.
+report-fig-scanned-caption = n = { $n }; { $percentiles }; 95 % intervals where n allows.
 report-fig-true = True heights of the { $target }, cumulative
 report-fig-error-left-in = random error not removed
 report-fig-true-curve = true heights

@@ -2023,7 +2023,7 @@ review-plan-name = Contrôle en aveugle
 review-plan-choose = Contrôle en aveugle, pour tous ceux qui vérifient ce relevé
 review-plan-choice = { $one_in ->
     [0] désactivé
-    [1] chaque mesure
+    [1] toutes
    *[other] 1 sur { $one_in }
 }
 review-blind-click = à repointer
@@ -3947,6 +3947,18 @@ survey-count-vehicles = { $count ->
    *[other] véhicules
 }
 survey-count-measured = sur { NUMBER($count) } mesurés
+survey-count-accepted = { $count ->
+    [one] validée
+   *[other] validées
+}
+survey-count-rejected = { $count ->
+    [one] rejetée
+   *[other] rejetées
+}
+survey-count-scanned-accepted = { $count ->
+    [one] validé
+   *[other] validés
+}
 survey-count-measurements = { $count ->
     [one] mesure
    *[other] mesures
@@ -4021,7 +4033,6 @@ studies-lead = Relevés de plusieurs sites et années réunis : hauteurs du par
 studies-loading = études
 studies-new = Nouvelle étude
 studies-new-make = Créer l’étude
-study-not-chosen = Aucune étude n’est choisie
 studies-none-title = Aucune étude
 studies-none = Une étude réunit les relevés de plusieurs sites, pondère leurs véhicules selon le parc et donne l’incertitude de ses centiles.
 studies-name = Étude
@@ -7864,12 +7875,15 @@ report-fig-height-above = Hauteur au-dessus de la route : { $target } ({ $unit 
 report-fig-height = Hauteur : { $target } ({ $unit })
 report-fig-share = Part des véhicules (%)
 report-fig-share-below = { $standard }, { $share } au-dessous
-report-fig-cumulative-caption = Toutes classes comprises. Trait plein : hauteurs corrigées de leur retrait, avec leur bande simultanée à 95 %. Points : centiles des hauteurs vraies avec leurs intervalles totaux à 95 %.
+report-fig-cumulative-caption = Toutes classes comprises. Trait plein : hauteurs corrigées de leur retrait. Points : centiles des hauteurs vraies avec leurs intervalles totaux à 95 %.
 report-fig-density = Hauteurs, densité : { $target }
 report-fig-density-axis = Densité (par { $unit })
-report-fig-density-caption = Hauteurs corrigées, n = { $n } ; noyau gaussien, largeur { $width } ; bande ponctuelle à 95 %.
+report-fig-density-caption = Hauteurs corrigées, n = { $n } ; noyau gaussien, largeur { $width }.
 report-fig-by = Hauteurs par { $grouping } : { $target }
-report-fig-by-caption = Hauteurs corrigées par groupe (nombre de véhicules) : médiane (anneau), 15e au 85e centile (épais), 5e au 95e (fin).
+report-fig-by-caption = Hauteurs corrigées par groupe (nombre de véhicules) : médiane (anneau), 15e au 85e centile (épais), 5e au 95e (fin) ; chaque véhicule (trait) s’ils sont trop peu nombreux.
+report-fig-band = Bande : 95 %, simultanée.
+report-fig-band-pointwise = Bande : 95 %, ponctuelle.
+report-fig-no-band = Pas de bande sous { $least } véhicules.
 report-fig-by-rules = Traits verticaux : { $rules }.
 report-fig-by-left-out = { $n } groupes plus petits sont omis.
 report-fig-group = { $group }, n = { $n }
@@ -7877,15 +7891,15 @@ report-fig-no-error = Aucun véhicule n’a de hauteur de référence.
 report-fig-no-errors = Il n’y a pas d’erreur à tracer.
 report-fig-absolute-axis = Erreur absolue ({ $unit })
 report-fig-absolute = Erreur absolue, cumulée
-report-fig-absolute-caption = Part cumulée des véhicules selon l’erreur absolue. Bandes : 95 %, simultanées.
+report-fig-absolute-caption = Part cumulée des véhicules selon l’erreur absolue.
 report-fig-relative-axis = Erreur absolue sur hauteur de référence (%)
 report-fig-relative = Erreur relative, cumulée
-report-fig-relative-caption = Erreur absolue rapportée à la hauteur de référence. Bandes : 95 %, simultanées.
+report-fig-relative-caption = Erreur absolue rapportée à la hauteur de référence.
 report-fig-signed = Erreur signée, densité
 report-fig-signed-axis = Mesure moins référence ({ $unit })
 report-fig-signed-width = { $width } { $group }
-report-fig-signed-caption = Noyau gaussien, largeur { $widths }. Bandes : 95 %, ponctuelles.
-report-fig-signed-caption-cm = Noyau gaussien, largeur { $widths }, au moins la moitié de l’arrondi de { $rounding }. Bandes : 95 %, ponctuelles.
+report-fig-signed-caption = Noyau gaussien, largeur { $widths }.
+report-fig-signed-caption-cm = Noyau gaussien, largeur { $widths }, au moins la moitié de l’arrondi de { $rounding }.
 report-fig-trend = Erreur signée selon la hauteur du constructeur
 report-fig-regression = régression
 report-fig-maker-height = Hauteur du constructeur ({ $unit })
@@ -7897,7 +7911,7 @@ report-fig-trend-caption = { $seen } ; régression et sa bande à 95 % : pe
 report-fig-trend-caption-absolute = { $seen } ; régression et sa bande à 95 % : pente { $slope } ({ $interval }), r = { $r } ; erreur absolue : r = { $r_absolute }.
 report-fig-lateral = Position latérale par voie et par classe
 report-fig-lateral-axis = Distance à la caméra en travers de la route ({ $unit })
-report-fig-lateral-caption = Contact du pneu, un par véhicule, selon son sens sur l’image et sa classe (nombre de véhicules) : médiane (anneau), 15e au 85e centile (épais), 5e au 95e (fin).
+report-fig-lateral-caption = Contact du pneu, un par véhicule, selon son sens sur l’image et sa classe (nombre de véhicules) : médiane (anneau), 15e au 85e centile (épais), 5e au 95e (fin) ; chaque véhicule (trait) s’ils sont trop peu nombreux.
 report-fig-crest = K d’un sommet de côte selon la vitesse de référence
 report-fig-by-standard = d’après les hauteurs de la norme
 report-fig-by-survey = d’après les hauteurs du relevé
@@ -7905,7 +7919,7 @@ report-fig-design-speed = Vitesse de référence ({ $unit })
 report-fig-k = K ({ $unit } par %)
 report-fig-crest-caption = K = S²/C à la distance de visibilité d’arrêt de chaque vitesse, arrondie vers le haut comme dans les tables de conception. Plein : d’après les hauteurs du relevé, avec sa bande à 95 % ; tireté : d’après celles de la norme.
 report-fig-scanned = Véhicules balayés : { $quantity }, distribution cumulée
-report-fig-scanned-caption = n = { $n } ; { $percentiles } ; intervalles à 95 % là où n le permet, et bande à 95 % de la courbe.
+report-fig-scanned-caption = n = { $n } ; { $percentiles } ; intervalles à 95 % là où n le permet.
 report-fig-true = Hauteurs vraies, distribution cumulée : { $target }
 report-fig-error-left-in = erreur aléatoire comprise
 report-fig-true-curve = hauteurs vraies

@@ -72,8 +72,7 @@ def _progress(counts: dict[str, int]) -> ScanProgress:
     if of["not_measurable"]:
         said.append(Said("overview-scans-not-measurable", count=of["not_measurable"]))
     if of["heights"]:
-        accepted = counts.get("heights_accepted", 0)
-        said.append(Said("overview-line-heights-accepted", count=accepted, all=of["heights"]))
+        said.append(Said("overview-line-heights-accepted", count=of["heights_accepted"], all=of["heights"]))
     return ScanProgress("done", said, **of)
 
 

@@ -387,3 +387,5 @@ class ScanProgress:
     not_measurable: int = 0
     heights: int = 0
     heights_to_review: int = 0
+    heights_accepted: int = 0
+    heights_rejected: int = 0

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from sightline.enums import JsonObject
+from sightline.export.report.said import speaking
+from sightline.messages import languages
 from sightline.studies.consequence import consequence
 from sightline.studies.csv import TABLES, study_rows
-from sightline.studies.records import Curve
+from sightline.studies.records import Curve, StudyRule
 from sightline.studies.stored import Computed
 
 
@@ -16,10 +20,22 @@ def document_of(found: Computed) -> JsonObject:
         "heights": found.study.heights,
         "vehicles": found.study.vehicles,
         "notes": found.study.notes,
-        "consequence": consequence(found.study.rules, "m"),
+        "consequence": _consequences(found.study.rules),
         "curves": [_curve(one) for one in found.study.curves],
         **{table.name: list(rows[table.path]) for table in TABLES},
     }
+
+
+def _consequences(rules: Sequence[StudyRule]) -> dict[str, str] | None:
+    """The sentence by language: its numbers are written as each writes them."""
+    said: dict[str, str] = {}
+    for language in languages():
+        with speaking(language):
+            sentence = consequence(rules, "m")
+        if sentence is None:
+            return None
+        said[language] = sentence
+    return said
 
 
 def _curve(one: Curve) -> JsonObject:

@@ -75,14 +75,14 @@ def add_study(body: NewStudy, who: Operator, session: Writing) -> StudyBody:
 
 
 @router.get("/studies/{study_id}")
-def get_study(study_id: PathId, who: Viewer, session: Reading) -> StudyPage:
+def get_study(study_id: PathId, who: Viewer, session: Reading, asked_in: AskedIn) -> StudyPage:
     """A study with what was computed of it last."""
     study = store.get_study(session, study_id)
     result = _newest(session, who, study_id)
     job = None if study.job_id is None else JobBody.model_validate(get_job(session, study.job_id))
     return StudyPage(
         study=_body(session, study),
-        result=None if result is None else _result(session, study, result),
+        result=None if result is None else _result(session, study, result, asked_in),
         job=job,
     )
 
@@ -285,10 +285,11 @@ def _listed(session: Session, who: Person, study: StoredStudy) -> ListedStudy:
     )
 
 
-def _result(session: Session, study: StoredStudy, result: StudyResult) -> ResultBody:
+def _result(session: Session, study: StoredStudy, result: StudyResult, language: str) -> ResultBody:
     names, heads = survey_names(session), heads_of(session, result.heads)
     changed = [names[one][0] for one, head in result.heads.items() if heads[one] != head]
     base = f"/api/studies/{study.id}/results/{result.id}"
+    said = result.document["consequence"]
     return ResultBody(
         id=result.id,
         created_at=result.created_at,
@@ -300,5 +301,5 @@ def _result(session: Session, study: StoredStudy, result: StudyResult) -> Result
         surveys_changed=changed,
         package_url=f"{base}.zip",
         report_url=f"{base}.pdf",
-        found=FiguresBody.model_validate(result.document),
+        found=FiguresBody.model_validate({**result.document, "consequence": said and said[language]}),
     )

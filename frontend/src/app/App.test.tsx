@@ -104,6 +104,8 @@ const survey: Survey = {
     not_measurable: 0,
     heights: 0,
     heights_to_review: 0,
+    heights_accepted: 0,
+    heights_rejected: 0,
   },
   since_package: null,
 };

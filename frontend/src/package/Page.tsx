@@ -209,14 +209,19 @@ function placeOf(path: string): number {
 }
 
 function Figures({ found }: { found: Opened }) {
-  const figures = [...found.about.figures].sort((a, b) => placeOf(a) - placeOf(b));
+  const figures = [...found.about.figures].sort((a, b) => placeOf(a.path) - placeOf(b.path));
   return (
     <section class="opened__section" id="figures">
       <h2 class="opened__name">{say("opened-figures")}</h2>
       {figures.length === 0 && <p class="opened__quiet">{say("opened-figures-none")}</p>}
       <div class="opened__figures">
-        {figures.map((path) => (
-          <img key={path} class="opened__figure" src={path} alt={path} loading="lazy" />
+        {figures.map(({ path, title, wide }) => (
+          <figure key={path} class={wide ? "opened__sheet opened__sheet--wide" : "opened__sheet"}>
+            <img class="opened__figure" src={path} alt="" loading="lazy" />
+            <figcaption>
+              <a href={path}>{title}</a>
+            </figcaption>
+          </figure>
         ))}
       </div>
     </section>

@@ -2,6 +2,7 @@ import { effect } from "@preact/signals";
 import { render } from "preact";
 import "../style/tokens.css";
 import "./package.css";
+import "./theme";
 import { done, open } from "./opened";
 import { Page } from "./Page";
 

@@ -22,7 +22,7 @@ interface About {
   readonly only: string | null;
   readonly made_with: string;
   readonly folders: readonly { folder: string; files: number; bytes: number }[];
-  readonly figures: readonly string[];
+  readonly figures: readonly { path: string; title: string; wide: boolean }[];
   /** tables that are too large for a page */
   readonly left_out: readonly string[];
   readonly tables: readonly { path: string; name: TableName; columns: Readonly<Record<string, string>> }[];

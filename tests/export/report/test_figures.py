@@ -84,6 +84,24 @@ def test_few_vehicles_are_drawn_and_what_cannot_be_is_a_sentence(n: int, said: s
     assert found["signed-error-density"] == f"A density needs at least 10 vehicles; {said}."
 
 
+def test_a_band_is_drawn_for_thirty_vehicles_and_more_and_the_caption_says_which() -> None:
+    for n, banded in ((29, False), (30, True)):
+        found = drawings(statistics(n, low_light=0.0, absent=EYES))
+        for name in ("driver_eye-ecdf", "driver_eye-density", "absolute-error-ecdf", "signed-error-density"):
+            one = found[name]
+            assert isinstance(one, Drawing)
+            assert (b"fill-opacity: 0.11" in one.svg or b"opacity: 0.11" in one.svg) == banded, name
+            assert ("Band: 95 %" in one.caption) == banded, one.caption
+            assert ("No band for fewer than 30 vehicles." in one.caption) != banded, one.caption
+
+
+def test_a_group_of_few_vehicles_shows_each_of_them() -> None:
+    few = drawings(statistics(12, absent=EYES))["driver_eye-by-category"]
+    assert isinstance(few, Drawing) and "each vehicle (stroke)" in few.caption
+    each = re.findall(rb'<use [^>]*style="[^>]*stroke: #666666; stroke-width: 0\.8"', few.svg)
+    assert len(each) == 12
+
+
 def test_names_with_signs_are_drawn_as_they_are() -> None:
     names = ("A $x^2$ & <b>", "A x^2 & <b>")
     own = (Standard("Own $limit$", "eye_car", 1.1, "me"),)
@@ -131,6 +149,18 @@ def test_words_stand_beside_their_curves_and_not_on_any() -> None:
     for box, path in boxes:
         inside = (path > [box.x0, box.y0]).all(axis=1) & (path < [box.x1, box.y1]).all(axis=1)
         assert not inside.any()
+
+
+def test_a_word_that_no_place_tells_from_the_next_curve_is_not_written() -> None:
+    x = np.linspace(0.0, 1.0, 50)
+
+    def draw(axes: Axes) -> None:
+        axes.set(xlim=(-0.5, 1.5), ylim=(0, 1))
+        near = [labels.Named(x + 0.02 * n, x, f"curve {n}") for n in range(3)]
+        assert not labels.label(axes, near)
+        assert labels.label(axes, [near[0], labels.Named(x + 0.3, x, "far curve")])
+
+    svg(draw, "Three curves", HALF)
 
 
 def test_without_room_no_word_is_written() -> None:

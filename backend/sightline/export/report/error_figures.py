@@ -75,13 +75,14 @@ def _cumulative(
         return said("report-fig-no-error")
 
     def draw(axes: Axes) -> None:
-        for name, part, style in drawn:
-            marks.steps(axes, part, style, factor, _word(name, part))
+        named = [marks.steps(axes, part, style, factor, _word(name, part)) for name, part, style in drawn]
         axes.set(xlabel=axis, ylabel=said("report-fig-share"), ylim=(0, 100.8))
         axes.set_xlim(0, None)
-        axes.legend(loc="lower right")
+        if not labels.label(axes, named):
+            axes.legend(loc="lower right")
 
-    return Drawing(svg(draw, title, HALF), title, caption)
+    bands = marks.band_words([part.n for _, part, style in drawn if style.band])
+    return Drawing(svg(draw, title, HALF), title, f"{caption} {bands}")
 
 
 def _absolute(errors: Errors, unit: LengthUnit) -> Drawing | str:
@@ -134,7 +135,8 @@ def _density(errors: Errors, unit: LengthUnit) -> Drawing | str:
         said("report-fig-signed-width", width=small.length(part.bandwidth), group=LIGHTING[name])
         for name, part, _ in drawn
     )
-    return Drawing(svg(draw, title, HALF), title, _density_caption(errors, widths, small))
+    bands = marks.band_words([part.n for _, part, style in drawn if style.band], pointwise=True)
+    return Drawing(svg(draw, title, HALF), title, f"{_density_caption(errors, widths, small)} {bands}")
 
 
 def _density_caption(errors: Errors, widths: str, small: Scale) -> str:

@@ -98,7 +98,7 @@ def _cumulative(
         if not labels.label(axes, [replace(named, at=0.62)], busy):
             axes.legend(loc="lower right")
 
-    caption = said("report-fig-cumulative-caption")
+    caption = f"{said('report-fig-cumulative-caption')} {marks.band_words([found.n])}"
     return Drawing(svg(draw, title, FULL), title, caption)
 
 
@@ -143,11 +143,13 @@ def _density(
             ylabel=said("report-fig-density-axis", unit=scale.sign),
         )
         axes.margins(x=0.01)
-        axes.set_ylim(0, 1.04 * float(found.high.max()) / scale.factor)
+        highest = found.high if found.n >= marks.LEAST_FOR_A_BAND else found.density
+        axes.set_ylim(0, 1.04 * float(highest.max()) / scale.factor)
         low, high = axes.get_xlim()
         marks.limits(axes, [replace(one, share=0.0) for one in limits if low < one.at < high])
 
     caption = said("report-fig-density-caption", n=count(found.n), width=scale.length(found.bandwidth))
+    caption = f"{caption} {marks.band_words([found.n], pointwise=True)}"
     return Drawing(svg(draw, title, HALF), title, caption)
 
 
@@ -161,7 +163,7 @@ def _side_by_side(
 
     def draw(axes: Axes) -> None:
         for k, (_, found) in enumerate(rows):
-            marks.spread_row(axes, k, found.percentiles, scale.factor)
+            marks.spread_row(axes, k, found, scale.factor)
         words = [f"{_short(heading(group_word(grouping, one)))}  ({count(found.n)})" for one, found in rows]
         axes.set_yticks(range(len(rows)), labels=words)
         _room_on_the_left(axes)

@@ -17,6 +17,7 @@ Floats = NDArray[np.float64]
 _ALONG = np.linspace(0.04, 0.96, 93)
 _DENSE = 800
 _AIR_PX = 1.5
+_APART_PT = 7.0  # a word is nearer to its own curve than to any other
 # Where a word stands from its point of the curve: points right and up, and its edge that is turned to it.
 _SIDES = (
     (4.0, -2.0, "left", "top"),
@@ -56,7 +57,8 @@ def label(axes: Axes, curves: Sequence[Named], busy: Sequence[Bbox] = ()) -> boo
     taken = list(busy)
     found: list[_Place] = []
     for one, path in zip(curves, paths, strict=True):
-        place = _place(axes, one, path, np.concatenate(paths), taken)
+        others = [other for other in paths if other is not path]
+        place = _place(axes, one, path, np.concatenate([np.empty((0, 2)), *others]), taken)
         if place is None:
             return False
         found.append(place)
@@ -90,7 +92,7 @@ def _dense(axes: Axes, one: Named) -> Floats:
     return np.column_stack([np.interp(along, run, at[:, 0]), np.interp(along, run, at[:, 1])])
 
 
-def _place(axes: Axes, one: Named, path: Floats, every: Floats, taken: Sequence[Bbox]) -> _Place | None:
+def _place(axes: Axes, one: Named, path: Floats, others: Floats, taken: Sequence[Bbox]) -> _Place | None:
     """The free place nearest to the wished one."""
     frame, size = axes.get_window_extent(), _size(axes, one.word)
     dots = axes.figure.dpi / 72.0
@@ -101,7 +103,9 @@ def _place(axes: Axes, one: Named, path: Floats, every: Floats, taken: Sequence[
             left = x + dots * right - (size[0] if ha == "right" else 0.0)
             foot = y + dots * up - (size[1] if va == "top" else 0.0)
             box = Bbox.from_bounds(left, foot, *size)
-            if _free(box.padded(_AIR_PX), frame, every, taken):
+            if _crossed(box.padded(dots * _APART_PT), others):
+                continue
+            if _free(box.padded(_AIR_PX), frame, path, taken):
                 return _Place(x, y, side, box)
     return None
 
@@ -113,9 +117,12 @@ def _size(axes: Axes, word: str) -> tuple[float, float]:
     return box.width, box.height
 
 
-def _free(box: Bbox, frame: Bbox, every: Floats, taken: Sequence[Bbox]) -> bool:
+def _free(box: Bbox, frame: Bbox, own: Floats, taken: Sequence[Bbox]) -> bool:
     if box.x0 < frame.x0 or box.x1 > frame.x1 or box.y0 < frame.y0 or box.y1 > frame.y1:
         return False
-    x, y = every[:, 0], every[:, 1]
-    crossed = (x > box.x0) & (x < box.x1) & (y > box.y0) & (y < box.y1)
-    return not crossed.any() and not any(box.overlaps(other) for other in taken)
+    return not _crossed(box, own) and not any(box.overlaps(other) for other in taken)
+
+
+def _crossed(box: Bbox, points: Floats) -> bool:
+    x, y = points[:, 0], points[:, 1]
+    return bool(((x > box.x0) & (x < box.x1) & (y > box.y0) & (y < box.y1)).any())

@@ -32,7 +32,7 @@ def lateral_figure(result: Statistics, unit: LengthUnit) -> dict[str, Drawing | 
 
     def draw(axes: Axes) -> None:
         for k, (_, one) in enumerate(rows):
-            marks.spread_row(axes, k, one.percentiles, scale.factor)
+            marks.spread_row(axes, k, one, scale.factor)
         axes.set_yticks(range(len(rows)), labels=[f"{word}  ({count(one.n)})" for word, one in rows])
         axes.set_ylim(len(rows) - 0.4, -0.6)
         axes.tick_params(axis="y", length=0)

@@ -12,9 +12,14 @@ from matplotlib.transforms import Bbox
 
 from sightline.export.report.canvas import FAINT, INK, MUTED, NOTE_PT
 from sightline.export.report.labels import Named
+from sightline.export.report.said import said
+from sightline.export.report.units import count
 from sightline.statistics.distributions import Density, Ecdf, Percentile
+from sightline.statistics.summary import Distribution
 
 _TEXT_MM = 2.7  # what an upright word needs beside the next
+#: A simultaneous band of fewer covers more than half of the axis and hides the curves.
+LEAST_FOR_A_BAND = 30
 
 
 @dataclass(frozen=True)
@@ -48,10 +53,10 @@ class Limit:
 
 
 def steps(axes: Axes, ecdf: Ecdf, style: LineStyle, factor: float, word: str = "") -> Named:
-    """A cumulative distribution as steps in per cent, with its band."""
+    """A cumulative distribution as steps in per cent, with its band where there are enough for one."""
     x = factor * np.concatenate([ecdf.value[:1], ecdf.value])
     y = 100.0 * np.concatenate([[0.0], ecdf.share])
-    if style.band:
+    if style.band and ecdf.n >= LEAST_FOR_A_BAND:
         low, high = 100.0 * ecdf.low, 100.0 * ecdf.high
         axes.fill_between(x[1:], low, high, step="post", color=INK, alpha=0.11, linewidth=0)
     axes.step(x, y, where="post", label=word, **style.line())
@@ -59,13 +64,23 @@ def steps(axes: Axes, ecdf: Ecdf, style: LineStyle, factor: float, word: str = "
 
 
 def density_curve(axes: Axes, density: Density, style: LineStyle, factor: float, word: str = "") -> Named:
-    """A density with its band, per unit of the axis."""
+    """A density with its band where there are enough for one, per unit of the axis."""
     x, y = factor * density.value, density.density / factor
-    if style.band:
+    if style.band and density.n >= LEAST_FOR_A_BAND:
         low, high = density.low / factor, density.high / factor
         axes.fill_between(x, low, high, color=INK, alpha=0.11, linewidth=0)
     axes.plot(x, y, label=word, **style.line())
     return Named(x, y, word)
+
+
+def band_words(counts: Sequence[int], *, pointwise: bool = False) -> str:
+    """Ends a caption: what the bands of curves of so many vehicles are, and that few vehicles have none."""
+    sentences = []
+    if any(n >= LEAST_FOR_A_BAND for n in counts):
+        sentences.append(said("report-fig-band-pointwise" if pointwise else "report-fig-band"))
+    if any(n < LEAST_FOR_A_BAND for n in counts):
+        sentences.append(said("report-fig-no-band", least=count(LEAST_FOR_A_BAND)))
+    return " ".join(sentences)
 
 
 def whiskers(axes: Axes, found: Sequence[Percentile], factor: float) -> None:
@@ -78,13 +93,18 @@ def whiskers(axes: Axes, found: Sequence[Percentile], factor: float) -> None:
             axes.plot(ends, [one.percent] * 2, "|-", color=INK, linewidth=0.8, markersize=4.5, zorder=4)
 
 
-def spread_row(axes: Axes, row: int, found: Sequence[Percentile], factor: float) -> None:
-    """A group as a row: median, middle 70 % and middle 90 %, as far as it has the vehicles for them."""
-    at = {one.percent: factor * one.value for one in found if one.value is not None}
+def spread_row(axes: Axes, row: int, found: Distribution, factor: float) -> None:
+    """A group as a row: median, middle 70 % and middle 90 %, as far as it has the vehicles for them; each
+    vehicle where it has too few for the middle 70 %.
+    """
+    at = {one.percent: factor * one.value for one in found.percentiles if one.value is not None}
     if 5.0 in at and 95.0 in at:
         axes.plot([at[5.0], at[95.0]], [row, row], color=INK, linewidth=0.8)
     if 15.0 in at and 85.0 in at:
         axes.plot([at[15.0], at[85.0]], [row, row], color=INK, linewidth=3.2, solid_capstyle="butt")
+    elif found.ecdf is not None:
+        each = factor * found.ecdf.value
+        axes.plot(each, np.full(len(each), row), "|", color=MUTED, markersize=5.0, markeredgewidth=0.8)
     if 50.0 in at:
         axes.plot(at[50.0], row, "o", color="white", markeredgecolor=INK, markersize=4.2, markeredgewidth=0.9)
 

@@ -49,4 +49,5 @@ def _cumulative(one: Spread, scale: Scale) -> Drawing:
 
     listed = ", ".join(f"P{fixed(each.percent, 0)} {scale.length(each.value)}" for each in chosen)
     caption = said("report-fig-scanned-caption", n=count(one.n), percentiles=listed)
+    caption = f"{caption} {marks.band_words([curve.n])}"
     return Drawing(svg(draw, title, HALF), title, caption)

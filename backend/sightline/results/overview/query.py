@@ -1,7 +1,7 @@
 """Counts and steps of surveys, computed in a fixed number of queries however many surveys there are."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from sqlalchemy import ColumnElement, Select, and_, case, func, select
@@ -86,7 +86,17 @@ def _overview(
     # with line scans alone nobody need calibrate a camera: no step is the next one
     only_scans = scans.scans > 0 and rest.cameras == 0 and counts.recordings == 0
     steps = _steps(counts, rest, only_scans, scans.heights_to_review, since)
-    return SurveyOverview(survey, counts, steps, scans, since)
+    return SurveyOverview(survey, _with_lines(counts, scans), steps, scans, since)
+
+
+def _with_lines(of_frames: SurveyCounts, scans: ScanProgress) -> SurveyCounts:
+    """Verdicts on heights of frames and of line scans together, as Review counts them."""
+    return replace(
+        of_frames,
+        to_review=of_frames.to_review + scans.heights_to_review,
+        accepted=of_frames.accepted + scans.heights_accepted,
+        rejected=of_frames.rejected + scans.heights_rejected,
+    )
 
 
 def _sum(condition: ColumnElement[bool]) -> ColumnElement[Any]:

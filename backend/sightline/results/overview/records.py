@@ -10,7 +10,7 @@ from sightline.surveys.records import Survey
 
 @dataclass(frozen=True, slots=True)
 class SurveyCounts:
-    """Computed when asked, never stored."""
+    """Computed when asked, never stored. `measurements`: in frames; verdicts: of line scans too."""
 
     recordings: int = 0
     vehicles: int = 0

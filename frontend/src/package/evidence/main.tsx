@@ -2,6 +2,7 @@ import { render } from "preact";
 import "../../style/tokens.css";
 import "../package.css";
 import "./evidence.css";
+import "../theme";
 import { say } from "../say";
 import { type Held, held } from "./document";
 import { Page } from "./Page";

@@ -110,7 +110,7 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
     return () => clearTimeout(later);
   }, [plot, width, data, unit, theme.value, language.value, reason]);
   useOnPaper(
-    () => draw(box.current?.closest(".stat-figures") ? HALF_A_PAGE : A_PAGE, HEIGHT_ON_PAPER),
+    () => draw(box.current?.closest(".stat-figures, .scan-figures") ? HALF_A_PAGE : A_PAGE, HEIGHT_ON_PAPER),
     () => draw(width, HEIGHT),
   );
   const saveSvg = () => {

@@ -222,9 +222,9 @@ function Packages({ list }: { list: ExportPackage[] }) {
         say("export-of"),
         say("export-language"),
         num(say("export-size")),
+        <span class="visually-hidden">{say("export-download-column")}</span>,
         say("export-sha256"),
         say("export-audit-head"),
-        <span class="visually-hidden">{say("export-download-column")}</span>,
       ]}
     >
       {list.map((entry) => (
@@ -237,11 +237,11 @@ function Packages({ list }: { list: ExportPackage[] }) {
           <td>{wantedWords(entry.selection) || say("export-of-all")}</td>
           <td class="nowrap">{nameOfLanguage(entry.language)}</td>
           <td class="num nowrap">{formatBytes(entry.size_bytes)}</td>
-          <Hash text={entry.sha256} which="sha256" />
-          <Hash text={entry.audit_head} which="audit-head" />
-          <td class="num">
+          <td>
             <Button says="export-download" small icon="download" href={entry.url} download />
           </td>
+          <Hash text={entry.sha256} which="sha256" />
+          <Hash text={entry.audit_head} which="audit-head" />
         </tr>
       ))}
     </Table>

@@ -200,11 +200,11 @@ function Name({ recording, rename }: { recording: Recording; rename: (name: stri
   );
 }
 
-/** The kind of a file, of those that its reader serves ("mov,mp4,m4a"): the one that its name ends in. */
+/** The kind of a file, of those that its reader serves ("mov,mp4,m4a"): the one that its name ends in, else the first two. */
 function kindOf(name: string, container: string): string {
   const kinds = container.split(",");
   const ending = name.split(".").at(-1)?.toLowerCase() ?? "";
-  return kinds.includes(ending) ? ending : (kinds[0] ?? "");
+  return kinds.includes(ending) ? ending : kinds.slice(0, 2).join("/");
 }
 
 function Facts({ recording, passes }: Pick<Props, "recording" | "passes">) {

@@ -11,7 +11,11 @@ export function Beside({ studyId }: { studyId: number }) {
   const [other, setOther] = useState<string | null>(null);
   const others = (studies.data ?? []).filter((one) => one.id !== studyId && one.computed_at !== null);
   return (
-    <Panel title={say("study-beside")} data-testid="study-beside">
+    <Panel
+      title={say("study-beside")}
+      class={other === null ? "stat-noprint" : undefined}
+      data-testid="study-beside"
+    >
       <div class="panel__body stack stack--tight">
         <Problem error={studies.error} again={studies.reload} />
         <OptionalField

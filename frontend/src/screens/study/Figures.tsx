@@ -1,7 +1,7 @@
 import { DataTable, num, Table } from "../../components";
 import { say, sentenceOf } from "../../core/messages";
 import type { Category, StudyResult } from "../../core/types";
-import { fixed, formatSmall, lengthScale, plainHeight, plainPercent } from "../../core/units";
+import { fixed, formatCount, formatSmall, lengthScale, plainHeight, plainPercent } from "../../core/units";
 import { CATEGORY_WORDS, LIGHTING_WORDS, TARGET_WORDS } from "../../core/words";
 import { NONE, percent } from "../../parts/figures/numbers";
 import { SameRule } from "../../parts/figures/SameRule";
@@ -120,11 +120,13 @@ function Effects({ rows, targets }: { rows: readonly Row[]; targets: readonly Ro
               {TARGET_WORDS[one.target]}, {nameOf(one)}
             </>
           )),
-          num(say("study-vehicles"), (one) => one.n),
+          num(say("study-vehicles"), (one) => formatCount(one.n)),
           num(say("study-effect"), (one) =>
             one.design_effect === null ? NONE : fixed(one.design_effect, 2),
           ),
-          num(say("study-effective"), (one) => (one.effective_n === null ? NONE : fixed(one.effective_n, 0))),
+          num(say("study-effective"), (one) =>
+            one.effective_n === null ? NONE : formatCount(one.effective_n),
+          ),
           num(say("study-weighting"), (one) =>
             one.weighting_effect === null ? NONE : fixed(one.weighting_effect, 2),
           ),
@@ -168,7 +170,7 @@ function Errors({ rows }: { rows: Found["errors"] }) {
           return (
             <tr key={group}>
               <th scope="row">{lightingOf(group)}</th>
-              <td class="num">{of[0]?.n}</td>
+              <td class="num">{formatCount(of[0]?.n ?? 0)}</td>
               {ERRORS.map((figure) => {
                 const one = of.find((row) => row.figure === figure);
                 return (
@@ -208,7 +210,7 @@ function Classes({ rows }: { rows: Found["classes"] }) {
         {all.map((one) => (
           <tr key={one.category}>
             <th scope="row">{CATEGORY_WORDS[one.category as Category] ?? one.category}</th>
-            <td class="num">{one.n}</td>
+            <td class="num">{formatCount(one.n)}</td>
             <Bounded
               value={percent(one.share)}
               low={one.low === null ? null : percent(one.low)}
@@ -238,7 +240,7 @@ function Plan({ rows }: { rows: Found["plan"] }) {
               const one = rows.find((row) => row.target === target && row.sites === count);
               return (
                 <td class="num" key={target}>
-                  {one?.vehicles_each ?? say("study-plan-none")}
+                  {one?.vehicles_each ? formatCount(one.vehicles_each) : say("study-plan-none")}
                 </td>
               );
             })}

@@ -18,7 +18,7 @@ export function Members({ studyId }: { studyId: number }) {
   const { members, others, open_to_all } = found.data;
   const person = (id: number) => ({ ...here, person_id: id });
   return (
-    <Panel title={say("study-members")} data-testid="study-members">
+    <Panel title={say("study-members")} class="stat-noprint" data-testid="study-members">
       <div class="panel__body stack stack--tight">
         <label class="row">
           <input

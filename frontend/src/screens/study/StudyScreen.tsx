@@ -1,5 +1,5 @@
 /** A study of surveys of this installation: what is joined, what came out of it, and its package and report. */
-import { useState } from "preact/hooks";
+import { useEffect, useState } from "preact/hooks";
 import { Button, Empty, FormDialog, JobProgress, Loaded, Notice, PageHead, Problem } from "../../components";
 import { asked, navigate } from "../../core/address";
 import { api } from "../../core/api";
@@ -19,20 +19,10 @@ import "./study.css";
 
 export default function StudyScreen() {
   const id = asked("id");
-  return id === null ? <NotChosen /> : <Chosen key={id} id={id} />;
-}
-
-/** An address without a number: the list has them all. */
-function NotChosen() {
-  return (
-    <div class="page page--alone study">
-      <div class="panel">
-        <Empty title={say("study-not-chosen")} actions={<Button says="page-studies" href="/studies" />}>
-          <p>{say("studies-none")}</p>
-        </Empty>
-      </div>
-    </div>
-  );
+  useEffect(() => {
+    if (id === null) navigate("/studies", { replace: true }); // where one is chosen
+  }, [id]);
+  return id === null ? null : <Chosen key={id} id={id} />;
 }
 
 function Chosen({ id }: { id: number }) {

@@ -129,7 +129,7 @@ function LineScans({ survey }: { survey: Survey }) {
             [scans.scans, say("survey-count-scans", { count: scans.scans })],
             [scans.vehicles, say("survey-count-vehicles", { count: scans.vehicles })],
             [scans.to_review, STATE_WORDS.to_review],
-            [scans.accepted, STATE_WORDS.accepted],
+            [scans.accepted, say("survey-count-scanned-accepted", { count: scans.accepted })],
           ]}
         />
         <Button href={href}>{say("survey-open")}</Button>
@@ -191,8 +191,8 @@ function Counts({ step, survey }: { step: Step; survey: Survey }) {
     ],
     review: [
       [counts.to_review, STATE_WORDS.to_review],
-      [counts.accepted, STATE_WORDS.accepted],
-      [counts.rejected, STATE_WORDS.rejected],
+      [counts.accepted, say("survey-count-accepted", { count: counts.accepted })],
+      [counts.rejected, say("survey-count-rejected", { count: counts.rejected })],
     ],
     results: [],
   }[step.key] as [number, string][];
