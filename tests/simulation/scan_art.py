@@ -14,7 +14,7 @@ import numpy as np
 from tests.simulation.camera import Array, Floats
 from tests.simulation.insides import driver_plate, spoke_count, wheel_plates
 from tests.simulation.light import DAY
-from tests.simulation.paint import FINE, Plate, Stencil, body_outline, glass_area
+from tests.simulation.paint import Plate, Stencil, body_outline, glass_area
 from tests.simulation.scan_traffic import Photograph, ScanSite, ScanVehicle
 from tests.simulation.shape import Shape
 from tests.simulation.sideart import side_plate
@@ -27,6 +27,9 @@ TURNS = 16
 HOUSING_DN = 26.0
 FAR_SCALE = 0.62
 EYE_M = 1.2
+# rows of the texture are cut into so many to find the outline in them; an end is looked for so far to either
+# side of it, where it runs back by less than so much a metre of height
+_PARTS, _NEAR_END_M, _STEEP = 8, 0.03, 1.5
 _GREY = np.array([0.114, 0.587, 0.299], np.float32)
 
 
@@ -34,19 +37,17 @@ _GREY = np.array([0.114, 0.587, 0.299], np.float32)
 class Ribbon:
     """Running sums (n + 1, rows) of own light and of how much of the road behind comes through.
 
-    `start_m`: body coordinate (metres behind the front) of the first sample's near edge; `ppm`: samples a
-    metre.
+    `start_m`: body coordinate (metres behind the front) of the first sample's near edge.
     """
 
     light: Array
     through: Array
     start_m: float
-    ppm: float = PPM
 
     def mean(self, from_m: Array, to_m: Array) -> tuple[Floats, Floats]:
         """(lines, rows) light and transmission, averaged from one body coordinate to another."""
         lo, hi = (self._places(one) for one in (from_m, to_m))
-        width = np.maximum((to_m - from_m) * self.ppm, 1e-9)[:, None]
+        width = np.maximum((to_m - from_m) * PPM, 1e-9)[:, None]
         light = (_smooth_at(self.light, hi) - _smooth_at(self.light, lo)) / width
         # what lies outside the sums is plain road
         outside = width[:, 0] - (hi - lo)
@@ -54,7 +55,7 @@ class Ribbon:
         return light.astype(np.float32), through.astype(np.float32)
 
     def _places(self, coordinate_m: Array) -> Array:
-        return np.asarray(np.clip((coordinate_m - self.start_m) * self.ppm, 0, len(self.light) - 1))
+        return np.asarray(np.clip((coordinate_m - self.start_m) * PPM, 0, len(self.light) - 1))
 
 
 def _at(sums: Array, place: Array) -> Array:
@@ -160,7 +161,7 @@ def _side(
 ) -> tuple[Floats, Floats, float, float]:
     """The still part of the near side: light, coverage (h, w; l forward), left edge, top edge."""
     plate = side_plate(shape, DAY, ART_PPM, EYE_M, 3.0, 0.0)
-    light, cover = (part.copy() for part in _grey(plate))
+    light, cover = _at_outline(shape, plate)
     stencil = Stencil(-0.08, shape.length_m + 0.08, 0.0, shape.vehicle.roof_height_m + 0.06, ART_PPM)
     driver, glass = driver_plate(shape, DAY, ART_PPM), glass_area(shape, stencil)
     if plane_m is not None:
@@ -184,6 +185,61 @@ def _side(
     if skin is not None:
         light = cover * _skin(skin, cover.shape)
     return _finer(light), _finer(cover), plate.left_m, plate.top_m
+
+
+def outline_ends(shape: Shape, z: Array) -> tuple[Array, Array]:
+    """Rearmost and foremost l (n,) of the painted body at heights `z` (n,); NaN beside it."""
+    outline = body_outline(shape)
+    rear, front = np.full(z.shape, np.nan), np.full(z.shape, np.nan)
+    for (l0, z0), (l1, z1) in zip(outline, np.roll(outline, -1, axis=0), strict=True):
+        if z0 == z1:
+            continue
+        part = (z - z0) / (z1 - z0)
+        at = np.where((part >= 0) & (part <= 1), l0 + part * (l1 - l0), np.nan)
+        rear, front = np.fmin(rear, at), np.fmax(front, at)
+    return rear, front
+
+
+def _at_outline(shape: Shape, plate: Plate) -> tuple[Floats, Floats]:
+    """Light and coverage (h, w) of the side, each row of which begins and ends where the outline does.
+
+    What is filled is filled in whole pixels of the stencil, edges included, and lamps are laid over a border
+    that is half covered already: the drawn ends lie up to 3 mm outside.
+    """
+    light, cover = _grey(plate)
+    left_m, columns = plate.left_m, np.arange(cover.shape[1])
+    along = left_m + (columns + 0.5) / ART_PPM
+    fine = plate.top_m - (np.arange(len(cover) * _PARTS) + 0.5) / (ART_PPM * _PARTS)
+    true = [one.reshape(-1, _PARTS).mean(axis=1) for one in outline_ends(shape, fine)]
+    rear = -_drawn_too_far(cover[:, ::-1], -along[-1] - 0.5 / ART_PPM, -true[0])
+    front = _drawn_too_far(cover, left_m, true[1])
+    # from one end to the other in proportion, beyond them as at them
+    share = np.clip(along / shape.length_m, 0, 1)[None]
+    places = columns + (rear[:, None] * (1 - share) + front[:, None] * share) * ART_PPM
+    low = np.clip(places.astype(int), 0, len(columns) - 2)
+    part = np.clip(places - low, 0, 1).astype(np.float32)
+    first, second = (
+        np.take_along_axis(one, low, axis=1) * (1 - part) + np.take_along_axis(one, low + 1, axis=1) * part
+        for one in (light, cover)
+    )
+    return first, second
+
+
+def _drawn_too_far(cover: Floats, left_m: float, true_m: Array) -> Array:
+    """By how much (h,) each row of a coverage (h, w) ends too far to the right: metres.
+
+    The end is where as much is covered outside as is open inside. Where the outline `true_m` (h,) is flat or
+    what it borders is see-through, as in the nearest row above or below where it is not.
+    """
+    known = np.isfinite(true_m)
+    first = np.rint((np.where(known, true_m, 0.0) - left_m - _NEAR_END_M) * ART_PPM).astype(int)
+    places = first[:, None] + np.arange(round(2 * _NEAR_END_M * ART_PPM))
+    near = np.take_along_axis(cover, np.clip(places, 0, cover.shape[1] - 1), axis=1)
+    too_far = left_m + (first + near.sum(axis=1)) / ART_PPM - true_m
+    steep = np.abs(np.gradient(true_m)) * ART_PPM < _STEEP
+    good = known & steep & (near[:, :2].min(axis=1) > 0.99) & (near[:, -2:].max(axis=1) < 0.01)
+    rows = np.arange(len(cover))
+    return np.asarray(np.interp(rows, rows[good], too_far[good]))
 
 
 def _as_seen(
@@ -244,10 +300,7 @@ def ribbon_of(car: ScanVehicle, site: ScanSite, camera: int) -> Ribbon:
     through = (1 - cover) * _shadow(shape, site, along, z)
     rows_light = _to_rows(_blurred(light, site), top_m, ART_PPM, edges)
     rows_through = 1 - _to_rows(1 - _blurred(np.asarray(through, np.float32), site), top_m, ART_PPM, edges)
-    # what is filled holds both its edges, so that it is one of the stencil's fine pixels too long, in front
-    more_m = 1 / (ART_PPM * FINE)
-    ppm = PPM * (1 + more_m / shape.length_m)
-    return Ribbon(_sums(rows_light), _sums(rows_through), (start_m + more_m) * PPM / ppm, ppm)
+    return Ribbon(_sums(rows_light), _sums(rows_through), start_m)
 
 
 def _sums(rows: Floats) -> Array:
