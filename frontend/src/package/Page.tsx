@@ -229,9 +229,7 @@ function Figures({ found }: { found: Opened }) {
 }
 
 function Tables({ found }: { found: Opened }) {
-  const others = found.about.tables.filter(
-    (one) => !["measurements", "budget", "crops"].includes(one.name),
-  );
+  const others = found.about.tables.filter((one) => !["measurements", "budget", "crops"].includes(one.name));
   return (
     <section class="opened__section" id="tables">
       <h2 class="opened__name">{say("opened-tables")}</h2>
