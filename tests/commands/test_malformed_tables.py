@@ -219,7 +219,7 @@ def test_rig_passes(name: str) -> None:
     if isinstance(right, tuple):
         return refused(right, read_rig_passes, content.encode(), "rig.csv", Common())
     refused_rows = {
-        one.row: one.reason for one in read_rig_passes(content.encode(), "rig.csv", Common()).refused
+        one.row: str(one.reason) for one in read_rig_passes(content.encode(), "rig.csv", Common()).refused
     }
     assert refused_rows.keys() == right.keys(), refused_rows
     assert all(word in refused_rows[row] for row, word in right.items()), refused_rows

@@ -143,7 +143,8 @@ def _are_the_same(mine: dict[str, Any], told: dict[str, Any]) -> None:
     for name in TABLES:
         assert len(mine[name]) == len(told[name])
         for one, other in zip(mine[name], told[name], strict=True):
-            assert {key: value for key, value in one.items() if value is not None} == {
+            said = {key: value["message"] for key, value in one.items() if isinstance(value, dict)}
+            assert {key: value for key, value in {**one, **said}.items() if value is not None} == {
                 key: value for key, value in other.items() if value is not None and key in one
             }
 

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from sightline.commands.options import in_words
 from sightline.errors import BadInput, NoRoom
 from sightline.geometry.documents import WrittenTwice, single_keys
 from sightline.infra.given_csv import GivenTable, read_table
@@ -71,4 +72,4 @@ def write_whole(path: Path, content: str | bytes) -> None:
 
 def write_json(path: Path, value: Any) -> None:
     """Write one JSON document, numbers at full precision."""
-    write_whole(path, json.dumps(value, indent=1, allow_nan=False) + "\n")
+    write_whole(path, json.dumps(value, indent=1, allow_nan=False, default=in_words) + "\n")

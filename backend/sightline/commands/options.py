@@ -102,7 +102,8 @@ def opened_services(data_dir: Path | None) -> Iterator[Services]:
         services.close()
 
 
-def _in_words(value: object) -> str:
+def in_words(value: object) -> str:
+    """What is said, as a command tells it; for JSON, which has no other form for it."""
     if isinstance(value, Said):
         return str(value)
     raise TypeError(f"{value!r} is no JSON")
@@ -110,7 +111,7 @@ def _in_words(value: object) -> str:
 
 def print_json(value: object) -> None:
     """One JSON object, full precision, no NaN."""
-    json.dump(value, sys.stdout, indent=2, ensure_ascii=False, allow_nan=False, default=_in_words)
+    json.dump(value, sys.stdout, indent=2, ensure_ascii=False, allow_nan=False, default=in_words)
     sys.stdout.write("\n")
 
 

@@ -5107,7 +5107,7 @@ rig-pass-value = The value { $column } is out of range: { $value }; correct it.
 rig-passes-differ = The passes differ by more than their uncertainties explain (p = { $chance } %); check pass { $name } first.
 rig-passes-too-wide = The passes agree better than their stated uncertainties; these may be too large.
 rig-passes-two-distances = Two distances cannot test whether the baseline changes linearly; add a third.
-rig-passes-outside = { $distance_m } m is far outside the passes ({ $nearest_m } to { $farthest_m } m), so the baseline there is extrapolated; add a pass at this distance.
+rig-passes-outside = { NUMBER($distance_m, minimumFractionDigits: 2) } m is far outside the passes ({ NUMBER($nearest_m, minimumFractionDigits: 2) } to { NUMBER($farthest_m, minimumFractionDigits: 2) } m), so the baseline there is extrapolated; add a pass at this distance.
 rig-pass-twice = Another row has the same name; name each pass once.
 linescan-rig-pass = Pass { $name }: { $sentence }
 linescan-rig-common = Uncertainties of line rate, tape and speed are relative, from 0 to 0.1 (1e-4 is 0.01 %); correct them.

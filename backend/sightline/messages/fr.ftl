@@ -5135,7 +5135,7 @@ rig-pass-value = La valeur { $column } est hors plage : { $value } ; corrigez
 rig-passes-differ = Les passages diffèrent plus que leurs incertitudes ne l’expliquent (p = { $chance } %) ; contrôlez d’abord le passage { $name }.
 rig-passes-too-wide = Les passages concordent mieux que leurs incertitudes indiquées ; celles-ci sont peut-être trop grandes.
 rig-passes-two-distances = Deux distances ne permettent pas de vérifier que la base varie linéairement ; ajoutez-en une troisième.
-rig-passes-outside = { $distance_m } m est loin des passages ({ $nearest_m } à { $farthest_m } m) : la base y est extrapolée ; ajoutez un passage à cette distance.
+rig-passes-outside = { NUMBER($distance_m, minimumFractionDigits: 2) } m est loin des passages ({ NUMBER($nearest_m, minimumFractionDigits: 2) } à { NUMBER($farthest_m, minimumFractionDigits: 2) } m) : la base y est extrapolée ; ajoutez un passage à cette distance.
 rig-pass-twice = Une autre ligne a le même nom ; nommez chaque passage une fois.
 linescan-rig-pass = Passage { $name } : { $sentence }
 linescan-rig-common = Les incertitudes de la cadence de lignes, du mètre ruban et de la vitesse sont des parts de 0 à 0,1 (1e-4 vaut 0,01 %) ; corrigez-les.
