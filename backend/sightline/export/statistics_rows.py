@@ -7,6 +7,7 @@ from typing import Any
 
 from sightline.infra.csv_package.columns import metres, number, text
 from sightline.infra.csv_package.schema import Cell, Column, Row, Table
+from sightline.messages.said import Said
 from sightline.statistics.errors import ErrorGroup
 
 Cells = dict[str, Cell]
@@ -39,7 +40,7 @@ def error_rows(key: Row, groups: Mapping[str, ErrorGroup]) -> Iterator[Cells]:
 
 def curve_rows(key: Row, curve: object, **cells: str) -> Iterator[Cells]:
     """Each point of a curve, if there is one and not its reason; `cells`: the array (N,) that fills each."""
-    if curve is None or isinstance(curve, str):
+    if curve is None or isinstance(curve, Said):
         return
     for point in zip(*(getattr(curve, name).tolist() for name in cells.values()), strict=True):
         yield {**key, **dict(zip(cells, point, strict=True))}

@@ -70,6 +70,7 @@ def vehicle_body(shown: ShownVehicle, asker: int) -> ScanVehicleBody:
     """A vehicle with its current measurement and the gap before it."""
     vehicle, passing = shown.vehicle, shown.passing
     measured = vehicle.measurement
+    ours = None if measured is None else measured.values
     return filled_from(
         ScanVehicleBody,
         vehicle,
@@ -81,9 +82,7 @@ def vehicle_body(shown: ShownVehicle, asker: int) -> ScanVehicleBody:
         gap=shown.gap,
         length_error_m=shown.length_error_m,
         wheelbase_error_m=shown.wheelbase_error_m,
-        references=[
-            shown_reference(one, None if measured is None else measured.values) for one in shown.references
-        ],
+        references=[shown_reference(one, ours) for one in shown.references],
     )
 
 

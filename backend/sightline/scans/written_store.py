@@ -40,5 +40,5 @@ def written_rows(session: Session, table: Table, *conditions: ColumnElement[bool
         .where(*conditions)
         .order_by(table.c.id)
     )
-    rows = (dict(row) for row in session.execute(query).mappings())
+    rows: list[dict[str, Any]] = [dict(row) for row in session.execute(query).mappings()]
     return [{**row, "created_by": who(row["created_by"], row["maker"])} for row in rows]

@@ -29,10 +29,15 @@ def append_line_pose(
         name = name_or_somebody(before.created_by if before else None)
         raise Conflict("scans-calibrated-line-scan-meanwhile-look-calibration", name=name)
     content = {"survey_id": scan["survey_id"], "scan_id": scan_id, "revision": revision + 1, **asdict(values)}
-    then = (
-        None if before is None else {"revision": revision, "camera_height_m": before.values.camera_height_m}
+    written_once(
+        session,
+        line_poses,
+        content,
+        "calibrate",
+        before={"revision": revision, "camera_height_m": before.values.camera_height_m} if before else None,
+        untold=("pose",),
+        actor=actor,
     )
-    written_once(session, line_poses, content, "calibrate", before=then, untold=("pose",), actor=actor)
     return line_pose_history(session, scan_id)[-1]
 
 

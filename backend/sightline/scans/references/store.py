@@ -120,7 +120,7 @@ def _append(
         scan_references,
         {**place, "revision": revision + 1, **asdict(values)},
         "withdraw" if values.withdrawn else "create" if before is None else "revise",
-        before=None if before is None else {**asdict(before.values), "revision": revision},
+        before={**asdict(before.values), "revision": revision} if before else None,
         also={} if matched is None else {"matched": matched},
         actor=actor,
     )

@@ -73,7 +73,7 @@ def _seen(scan: Scan, one: ShownVehicle) -> VehicleMotion:
     vehicle = one.vehicle
     values = None if vehicle.measurement is None else vehicle.measurement.values
     gap = {name: getattr(one.gap, name) for name in GAPS} if one.gap else {}
-    where = values and when_passed(rig_of(values.rig), values.front_line_1, values.rear_line_1)
+    where = when_passed(rig_of(values.rig), values.front_line_1, values.rear_line_1) if values else {}
     return VehicleMotion(
         vehicle_id=vehicle.id,
         scan_id=vehicle.scan_id,
@@ -97,5 +97,5 @@ def _seen(scan: Scan, one: ShownVehicle) -> VehicleMotion:
         direction=None if values is None else values.direction,
         lane=None if values is None else values.lane,
         axles=None if values is None else values.axles,
-        **(where or {}),
+        **where,
     )
