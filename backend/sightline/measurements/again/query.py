@@ -204,6 +204,10 @@ def computed_heights(session: Session, computing_id: int) -> tuple[ComputedHeigh
     return tuple(computed_height(row, x_m=row.x_m, y_m=row.y_m) for row in session.execute(query))
 
 
+#: Where a height is: of a recording by x_m and y_m, of a line scan by its number and distance_m.
+_NO_PLACE = dict.fromkeys(("scan_id", "x_m", "y_m", "distance_m"))
+
+
 def computed_height(row: Any, **place: Any) -> ComputedHeight:
     """The record of a row of `computed_rows`."""
     then, now = row.height_before_m, row.height_m
@@ -220,7 +224,7 @@ def computed_height(row: Any, **place: Any) -> ComputedHeight:
         moved_by_u=abs(change) / row.u_before_m if change is not None and row.u_before_m else None,
         to_review=moved and row.verdict_of_revision is None and row.kind != "undo",
         reason=None if row.reason is None else Said.read(row.reason),
-        **place,
+        **{**_NO_PLACE, **place},
     )
 
 
