@@ -72,10 +72,7 @@ def _values(stored: StoredStudy, found: Computed, sha256: str, as_of: datetime, 
         "fleet": _fleet(stored),
         "code": study.surveys[0].made_with,
         "targets": [
-            {
-                "found": one,
-                "figures": pictures.figures([one.target]) or [said("report-no-distribution")],
-            }
+            {"found": one, "figures": pictures.figures([one.target]) or [said("report-no-distribution")]}
             for one in study.targets
             if one.n
         ],
