@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
+from functools import cache
 from importlib.metadata import version
 from typing import Any
 
@@ -119,5 +120,8 @@ def made_with() -> dict[str, str]:
         "sightline": code_version(),
         **{part: source_hash(*modules, texts=texts) for part, (modules, texts) in PARTS.items()},
         "page": page_version(),
-        **{name: version(name) for name in LIBRARIES[DRAWING]},
+        **{name: _version(name) for name in LIBRARIES[DRAWING]},
     }
+
+
+_version = cache(version)  # reads and parses a file each time

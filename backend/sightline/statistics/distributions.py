@@ -7,6 +7,7 @@ distribution's band holds everywhere at once (Dvoretzky, Kiefer, Wolfowitz; cons
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 import scipy
@@ -95,14 +96,15 @@ def percentiles(
         return []
     p = np.asarray(percents, dtype=np.float64) / 100.0
     values = np.quantile(ordered, p, method="median_unbiased")
-    low, high = _ranks(n, p, 0.5 * (1.0 - confidence))
+    low, high = _ranks(n, tuple(p.tolist()), 0.5 * (1.0 - confidence))
     return [
         _percentile(ordered, percent, float(value), (int(first), int(last)), confidence)
         for percent, value, first, last in zip(percents, values, low, high, strict=True)
     ]
 
 
-def _ranks(n: int, p: Floats, tail: float) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+@lru_cache(maxsize=4096)  # groups and figures of one survey ask for the same ranks and shares many times
+def _ranks(n: int, p: tuple[float, ...], tail: float) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Places of the order statistics that enclose percentiles p, (P,) each; none outside 0 to n - 1."""
     # x[low] <= percentile fails if at most `low` values lie below it; likewise from above.
     low = scipy.stats.binom.ppf(tail, n, p).astype(np.int64) - 1
@@ -153,6 +155,7 @@ def share_below(ordered: Floats, limit: float, confidence: float = CONFIDENCE) -
     return Share(limit=limit, below=below, n=n, share=below / n, low=low, high=high)
 
 
+@lru_cache(maxsize=4096)
 def share_interval(count: int, n: int, confidence: float = CONFIDENCE) -> tuple[float, float]:
     """The exact interval of a share `count` / `n` (Clopper and Pearson 1934); n must be positive."""
     tail = 0.5 * (1.0 - confidence)

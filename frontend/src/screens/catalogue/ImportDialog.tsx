@@ -14,7 +14,7 @@ import {
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { fieldsOf } from "../../core/form";
-import { allOf, say } from "../../core/messages";
+import { allOf, say, sentenceOf } from "../../core/messages";
 import { formatCount } from "../../core/units";
 import { SampleLink } from "../../parts/samples/SampleLink";
 import { CHANGE_WORDS, FIELDS, type Plan, UNIT_WORDS, type Unit } from "./model";
@@ -107,7 +107,7 @@ function Preview({ plan, taken, change }: PreviewProps) {
   const field = fieldsOf(taken, change);
   return (
     <>
-      {plan.problem && <Notice kind="problem">{plan.problem}</Notice>}
+      {plan.problem && <Notice kind="problem">{sentenceOf(plan.problem)}</Notice>}
       <div class="catalogue-form">
         <OptionalField
           label={say("catalogue-import-unit")}
@@ -148,7 +148,7 @@ function Columns({ plan, taken, change }: PreviewProps) {
             key={`${at} ${one.header}`}
             label={one.header}
             value={one.field}
-            problem={one.problem}
+            problem={sentenceOf(one.problem)}
             hint={one.unit ? say("catalogue-import-in", { unit: UNIT_WORDS[one.unit] }) : undefined}
             none={say("catalogue-import-left-out")}
             options={FIELDS.map((field) => ({ value: field, label: field }))}
@@ -184,7 +184,7 @@ function Lines({ plan }: { plan: Plan }) {
           </>
         )),
         col(say("catalogue-import-what"), (row) => CHANGE_WORDS[row.change], "nowrap"),
-        col(say("catalogue-import-why"), (row) => row.words),
+        col(say("catalogue-import-why"), (row) => sentenceOf(row.words)),
       ]}
     />
   );
