@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from sightline.messages.recognised import KEYS
+from sightline.messages.recognised import TOLD
 from tests.test_messages import PACKAGE, SOURCE, _last_name, _template, trees
 
 #: What people who read a page do not see: the terminal's, a package's own English, the demonstration's data.
@@ -60,7 +60,7 @@ def sentences(tree: ast.Module) -> Iterator[tuple[int, str]]:
 def known() -> tuple[list[str], ...]:
     """What is found again by its text, as the words around its values."""
     lines = [
-        line.partition(" = ")[2] for line in SOURCE.read_text("utf-8").splitlines() if line.startswith(KEYS)
+        line.partition(" = ")[2] for line in SOURCE.read_text("utf-8").splitlines() if line.startswith(TOLD)
     ]
     return tuple(re.split(r"\{ \$\w+ \}", line) for line in lines if re.search("[A-Za-z]{3}", line))
 

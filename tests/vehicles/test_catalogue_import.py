@@ -30,7 +30,7 @@ def test_rows_that_can_be_used_are_stored_and_the_others_named(operator: Client,
     assert (found["added"], found["updated"]) == (2, 0)
     refused = [one for one in found["plan"]["rows"] if one["change"] == "refused"]
     assert [one["line"] for one in refused] == [3, 5, 6]
-    assert "metres" in refused[0]["words"]
+    assert "metres" in refused[0]["words"]["message"]
     assert [one["model"] for one in viewer.seen("/catalogue?q=corv li")] == ["Lindo, long"]
     assert viewer.seen("/catalogue?q=citroen eva")[0]["make"] == "Citroën"
     assert viewer.seen("/catalogue?q=vane") == []
@@ -42,7 +42,9 @@ def test_a_list_with_semicolons_is_read_and_decimal_commas_are_named(operator: C
     content = b"make;model;height;length;width\nAudi;A3;1.43;4.34;1.82\nAudi;A4;1,43;4.7;1.8\n"
     done = send(operator, content).json()  # type: ignore[attr-defined]
     assert (done["added"], done["plan"]["counts"]["refused"]) == (1, 1)
-    assert "line 3: height is “1,43”; write decimals with a point" in done["plan"]["rows"][0]["words"]
+    assert (
+        "line 3: height is “1,43”; write decimals with a point" in done["plan"]["rows"][0]["words"]["message"]
+    )
     assert operator.seen("/catalogue?q=a3")[0]["height_m"] == 1.43
 
 
@@ -71,7 +73,7 @@ def test_a_row_that_is_not_sound_is_refused_alone(
     operator: Client, content: str, taken: int, refused: dict[int, str]
 ) -> None:
     plan = send(operator, content.encode()).json()["plan"]  # type: ignore[attr-defined]
-    told = {row["line"]: row["words"] for row in plan["rows"] if row["change"] == "refused"}
+    told = {row["line"]: row["words"]["message"] for row in plan["rows"] if row["change"] == "refused"}
     assert (plan["counts"]["new"], set(told)) == (taken, set(refused))
     assert all(said in told[line] for line, said in refused.items())
 
@@ -97,6 +99,16 @@ def test_a_file_that_is_no_table_is_refused_in_words(operator: Client) -> None:
         assert word in sentence and "cars.csv" in sentence
 
 
+def test_a_preview_is_in_the_language_that_is_asked_for(operator: Client) -> None:
+    content = 'make,model,height_m\nAldo,One,"1,43"\nAldo,Two,1.43\nAldo,Two,1.5\n'
+    files = {"file": ("cars.csv", content.encode(), "text/csv")}
+    french = {"Accept-Language": "fr"}
+    answer = operator.http.post("/api/catalogue/import/preview", files=files, headers=french).json()
+    said = {one["line"]: one["words"]["message"] for one in answer["rows"] if one["words"]}
+    assert "cars.csv, ligne 2" in said[2] and "avec un point" in said[2]
+    assert said[4].startswith("Même modèle que la ligne 3 avec d’autres valeurs")
+
+
 def test_a_model_added_by_hand_is_found(operator: Client, viewer: Client) -> None:
     row = {"make": "Nordal", "model": "Taiga", "year_from": 2013, "height_m": 1.735, "category": "suv"}
     assert operator.made("/catalogue", row)["height_m"] == 1.735
@@ -114,7 +126,9 @@ def preview(client: Client, content: str, query: str = "") -> dict[str, Any]:
 
 
 def words_of(plan: dict[str, Any]) -> dict[int, tuple[str, str]]:
-    return {one["line"]: (one["change"], one["words"]) for one in plan["rows"]}
+    return {
+        one["line"]: (one["change"], (one["words"] or {"message": ""})["message"]) for one in plan["rows"]
+    }
 
 
 def test_each_line_that_is_not_plain_is_named_and_nothing_is_stored_before(
@@ -169,7 +183,7 @@ def test_feet_that_pass_for_metres_are_refused_as_a_whole(operator: Client, view
     )
     sentence = error_of(send(operator, content.encode()))  # type: ignore[arg-type]
     assert "height_m" in sentence and "feet" in sentence and "Nothing was saved" in sentence
-    assert "feet" in preview(operator, content)["problem"]
+    assert "feet" in preview(operator, content)["problem"]["message"]
     assert viewer.seen("/catalogue?q=make") == []
     plan = preview(operator, content, "unit=ft")
     assert plan["problem"] is None and plan["counts"]["new"] == 20
@@ -183,7 +197,7 @@ def test_units_are_read_from_headers_and_columns_are_mapped(operator: Client, vi
         "Marque;Modèle;Height (mm);Length_cm;Wheelbase [in];Couleur\nRenault;Zoe;1562;408.7;101.9;blue\n"
     )
     unmapped = preview(operator, content)  # not refused: the page has to show the columns to be mapped
-    assert "no column make and no column model" in unmapped["problem"] and unmapped["stored"] == 0
+    assert "no column make and no column model" in unmapped["problem"]["message"] and unmapped["stored"] == 0
     assert [one["header"] for one in unmapped["columns"]][:2] == ["Marque", "Modèle"]
     files = {"file": ("c.csv", content.encode(), "text/csv")}
     assert operator.post("/catalogue/import", files=files).status_code == 422
@@ -252,6 +266,6 @@ def test_what_no_model_can_have_is_stored_nowhere(operator: Client, content: str
     plan = preview(operator, content)
     of_columns = [one["problem"] for one in plan["columns"]]
     said = [plan["problem"], *of_columns, *(one["words"] for one in plan["rows"])]
-    assert any(words in one for one in said if one), said
+    assert any(words in one["message"] for one in said if one), said
     assert send(operator, content.encode()).status_code == 422  # type: ignore[attr-defined]
     assert operator.seen("/catalogue/page")["total"] == before

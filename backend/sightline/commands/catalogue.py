@@ -68,7 +68,7 @@ def import_(
             with services.reading() as session:
                 plan = plan_import(session, content, str(file), choices)
             if plan.problem is not None and not as_json:
-                raise BadInput("said", sentence=plan.problem)
+                raise BadInput(plan.problem.code, **plan.problem.values)
             _tell(plan, None, as_json)
             return
         with services.writing() as session:
@@ -118,7 +118,7 @@ def _tell(plan: ImportPlan, done: Imported | None, as_json: bool) -> None:
     noted = [one for one in plan.rows if one.change not in ("new", "same")]
     for row in noted[:_SHOWN]:
         year = f" {row.year_from}" if row.year_from else ""
-        click.echo(f"line {row.line}, {row.make} {row.model}{year}: {row.change}. {row.words}")
+        click.echo(f"line {row.line}, {row.make} {row.model}{year}: {row.change}. {row.words or ''}")
     rest = sum(plan.counts[word] for word in plan.counts if word not in ("new", "same")) - len(noted[:_SHOWN])
     if rest > 0:
         click.echo(f"... and {rest} more lines to check (--json lists up to 500).")

@@ -43,14 +43,6 @@ def name_of(kind: str, name: str, language: str) -> str:
     return say(key, {}, language) if _bundle(language).has(key) else name
 
 
-def say_formatted(key: str, values: Mapping[str, Any], language: str) -> str:
-    """As `say`, with values that state how many digits they are written with."""
-    found = _bundle(language)
-    if not found.has(key):
-        return say(key, values, language)
-    return _text(found.with_message(key), key, values)
-
-
 @cache
 def languages() -> tuple[str, ...]:
     """The languages that there are, the source first."""

@@ -7,7 +7,7 @@ from pydantic import BaseModel, ConfigDict, Field, field_validator
 from pydantic_core import PydanticCustomError
 
 from sightline.enums import JobState
-from sightline.messages.said import Said, SaidDocument
+from sightline.messages.said import Said, SaidDocument, SaidInWords
 
 Finite = Annotated[float, Field(allow_inf_nan=False)]
 Point = Annotated[tuple[Finite, Finite], Field(examples=[[320.5, 240.25]])]
@@ -46,7 +46,7 @@ class Out(BaseModel):
 class ErrorDetail(Out):
     kind: str = Field(description="What sort of refusal: bad_input, not_found, conflict, ...")
     code: str = Field(description="The sentence's name in the catalogue of messages.")
-    values: dict[str, str | int | float] = Field(description="What the sentence holds.")
+    values: dict[str, str | int | float | SaidInWords] = Field(description="What the sentence holds.")
     message: str = Field(description="The sentence in English: what is wrong and what to do.")
 
 

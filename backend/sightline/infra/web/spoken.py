@@ -19,14 +19,8 @@ from sightline import messages
 from sightline.messages.recognised import translated
 
 _API = "/api/"
-#: The fields of answers that hold sentences of the program.
-SENTENCES = frozenset(
-    {
-        "advice", "caution", "cited_by", "consequence", "error", "flags", "message", "misalignment_words",
-        "misfits", "notes", "order", "problem", "reason", "reasons", "reshoot",
-        "summary", "values", "vehicle_class", "verdict", "warning", "warnings", "words",
-    }
-)  # fmt: skip
+#: The fields of answers that hold texts of the program.
+SENTENCES = frozenset({"cited_by", "error", "values", "vehicle_class"})
 
 
 class Spoken:

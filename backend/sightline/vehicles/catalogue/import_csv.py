@@ -10,7 +10,6 @@ import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields
-from functools import partial
 from statistics import median
 from typing import Any, cast, get_args
 
@@ -18,7 +17,7 @@ from sightline.enums import CatalogueChange, Category, ModelSize, OnConflict, Si
 from sightline.errors import BadInput
 from sightline.infra.database import Session
 from sightline.infra.given_csv import GivenRow, GivenTable, given_number, read_table, undefused
-from sightline.messages import Value, say
+from sightline.messages.said import Said, with_commas
 from sightline.vehicles.catalogue.records import (
     SIZES,
     CatalogueEntry,
@@ -123,8 +122,8 @@ def import_csv(
     used.
     """
     planned = _planned(session, data, name, choices)
-    if planned.plan.problem is not None:
-        raise BadInput("said", sentence=planned.plan.problem)
+    if (problem := planned.plan.problem) is not None:
+        raise BadInput(problem.code, **problem.values)
     if not planned.rows:
         return Imported(0, 0, planned.plan)
     done = import_catalogue_rows(session, planned.rows, known=planned.known, actor=actor)
@@ -142,11 +141,11 @@ def _planned(session: Session, data: bytes, name: str, choices: Choices) -> _Pla
         sorter.sort(table, line, columns)
     doubtful = missing or next((one.problem for one in columns if one.problem), None)
     if doubtful is None and not lines:
-        doubtful = say("catalogue-no-rows", {"name": name})
+        doubtful = Said("catalogue-no-rows", name=name)
     refused = sorter.counts["refused"]
     if doubtful is None and refused and refused == len(lines):
         first = next(one for one in sorter.rows if one.change == "refused")
-        doubtful = say("vehicles-no-row-used-line", {"name": name, "line": first.line, "reason": first.words})
+        doubtful = Said("vehicles-no-row-used-line", name=name, line=first.line, reason=first.words)
     rows = sorted(sorter.rows, key=lambda one: (_ORDER[one.change], one.line))[:MOST_ROWS_SHOWN]
     plan = ImportPlan(
         columns=tuple(columns),
@@ -167,7 +166,7 @@ _ORDER: dict[CatalogueChange, int] = {
     "new": 4,
     "same": 5,
 }
-Words = Callable[[], str]
+Words = Callable[[], Said | None]
 
 
 class _Sorter:
@@ -192,7 +191,8 @@ class _Sorter:
             row = _row(table, given.line, named, columns)
         except BadInput as error:
             who = (named.get("make", ""), named.get("model", ""), None)
-            self._note(given.line, who, "refused", partial(str, error.said))
+            refused = error.said
+            self._note(given.line, who, "refused", lambda: refused)
             return
         change, words = self._change(given.line, row)
         self._note(given.line, (row.make, row.model, row.year_from), change, words)
@@ -202,29 +202,32 @@ class _Sorter:
         if key in self._first:
             first_line, first = self._first[key]
             if differs(first, row):
-                return "duplicate", partial(
-                    _of_two, "catalogue-duplicate-differs", first, row, line=first_line
+                return "duplicate", lambda: Said(
+                    "catalogue-duplicate-differs", line=first_line, differences=_differences(first, row)
                 )
-            return "duplicate", partial(_said, "catalogue-duplicate", line=first_line)
+            return "duplicate", lambda: Said("catalogue-duplicate", line=first_line)
         self._first[key] = (line, row)
         before = self._known.get(key)
         if before is None:
             self.to_store.append(row)
-            return "new", str
+            return "new", _nothing
         if differs(before, row):
             theirs = self._on_conflict == "replace"
             kept = row if theirs else merge(row, before)
             if changes(before, kept):
                 self.to_store.append(kept)
-            said = "catalogue-conflict-replace" if theirs else "catalogue-conflict-keep"
-            return "conflict", partial(_of_two, said, before, row)
+            if theirs:
+                return "conflict", lambda: Said(
+                    "catalogue-conflict-replace", differences=_differences(before, row)
+                )
+            return "conflict", lambda: Said("catalogue-conflict-keep", differences=_differences(before, row))
         gained = [
             name for name in _GAINED if _empty(getattr(before, name)) and not _empty(getattr(row, name))
         ]
         if not gained:
-            return "same", str
+            return "same", _nothing
         self.to_store.append(row)
-        return "update", partial(_said, "catalogue-fills-in", columns=", ".join(gained))
+        return "update", lambda: Said("catalogue-fills-in", columns=", ".join(gained))
 
     def _note(
         self, line: int, who: tuple[str, str, int | None], change: CatalogueChange, words: Words
@@ -244,12 +247,8 @@ class _Sorter:
 _GAINED = tuple(name for name in FIELDS if not name.endswith("source"))
 
 
-def _said(key: str, **values: Value) -> str:
-    return say(key, values)
-
-
-def _of_two(key: str, before: CatalogueRow, row: CatalogueRow, **values: Value) -> str:
-    return say(key, {**values, "differences": _differences(before, row)})
+def _nothing() -> None:
+    """Said of a line that needs no words."""
 
 
 def differs(before: CatalogueRow, row: CatalogueRow) -> bool:
@@ -267,20 +266,20 @@ def _alike(old: object, new: object) -> bool:
     return old == new
 
 
-def _differences(before: CatalogueRow, row: CatalogueRow) -> str:
-    """What `differs`, in words."""
+def _differences(before: CatalogueRow, row: CatalogueRow) -> Said:
+    """What `differs`."""
     found = []
     for name in SIZES:
         old, new = before.size(name), row.size(name)
         if old is not None and new is not None and not _alike(old, new):
             source = before.source_of(name)
             said = f"{name} {old:.3f} m" + (f" ({source})" if source else "")
-            found.append(say("catalogue-differs", {"here": f"{new:.3f} m", "there": said}))
+            found.append(Said("catalogue-differs", here=f"{new:.3f} m", there=said))
     for field in ("category", "year_to"):
         old, new = getattr(before, field), getattr(row, field)
         if not _empty(old) and not _empty(new) and old != new:
-            found.append(say("catalogue-differs", {"here": str(new), "there": f"{field} {old}"}))
-    return ", ".join(found)
+            found.append(Said("catalogue-differs", here=str(new), there=f"{field} {old}"))
+    return with_commas(found)
 
 
 def _empty(value: object) -> bool:
@@ -294,7 +293,7 @@ def _columns(table: GivenTable, choices: Choices) -> list[ImportColumn]:
     for at, title in enumerate(table.header):
         field, unit = _field(title, choices)
         if field is not None and field in taken:
-            twice = say("catalogue-column-twice", {"field": field, "first": taken[field], "second": title})
+            twice = Said("catalogue-column-twice", field=field, first=taken[field], second=title)
             found.append(ImportColumn(header=title, field=None, unit=None, problem=twice))
             continue
         if field is not None:
@@ -304,8 +303,8 @@ def _columns(table: GivenTable, choices: Choices) -> list[ImportColumn]:
     return found
 
 
-def _missing(columns: Sequence[ImportColumn], name: str) -> str | None:
-    """Which column is needed that none is taken for, in words. Raises BadInput where that is of no use, for
+def _missing(columns: Sequence[ImportColumn], name: str) -> Said | None:
+    """Which column is needed that none is taken for. Raises BadInput where that is of no use, for
     the file has no columns.
     """
     taken = {one.field for one in columns}
@@ -316,7 +315,7 @@ def _missing(columns: Sequence[ImportColumn], name: str) -> str | None:
         raise BadInput(
             "vehicles-no-column-first-line-names-columns", name=name, missing=missing, known=", ".join(FIELDS)
         )
-    return say("catalogue-say-the-columns", {"name": name, "missing": missing})
+    return Said("catalogue-say-the-columns", name=name, missing=missing)
 
 
 def _field(title: str, choices: Choices) -> tuple[str | None, SizeUnit | None]:
@@ -352,7 +351,7 @@ def _column(
     return ImportColumn(header=title, field=field, unit=unit, problem=problem)
 
 
-def _doubt(title: str, size: ModelSize, unit: SizeUnit, values: Sequence[float]) -> str | None:
+def _doubt(title: str, size: ModelSize, unit: SizeUnit, values: Sequence[float]) -> Said | None:
     if len(values) < 2:
         return None  # one value tells no unit; its row is looked at by itself
     low, high = _USUAL_M[size]
@@ -362,8 +361,14 @@ def _doubt(title: str, size: ModelSize, unit: SizeUnit, values: Sequence[float])
     other = next((one for one in get_args(SizeUnit) if low <= METRES[one] * middle <= high), None)
     if other is None:
         return None
-    said = {"column": title, "middle": f"{middle:g}", "unit": UNIT_WORDS[unit]}
-    return say("catalogue-unit-doubtful", {**said, "other": UNIT_WORDS[other], "sign": other})
+    return Said(
+        "catalogue-unit-doubtful",
+        column=title,
+        middle=f"{middle:g}",
+        unit=UNIT_WORDS[unit],
+        other=UNIT_WORDS[other],
+        sign=other,
+    )
 
 
 def _row(

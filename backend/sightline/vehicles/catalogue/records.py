@@ -7,6 +7,7 @@ from typing import Annotated, get_args
 from pydantic import Field
 
 from sightline.enums import CatalogueChange, Category, ModelSize, SizeUnit
+from sightline.messages.said import Said
 
 SIZES: tuple[ModelSize, ...] = get_args(ModelSize)
 
@@ -86,7 +87,7 @@ class ImportColumn:
     header: str
     field: str | None
     unit: Annotated[SizeUnit | None, Field(description="Of a size or its uncertainty.")]
-    problem: Annotated[str | None, Field(description="Why its unit is doubtful.")]
+    problem: Annotated[Said | None, Field(description="Why its unit is doubtful.")]
 
 
 @dataclass(frozen=True)
@@ -98,7 +99,7 @@ class ImportRow:
     model: str
     year_from: int | None
     change: CatalogueChange
-    words: str
+    words: Said | None
 
 
 @dataclass(frozen=True)
@@ -109,7 +110,7 @@ class ImportPlan:
     counts: dict[CatalogueChange, int]
     rows: tuple[ImportRow, ...]
     stored: Annotated[int, Field(description="How many models would be added or changed.")]
-    problem: Annotated[str | None, Field(description="Why nothing of the file can be stored as it is.")]
+    problem: Annotated[Said | None, Field(description="Why nothing of the file can be stored as it is.")]
 
 
 @dataclass(frozen=True)

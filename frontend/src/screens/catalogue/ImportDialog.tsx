@@ -11,7 +11,7 @@ import {
 } from "../../components";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
-import { allOf, say } from "../../core/messages";
+import { allOf, say, sentenceOf } from "../../core/messages";
 import { formatCount } from "../../core/units";
 import { SampleLink } from "../../parts/samples/SampleLink";
 import { CHANGE_WORDS, FIELDS, type Plan, UNIT_WORDS, type Unit } from "./model";
@@ -103,7 +103,7 @@ interface PreviewProps {
 function Preview({ plan, choices, change }: PreviewProps) {
   return (
     <>
-      {plan.problem && <Notice kind="problem">{plan.problem}</Notice>}
+      {plan.problem && <Notice kind="problem">{sentenceOf(plan.problem)}</Notice>}
       <div class="catalogue-form">
         <SelectField<Unit | "">
           label={say("catalogue-import-unit")}
@@ -148,7 +148,7 @@ function Columns({ plan, choices, change }: PreviewProps) {
             key={`${at} ${one.header}`}
             label={one.header}
             value={one.field ?? ""}
-            problem={one.problem}
+            problem={sentenceOf(one.problem)}
             hint={one.unit ? say("catalogue-import-in", { unit: UNIT_WORDS[one.unit] }) : undefined}
             options={[
               { value: "", label: say("catalogue-import-left-out") },
@@ -186,7 +186,7 @@ function Lines({ plan }: { plan: Plan }) {
           </>
         )),
         col(say("catalogue-import-what"), (row) => CHANGE_WORDS[row.change], "nowrap"),
-        col(say("catalogue-import-why"), (row) => row.words),
+        col(say("catalogue-import-why"), (row) => sentenceOf(row.words)),
       ]}
     />
   );
