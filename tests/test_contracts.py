@@ -97,5 +97,7 @@ def test_a_file_in_no_room_is_refused(package: Path) -> None:
     assert " 1 broken" in said and "sightline.helpers" in said
 
 
+@pytest.mark.proof
 def test_the_package_itself_keeps_them(package: Path) -> None:
+    """As `make check` says of the package in its place; that all but one hold of a copy, the test before."""
     assert " 0 broken" in linted(package)

@@ -10,7 +10,6 @@ from sightline.cli import COMMANDS
 from sightline.commands import clicks, linescan, passes_csv
 from sightline.export.package_tables import tables_of
 from sightline.settings import Settings
-from tests.browser.guide_pictures import HEIGHT_PX, MOST_BYTES, PICTURES, WIDTH_PX
 
 ROOT = Path(__file__).resolve().parents[1]
 PAPERS = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")])
@@ -155,6 +154,8 @@ def test_french_signs_stand_apart_by_a_space_that_does_not_break(page: Path) -> 
 @pytest.mark.parametrize("language", sorted({page.parent for page in GUIDE}), ids=lambda folder: folder.name)
 def test_every_picture_of_the_guide_is_there_as_the_command_makes_it(language: Path) -> None:
     """Named in each language, of the size that the command makes, and small."""
+    from tests.browser.guide_pictures import HEIGHT_PX, MOST_BYTES, PICTURES, WIDTH_PX  # loads Playwright
+
     named = {
         name for page in language.glob("*.md") for name in re.findall(r"!\[[^\]]+\]\(([^)]+)\)", of(page))
     }

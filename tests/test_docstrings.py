@@ -7,7 +7,8 @@ an article, a section of our own documents, or our own derivation, written out.
 
 import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -66,7 +67,7 @@ def test_every_function_with_arrays_says_shapes_failure_and_source() -> None:
         f"{path.relative_to(PURE)}:{function.lineno} {function.name}: {fault}"
         for room, known in functions.items()
         for path, function in known
-        for fault in faults(function, ARRAYS, sourced, function.name in NEED_NO_SOURCE[room])
+        for fault in faults(function, array_types(), sourced, function.name in NEED_NO_SOURCE[room])
     ]
     assert found == []
 
@@ -109,7 +110,7 @@ def test_every_method_with_arrays_says_shapes_and_failure() -> None:
         f"{path.relative_to(PURE)}:{method.lineno} {method.name}: {fault}"
         for room in ROOMS
         for path, method in public_methods(room)
-        for fault in faults(method, ARRAYS, set(), plain=True)
+        for fault in faults(method, array_types(), set(), plain=True)
     ]
     assert found == []
 
@@ -160,7 +161,7 @@ def test_a_function_as_another_has_the_others_source() -> None:
     assert "names no source" not in planted_faults("(Zhang 2000)", "(As `other`)", frozenset({"other"}))
 
 
-def faults(function: ast.FunctionDef, arrays: set[str], sourced: set[str], plain: bool) -> Iterator[str]:
+def faults(function: ast.FunctionDef, arrays: Set[str], sourced: set[str], plain: bool) -> Iterator[str]:
     """What the docstring of a function leaves out. `sourced`: functions that "as `name`" may stand on."""
     doc = left = doc_of(function)
     for name in array_parameters(function, arrays):
@@ -194,12 +195,12 @@ def raised(function: ast.FunctionDef) -> set[str]:
     return {ast.unparse(one) for one in called if ast.unparse(one)[0].isupper()}
 
 
-def array_parameters(function: ast.FunctionDef, arrays: set[str]) -> list[str]:
+def array_parameters(function: ast.FunctionDef, arrays: Set[str]) -> list[str]:
     given = function.args.posonlyargs + function.args.args + function.args.kwonlyargs
     return [one.arg for one in given if is_array(one.annotation, arrays)]
 
 
-def is_array(annotation: ast.expr | None, arrays: set[str]) -> bool:
+def is_array(annotation: ast.expr | None, arrays: Set[str]) -> bool:
     """Whether an annotation names an array type anywhere, as in `Sequence[Floats] | None`."""
     return annotation is not None and any(name in arrays for name in names_in(annotation))
 
@@ -209,7 +210,8 @@ def names_in(node: ast.expr) -> list[str]:
     return [part.id if isinstance(part, ast.Name) else getattr(part, "attr", "") for part in inside]
 
 
-def array_types() -> set[str]:
+@cache
+def array_types() -> frozenset[str]:
     """NumPy's own and the rooms' names for them, such as `Floats = NDArray[np.float64]`."""
     known = {"NDArray", "ArrayLike", "ndarray"}
     trees = [ast.parse(path.read_text()) for room in ROOMS for path in (PURE / room).rglob("*.py")]
@@ -219,10 +221,7 @@ def array_types() -> set[str]:
             names = [] if any(isinstance(n, ast.Call) for n in ast.walk(node.value)) else names_in(node.value)
             if known & set(names) and "Callable" not in names:
                 known |= {target.id for target in node.targets if isinstance(target, ast.Name)}
-    return known
-
-
-ARRAYS = array_types()
+    return frozenset(known)
 
 
 def public_functions(room: str) -> Iterator[tuple[Path, ast.FunctionDef]]:
@@ -240,5 +239,6 @@ def public_methods(room: str) -> Iterator[tuple[Path, ast.FunctionDef]]:
 
 
 def with_arrays(body: list[ast.stmt]) -> list[ast.FunctionDef]:
+    arrays = array_types()
     public = [n for n in body if isinstance(n, ast.FunctionDef) and not n.name.startswith("_")]
-    return [one for one in public if array_parameters(one, ARRAYS) or is_array(one.returns, ARRAYS)]
+    return [one for one in public if array_parameters(one, arrays) or is_array(one.returns, arrays)]

@@ -24,12 +24,19 @@ from tests.export.keep_released import KEPT
 RELEASED = max(KEPT.glob("*.tar.xz"))
 
 
-@pytest.fixture
-def place(tmp_path: Path) -> Path:
-    """A whole package in a folder of its own."""
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A package that nobody writes to."""
+    folder = tmp_path_factory.mktemp("released") / "package"
     with tarfile.open(RELEASED) as archive:
-        archive.extractall(tmp_path / "package", filter="data")
-    return tmp_path / "package"
+        archive.extractall(folder, filter="data")
+    return folder
+
+
+@pytest.fixture
+def place(tmp_path: Path, whole: Path) -> Path:
+    """A whole package in a folder of its own."""
+    return shutil.copytree(whole, tmp_path / "package")
 
 
 def _table(place: Path, name: str) -> Path:

@@ -170,6 +170,7 @@ def test_the_folder_is_for_its_owner_alone(filled: Services, tmp_path: Path) -> 
     assert "a secret for tests only" not in (tmp_path / "backup" / MANIFEST).read_text()
 
 
+@pytest.mark.once
 def test_only_what_is_new_is_copied(filled: Services, tmp_path: Path) -> None:
     first = backed_up(filled, tmp_path / "backup").manifest
     put_bytes(filled, b"another picture", ".jpg")
@@ -215,6 +216,7 @@ sys.stdin.read()
 """
 
 
+@pytest.mark.once
 def test_one_backup_at_a_time_in_a_folder(filled: Services, tmp_path: Path) -> None:
     backed_up(filled, tmp_path / "backup")
     holder = [sys.executable, "-c", HOLD, str(tmp_path / "backup" / LOCK)]
@@ -374,7 +376,9 @@ def _sample_of(session: Session) -> Any:
 
 
 @pytest.mark.parametrize("harm", ["truncated", "changed", "gone"])
-@pytest.mark.parametrize("of", ["media", "database", "manifest"])
+@pytest.mark.parametrize(
+    "of", ["database", *(pytest.param(one, marks=pytest.mark.once) for one in ("media", "manifest"))]
+)
 def test_a_damaged_backup_is_refused_by_name(
     filled: Services, tmp_path: Path, new_place: NewPlace, harm: str, of: str
 ) -> None:
@@ -473,6 +477,7 @@ def test_an_installation_moves_to_the_other_kind_of_database_and_back(
     opened.close()
 
 
+@pytest.mark.once
 def test_folders_that_hold_other_things_are_left_alone(filled: Services, tmp_path: Path) -> None:
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "letter.txt").write_text("dear")
@@ -517,6 +522,7 @@ def test_the_two_latest_states_are_kept_and_either_is_restored(
     assert restore_backup(folder, new_place("last"), silent).manifest == last
 
 
+@pytest.mark.once
 def test_old_media_go_only_when_asked(filled: Services, tmp_path: Path) -> None:
     key = put_bytes(filled, b"soon gone", ".jpg")
     backed_up(filled, tmp_path / "backup")

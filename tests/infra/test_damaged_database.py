@@ -4,6 +4,7 @@ file on a medium that cannot be written, which is read where it lies.
 
 import os
 import random
+import shutil
 import sqlite3
 import subprocess
 import sys
@@ -28,14 +29,26 @@ from tests.support import samples
 TABLES = {"one table": ["road_poses"], "three tables": ["measurements", "road_poses", "surveys"]}
 
 
-@pytest.fixture
-def data_dir(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A data folder with a measurement and a medium, on SQLite, that nobody has open."""
-    for name in ("DATABASE_URL", "MEDIA_URL", "SIGNING_KEY", "SECRET"):
-        monkeypatch.delenv(f"SIGHTLINE_{name}", raising=False)
-    folder = tmp_path / "data"
+@pytest.fixture(autouse=True, scope="module")
+def own_settings() -> Iterator[None]:
+    with pytest.MonkeyPatch.context() as patch:
+        for name in ("DATABASE_URL", "MEDIA_URL", "SIGNING_KEY", "SECRET"):
+            patch.delenv(f"SIGHTLINE_{name}", raising=False)
+        yield
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory, own_settings: None) -> Path:
+    """A data folder with a measurement and a medium, on SQLite, that nobody opens."""
+    folder = tmp_path_factory.mktemp("whole") / "data"
     with_services(folder)
     return folder
+
+
+@pytest.fixture
+def data_dir(tmp_path: Path, whole: Path) -> Path:
+    """A copy of that data folder."""
+    return shutil.copytree(whole, tmp_path / "data")
 
 
 def with_services(folder: Path) -> None:

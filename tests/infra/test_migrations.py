@@ -59,6 +59,7 @@ def _named_at_column(engine: Engine, table: str, key: Any) -> bool:
         return f"CONSTRAINT fk_{table}_{column} REFERENCES {key['referred_table']}" in made.scalar_one()
 
 
+@pytest.mark.once
 def test_there_is_one_head_and_names_say_what_is_done() -> None:
     scripts = ScriptDirectory.from_config(alembic_config())
     assert len(scripts.get_heads()) == 1

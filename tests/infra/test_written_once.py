@@ -434,6 +434,7 @@ def test_keys_are_handed_on(factory: SessionFactory, tmp_path: Path) -> None:
         sign_checkpoint(session, first, actor=None)
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("count", range(1, 18))
 def test_each_leaf_has_a_path_to_the_root_and_no_other_has_it(count: int) -> None:
     ends = {f"survey/{n}": AuditHead(n, sha256(bytes([n])).hexdigest()) for n in range(count)}
@@ -465,6 +466,7 @@ def test_verify_says_that_a_database_is_of_another_version(engine: Engine) -> No
             connection.execute(text("UPDATE alembic_version SET version_num = :then"), {"then": then})
 
 
+@pytest.mark.once
 def test_verify_says_what_is_no_database(tmp_path: Any) -> None:
     def refused(make: Callable[[], Any]) -> str:
         with pytest.raises(SightlineError) as caught:

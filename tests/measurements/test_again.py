@@ -351,6 +351,7 @@ def _fewer_to_review(place: Path) -> str:
     return "differs from its audit event"
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("forge", [_a_verdict_goes_over, _another_maker, _fewer_to_review])
 def test_what_is_forged_of_it_is_found(computed: Path, forge: Callable[[Path], str]) -> None:
     said = forge(computed)
@@ -359,6 +360,7 @@ def test_what_is_forged_of_it_is_found(computed: Path, forge: Callable[[Path], s
     assert not found.ok and said in str(found.problem), found.problem
 
 
+@pytest.mark.once
 def test_the_package_marks_what_is_out_of_date_as_the_pages_do(
     operator: Client, viewer: Client, services: Services, ground: Ground, work: Work, tmp_path: Path
 ) -> None:

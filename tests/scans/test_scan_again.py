@@ -330,6 +330,7 @@ def test_the_package_tells_of_it_and_is_verified(computed: Path) -> None:
     assert len({row["created_by_id"] for row in mine}) == 1
 
 
+@pytest.mark.once
 def test_the_package_marks_lines_heights_that_are_out_of_date_and_a_forged_mark_is_found(
     operator: Client, services: Services, vehicle: ScanMeasurement, work: Work, tmp_path: Path
 ) -> None:
@@ -376,6 +377,7 @@ def _fewer_heights(place: Path) -> str:
     return "differs from its audit event"
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("forge", [_a_verdict_goes_over, _another_computing, _fewer_heights])
 def test_what_is_forged_of_it_is_found(computed: Path, forge: Callable[[Path], str]) -> None:
     said = forge(computed)
@@ -403,6 +405,7 @@ GONE_OVER: dict[str, tuple[dict[str, str], bool]] = {
 }
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("name", GONE_OVER)
 def test_a_verdict_goes_over_only_to_a_height_that_hardly_moved_or_was_put_back(name: str) -> None:
     more, holds = GONE_OVER[name]

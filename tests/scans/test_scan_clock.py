@@ -105,6 +105,7 @@ def test_days_and_hours_of_filming_hold_for_scanned_vehicles(
     assert viewer.get(f"{address}/scan-traffic?hour_from=9&hour_to=9").status_code == 422
 
 
+@pytest.mark.once
 @pytest.mark.parametrize(
     ("changed", "words"),
     [
@@ -129,6 +130,7 @@ def test_two_people_at_once_are_told(operator: Client, scan_id: int) -> None:
     assert operator.http.patch(address, json={"version": 1, "start": None}).status_code == 409
 
 
+@pytest.mark.once
 def test_an_uncertain_line_rate_adds_up() -> None:
     early, late = (u_passing_s(since, 0.001, 1e-4, 20.0, 0.01) for since in (0.0, 36000.0))
     assert early is not None and early < 0.0012 and late == pytest.approx(3.6, rel=1e-3)

@@ -101,6 +101,7 @@ def test_a_reference_is_replaced_by_who_saw_it_and_taken_back(operator: Client, 
     assert one["revision"] == 4
 
 
+@pytest.mark.once
 @pytest.mark.parametrize(
     ("body", "said"),
     [
@@ -171,6 +172,7 @@ def test_a_csv_is_previewed_and_imported_line_by_line(operator: Client, scan_id:
     assert "Replaces the speed 19.4444 m/s" in words and "Was a run of The Golf." in words
 
 
+@pytest.mark.once
 @pytest.mark.parametrize(
     ("text", "said"),
     [
@@ -248,6 +250,7 @@ SPOILED: dict[str, tuple[bytes | str, dict[int, tuple[str, ...]] | tuple[str, ..
 }  # fmt: skip
 
 
+@pytest.mark.once
 def test_a_spoiled_table_is_refused_where_it_is_wrong(operator: Client, scan_id: int) -> None:
     wrong = {}
     for name, (content, right) in SPOILED.items():
@@ -421,6 +424,7 @@ def matching(start: str, duration_s: float, *passed_s: float) -> Matching:
     return Matching(Filming(began, "Europe/Paris"), duration_s, 0.01, told, 1.0)
 
 
+@pytest.mark.once
 def test_a_time_of_day_is_of_the_day_of_the_recording() -> None:
     night = matching("2026-05-03T23:59:00", 600.0, 30.0, 120.0)
     assert night.instant("23:59:30") == at("2026-05-03T23:59:30")
@@ -435,6 +439,7 @@ def test_a_time_of_day_is_of_the_day_of_the_recording() -> None:
     assert long.instant("2026-05-04T08:30:00") == at("2026-05-04T08:30:00")
 
 
+@pytest.mark.once
 def test_an_hour_that_clocks_show_twice_wants_its_offset() -> None:
     autumn = matching("2026-10-25T01:30:00", 7200.0, 3600.0, 7100.0)
     with pytest.raises(BadInput, match="occurs twice"):

@@ -23,6 +23,7 @@ from sightline.app import create_app
 from sightline.enums import Role
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services, open_services
+from sightline.infra.web.openapi import Api
 from sightline.media.video.writer import write_mp4
 from sightline.people import service
 from sightline.people.store import create_person, create_sign_in_link
@@ -65,6 +66,24 @@ def quick_passwords() -> Iterator[PasswordHasher]:
     own = service._hasher
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(service, "_hasher", PasswordHasher(time_cost=1, memory_cost=8, parallelism=1))
+        yield own
+
+
+@pytest.fixture(scope="session", autouse=True)
+def described_once() -> Iterator[Callable[[Api], dict[str, Any]]]:
+    """Every app of the tests with the same routes takes its description from the first that was asked for it.
+    Gives what makes one.
+    """
+    own = Api.openapi
+    kept: dict[int, dict[str, Any]] = {}
+
+    def openapi(app: Api) -> dict[str, Any]:
+        if len(app.routes) not in kept:
+            kept[len(app.routes)] = own(app)
+        return kept[len(app.routes)]
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Api, "openapi", openapi)
         yield own
 
 
@@ -260,24 +279,34 @@ def recording_id(operator: Client, services: Services, survey_id: int, clip: Pat
     return laid.recording_id or add_recording(operator, services, survey_id, clip)
 
 
+@pytest.fixture
+def gate_scan_id(laid: "Laid") -> int:
+    """A line scan of the survey, Gate, with three measured vehicles."""
+    assert laid.gate_scan_id
+    return laid.gate_scan_id
+
+
 @dataclass(frozen=True)
 class Laid:
-    """What a test finds when its services are opened: nothing, or people, or a survey or a recording too."""
+    """What a test finds when its services are opened: nothing, or people, or a survey too, and in it a
+    recording or a measured line scan.
+    """
 
     cookies: dict[str, CookieJar] | None = None
     survey_id: int | None = None
     recording_id: int | None = None
+    gate_scan_id: int | None = None
 
 
 class Laying:
-    """Lays people, survey and recording once by way of the API, and puts them back for each other test."""
+    """Lays people, survey and recording or scan once by way of the API, and puts them back for each test."""
 
     def __init__(self, shelf: Shelf, folder: Path, clip: Path) -> None:
         self._shelf, self._folder, self._clip = shelf, folder, clip
         self._kept: dict[str, tuple[Laid, PutBack]] = {}
 
     def lay(self, last: str, settings: Settings) -> Laid:
-        """Put all back up to the `last` of `clients`, `survey_id` and `recording_id`."""
+        """Put all back up to the `last` of `clients`, `survey_id`, and `recording_id` or `gate_scan_id`."""
         home = self._folder / last
         if last not in self._kept:
             home.mkdir()
@@ -297,6 +326,11 @@ class Laying:
             survey_id = add_survey(clients["admin"])
             if last == "survey_id":
                 return Laid(cookies, survey_id)
+            if last == "gate_scan_id":
+                from tests.support.scanning_ground import add_scan
+
+                scan_id = add_scan(clients["operator"], services, survey_id, self._folder)
+                return Laid(cookies, survey_id, gate_scan_id=scan_id)
             made = add_recording(clients["operator"], services, survey_id, self._clip)
             return Laid(cookies, survey_id, made)
 
@@ -309,7 +343,7 @@ def laying(shelf: Shelf, tmp_path_factory: pytest.TempPathFactory, numbered: Pat
 @pytest.fixture
 def laid(request: pytest.FixtureRequest, settings: Settings) -> Laid:
     """What the test asks for is put back before its services are opened."""
-    for last in ("recording_id", "survey_id", "clients"):
+    for last in ("gate_scan_id", "recording_id", "survey_id", "clients"):
         if last in request.fixturenames:
             laying: Laying = request.getfixturevalue("laying")
             return laying.lay(last, settings)

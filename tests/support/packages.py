@@ -37,6 +37,7 @@ from sightline.infra.csv_package.schema import (
 from sightline.infra.services import Services
 from sightline.media.images import jpeg
 from sightline.messages.said import Said
+from sightline.recordings.drift import DriftCheck, DriftSpan
 from sightline.recordings.store import get_recording, store_drift
 from sightline.vehicles.proposing.records import PointProposal
 from sightline.vehicles.proposing.store import replace_proposals
@@ -104,7 +105,10 @@ def worked(operator: Client, reviewer: Client, ground: Ground, services: Service
     reviewer.made(f"/measurements/{rejected['id']}/reviews", kerb)
     operator.delete(f"/measurements/{gone['id']}?revision=1")
     _moved(services, ground)
-    operator.put(f"/recordings/{ground.recording_id}/drift/decision", {"reason": "A bird sat on it."})
+    decided = operator.put(
+        f"/recordings/{ground.recording_id}/drift/decision", {"reason": "A bird sat on it."}
+    )
+    assert decided.status_code == 200, decided.text
     start = {"local": "2026-05-03T08:10:00", "time_zone": "Europe/Paris"}
     facts = {"start": start, "weather": "overcast", "street_lighting": "off"}
     operator.put(f"/recordings/{ground.recording_id}", facts)
@@ -115,13 +119,39 @@ def worked(operator: Client, reviewer: Client, ground: Ground, services: Service
 
 def _moved(services: Services, ground: Ground) -> None:
     """The camera is found to have moved, on frames that nobody clicked on."""
-    span = {"first_frame": 9, "last_frame": 11, "moved": True, "moved_px": 2.5, "change_m": -0.0125}
-    check = {"state": "moved", "words": [Said("drift-more", count=1)], "bumps": [9], "spans": [span]}
-    stamped = {"floor_px": 0.25, "checked_at": "2026-05-01T12:00:00+00:00"}
+    span: DriftSpan = {
+        "x_px": 2.5,
+        "y_px": 0.0,
+        "turn_rad": 0.0,
+        "scale": 1.0,
+        "moved_px": 2.5,
+        "u_px": 0.1,
+        "points": 40,
+        "first_frame": 9,
+        "last_frame": 11,
+        "moved": True,
+        "change_m": -0.0125,
+    }
     with services.writing() as session:
-        pose_id = get_recording(session, ground.recording_id).pose_id
-        assert pose_id is not None
-        store_drift(session, ground.recording_id, pose_id, {**check, **stamped}, actor=None)
+        recording = get_recording(session, ground.recording_id)
+        assert recording.pose_id is not None
+        check: DriftCheck = {
+            "pose_id": recording.pose_id,
+            "pose_recording_id": recording.id,
+            "state": "moved",
+            "words": [Said("drift-more", count=1)],
+            "reason": None,
+            "floor_px": 0.25,
+            "floor_m": None,
+            "target_m": 0.01,
+            "distance_m": None,
+            "looks": [],
+            "bumps": [{"after": 8, "frame": 9, "time_s": 0.36, "by_px": 2.5}],
+            "spans": [span],
+            "checked_at": "2026-05-01T12:00:00+00:00",
+            "code_version": "0.1.0",
+        }
+        store_drift(session, recording.id, recording.pose_id, check, actor=None)
 
 
 def photograph(client: Client, survey_id: int, content: bytes, name: str, caption: str = "") -> Any:

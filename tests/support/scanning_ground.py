@@ -8,9 +8,11 @@ from typing import Any
 import numpy as np
 import tifffile
 
+from sightline.infra.services import Services
 from tests.simulation.scan_strips import strips
 from tests.simulation.scan_traffic import ScanSite, ScanTruth, traffic, truths
 from tests.support.app import TUS, Client, error_of, send
+from tests.support.working import run_jobs
 
 SITE = ScanSite(rows=64, line_rate_hz=2441.4, misalignment_px=0.4)
 RIG = {"baseline_m": SITE.baseline_m, "line_rate_hz": SITE.line_rate_hz, "u_baseline_m": 0.0003}
@@ -50,3 +52,14 @@ def uploads(client: Client, survey_id: int, folder: Path) -> dict[str, int]:
         "first_upload": upload_strip(client, survey_id, tiff(folder / "a.tif", first), "gate-1.tif"),
         "second_upload": upload_strip(client, survey_id, tiff(folder / "b.tif", second), "gate-2.tif"),
     }
+
+
+def add_scan(operator: Client, services: Services, survey_id: int, folder: Path) -> int:
+    """The recording taken in and its vehicles measured; its id."""
+    made = operator.made(
+        f"/surveys/{survey_id}/scans", {**RIG, **uploads(operator, survey_id, folder), "name": "Gate"}
+    )
+    assert (made["state"], made["job"]["kind"], made["lines"]) == ("reading", "scan_read", None)
+    for _ in range(2):
+        assert {job.state for job in run_jobs(services)} == {"done"}
+    return int(made["id"])
