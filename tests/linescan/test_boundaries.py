@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from scipy.ndimage import gaussian_filter1d
+from scipy.stats import norm
 
 from sightline.linescan.boundaries import edge_near
 
@@ -64,3 +65,32 @@ def test_u_follows_the_noise() -> None:
         told.append(edge.u_lines)
     z = np.array(errors) / np.array(told)
     assert 0.3 < np.sqrt(np.mean(z**2)) < 1.6 and np.mean(told) > found(picture()).u_lines
+
+
+def test_a_flat_end_is_not_found_where_noise_is_foremost() -> None:
+    """The vertex of a parabola through noise would lie 0.17 lines too far out."""
+    edges = [found(picture(noise_dn=8.0, seed=seed), noise_dn=8.0) for seed in range(10)]
+    assert abs(np.mean([one.line for one in edges]) + 1 - EDGE) < 0.08
+
+
+def nose(hidden: slice, noise_dn: float, seed: int) -> np.ndarray:
+    """(lines, rows) a round dark nose, foremost at EDGE in row 120; `hidden` rows have the road's grey."""
+    height_m = (np.arange(ROWS) - 120) * 0.0094
+    edge = EDGE + 1.4 * height_m**2 * PER_M
+    covered = norm.cdf((np.arange(1, 599)[:, None] - edge) / (0.0042 * PER_M))
+    body = np.full(ROWS, 60.0)
+    body[hidden] = ROAD[hidden]
+    noise = np.random.default_rng(seed).normal(size=covered.shape)
+    scene = ROAD * (1 - covered) + body * covered + noise_dn * noise
+    return np.clip(scene + 0.5, 0, 255).astype(np.uint8)
+
+
+@pytest.mark.parametrize("noise_dn", [1.0, 8.0])
+def test_rows_of_the_roads_own_grey_make_a_round_end_less_sure_by_what_they_hide(noise_dn: float) -> None:
+    whole = [found(nose(slice(0, 0), noise_dn, seed), noise_dn=noise_dn) for seed in range(5)]
+    hidden = [found(nose(slice(112, 124), noise_dn, seed), noise_dn=noise_dn) for seed in range(5)]
+    for edges, most in ((whole, 0.3), (hidden, 1.5)):
+        for one in edges:
+            assert one.line is not None and one.u_lines < most
+            assert abs(one.line + 1 - EDGE) < 2 * one.u_lines
+    assert min(one.u_lines for one in hidden) > 3 * max(one.u_lines for one in whole)

@@ -10,7 +10,8 @@ from sightline.linescan.parts import Entry, Passage, Rig
 from sightline.linescan.registration import Clock, Fit
 
 Array = NDArray[np.float64]
-# what the half-way rule and the parabola leave on a round bumper, metres, standard u of one boundary
+# what the half-way rule and the outline leave of a usual boundary, metres, standard u: where nothing else is
+# known of it, for it was placed by hand or is planned
 U_EDGE_M = 0.0006
 
 
@@ -112,7 +113,8 @@ def _answer_to_shift(fit: Fit) -> Array:
 
 
 def _u_edges(front_m: float, rear_m: float, u_found_m: float) -> float:
-    """Of the length: the shape of both ends, and how well they were found, which the bands about them say, or
-    what both cameras disagree about the same boundary if that is more.
+    """Of the length: how well both ends were found, which their bands say, or a usual end's where a person
+    placed them; or what both cameras disagree about the same boundary if that is more.
     """
-    return float(np.sqrt(2 * U_EDGE_M**2 + max((front_m**2 + rear_m**2) / 4, u_found_m**2)))
+    disagree = (front_m**2 + rear_m**2) / 4
+    return float(np.sqrt(max(disagree, u_found_m**2) if u_found_m else 2 * U_EDGE_M**2 + disagree))

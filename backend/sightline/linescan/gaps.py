@@ -14,15 +14,13 @@ from dataclasses import replace
 from math import hypot, sqrt
 
 from sightline.enums import ScanDirection
-from sightline.linescan.boundaries import U_LINE_LINES
+from sightline.linescan.boundaries import SAME_END, U_LINE_LINES
 from sightline.linescan.parts import Crossings, Gap, Motion, Rig
 from sightline.messages.said import Said
 
 NONE_BEFORE = Said("scan-gap-none-before")
 LANE_UNKNOWN = Said("scan-gap-lane-unknown")
 BEFORE_UNKNOWN = Said("scan-gap-before-unknown")
-# Of a motion's budget what its boundaries bring to the length, by method; one of both is their share of it.
-_BOUNDARIES = ("boundaries", "front and rear")
 
 
 class Leaders:
@@ -94,8 +92,13 @@ def _u_crossing_s(motion: Motion, speed_mps: float, line_rate_hz: float) -> floa
     """Of the moment at which one end of a vehicle crosses camera 1: an end is known to so many metres at any
     speed, as the length's budget says of both together; between two lines it was interpolated.
     """
-    u_both_m = hypot(*(one.u_length_m for one in motion.budget if one.source in _BOUNDARIES))
-    return hypot(u_both_m / sqrt(2) / speed_mps, U_LINE_LINES / line_rate_hz)
+    of_length = {one.source: one.u_length_m for one in motion.budget}
+    # the paper's length is camera 1's alone, the other the mean of both cameras', interpolated in both
+    both_m = of_length.get("boundaries", 0.0)
+    lines_m = U_LINE_LINES * (motion.speed_mps or 0.0) / line_rate_hz
+    one_m = sqrt(max(both_m**2 - lines_m**2, 0.0) / (1 + SAME_END))
+    one_m = hypot(one_m, of_length.get("front and rear", 0.0) / sqrt(2))
+    return hypot(one_m / speed_mps, U_LINE_LINES / line_rate_hz)
 
 
 def _u_motion_m(leader: Motion, headway_s: float, since_front_s: float) -> float:
