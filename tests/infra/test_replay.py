@@ -1,14 +1,16 @@
 """A row is what its events say: each way in which a table may differ from them is found and named."""
 
+import io
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
 from sightline.errors import Damaged
-from sightline.infra.csv_package.columns import flag, key, metres, number, text
-from sightline.infra.csv_package.files import FolderFiles
+from sightline.infra.csv_package.columns import flag, key, metres, number, text, within
+from sightline.infra.csv_package.files import FolderFiles, TableWriter
 from sightline.infra.csv_package.replay import Replay, Replayed, hold, hold_all, values_of
 from sightline.infra.csv_package.schema import Column, Table
 
@@ -111,3 +113,20 @@ def test_a_table_says_how_its_rows_follow(files: Callable[..., FolderFiles]) -> 
 def test_values_are_those_of_the_columns_getters() -> None:
     table: Table[dict[str, Any]] = Table("t", "T.", (key("id", "car", lambda one: one["number"]),))
     assert values_of(table, {"number": 3}) == {"id": 3}
+
+
+def test_a_column_without_a_getter_is_what_the_record_has_by_its_name() -> None:
+    """As an attribute or as a mapping's value; of a part of the record within it, or nothing."""
+    columns: tuple[Column[Any], ...] = (key("id", "car"), *within("driver", text("name", "its driver")))
+    table: Table[Any] = Table("t", "T.", columns)
+    alone, driven = (
+        SimpleNamespace(id=n, driver=who) for n, who in ((1, None), (2, SimpleNamespace(name="B")))
+    )
+    assert values_of(table, driven) == {"id": 2, "name": "B"}
+    out = io.BytesIO()
+    writer = TableWriter(out, table)
+    for one in (alone, driven):
+        writer.add(one)
+    of_mappings = TableWriter(out, Table[Any]("m", "M.", (key("id", "car"), text("name", "its name"))))
+    of_mappings.add({"id": 3})
+    assert out.getvalue() == b"id,name\n1,\n2,B\nid,name\n3,\n"

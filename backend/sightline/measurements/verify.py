@@ -178,7 +178,7 @@ def _as_stored(name: str, value: Any) -> Any:
 def cells_of(table: AnyTable, record: object) -> dict[str, str]:
     """The cells of a record's row that are not empty, by column."""
     columns = cast(Table[object], table).columns
-    found = {one.name: cell_text(one, one.of(record)) for one in columns if one.of is not None}
+    found = {one.name: cell_text(one, one.of_object(record)) for one in columns}
     return {name: text for name, text in found.items() if text}
 
 

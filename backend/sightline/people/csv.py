@@ -10,6 +10,6 @@ PEOPLE: Table[Who] = Table(
     "people",
     "The people named in the other tables, by number and name only. The audit chain holds their numbers; "
     "their names are covered by the checksums alone.",
-    (key("id", "person", lambda p: p.id), text("name", "name", lambda p: p.name, required=True)),
+    (key("id", "person"), text("name", "name", required=True)),
     primary=("id",),
 )

@@ -9,7 +9,7 @@ from typing import TypeVar, get_args
 
 from sightline.enums import DriftState, Lighting, StreetLighting
 from sightline.infra.csv_package.chain import stamp
-from sightline.infra.csv_package.columns import flag, integer, key, metres, number, of_part, text
+from sightline.infra.csv_package.columns import flag, integer, key, metres, number, text, within
 from sightline.infra.csv_package.files import Files, read_columns, unsafe, whole
 from sightline.infra.csv_package.files import number as figure
 from sightline.infra.csv_package.schema import Cell, Cells, Column, Table
@@ -52,7 +52,7 @@ def drift_of(found: DriftFigures | None, decision: DriftDecision | None, pose_id
 
 def drift_cells(drift: Drift) -> Cells:
     """The columns about a camera that moved, by name."""
-    return {column.name: column.of(drift) for column in _DRIFT if column.of is not None}
+    return {column.name: column.of_object(drift) for column in _DRIFT}
 
 
 def _found(name: str) -> Callable[[Drift], Cell]:
@@ -109,58 +109,33 @@ def started_column(
 
 
 _FACTS: tuple[Column[Recording], ...] = (
-    key("id", "recording", lambda r: r.id),
-    text("name", "name of the file", lambda r: r.name, required=True),
-    text("sha256", "SHA-256 of the file", lambda r: r.sha256),
-    integer("size_bytes", "size of the file", lambda r: r.size_bytes, unit="byte"),
-    integer("width_px", "width of a frame", lambda r: r.width_px, unit="px"),
-    integer("height_px", "height of a frame", lambda r: r.height_px, unit="px"),
-    integer("frame_count", "number of decoded frames", lambda r: r.frame_count),
-    number("duration_s", "time from the first frame to the end of the last", "s", lambda r: r.duration_s),
-    text("codec", "codec of the video stream", lambda r: r.codec),
-    text("container", "container of the file", lambda r: r.container),
+    key("id", "recording"),
+    text("name", "name of the file", required=True),
+    text("sha256", "SHA-256 of the file"),
+    integer("size_bytes", "size of the file", unit="byte"),
+    integer("width_px", "width of a frame", unit="px"),
+    integer("height_px", "height of a frame", unit="px"),
+    integer("frame_count", "number of decoded frames"),
+    number("duration_s", "time from the first frame to the end of the last", "s"),
+    text("codec", "codec of the video stream"),
+    text("container", "container of the file"),
     flag("variable_rate", "true where the time between frames varies", lambda r: r.vfr),
-    integer(
-        "stream_number",
-        "which of the file's pictures was read, where it has several",
-        lambda r: r.stream_number,
-    ),
-    number(
-        "filmed_hz",
-        "frames per second when it was filmed, where a person had to state it",
-        "Hz",
-        lambda r: r.filmed_hz,
-    ),
-    text("lighting", "light in the recording", lambda r: r.lighting, enum=get_args(Lighting)),
+    integer("stream_number", "which of the file's pictures was read, where it has several"),
+    number("filmed_hz", "frames per second when it was filmed, where a person had to state it", "Hz"),
+    text("lighting", "light in the recording", enum=get_args(Lighting)),
     started_column("when its first frame was filmed", lambda r: r.started_at, lambda r: r.time_zone),
-    text("time_zone", "time zone of these times (IANA)", lambda r: r.time_zone),
-    text("weather", "weather, in words", lambda r: r.weather),
-    text(
-        "street_lighting",
-        "whether street lamps were lit",
-        lambda r: r.street_lighting,
-        enum=get_args(StreetLighting),
-    ),
-    integer("camera_id", "camera that made it", lambda r: r.camera_id),
-    integer("pose_id", "current camera pose", lambda r: r.pose_id),
+    text("time_zone", "time zone of these times (IANA)"),
+    text("weather", "weather, in words"),
+    text("street_lighting", "whether street lamps were lit", enum=get_args(StreetLighting)),
+    integer("camera_id", "camera that made it"),
+    integer("pose_id", "current camera pose"),
 )
-
-
-def _recording(described: DescribedRecording) -> Recording:
-    return described.recording
-
-
-def _drift(described: DescribedRecording) -> Drift:
-    return described.drift
 
 
 RECORDINGS: Table[DescribedRecording] = Table(
     "recordings",
     "The video files behind the measurements.",
-    (
-        *of_part(_FACTS, _recording),
-        *of_part(_DRIFT, _drift),
-    ),
+    (*within("recording", *_FACTS), *within("drift", *_DRIFT)),
     primary=("id",),
     foreign=((("drift_decided_by_id",), "people", ("id",)),),
 )

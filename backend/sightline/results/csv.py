@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from operator import itemgetter
 from typing import get_args
 
 from sightline.enums import Category, ClassSet, Lighting, StandardHeight
@@ -17,22 +18,16 @@ STANDARDS: Table[Standard] = Table(
     "standards",
     "The heights of standards that the statistics are read against: shares of vehicles below each.",
     (
-        text(
-            "what",
-            "quantity that the standard specifies",
-            lambda s: s.what,
-            required=True,
-            enum=get_args(StandardHeight),
-        ),
-        text("name", "the standard", lambda s: s.name, required=True),
-        metres("height_m", "its height above the road", lambda s: s.height_m, required=True),
-        text("edition", "edition of the standard", lambda s: s.edition),
-        integer("year", "year of that edition, or of the study", lambda s: s.year),
-        number("percent", "percentile of its class that it represents", "%", lambda s: s.percent),
-        text("vehicle_class", "the class that the percentile is of", lambda s: s.vehicle_class),
-        text("source", "where the figure comes from", lambda s: s.source),
-        text("cited_by", "who cites it; empty where the source itself was read", lambda s: s.cited_by),
-        flag("drawn", "whether distributions are read against it", lambda s: s.drawn, required=True),
+        text("what", "quantity that the standard specifies", required=True, enum=get_args(StandardHeight)),
+        text("name", "the standard", required=True),
+        metres("height_m", "its height above the road", required=True),
+        text("edition", "edition of the standard"),
+        integer("year", "year of that edition, or of the study"),
+        number("percent", "percentile of its class that it represents", "%"),
+        text("vehicle_class", "the class that the percentile is of"),
+        text("source", "where the figure comes from"),
+        text("cited_by", "who cites it; empty where the source itself was read"),
+        flag("drawn", "whether distributions are read against it", required=True),
     ),
     primary=("what", "name"),
 )
@@ -64,11 +59,11 @@ SELECTION: Table[Chosen] = Table(
     "set or class named, and filmed on those days and at those hours; what is not named is not limited, and "
     "where time is, what has no time of filming is left out. The other tables are of the whole survey.",
     (
-        text("by", "what is chosen by", lambda c: c[0], required=True, enum=(*_WORDS, *FILMED)),
+        text("by", "what is chosen by", itemgetter(0), required=True, enum=(*_WORDS, *FILMED)),
         text(
             "word",
             "the lighting, set of classes, class, day, or hour of the day by the clocks of the place",
-            lambda c: c[1],
+            itemgetter(1),
             required=True,
         ),
     ),

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from operator import itemgetter
 from typing import get_args
 
 from sightline.enums import AskedTarget, Category, ClassSet, InsetName, Lighting, SamplingMethod, StreetLamps
-from sightline.infra.csv_package.columns import flag, integer, key, metres, number, text
+from sightline.infra.csv_package.columns import flag, integer, key, metres, number, text, within
 from sightline.infra.csv_package.files import Files, read_columns, read_rows, record_in, unsafe
 from sightline.infra.csv_package.files import number as figure
 from sightline.infra.csv_package.schema import Table
@@ -21,31 +22,22 @@ SURVEY: Table[Survey] = Table(
     "survey",
     "The survey that this package is of: one row.",
     (
-        key("id", "survey, in the database that it comes from", lambda s: s.id),
-        text("name", "name of the survey", lambda s: s.name, required=True),
-        text(
-            "site", "where it was filmed; a study takes surveys of one site as one cluster", lambda s: s.site
+        key("id", "survey, in the database that it comes from"),
+        text("name", "name of the survey", required=True),
+        text("site", "where it was filmed; a study takes surveys of one site as one cluster"),
+        text("description", "description of the survey"),
+        flag("simulated", "true: invented; no value of it describes real roads", required=True),
+        *within(
+            "place",
+            number("latitude_deg", "latitude (WGS84), north positive", "deg"),
+            number("longitude_deg", "longitude (WGS84), east positive", "deg"),
+            text("road_class", "class of the road, in words"),
+            text("lane", "measured lane, in words"),
+            text("travel_direction", "travel direction, in words"),
+            number("speed_limit_mps", "speed limit", "m/s"),
+            text("street_lamps", "whether the road has street lamps", enum=get_args(StreetLamps)),
+            text("time_zone", "time zone of the site (IANA)"),
         ),
-        text("description", "description of the survey", lambda s: s.description),
-        flag(
-            "simulated",
-            "true: invented; no value of it describes real roads",
-            lambda s: s.simulated,
-            required=True,
-        ),
-        number("latitude_deg", "latitude (WGS84), north positive", "deg", lambda s: s.place.latitude_deg),
-        number("longitude_deg", "longitude (WGS84), east positive", "deg", lambda s: s.place.longitude_deg),
-        text("road_class", "class of the road, in words", lambda s: s.place.road_class),
-        text("lane", "measured lane, in words", lambda s: s.place.lane),
-        text("travel_direction", "travel direction, in words", lambda s: s.place.travel_direction),
-        number("speed_limit_mps", "speed limit", "m/s", lambda s: s.place.speed_limit_mps),
-        text(
-            "street_lamps",
-            "whether the road has street lamps",
-            lambda s: s.place.street_lamps,
-            enum=get_args(StreetLamps),
-        ),
-        text("time_zone", "time zone of the site (IANA)", lambda s: s.place.time_zone),
     ),
     primary=("id",),
 )
@@ -57,17 +49,20 @@ INSETS: Table[InForce] = Table(
         text(
             "target",
             "what is measured; of a driver's eye for the driver on the near or on the far side",
-            lambda i: i[0],
+            itemgetter(0),
             required=True,
             enum=get_args(InsetName),
         ),
-        metres(
-            "inset_m",
-            "inset: distance from the vertical plane through the contact point to the target, along road Y",
-            lambda i: i[1].inset_m,
+        *within(
+            itemgetter(1),
+            metres(
+                "inset_m",
+                "inset: distance from the vertical plane through the contact point to the target, along road"
+                " Y",
+            ),
+            metres("u_inset_m", "standard uncertainty of the inset (k = 1)"),
+            text("note", "where the figure comes from"),
         ),
-        metres("u_inset_m", "standard uncertainty of the inset (k = 1)", lambda i: i[1].u_inset_m),
-        text("note", "where the figure comes from", lambda i: i[1].note),
     ),
     primary=("target",),
 )
@@ -96,13 +91,8 @@ CLASSES: Table[VehicleClass] = Table(
     "classes",
     "The classes of vehicles: the set that each counts in, and what the EU and FHWA call it.",
     (
-        text("category", "class", lambda c: c.category, required=True, enum=get_args(Category)),
-        text(
-            "class_set",
-            "the set of classes that it counts in; empty: in none",
-            lambda c: c.class_set,
-            enum=get_args(ClassSet),
-        ),
+        text("category", "class", required=True, enum=get_args(Category)),
+        text("class_set", "the set of classes that it counts in; empty: in none", enum=get_args(ClassSet)),
         text(
             "eu_classes", "its classes in the EU (M1, N1 ...), a space between them", lambda c: " ".join(c.eu)
         ),
@@ -128,28 +118,24 @@ SAMPLING: Table[Survey] = Table(
     "is below share_percent over 100; and with free_flowing_s only where the pass before in its direction "
     "began at least so many seconds earlier.",
     (
-        text(
-            "method",
-            "every pass, each step-th, or a share that the seed draws",
-            lambda s: s.sampling.method,
-            required=True,
-            enum=get_args(SamplingMethod),
-        ),
-        integer("step", "with nth: every so many-th", lambda s: s.sampling.step, required=True),
-        integer("start", "with nth: the first", lambda s: s.sampling.start, required=True),
-        number("share_percent", "with share: how many of 100", "%", lambda s: s.sampling.share_percent),
-        integer("seed", "with share: what draws them", lambda s: s.sampling.seed, required=True),
-        number(
-            "free_flowing_s",
-            "least time behind the pass before; empty: any",
-            "s",
-            lambda s: s.sampling.free_flowing_s,
-        ),
-        flag(
-            "outside_counts",
-            "whether heights of passes out of the sample count in results",
-            lambda s: s.sampling.outside_counts,
-            required=True,
+        *within(
+            "sampling",
+            text(
+                "method",
+                "every pass, each step-th, or a share that the seed draws",
+                required=True,
+                enum=get_args(SamplingMethod),
+            ),
+            integer("step", "with nth: every so many-th", required=True),
+            integer("start", "with nth: the first", required=True),
+            number("share_percent", "with share: how many of 100", "%"),
+            integer("seed", "with share: what draws them", required=True),
+            number("free_flowing_s", "least time behind the pass before; empty: any", "s"),
+            flag(
+                "outside_counts",
+                "whether heights of passes out of the sample count in results",
+                required=True,
+            ),
         ),
         text("asked_daytime", "targets asked for by day", lambda s: " ".join(s.asked.daytime)),
         text("asked_low_light", "targets asked for in low light", lambda s: " ".join(s.asked.low_light)),
@@ -159,9 +145,9 @@ QUOTAS: Table[Quota] = Table(
     "quotas",
     "How many vehicles are wanted of each lighting and set of classes.",
     (
-        text("lighting", "lighting", lambda q: q.lighting, required=True, enum=get_args(Lighting)),
-        text("class_set", "set of classes; empty: any class", lambda q: q.class_set, enum=get_args(ClassSet)),
-        integer("wanted", "how many vehicles", lambda q: q.wanted, required=True, minimum=1),
+        text("lighting", "lighting", required=True, enum=get_args(Lighting)),
+        text("class_set", "set of classes; empty: any class", enum=get_args(ClassSet)),
+        integer("wanted", "how many vehicles", required=True, minimum=1),
     ),
     primary=("lighting", "class_set"),
 )

@@ -8,7 +8,7 @@ from typing import get_args
 
 from sightline.cameras.calibrations.records import Calibration
 from sightline.enums import CalibrationSource, LensModel
-from sightline.infra.csv_package.columns import flag, integer, key, moment, number, person, text
+from sightline.infra.csv_package.columns import flag, integer, key, moment, number, person, text, within
 from sightline.infra.csv_package.schema import Cell, Column, Table
 
 
@@ -47,12 +47,9 @@ CALIBRATIONS: Table[NamedCalibration] = Table(
     "calibrations",
     "Lens and camera matrix behind the poses; the whole of each is in calibrations/calibration-N.json.",
     (
-        key("id", "calibration", lambda c: c.calibration.id),
-        key("camera_id", "camera it belongs to", lambda c: c.calibration.camera_id),
-        text("camera_name", "name of the camera", lambda c: c.camera_name),
-        text(
-            "source", "where it comes from", lambda c: c.calibration.source, enum=get_args(CalibrationSource)
-        ),
+        *within("calibration", key("id", "calibration"), key("camera_id", "camera it belongs to")),
+        text("camera_name", "name of the camera"),
+        *within("calibration", text("source", "where it comes from", enum=get_args(CalibrationSource))),
         text("model", "lens model", _said("model"), required=True, enum=get_args(LensModel)),
         integer("width_px", "width of the images", _said("width_px"), unit="px", required=True),
         integer(
@@ -68,15 +65,16 @@ CALIBRATIONS: Table[NamedCalibration] = Table(
         _pixels("cy_px", "principal point, y"),
         text("distortion", "distortion coefficients in OpenCV's order, separated by blanks", _distortion),
         number("rms_px", "root of the mean squared point distance", "px", _said("rms_px")),
-        flag("trusted", "false where the program warned against using it", lambda c: c.calibration.trusted),
+        *within("calibration", flag("trusted", "false where the program warned against using it")),
         text(
             "document",
             "the calibration as a file of this package (sightline-camera-1)",
             lambda c: calibration_path(c.calibration.id),
             required=True,
         ),
-        person("created_by_id", "who made it", lambda c: c.calibration.created_by),
-        moment("created_at", "when it was made", lambda c: c.calibration.created_at),
+        *within(
+            "calibration", person("created_by_id", "who made it"), moment("created_at", "when it was made")
+        ),
     ),
     primary=("id",),
     foreign=((("created_by_id",), "people", ("id",)),),

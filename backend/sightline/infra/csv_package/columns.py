@@ -1,10 +1,15 @@
-"""Columns of the kinds that many tables have, each with its getter (`schema.Column.of`)."""
+"""Columns of the kinds that many tables have. Without a getter a column is its record's attribute of that
+name; `within` takes it from a part of the record.
+"""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from dataclasses import replace
 from datetime import datetime
+from operator import attrgetter
+from typing import Any
 
 from typing_extensions import TypeVar
 
@@ -19,7 +24,6 @@ from sightline.messages.said import Said
 #: The end of the name of a column with the codes of the words in the column without it.
 CODE = "_code"
 R = TypeVar("R", default=Row)
-Part = TypeVar("Part")
 Getter = Callable[[R], Cell]
 
 
@@ -84,16 +88,18 @@ def flag(name: str, meaning: str, of: Getter[R] | None = None, *, required: bool
     return Column(name, "boolean", meaning, required=required, of=of)
 
 
-def moment(name: str, meaning: str, of: Callable[[R], datetime | None]) -> Column[R]:
+def moment(name: str, meaning: str, of: Callable[[R], datetime | None] | None = None) -> Column[R]:
     """A time in UTC, to the microsecond."""
-    return Column(name, "datetime", f"{meaning} (ISO 8601, UTC)", of=lambda record: when(of(record)))
+    given = of or attrgetter(name)
+    return Column(name, "datetime", f"{meaning} (ISO 8601, UTC)", of=lambda record: when(given(record)))
 
 
-def person(name: str, meaning: str, of: Callable[[R], Who | None]) -> Column[R]:
-    """The number of a person."""
+def person(name: str, meaning: str, of: Callable[[R], Who | None] | None = None) -> Column[R]:
+    """The number of a person, who is the record's attribute of the column's name without `_id`."""
+    given = of or attrgetter(name.removesuffix("_id"))
 
     def number_of(record: R) -> Cell:
-        who = of(record)
+        who = given(record)
         return None if who is None else who.id
 
     return integer(name, meaning, number_of)
@@ -105,12 +111,13 @@ def joined(words: Iterable[str]) -> str:
 
 
 def said(
-    name: str, meaning: str, of: Callable[[R], Said | Sequence[Said] | None]
-) -> tuple[Column[R], Column[R]]:
+    name: str, meaning: str, of: Callable[[Any], Said | Sequence[Said] | None] | None = None
+) -> tuple[Column[Any], Column[Any]]:
     """What is said in words, and beside it the codes and values that the words are made of."""
+    given = of or attrgetter(name)
     return (
-        text(name, meaning, lambda record: words_of(of(record))),
-        text(f"{name}{CODE}", f"{name} by code and values (JSON)", lambda record: code_of(of(record))),
+        text(name, meaning, lambda record: words_of(given(record))),
+        text(f"{name}{CODE}", f"{name} by code and values (JSON)", lambda record: code_of(given(record))),
     )
 
 
@@ -158,31 +165,23 @@ def check_words(files: Files, headers: Mapping[str, Collection[str]]) -> None:
                     raise Damaged("measurements-words-not-of-code", name=f"{path}:{row}", column=words)
 
 
-def of_part(
-    columns: Sequence[Column[Part]], part: Callable[[R], Part | None], *, required: bool = True
-) -> tuple[Column[R], ...]:
-    """The same columns for records that hold such a record; empty where they hold none.
+def within(
+    part: str | Callable[[Any], Any], *columns: Column[Any], required: bool = True
+) -> tuple[Column[Any], ...]:
+    """The same columns for records that hold such a record, as the attribute of this name or by a function;
+    empty where they hold none.
 
     `required`: False where they may hold none.
     """
-    return tuple(_of_part(column, part, required) for column in columns)
+    part_of: Callable[[Any], Any] = attrgetter(part) if isinstance(part, str) else part
+    return tuple(_within(part_of, column, required) for column in columns)
 
 
-def _of_part(column: Column[Part], part: Callable[[R], Part | None], required: bool) -> Column[R]:
-    getter = column.of
-    assert getter is not None, column.name
+def _within(part_of: Callable[[Any], Any], column: Column[Any], required: bool) -> Column[Any]:
+    getter = column.of_object
 
-    def of(record: R) -> Cell:
-        held = part(record)
+    def of(record: Any) -> Cell:
+        held = part_of(record)
         return None if held is None else getter(held)
 
-    return Column(
-        name=column.name,
-        type=column.type,
-        meaning=column.meaning,
-        unit=column.unit,
-        required=column.required and required,
-        enum=column.enum,
-        minimum=column.minimum,
-        of=of,
-    )
+    return replace(column, required=column.required and required, of=of)

@@ -62,7 +62,8 @@ class TableWriter(Generic[Record]):
     def __init__(
         self, file: BinaryIO, table: Table[Record], before: TableWriter[Record] | None = None
     ) -> None:
-        self._file, self._columns = file, [(column, _getter(column)) for column in table.columns]
+        self._file, self._table = file, table
+        self._columns: list[tuple[Column[Record], Callable[[Record], Cell]]] | None = None
         self._hash, self._size, self.rows = hashlib.sha256(), 0, 0
         self._csv = csv.writer(self, lineterminator="\n")
         if before is None:
@@ -78,7 +79,12 @@ class TableWriter(Generic[Record]):
         return self._file.write(content)
 
     def add(self, record: Record) -> None:
-        """The row of one record."""
+        """The row of one record; all of a table are mappings, or none is."""
+        if self._columns is None:
+            is_mapping = isinstance(record, Mapping)
+            self._columns = [
+                (one, _value_of(one) if is_mapping else one.of_object) for one in self._table.columns
+            ]
         self._csv.writerow(
             [
                 "" if (value := value_of(record)) is None else cell_text(column, value)
@@ -91,8 +97,8 @@ class TableWriter(Generic[Record]):
         return Written(self._hash.hexdigest(), self._size)
 
 
-def _getter(column: Column[Record]) -> Callable[[Record], Cell]:
-    """A column's value of a record; a mapping may leave it out."""
+def _value_of(column: Column[Record]) -> Callable[[Record], Cell]:
+    """A column's value of a mapping, which may leave it out."""
     name = column.name
     return column.of or (lambda record: cast(Row, record).get(name))
 

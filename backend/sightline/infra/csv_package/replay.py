@@ -132,4 +132,4 @@ def first_difference(columns: Mapping[str, Column[Any]], row: Mapping[str, str],
 def values_of(table: AnyTable, record: object) -> dict[str, Any]:
     """The values of a record's row by column."""
     columns = cast(Table[object], table).columns
-    return {column.name: column.of(record) for column in columns if column.of is not None}
+    return {column.name: column.of_object(record) for column in columns}

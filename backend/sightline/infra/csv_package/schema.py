@@ -12,6 +12,8 @@ from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
+from functools import cached_property
+from operator import attrgetter
 from typing import Any, Generic, Never
 
 import orjson
@@ -44,7 +46,8 @@ _LOOKED_AT = frozenset((*_FORMULA_STARTS, *_SKIPPED))
 class Column(Generic[Record]):
     """One column: `type` is a Frictionless type, `unit` is empty for text and counts.
 
-    `of` gives its value of a record; None: the record is a mapping that holds it under the column's name.
+    `of` gives its value of a record; None: what the record has under the column's name, an object as its
+    attribute and a mapping as its value.
     """
 
     name: str
@@ -55,6 +58,11 @@ class Column(Generic[Record]):
     enum: tuple[str, ...] = ()
     minimum: float | None = None
     of: Callable[[Record], Cell] | None = field(default=None, compare=False, kw_only=True)
+
+    @cached_property
+    def of_object(self) -> Callable[[Record], Cell]:
+        """Its value of a record that is no mapping."""
+        return self.of or attrgetter(self.name)
 
     def described(self) -> dict[str, Any]:
         """The field descriptor of the Table Schema (specs.frictionlessdata.io/table-schema)."""

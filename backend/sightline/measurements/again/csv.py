@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import get_args
-
-from typing_extensions import TypeVar
+from typing import Any, get_args
 
 from sightline.enums import ComputingCause, ComputingKind
 from sightline.infra.csv_package.columns import integer, joined, key, metres, moment, person, text
 from sightline.infra.csv_package.schema import Column, Table
 from sightline.measurements.again.records import Computing
 
-R = TypeVar("R")
 _CAUSES: tuple[tuple[ComputingCause, str], ...] = (
     ("pose", "heights that followed from another road pose, or another calibration of a line camera"),
     ("inset", "heights that followed from another inset"),
@@ -22,14 +18,14 @@ _CAUSES: tuple[tuple[ComputingCause, str], ...] = (
 assert {cause for cause, _ in _CAUSES} == set(get_args(ComputingCause))
 
 
-def out_of_date(pose: str, of: Callable[[R], Sequence[ComputingCause]]) -> Column[R]:
-    """Why a height is out of date; `pose`: what its pose is called here."""
+def out_of_date(pose: str) -> Column[Any]:
+    """Why a height, a record with `out_of_date`, is so; `pose`: what its pose is called here."""
     return text(
         "out_of_date",
         "why the height is out of date, separated by semicolons: pose, inset or side where it follows from "
         f"another {pose}, another usual inset or another side of the driver than holds now in this package; "
         "empty: it is not. Compute the heights again in the survey and export it anew",
-        lambda record: joined(of(record)) or None,
+        lambda record: joined(record.out_of_date) or None,
     )
 
 
@@ -42,35 +38,32 @@ COMPUTINGS: Table[Computing] = Table(
     "Each time that heights of the survey were computed again together; the revisions that this made name it "
     "in revisions.csv and in line_heights.csv, and the height before stands in the revision before.",
     (
-        key("id", "the computing", lambda c: c.id),
+        key("id", "the computing"),
         text(
             "kind",
             "asked for; after the driver's side was told; after an adjustment; or an undo of another",
-            lambda c: c.kind,
             required=True,
             enum=get_args(ComputingKind),
         ),
-        integer("undoes", "of an undo: the computing whose earlier heights it restored", lambda c: c.undoes),
-        integer("heights", "how many revisions it made", lambda c: c.heights, required=True, minimum=0),
+        integer("undoes", "of an undo: the computing whose earlier heights it restored"),
+        integer("heights", "how many revisions it made", required=True, minimum=0),
         integer(
             "to_review",
             "how many of them moved by more than the u they had, so that their verdict no longer held",
-            lambda c: c.to_review,
             required=True,
             minimum=0,
         ),
         integer(
             "kept",
             "of an undo: how many were changed since and stayed as they were",
-            lambda c: c.kept,
             required=True,
             minimum=0,
         ),
-        metres("largest_m", "the largest change of a height", lambda c: c.largest_m),
+        metres("largest_m", "the largest change of a height"),
         *(_of_cause(cause, meaning) for cause, meaning in _CAUSES),
-        text("code_version", "version of the program", lambda c: c.code_version, required=True),
-        person("created_by_id", "who asked for it", lambda c: c.created_by),
-        moment("created_at", "when", lambda c: c.created_at),
+        text("code_version", "version of the program", required=True),
+        person("created_by_id", "who asked for it"),
+        moment("created_at", "when"),
     ),
     primary=("id",),
     foreign=((("created_by_id",), "people", ("id",)),),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from operator import attrgetter
 from typing import get_args
 
 from sightline.enums import (
@@ -31,13 +30,9 @@ def _not_visible(target: AskedTarget) -> Column[VehicleSheet]:
 def _known(target: KnownTarget) -> tuple[Column[VehicleSheet], ...]:
     names, what = KNOWN[target], "mark" if target == "other" else target.replace("_", " ")
     return (
-        metres(
-            names.height,
-            f"height of its {what} that was known before it was measured",
-            attrgetter(names.height),
-        ),
-        metres(names.u, "standard uncertainty of that height (k = 1)", attrgetter(names.u)),
-        text(names.source, "where that height comes from", attrgetter(names.source)),
+        metres(names.height, f"height of its {what} that was known before it was measured"),
+        metres(names.u, "standard uncertainty of that height (k = 1)"),
+        text(names.source, "where that height comes from"),
     )
 
 
@@ -45,52 +40,37 @@ VEHICLES: Table[VehicleSheet] = Table(
     "vehicles",
     "The passes and what is known of each vehicle.",
     (
-        key("id", "vehicle", lambda v: v.id),
-        key("number", "its number within the survey", lambda v: v.number),
-        key("recording_id", "recording it passes in", lambda v: v.recording_id),
-        integer("first_frame", "first frame of the pass", lambda v: v.first_frame, minimum=0),
-        integer("last_frame", "last frame of the pass", lambda v: v.last_frame, minimum=0),
-        integer("best_frame", "frame proposed for measuring", lambda v: v.best_frame, minimum=0),
-        text("make", "manufacturer", lambda v: v.make),
-        text("model", "model", lambda v: v.model),
-        integer("year", "model year", lambda v: v.year),
+        key("id", "vehicle"),
+        key("number", "its number within the survey"),
+        key("recording_id", "recording it passes in"),
+        integer("first_frame", "first frame of the pass", minimum=0),
+        integer("last_frame", "last frame of the pass", minimum=0),
+        integer("best_frame", "frame proposed for measuring", minimum=0),
+        text("make", "manufacturer"),
+        text("model", "model"),
+        integer("year", "model year"),
         text(
             "model_chosen_by",
             "size: the model was chosen because it fits what was measured, so no height known of the vehicle "
             "is a reference; seen: it was then recognised on the vehicle; empty: neither",
-            lambda v: v.model_chosen_by,
             enum=get_args(ModelChosenBy),
         ),
-        text(
-            "model_sizes",
-            "of a model chosen by size: by which sizes, a space between them",
-            lambda v: v.model_sizes,
-        ),
-        text("category", "kind of body", lambda v: v.category, enum=get_args(Category)),
-        metres(
-            "manufacturer_height_m",
-            "manufacturer's overall height",
-            lambda v: v.manufacturer_height_m,
-        ),
-        metres(
-            "u_manufacturer_height_m",
-            "standard uncertainty of that height (k = 1)",
-            lambda v: v.u_manufacturer_height_m,
-        ),
-        text("height_source", "where that height comes from", lambda v: v.height_source),
+        text("model_sizes", "of a model chosen by size: by which sizes, a space between them"),
+        text("category", "kind of body", enum=get_args(Category)),
+        metres("manufacturer_height_m", "manufacturer's overall height"),
+        metres("u_manufacturer_height_m", "standard uncertainty of that height (k = 1)"),
+        text("height_source", "where that height comes from"),
         *(column for target in get_args(KnownTarget) for column in _known(target)),
         flag(
             "check_target",
             "there to check the measuring: own rows in errors_by_target.csv, no vehicle of the traffic",
-            lambda v: v.check_target,
             required=True,
         ),
-        text("lighting", "light at the time of the pass", lambda v: v.lighting, enum=get_args(Lighting)),
-        text("direction", "travel direction in the image", lambda v: v.direction, enum=get_args(Direction)),
+        text("lighting", "light at the time of the pass", enum=get_args(Lighting)),
+        text("direction", "travel direction in the image", enum=get_args(Direction)),
         text(
             "driver_side",
             "side of the driver as entered, seen from the camera; empty: it follows from the direction",
-            lambda v: v.driver_side,
             enum=get_args(DriverSide),
         ),
         *(_not_visible(target) for target in NOT_VISIBLE),
@@ -100,29 +80,21 @@ VEHICLES: Table[VehicleSheet] = Table(
             "when its first frame was filmed, by the clocks of the place (ISO 8601 with offset): started_at "
             "of its recording and first_frame, frames as long as on average; empty while nobody has "
             "confirmed that start",
-            of=lambda v: v.filmed_at,
         ),
-        flag("in_sample", "whether the rule of sampling.csv takes it", lambda v: v.in_sample, required=True),
+        flag("in_sample", "whether the rule of sampling.csv takes it", required=True),
         flag(
             "counts",
             "whether its heights count in results: no check target, and in the sample, unless sampling.csv "
             "counts others too",
-            lambda v: v.counts,
             required=True,
         ),
         text(
             "discarded",
             "why it is no pass of a vehicle to be measured; empty where it is one",
-            lambda v: v.discarded,
             enum=get_args(Discarded),
         ),
-        text("notes", "remarks", lambda v: v.notes),
-        text(
-            "state",
-            "how far the work on it is, by what the survey asks for",
-            lambda v: v.state,
-            required=True,
-        ),
+        text("notes", "remarks"),
+        text("state", "how far the work on it is, by what the survey asks for", required=True),
     ),
     primary=("id",),
     foreign=((("recording_id",), "recordings", ("id",)),),

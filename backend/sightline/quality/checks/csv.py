@@ -11,21 +11,13 @@ WHEEL_PAIRS: Table[WheelPair] = Table(
     "Where both tyres of a vehicle touch the road on one frame: the direction of travel, against which the "
     "road's X axis is checked. The pair that counts of each vehicle.",
     (
-        key("id", "pair of tyre contacts", lambda w: w.id),
-        key("vehicle_id", "vehicle whose tyres were clicked", lambda w: w.vehicle_id),
-        key("recording_id", "recording in which they were clicked", lambda w: w.recording_id),
-        integer(
-            "frame",
-            "frame number: the n-th decoded frame, from 0",
-            lambda w: w.frame,
-            required=True,
-            minimum=0,
-        ),
-        integer(
-            "pts", "presentation time stamp of that frame, in the stream's own time base", lambda w: w.pts
-        ),
-        number("time_s", "time of that frame from the start of the stream", "s", lambda w: w.time_s),
-        integer("frame_crc32", "CRC-32 of the decoded luma of that frame", lambda w: w.frame_crc32),
+        key("id", "pair of tyre contacts"),
+        key("vehicle_id", "vehicle whose tyres were clicked"),
+        key("recording_id", "recording in which they were clicked"),
+        integer("frame", "frame number: the n-th decoded frame, from 0", required=True, minimum=0),
+        integer("pts", "presentation time stamp of that frame, in the stream's own time base"),
+        number("time_s", "time of that frame from the start of the stream", "s"),
+        integer("frame_crc32", "CRC-32 of the decoded luma of that frame"),
         pixel("first_x_px", "x where one tyre touches the road", lambda w: w.first[0]),
         pixel("first_y_px", "y where one tyre touches the road", lambda w: w.first[1]),
         pixel(
@@ -34,8 +26,8 @@ WHEEL_PAIRS: Table[WheelPair] = Table(
         pixel(
             "second_y_px", "y where the other tyre of the same side touches the road", lambda w: w.second[1]
         ),
-        person("created_by_id", "who clicked the points", lambda w: w.created_by),
-        moment("created_at", "when it was stored", lambda w: w.created_at),
+        person("created_by_id", "who clicked the points"),
+        moment("created_at", "when it was stored"),
     ),
     primary=("id",),
     foreign=(

@@ -10,6 +10,7 @@ from sightline.infra.csv_package.columns import (
     moment,
     person,
     text,
+    within,
 )
 from sightline.infra.csv_package.schema import Table
 from sightline.measurements.again.csv import out_of_date
@@ -21,32 +22,27 @@ REPEATS: Table[Measurement] = Table(
     "Measurements clicked again without seeing the first clicks, to know how well people click. They count "
     "for no result. Withdrawn ones are kept and marked.",
     (
-        key("id", "repeat", lambda m: m.id),
+        key("id", "repeat"),
         key("measurement_id", "measurement that was clicked again", lambda m: m.repeat_of),
         *PASS,
-        text("target", "what was measured", lambda m: m.values.target, required=True),
+        *within("values", text("target", "what was measured", required=True)),
         *FRAME,
-        integer("frame_crc32", "CRC-32 of the decoded luma of that frame", lambda m: m.values.frame_crc32),
+        *within("values", integer("frame_crc32", "CRC-32 of the decoded luma of that frame")),
         *POINTS,
         *POSE,
-        metres(
-            "inset_m",
-            "inset: distance from the vertical plane through the contact to the target",
-            lambda m: m.values.inset_m,
+        *within(
+            "values",
+            metres("inset_m", "inset: distance from the vertical plane through the contact to the target"),
+            metres("u_inset_m", "standard uncertainty of the inset (k = 1)"),
+            metres("height_m", "height of the target above the road, corrected for the inset"),
+            metres("u_height_m", "standard uncertainty of height_m (k = 1)"),
+            text("status", "whether there is a height", required=True),
         ),
-        metres("u_inset_m", "standard uncertainty of the inset (k = 1)", lambda m: m.values.u_inset_m),
-        metres(
-            "height_m",
-            "height of the target above the road, corrected for the inset",
-            lambda m: m.values.height_m,
-        ),
-        metres("u_height_m", "standard uncertainty of height_m (k = 1)", lambda m: m.values.u_height_m),
-        text("status", "whether there is a height", lambda m: m.values.status, required=True),
         *REASON,
-        person("created_by_id", "who clicked the points", lambda m: m.created_by),
-        moment("created_at", "when it was stored", lambda m: m.created_at),
-        flag("withdrawn", "true if the repeat was withdrawn", lambda m: m.withdrawn, required=True),
-        out_of_date("recording's road pose", lambda m: m.out_of_date),
+        person("created_by_id", "who clicked the points"),
+        moment("created_at", "when it was stored"),
+        flag("withdrawn", "true if the repeat was withdrawn", required=True),
+        out_of_date("recording's road pose"),
     ),
     primary=("id",),
     foreign=(

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import get_args
 
 from sightline.enums import Lighting, LotLeaving, LotRole, LotState, Target
-from sightline.infra.csv_package.columns import integer, key, moment, number, person, text
+from sightline.infra.csv_package.columns import integer, key, moment, number, person, text, within
 from sightline.infra.csv_package.schema import Column, Table
 from sightline.reviews.lots.records import Decision, Lot, LotItem
 from sightline.statistics.acceptance import Outgoing, outgoing
@@ -50,57 +50,43 @@ LOTS: Table[Lot] = Table(
     'the lot\'s event in audit.csv and all "measurement_id.revision" of the lot in ascending order, '
     'separated by blanks; the draw\'s order is that of sha256 over "seed measurement_id".',
     (
-        key("id", "lot", lambda lot: lot.id),
-        key("number", "number of the lot in its survey", lambda lot: lot.number),
-        text("target", "target of all its heights", lambda lot: lot.common.target, enum=get_args(Target)),
-        text("lighting", "lighting of all", lambda lot: lot.common.lighting, enum=get_args(Lighting)),
-        person("operator_id", "who clicked all of them", lambda lot: lot.common.operator),
-        text("day", "day on which all were measured (UTC)", lambda lot: lot.common.day),
-        integer("size", "heights in it when it was drawn", lambda lot: lot.size, required=True, minimum=1),
-        integer("sample_size", "of them to be judged", lambda lot: lot.sample_size, required=True, minimum=1),
+        key("id", "lot"),
+        key("number", "number of the lot in its survey"),
+        *within(
+            "common",
+            text("target", "target of all its heights", enum=get_args(Target)),
+            text("lighting", "lighting of all", enum=get_args(Lighting)),
+            person("operator_id", "who clicked all of them"),
+            text("day", "day on which all were measured (UTC)"),
+        ),
+        integer("size", "heights in it when it was drawn", required=True, minimum=1),
+        integer("sample_size", "of them to be judged", required=True, minimum=1),
         integer(
             "acceptance_number",
             "it is accepted with so many nonconforming ones in the sample, or fewer",
-            lambda lot: lot.acceptance_number,
             required=True,
             minimum=0,
         ),
-        number(
-            "producer_quality",
-            "fraction nonconforming of a lot that should be accepted",
-            "",
-            lambda lot: lot.risks.producer_quality,
-            required=True,
+        *within(
+            "risks",
+            number(
+                "producer_quality", "fraction nonconforming of a lot that should be accepted", required=True
+            ),
+            number("producer_risk", "chance, at most, that such a lot is not", required=True),
+            number(
+                "consumer_quality",
+                "fraction nonconforming of a lot that should not be accepted",
+                required=True,
+            ),
+            number("consumer_risk", "chance, at most, that such a lot is", required=True),
         ),
-        number(
-            "producer_risk",
-            "chance, at most, that such a lot is not",
-            "",
-            lambda lot: lot.risks.producer_risk,
-            required=True,
-        ),
-        number(
-            "consumer_quality",
-            "fraction nonconforming of a lot that should not be accepted",
-            "",
-            lambda lot: lot.risks.consumer_quality,
-            required=True,
-        ),
-        number(
-            "consumer_risk",
-            "chance, at most, that such a lot is",
-            "",
-            lambda lot: lot.risks.consumer_risk,
-            required=True,
-        ),
-        text("seed", "what the draw follows from", lambda lot: lot.seed, required=True),
-        person("created_by_id", "who had it drawn", lambda lot: lot.created_by),
-        moment("created_at", "when", lambda lot: lot.created_at),
+        text("seed", "what the draw follows from", required=True),
+        person("created_by_id", "who had it drawn"),
+        moment("created_at", "when"),
         text(
             "state",
             "open; accepted by its sample; full inspection: its rest was reviewed one by one; dissolved "
             "before anything was judged; taken back: accepted before",
-            lambda lot: lot.state,
             required=True,
             enum=get_args(LotState),
         ),
@@ -138,9 +124,12 @@ LOT_ITEMS: Table[ItemOfLot] = Table(
     "What each lot holds, in the order of the draw.",
     (
         key("lot_id", "lot", lambda one: one.lot.id),
-        integer("place", "when it was drawn, from 1", lambda one: one.item.place, required=True, minimum=1),
-        key("measurement_id", "measurement", lambda one: one.item.measurement_id),
-        key("revision", "its revision when the lot was drawn", lambda one: one.item.revision),
+        *within(
+            "item",
+            integer("place", "when it was drawn, from 1", required=True, minimum=1),
+            key("measurement_id", "measurement"),
+            key("revision", "its revision when the lot was drawn"),
+        ),
         text(
             "role",
             "of a lot that was decided on: judged as part of the sample, part of the rest, or left before",

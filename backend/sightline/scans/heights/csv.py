@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, cast, get_args
+from typing import Any, get_args
 
 from sightline.enums import JsonObject, Point, ScanVerdict
 from sightline.infra.audit.records import Who
@@ -15,9 +15,9 @@ from sightline.infra.csv_package.columns import (
     metres,
     moment,
     number,
-    of_part,
     person,
     text,
+    within,
 )
 from sightline.infra.csv_package.files import Staging
 from sightline.infra.csv_package.schema import Column, Table
@@ -80,44 +80,16 @@ class HeightBudgetEntry:
 
 
 _SOLVED: tuple[Column[LinePoseValues], ...] = (
+    number("sigma_px", "standard uncertainty of a mark's row; empty: from the residuals", "px"),
+    metres("u_distance_m", "standard uncertainty of each distance of the rod (k = 1)", required=True),
     number(
-        "sigma_px",
-        "standard uncertainty of a mark's row; empty: from the residuals",
-        "px",
-        lambda v: v.sigma_px,
+        "u_lean_rad", "standard uncertainty of the rod's lean at each distance (k = 1)", "rad", required=True
     ),
-    metres(
-        "u_distance_m",
-        "standard uncertainty of each distance of the rod (k = 1)",
-        lambda v: v.u_distance_m,
-        required=True,
-    ),
-    number(
-        "u_lean_rad",
-        "standard uncertainty of the rod's lean at each distance (k = 1)",
-        "rad",
-        lambda v: v.u_lean_rad,
-        required=True,
-    ),
-    metres(
-        "camera_height_m",
-        "height of the camera's centre above the road",
-        lambda v: v.camera_height_m,
-        required=True,
-    ),
-    metres(
-        "u_camera_height_m",
-        "standard uncertainty of camera_height_m (k = 1)",
-        lambda v: v.u_camera_height_m,
-        required=True,
-    ),
-    number("rms_px", "root mean square of the residual rows", "px", lambda v: v.rms_px, required=True),
-    text("code_version", _MADE, lambda v: v.code_version, required=True),
+    metres("camera_height_m", "height of the camera's centre above the road", required=True),
+    metres("u_camera_height_m", "standard uncertainty of camera_height_m (k = 1)", required=True),
+    number("rms_px", "root mean square of the residual rows", "px", required=True),
+    text("code_version", _MADE, required=True),
 )
-
-
-def _solved(pose: StoredLinePose) -> LinePoseValues:
-    return pose.values
 
 
 LINE_POSES: Table[StoredLinePose] = Table(
@@ -125,12 +97,12 @@ LINE_POSES: Table[StoredLinePose] = Table(
     "Calibrations of line scans' camera 1 with a rod held upright; a recording's newest revision counts. "
     "They are solved for from line_marks.",
     (
-        key("id", "calibration", lambda p: p.id),
-        key("scan_id", "line-scan recording", lambda p: p.scan_id),
-        key("revision", "number of the calibration, from 1", lambda p: p.revision),
-        *of_part(_SOLVED, _solved),
-        person("created_by_id", _MAKER, lambda p: p.created_by),
-        moment("created_at", _MADE_AT, lambda p: p.created_at),
+        key("id", "calibration"),
+        key("scan_id", "line-scan recording"),
+        key("revision", "number of the calibration, from 1"),
+        *within("values", *_SOLVED),
+        person("created_by_id", _MAKER),
+        moment("created_at", _MADE_AT),
     ),
     primary=("id",),
     foreign=((("scan_id",), "line_scans", ("id",)), _MAKER_KEY),
@@ -139,7 +111,7 @@ LINE_MARKS: Table[RodMark] = Table(
     "line_marks",
     "The marks of the rod in strip 1 that each calibration is solved for from.",
     (
-        key("pose_id", "calibration, in line_poses", lambda m: m.pose_id),
+        key("pose_id", "calibration, in line_poses"),
         key("mark", "number of the mark, from 1", lambda m: m.number),
         metres(
             "distance_m",
@@ -150,7 +122,7 @@ LINE_MARKS: Table[RodMark] = Table(
         metres("height_m", "height of the mark above the road", lambda m: m.mark["height_m"], required=True),
         number("row_px", "row of strip 1, as clicked", "px", lambda m: m.mark["row_px"], required=True),
         number("line", "line of strip 1, as clicked", "", lambda m: m.mark["line"], required=True),
-        number("residual_px", "the model's row minus row_px", "px", lambda m: m.residual_px, required=True),
+        number("residual_px", "the model's row minus row_px", "px", required=True),
     ),
     primary=("pose_id", "mark"),
     foreign=((("pose_id",), "line_poses", ("id",)),),
@@ -185,8 +157,7 @@ _COLUMNS = {one.name: one for one in MEASUREMENTS.columns}
 
 def _as_of_frames(*names: str) -> Columns:
     """Columns of measurements.csv: what they are of is in a height of a line scan by the same names."""
-    of_revisions = cast(tuple[Column[ScanHeight], ...], tuple(_COLUMNS[name] for name in names))
-    return of_part(of_revisions, lambda listed: listed.height)
+    return within("height", *(_COLUMNS[name] for name in names))
 
 
 LINE_HEIGHTS: Table[ListedHeight] = Table(
@@ -196,34 +167,24 @@ LINE_HEIGHTS: Table[ListedHeight] = Table(
     (
         key("id", "revision of a height", lambda h: h.height.revision_id),
         key("measurement_id", "measurement that this is a revision of", lambda h: h.height.id),
-        key("vehicle_id", "vehicle of a line-scan recording", lambda h: h.height.vehicle_id),
+        *within("height", key("vehicle_id", "vehicle of a line-scan recording")),
         *_as_of_frames("target", "revision"),
-        flag("current", "true for the newest revision", lambda h: h.current, required=True),
+        flag("current", "true for the newest revision", required=True),
         *_as_of_frames("withdrawn"),
-        key(
-            "pose_id",
-            "calibration that it was computed with, in line_poses",
-            lambda h: h.height.values.pose_id,
-        ),
+        *within("height.values", key("pose_id", "calibration that it was computed with, in line_poses")),
         *_clicked("contact", "tyre's contact", lambda v: v.contact),
         *_clicked("target", "target", lambda v: v.target_point),
         *_as_of_frames("sigma_px", "inset_m", "u_inset_m", "inset_from"),
         *_as_of_frames("side", "distance_m"),
-        metres(
-            "u_distance_m",
-            "standard uncertainty of distance_m (k = 1)",
-            lambda h: h.height.values.u_distance_m,
-        ),
+        *within("height.values", metres("u_distance_m", "standard uncertainty of distance_m (k = 1)")),
         *_as_of_frames("height_m", "u_height_m", "U95_height_m", "status", "reason", "reason_code"),
         *_as_of_frames("flags", "flags_code", "code_version", "computing_id"),
         integer(
-            "verdict_of_id",
-            "of a height computed again: earlier revision whose verdict also applies to it",
-            lambda h: h.verdict_of_id,
+            "verdict_of_id", "of a height computed again: earlier revision whose verdict also applies to it"
         ),
         *_as_of_frames("created_by_id", "created_at"),
         *_as_of_frames("verdict", "review_reason", "reviewer_id", "reviewed_at"),
-        out_of_date("line camera's calibration", lambda h: h.height.out_of_date),
+        *within("height", out_of_date("line camera's calibration")),
     ),
     primary=("id",),
     foreign=(
@@ -237,17 +198,13 @@ LINE_HEIGHTS: Table[ListedHeight] = Table(
 )
 
 
-def _given(judged: JudgedHeight) -> Review:
-    return judged.review
-
-
 LINE_HEIGHT_REVIEWS: Table[JudgedHeight] = Table(
     "line_height_reviews",
     "Every verdict given on a revision of a height measured in a line scan, oldest first.",
     (
-        key("id", "verdict", lambda j: j.review.id),
-        key("height_id", "revision that was judged, in line_heights", lambda j: j.height_id),
-        *of_part(given_verdict(get_args(ScanVerdict)), _given),
+        *within("review", key("id", "verdict")),
+        key("height_id", "revision that was judged, in line_heights"),
+        *within("review", *given_verdict(get_args(ScanVerdict))),
     ),
     primary=("id",),
     foreign=((("height_id",), "line_heights", ("id",)), _REVIEWER_KEY),
@@ -256,14 +213,9 @@ LINE_BUDGET: Table[HeightBudgetEntry] = Table(
     "line_height_budget",
     "The contributions to each u_height_m of line_heights; their root sum of squares is u_height_m.",
     (
-        key("height_id", "revision of a height, in line_heights", lambda e: e.height_id),
-        text("source", "source of uncertainty", lambda e: e.source, required=True),
-        metres(
-            "u_m",
-            "its contribution to the standard uncertainty of the height",
-            lambda e: e.u_m,
-            required=True,
-        ),
+        key("height_id", "revision of a height, in line_heights"),
+        text("source", "source of uncertainty", required=True),
+        metres("u_m", "its contribution to the standard uncertainty of the height", required=True),
     ),
     primary=("height_id", "source"),
     foreign=((("height_id",), "line_heights", ("id",)),),

@@ -8,8 +8,8 @@ from typing import get_args
 
 from sightline.coverage import COVERAGE_95
 from sightline.enums import ReferenceQuantity, ReferenceSource
-from sightline.infra.csv_package.columns import flag, key, moment, number, person, text
-from sightline.infra.csv_package.schema import Cell, Table
+from sightline.infra.csv_package.columns import flag, key, moment, number, person, text, within
+from sightline.infra.csv_package.schema import Table
 from sightline.scans.references.records import UNITS, StoredReference
 from sightline.statistics.references import Agreement
 
@@ -25,77 +25,56 @@ class ListedReference:
     found: Agreement | None
 
 
-def _of_agreement(of: Callable[[Agreement], Cell]) -> Callable[[ListedReference], Cell]:
-    return lambda one: None if one.found is None else of(one.found)
-
-
 SCAN_REFERENCES: Table[ListedReference] = Table(
     "scan_references",
     "What something else measured of scanned vehicles: every revision; the newest of a vehicle, quantity and "
     "source counts, unless it is withdrawn. Beside it how far the vehicle's own value is from it.",
     (
-        key("id", "revision", lambda one: one.reference.id),
-        key("vehicle_id", "vehicle of a line-scan recording", lambda one: one.reference.vehicle_id),
-        text(
-            "quantity",
-            "speed: when the front reaches camera 1; length; wheelbase",
-            lambda one: one.reference.values.quantity,
-            required=True,
-            enum=get_args(ReferenceQuantity),
+        *within("reference", key("id", "revision"), key("vehicle_id", "vehicle of a line-scan recording")),
+        *within(
+            "reference.values",
+            text(
+                "quantity",
+                "speed: when the front reaches camera 1; length; wheelbase",
+                required=True,
+                enum=get_args(ReferenceQuantity),
+            ),
+            text(
+                "source",
+                "what measured it; counter: the car's own speedometer",
+                required=True,
+                enum=get_args(ReferenceSource),
+            ),
         ),
-        text(
-            "source",
-            "what measured it; counter: the car's own speedometer",
-            lambda one: one.reference.values.source,
-            required=True,
-            enum=get_args(ReferenceSource),
-        ),
-        key("revision", "number of the revision, from 1", lambda one: one.reference.revision),
-        flag("current", "whether it is the newest revision", lambda one: one.current, required=True),
-        flag(
-            "withdrawn",
-            "whether it takes the value back",
-            lambda one: one.reference.values.withdrawn,
-            required=True,
-        ),
+        *within("reference", key("revision", "number of the revision, from 1")),
+        flag("current", "whether it is the newest revision", required=True),
+        *within("reference.values", flag("withdrawn", "whether it takes the value back", required=True)),
         text("unit", "unit of the row's figures", lambda one: UNITS[one.reference.values.quantity]),
-        number("value", "the reference value", "", lambda one: one.reference.values.value, required=True),
-        number(
-            "u",
-            "standard uncertainty of value (k = 1)",
-            "",
-            lambda one: one.reference.values.u,
-            required=True,
+        *within(
+            "reference.values",
+            number("value", "the reference value", required=True),
+            number("u", "standard uncertainty of value (k = 1)", required=True),
+            text("device", "device or instrument, in words"),
         ),
-        text("device", "device or instrument, in words", lambda one: one.reference.values.device),
-        number(
-            "difference",
-            "measured value minus reference; empty if either is withdrawn or missing",
-            "",
-            _of_agreement(lambda found: found.difference),
+        *within(
+            "found",
+            number("difference", "measured value minus reference; empty if either is withdrawn or missing"),
+            number(
+                "u_difference", "standard uncertainty of the difference (k = 1), both taken as independent"
+            ),
+            number(
+                "U95_difference",
+                "half-width of its 95 % interval",
+                of=lambda found: COVERAGE_95 * found.u_difference,
+            ),
+            number("E_n", "difference over U95_difference (ISO 13528)"),
+            flag("within", "whether the difference is within U95_difference"),
         ),
-        number(
-            "u_difference",
-            "standard uncertainty of the difference (k = 1), both taken as independent",
-            "",
-            _of_agreement(lambda found: found.u_difference),
+        *within(
+            "reference",
+            person("created_by_id", "who entered it"),
+            moment("created_at", "when the revision was stored"),
         ),
-        number(
-            "U95_difference",
-            "half-width of its 95 % interval",
-            "",
-            _of_agreement(lambda found: COVERAGE_95 * found.u_difference),
-        ),
-        number(
-            "E_n", "difference over U95_difference (ISO 13528)", "", _of_agreement(lambda found: found.E_n)
-        ),
-        flag(
-            "within",
-            "whether the difference is within U95_difference",
-            _of_agreement(lambda found: found.within),
-        ),
-        person("created_by_id", "who entered it", lambda one: one.reference.created_by),
-        moment("created_at", "when the revision was stored", lambda one: one.reference.created_at),
     ),
     primary=("id",),
     foreign=(

@@ -32,8 +32,7 @@ def check_references(
         for column in SCAN_REFERENCES.columns:
             if column.name not in FOLLOWING:
                 continue
-            assert column.of is not None
-            if rows[one.reference.id][column.name] != cell_text(column, column.of(one)):
+            if rows[one.reference.id][column.name] != cell_text(column, column.of_object(one)):
                 raise Damaged(
                     "scans-reference-does-not-follow",
                     path=SCAN_REFERENCES.key,

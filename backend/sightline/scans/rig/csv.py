@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, field, fields
 from typing import Any, get_args
 
 from sightline.enums import RigPassKind
 from sightline.infra.audit.records import Who
-from sightline.infra.csv_package.columns import integer, key, metres, moment, number, person, text
+from sightline.infra.csv_package.columns import integer, key, metres, moment, number, person, text, within
 from sightline.infra.csv_package.files import Staging
-from sightline.infra.csv_package.schema import Cell, Column, Table
+from sightline.infra.csv_package.schema import Column, Table
 from sightline.infra.database import Session
 from sightline.linescan.rig_calibration import FittedPass, RigPass
 from sightline.scans.rig.calibrating import found_of
@@ -56,66 +55,34 @@ def _given(name: str) -> Column[ListedPass]:
     return number(name, _MEANINGS[name], _unit(name), lambda one: one.given.get(name))
 
 
-def _value(
-    name: str, meaning: str, unit: str, of: Callable[[StoredRigCalibration], Cell]
-) -> Column[StoredRigCalibration]:
-    return number(name, meaning, unit, of, required=True)
-
-
 RIG_CALIBRATIONS: Table[StoredRigCalibration] = Table(
     "rig_calibrations",
     "Calibrations of rigs by a staff or board that passed both planes; solved for from rig_passes. The rig "
     "took the values of each when it was stored.",
     (
-        key("id", "calibration", lambda c: c.id),
-        key("scan_id", "line-scan recording", lambda c: c.scan_id),
-        key("revision", "number of the calibration, from 1", lambda c: c.revision),
-        _value(
-            "line_rate_hz", "lines a second, for passes of known speed", "Hz", lambda c: c.values.line_rate_hz
+        key("id", "calibration"),
+        key("scan_id", "line-scan recording"),
+        key("revision", "number of the calibration, from 1"),
+        *within(
+            "values",
+            number("line_rate_hz", "lines a second, for passes of known speed", "Hz", required=True),
+            number("u_line_rate_ratio", "its standard uncertainty over it (k = 1)", required=True),
+            number("u_tape_ratio", "standard uncertainty of the tape's scale", required=True),
+            number("u_speed_ratio", "what all known speeds share, a share", required=True),
+            metres("baseline_m", "baseline at the cameras", required=True),
+            metres("u_baseline_m", "standard uncertainty of baseline_m (k = 1)", required=True),
+            number("divergence_rad", "how the baseline grows with the distance", "rad", required=True),
+            number(
+                "u_divergence_rad", "standard uncertainty of divergence_rad (k = 1)", "rad", required=True
+            ),
+            number("baseline_correlation", "of the errors of both", required=True),
+            number("chi2", "chi-square of the passes about the straight line", required=True),
+            integer("degrees_of_freedom", "of the chi-square", required=True),
+            number("p_value", "chance of a chi-square as large", required=True),
+            text("code_version", "version of the program that computed it", required=True),
         ),
-        _value(
-            "u_line_rate_ratio",
-            "its standard uncertainty over it (k = 1)",
-            "",
-            lambda c: c.values.u_line_rate_ratio,
-        ),
-        _value(
-            "u_tape_ratio", "standard uncertainty of the tape's scale", "", lambda c: c.values.u_tape_ratio
-        ),
-        _value("u_speed_ratio", "what all known speeds share, a share", "", lambda c: c.values.u_speed_ratio),
-        metres("baseline_m", "baseline at the cameras", lambda c: c.values.baseline_m, required=True),
-        metres(
-            "u_baseline_m",
-            "standard uncertainty of baseline_m (k = 1)",
-            lambda c: c.values.u_baseline_m,
-            required=True,
-        ),
-        _value(
-            "divergence_rad",
-            "how the baseline grows with the distance",
-            "rad",
-            lambda c: c.values.divergence_rad,
-        ),
-        _value(
-            "u_divergence_rad",
-            "standard uncertainty of divergence_rad (k = 1)",
-            "rad",
-            lambda c: c.values.u_divergence_rad,
-        ),
-        _value("baseline_correlation", "of the errors of both", "", lambda c: c.values.baseline_correlation),
-        _value("chi2", "chi-square of the passes about the straight line", "", lambda c: c.values.chi2),
-        integer(
-            "degrees_of_freedom", "of the chi-square", lambda c: c.values.degrees_of_freedom, required=True
-        ),
-        _value("p_value", "chance of a chi-square as large", "", lambda c: c.values.p_value),
-        text(
-            "code_version",
-            "version of the program that computed it",
-            lambda c: c.values.code_version,
-            required=True,
-        ),
-        person("created_by_id", "who made it current", lambda c: c.created_by),
-        moment("created_at", "when it was stored", lambda c: c.created_at),
+        person("created_by_id", "who made it current"),
+        moment("created_at", "when it was stored"),
     ),
     primary=("id",),
     foreign=((("scan_id",), "line_scans", ("id",)), (("created_by_id",), "people", ("id",))),
@@ -124,31 +91,19 @@ RIG_PASSES: Table[ListedPass] = Table(
     "rig_passes",
     "The passes that each calibration of a rig is solved for from, as they were given, beside the fit.",
     (
-        key("calibration_id", "calibration, in rig_calibrations", lambda one: one.calibration_id),
-        key("number", "number of the pass, from 1", lambda one: one.number),
+        key("calibration_id", "calibration, in rig_calibrations"),
+        key("number", "number of the pass, from 1"),
         text("pass", "its name", lambda one: one.given["name"], required=True),
-        text(
-            "kind",
-            "how it determines the baseline",
-            lambda one: one.fitted.kind,
-            required=True,
-            enum=get_args(RigPassKind),
+        *within(
+            "fitted",
+            text("kind", "how it determines the baseline", required=True, enum=get_args(RigPassKind)),
         ),
         *(_given(name) for name in GIVEN),
-        metres(
-            "span_m",
-            "baseline that the pass gives at its distance",
-            lambda one: one.fitted.span_m,
-            required=True,
-        ),
-        metres(
-            "u_span_m",
-            "standard uncertainty of span_m (k = 1)",
-            lambda one: one.fitted.u_span_m,
-            required=True,
-        ),
-        metres(
-            "residual_m", "span_m minus the fitted baseline", lambda one: one.fitted.residual_m, required=True
+        *within(
+            "fitted",
+            metres("span_m", "baseline that the pass gives at its distance", required=True),
+            metres("u_span_m", "standard uncertainty of span_m (k = 1)", required=True),
+            metres("residual_m", "span_m minus the fitted baseline", required=True),
         ),
     ),
     primary=("calibration_id", "number"),

@@ -28,17 +28,9 @@ def _sizes() -> tuple[Column[CatalogueEntry], ...]:
     for name in SIZES:
         said = _WORDS[name]
         found += [
-            metres(f"{name}_m", said, lambda entry, name=name: entry.size(name)),  # type: ignore[misc]
-            metres(
-                f"u_{name}_m",
-                f"standard uncertainty of the {said} (k = 1)",
-                lambda entry, name=name: getattr(entry, f"u_{name}_m"),  # type: ignore[misc]
-            ),
-            text(
-                f"{name}_source",
-                f"where the {said} comes from, if not from `source`",
-                lambda entry, name=name: getattr(entry, f"{name}_source"),  # type: ignore[misc]
-            ),
+            metres(f"{name}_m", said),
+            metres(f"u_{name}_m", f"standard uncertainty of the {said} (k = 1)"),
+            text(f"{name}_source", f"where the {said} comes from, if not from `source`"),
         ]
     return tuple(found)
 
@@ -47,13 +39,13 @@ CATALOGUE: Table[CatalogueEntry] = Table(
     "catalogue",
     "The models of the catalogue that vehicles are of; the audit chain does not vouch for them.",
     (
-        text("make", "manufacturer", lambda entry: entry.make, required=True),
-        text("model", "model", lambda entry: entry.model, required=True),
-        integer("year_from", "first model year", lambda entry: entry.year_from),
-        integer("year_to", "last model year", lambda entry: entry.year_to),
-        text("category", "kind of body", lambda entry: entry.category, enum=get_args(Category)),
+        text("make", "manufacturer", required=True),
+        text("model", "model", required=True),
+        integer("year_from", "first model year"),
+        integer("year_to", "last model year"),
+        text("category", "kind of body", enum=get_args(Category)),
         *_sizes(),
-        text("source", "where its sizes come from", lambda entry: entry.source),
+        text("source", "where its sizes come from"),
     ),
 )
 
