@@ -13,7 +13,7 @@ from sqlalchemy import text
 from sightline.export.verdicts import verdicts_in
 from sightline.export.verify.package import verify_package
 from sightline.infra.audit.verification import verify_records
-from sightline.infra.csv_package.files import FolderFiles
+from sightline.infra.csv_package.files import FolderFiles, place_of
 from sightline.infra.services import Services
 from sightline.reviews.lots.draw import drawn_order, seed_of
 from sightline.reviews.lots.judged import ItemNow, Judgement, items_of
@@ -306,7 +306,8 @@ def test_a_package_tells_which_verdicts_are_by_lot_and_what_is_forged_is_found(p
         ("measurements.csv", "verdict_by", "individual", "verdict on"),
         ("reviews.csv", "lot_id", "2", "differs from its audit event"),
     ):
-        kept = (package / name).read_bytes()
+        place = package / place_of(FolderFiles(package), name)
+        kept = place.read_bytes()
         edit(
             package,
             name,
@@ -315,7 +316,7 @@ def test_a_package_tells_which_verdicts_are_by_lot_and_what_is_forged_is_found(p
         )  # type: ignore[misc]
         reseal(package)
         assert said in str(check(package)), (name, column)
-        (package / name).write_bytes(kept)
+        place.write_bytes(kept)
         reseal(package)
 
 

@@ -21,6 +21,7 @@ from sightline.infra.csv_package.schema import (
     CHECKSUMS,
     DESCRIPTION,
     PARQUET,
+    TABLES,
     Written,
     parquet_path,
     sha256_hex,
@@ -89,9 +90,9 @@ def check_seal(seal: Seal, written: Mapping[str, Written]) -> None:
             raise Damaged("export-not-the-file-that-the-seal-names", path=path)
 
 
-def _told_first(path: str) -> tuple[bool, bool, bool, str]:
-    """What tells of others comes after them: a table's Parquet, the page, last the description."""
-    return path == DESCRIPTION, path == PAGE, path.startswith(PARQUET), path
+def _told_first(path: str) -> tuple[bool, bool, bool, bool, str]:
+    """Tables come first, then what is made of them, a table's Parquet, the page, last the description."""
+    return path == DESCRIPTION, path == PAGE, path.startswith(PARQUET), not path.startswith(TABLES), path
 
 
 def check_sealed(files: Files, tables: Sequence[str]) -> str | None:

@@ -10,6 +10,7 @@ import json
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
+from datetime import date
 from functools import cache
 
 from sightline import messages
@@ -44,6 +45,11 @@ def said(key: str, **values: str | int) -> str:
 def told(what: Said | str) -> str:
     """What was said; or a sentence that a room below wrote in English, or that was stored so."""
     return what.sentence(spoken()) if isinstance(what, Said) else translated(what, spoken())
+
+
+def day_parts(day: date) -> dict[str, str]:
+    """Year, month and day, as sentences take them."""
+    return {"year": f"{day.year:04d}", "month": f"{day.month:02d}", "day": f"{day.day:02d}"}
 
 
 class Called:

@@ -15,7 +15,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from sightline.export.report.fonts import without_lacking
-from sightline.export.report.said import told
+from sightline.export.report.said import day_parts, told
 from sightline.messages.said import Said
 
 Values: TypeAlias = dict[str, Any]
@@ -52,11 +52,6 @@ def _field(name: str, value: Any) -> Any:
     if isinstance(value, np.ndarray):
         return None
     return settable(told(value) if name in _SENTENCES and isinstance(value, str) else value)
-
-
-def day_parts(day: date) -> dict[str, str]:
-    """Year, month and day, as sentences take them."""
-    return {"year": f"{day.year:04d}", "month": f"{day.month:02d}", "day": f"{day.day:02d}"}
 
 
 def settable_text(words: str) -> str:

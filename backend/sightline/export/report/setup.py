@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from datetime import UTC, datetime, timedelta
 
 from sightline.export.report.facts import ReportFacts, Row
-from sightline.export.report.said import said, told
-from sightline.export.report.settable import Values, day_parts
+from sightline.export.report.said import day_parts, said, told
+from sightline.export.report.settable import Values
 from sightline.export.report.units import SPEED, decimal, fixed
 from sightline.export.report.words import apart, date_words
 from sightline.export.verdicts import VerdictCounts

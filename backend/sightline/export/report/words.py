@@ -6,8 +6,7 @@ from collections.abc import Sequence
 from datetime import date
 from functools import reduce
 
-from sightline.export.report.said import Called, said
-from sightline.export.report.settable import day_parts
+from sightline.export.report.said import Called, day_parts, said
 from sightline.results.selection import Selection
 
 TARGETS = Called("report-target-")
