@@ -245,7 +245,7 @@ def test_a_zip_dropped_on_the_page_is_checked_whole(
     page.locator('[data-choice="zip"]').set_input_files(
         shutil.make_archive(str(tmp_path / "other"), "zip", tmp_path / "changed")
     )
-    expect(check).to_contain_text("Changed after the export: measurements.csv")
+    expect(check).to_contain_text("Changed after the export: tables/measurements.csv")
     expect(page.locator("[data-verdict]")).to_have_attribute("data-verdict", "wrong")
 
 
