@@ -23,7 +23,7 @@ REFUSED = {
     "six_coefficients.yaml": "6 distortion coefficients; 4, 5 or 8",
     "fourteen_coefficients.yaml": "thin-prism and tilt",
     "unknown_lens.yaml": "'division' is not supported",
-    "lens_of_pixels.yaml": "turns back near the middle",
+    "lens_of_pixels.yaml": "folds back near the middle",
     "no_width.yaml": "two whole numbers of pixels",
     "half_a_pixel.yaml": "two whole numbers of pixels",
     "enormous.json": "the image size is not a list of numbers",
