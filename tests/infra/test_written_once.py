@@ -501,7 +501,7 @@ def test_the_command_says_what_the_function_finds(
     """`sightline verify` of a database is `verify_database`: sound, changed, and not ours (status 2)."""
     sound = verify_database(database_url)
     assert main(["verify", database_url]) == 0
-    assert f"{sound.checked} events holds, head {sound.head_hash[:16]}." in capsys.readouterr().out
+    assert f"{sound.checked} events is intact, head {sound.head_hash[:16]}." in capsys.readouterr().out
     _tamper(engine_of(filled), *TAMPERED["a calibration"][0])
     assert main(["verify", database_url, "--json"]) == 1
     said = capsys.readouterr()

@@ -21,10 +21,10 @@ if TYPE_CHECKING:
 @click.option("--scan", required=True, help="Name (or number) of the line-scan recording.")
 @click.option("--vehicle", required=True, type=int, help="Number of the vehicle in the recording.")
 @click.option("-o", "--output", required=True, type=click.Path(path_type=Path), help="HTML file to write.")
-@click.option("--most-kmh", type=float, help="Maximum speed in km/h.")
-@click.option("--least-time-gap-s", type=float, help="Minimum time gap to the vehicle in front, seconds.")
-@click.option("--least-distance-gap-m", type=float, help="Minimum distance to the vehicle in front, metres.")
-@click.option("--risk", type=float, default=0.05, show_default=True, help="Maximum risk of a wrong decision.")
+@click.option("--most-kmh", type=float, help="Limit: speed of at most this, km/h.")
+@click.option("--least-time-gap-s", type=float, help="Limit: time gap of at least this, seconds.")
+@click.option("--least-distance-gap-m", type=float, help="Limit: distance gap of at least this, metres.")
+@click.option("--risk", type=float, default=0.05, show_default=True, help="Risk of a false decision.")
 @click.option("--limit-source", default="", help="Source of the limit: the sign, order or rule.")
 @data_dir_option
 def evidence(

@@ -50,7 +50,13 @@ from sightline.messages.said import Said
     help="Time of line 0 at camera 1 with its offset from UTC: 2026-05-04T06:00:00.000+02:00.",
 )
 @click.option("--u-start", "u_start_s", type=float, help="u of the start (k = 1), seconds.")
-@click.option("--time-axis", type=click.Choice(get_args(TimeAxis)), default="width", show_default=True)
+@click.option(
+    "--time-axis",
+    type=click.Choice(get_args(TimeAxis)),
+    default="width",
+    show_default=True,
+    help="Axis of the images along which time runs.",
+)
 @click.option(
     "-o", "--output", type=click.Path(path_type=Path), help="vehicles.csv to write (default: print it)."
 )
@@ -74,9 +80,9 @@ def linescan(
     """Measure vehicles from two line-scan strips: speed, acceleration, length and gaps.
 
     FIRST and SECOND are PNG or TIFF images; FIRST is from the camera that vehicles reach first. Vehicles of
-    the other direction are measured too (column direction). A file FIRST.json beside it may list lines that
-    the recorder lost: {"dropped_lines": [[line, count], ...]}. With --start every vehicle has the time of day
-    at which its front reached camera 1 (columns front_at, u_front_at_s).
+    the other direction are measured too (column direction). A file FIRST.json beside FIRST may list the
+    lines that the recorder lost: {"dropped_lines": [[line, count], ...]}. With --start every vehicle has the
+    time of day at which its front reached camera 1 (columns front_at, u_front_at_s).
     """
     begun = start_of(start, u_start_s)
     rig = rig_of(baseline, rig_file, line_rate, u_baseline, u_line_rate, shadow_share)

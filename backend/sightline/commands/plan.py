@@ -50,8 +50,10 @@ from sightline.linescan.planner import USUAL_LENGTH_M, USUAL_TIME_GAP_S, LinePla
     "--line-rate", type=float, help="... line rate, Hz (default: lines 10 mm apart on the vehicle) ..."
 )
 @click.option("--u-baseline", type=float, help="... and u of the baseline, metres.")
-@click.option("--length", type=float, help="Length of the vehicle of a line scan, metres (4.5) ...")
-@click.option("--time-gap", type=float, help="... and its time gap to the vehicle in front, seconds (1.5).")
+@click.option("--length", type=float, help="Length of the vehicle of a line scan, metres (default 4.5) ...")
+@click.option(
+    "--time-gap", type=float, help="... and its time gap to the vehicle in front, seconds (default 1.5)."
+)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 def plan(
     camera_file: Path | None,

@@ -115,7 +115,11 @@ def rig_options(command: Command) -> Command:
     """Where the two cameras stand, how quick they are, and how their lines become motion."""
     for option in (
         click.option(
-            "--method", type=click.Choice(get_args(ScanMethod)), default="direct", show_default=True
+            "--method",
+            type=click.Choice(get_args(ScanMethod)),
+            default="direct",
+            show_default=True,
+            help="Direct registration, or block matching as in the paper (Douxchamps et al.).",
         ),
         click.option(
             "--shadow-share",

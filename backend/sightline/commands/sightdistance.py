@@ -25,17 +25,27 @@ FOOT_M = 0.3048
     type=click.Path(path_type=Path),
     help="... or heights.csv: one of its percentiles.",
 )
-@click.option("--eye-percentile", type=float, default=10.0, show_default=True)
+@click.option(
+    "--eye-percentile", type=float, default=10.0, show_default=True, help="Percentile of --eye-heights."
+)
 @click.option("--object", "object_m", type=float, help="Height of the object, metres ...")
 @click.option(
     "--object-heights", type=click.Path(path_type=Path), help="... or heights.csv: one of its percentiles."
 )
-@click.option("--object-percentile", type=float, default=5.0, show_default=True)
+@click.option(
+    "--object-percentile", type=float, default=5.0, show_default=True, help="Percentile of --object-heights."
+)
 @click.option("--distance", "distance_m", type=float, help="Sight distance, metres ...")
 @click.option(
     "--speed", "speed_kmh", type=float, help="... or design speed, km/h, to use the sight distance of --kind."
 )
-@click.option("--kind", type=click.Choice(get_args(SightKind)), default="stopping", show_default=True)
+@click.option(
+    "--kind",
+    type=click.Choice(get_args(SightKind)),
+    default="stopping",
+    show_default=True,
+    help="Sight distance that --speed is converted into.",
+)
 @click.option("--u-eye", "u_eye_m", type=float, help="u of the eye height, metres.")
 @click.option("--u-object", "u_object_m", type=float, help="u of the object height, metres.")
 @click.option(
