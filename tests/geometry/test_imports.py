@@ -152,7 +152,7 @@ def test_a_stereo_file_says_which_eye_and_lets_one_choose(text: str) -> None:
         right = read_camera(text, "rig.yaml", which=which)
         assert right.camera.fx_px == 600 and right.camera.distortion[0] == -0.2
         assert right.notes == ()
-    with pytest.raises(BadInput, match="it holds left, right"):
+    with pytest.raises(BadInput, match="it contains left, right"):
         read_camera(text, "rig.yaml", which="middle")
 
 

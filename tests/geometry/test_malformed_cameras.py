@@ -7,7 +7,7 @@ import pytest
 from sightline.cli import main
 from tests.support.malformed import CAMERA_FILES, camera_files
 
-NO_CAMERA = "holds no camera; give OpenCV"
+NO_CAMERA = "contains no camera; give OpenCV"
 NO_FILE = "is not a readable camera file"
 REFUSED = {
     "transposed.yaml": "must be 3x3 with 0 0 1",
@@ -39,7 +39,7 @@ REFUSED = {
     "bomb.yaml": NO_FILE,
     "command.yaml": NO_FILE,
     "a_list.yaml": NO_CAMERA,
-    "newer.json": "holds no camera matrix",
+    "newer.json": "contains no camera matrix",
     "a_page.json": NO_CAMERA,
     "three_intrinsics.yaml": "four numbers, fu fv pu pv",
     "omni.yaml": "'omni' is not supported",
