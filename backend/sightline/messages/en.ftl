@@ -138,7 +138,7 @@ category-other = Other
 ## Sets of classes of vehicles
 
 class-set-passenger_cars = Passenger cars
-class-set-light_trucks = Light trucks and multi-purpose
+class-set-light_trucks = Light trucks and multi-purpose vehicles
 class-set-heavy = Heavy vehicles
 class-set-none = no set
 class-choice = Classes
@@ -245,7 +245,7 @@ page-checks = Checks
 page-review = Review
 page-lots = Lots
 page-repeats = Repeatability
-page-click-again = Click again
+page-click-again = Blind repeats
 page-scans = Line scans
 page-scan-results = Motion
 page-scan = Line scan
@@ -1726,7 +1726,7 @@ measure-side-from = { $from ->
     }
     [place] direction unknown: seen from the median, all traffic runs one way
     [undirected] direction unknown, so the eye height cannot be computed: set near or far here, or the direction of the vehicle
-   *[unknown] unknown, so the eye height cannot be computed: set it here for this vehicle, or <link>on the survey’s page</link> for all
+   *[unknown] unknown, so the eye height cannot be computed: set it here for this vehicle, or under <link>Settings</link> for all
 }
 measure-inset-roof = Roof point
 measure-inset-needs-class = Choose the class: the inset of a roof depends on it.
@@ -3147,7 +3147,7 @@ motion-head-acceleration = Acc.
 motion-head-size = Length
 motion-head-counter = Speedometer
 motion-head-reference = Reference speed
-motion-head-true = True
+motion-head-true = Known length
 motion-head-fit-error = Fit error (%)
 
 ## Statistics: the page
@@ -6792,7 +6792,7 @@ reference-line-time-of-another = Vehicle { $number } passed { $apart_s } s from 
 reference-times-need-start = { $name } has times, but the start of this line scan is not confirmed, so no vehicle has a time of day. Confirm the start, or give the vehicles’ numbers.
 reference-times-later = The times of { $count } lines are { $off_s } s later (median) than those of their vehicles.
 reference-times-earlier = The times of { $count } lines are { $off_s } s earlier (median) than those of their vehicles.
-reference-times-start = The start of this line scan is known to ± { $U95_s } s only, more than the tolerance of { $tolerance_s } s: a line may fit a neighbour. Check the pairs.
+reference-times-start = The U95 of the start of this line scan is { $U95_s } s, more than the tolerance of { $tolerance_s } s: a line may fit a neighbouring vehicle. Check the pairs.
 reference-line-replaces = Replaces the { $quantity } { $value } { $unit } (u = { $u } { $unit }).
 reference-line-renames = Was a run of { $car }.
 reference-car-too-long = The car’s name is longer than 100 characters; shorten it.
@@ -7294,8 +7294,8 @@ tour-export = One button builds the package for a standards body: report, tables
 report-kind = Measurement report
 report-of-survey = { $survey }, measurement report
 report-survey = Survey
-report-foot = State of { $moment }
-report-foot-head = State of { $moment }, audit head { $head }…
+report-foot = Data as of { $moment }
+report-foot-head = Data as of { $moment }, audit head { $head }…
 report-empty-trail = an empty audit trail
 report-page = Page { $page } of { $pages }
 report-between = { $low } to { $high }
@@ -7352,7 +7352,7 @@ report-category-motorcycle = motorcycle
 report-heading-right = to the right
 report-heading-left = to the left
 report-set-passenger_cars = passenger cars
-report-set-light_trucks = light trucks and multi-purpose
+report-set-light_trucks = light trucks and multi-purpose vehicles
 report-set-heavy = heavy vehicles
 report-divided-by-class_set = set of classes
 report-divided-by-category = category
@@ -7414,8 +7414,8 @@ report-in-this-of = { $measurements ->
    *[other] { $vehicles } vehicles
  }, { $with_reference } with a reference height. Accepted measurements only.
 report-verdicts = Verdicts
-report-state-of = State of
-report-code = Code
+report-state-of = Data as of
+report-code = Software
 report-count-recordings = recordings
 report-count-vehicles = vehicles
 report-count-measurements = measurements
