@@ -6,6 +6,7 @@ from sqlalchemy import exists, select
 from sqlalchemy.orm import Session
 
 from sightline.infra.audit import trail
+from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, get_row, stored_hash, who
 from sightline.infra.database.types import now
@@ -67,14 +68,11 @@ def _fetch(session: Session, *conditions: Any) -> tuple[ClickSigma, ...]:
         .order_by(click_sigmas.c.person_id)
     )
     return tuple(
-        ClickSigma(
-            id=row.id,
-            survey_id=row.survey_id,
+        record_of(
+            ClickSigma,
+            row._mapping,
             person=who(row.person_id, row.person),
-            sigma_px=row.sigma_px,
-            pairs=row.pairs,
             created_by=who(row.created_by, row.maker),
-            created_at=row.created_at,
         )
         for row in session.execute(query)
     )

@@ -23,6 +23,7 @@ from sightline.measurements.bodies import (
     FurtherClicks,
     MeasurementBody,
     NewMeasurement,
+    OnFrameIn,
     measurement_body,
 )
 from sightline.measurements.following.service import followed_text
@@ -66,17 +67,12 @@ def _follow_change(
     return followed_text(services, before.vehicle_id, clicks, body.follow.second_contact, actor=who.id)
 
 
-def clicks_of(body: ClicksIn, target: Target) -> Clicks:
+def clicks_of(body: OnFrameIn, target: Target) -> Clicks:
     """What the body says was clicked."""
     return Clicks(
         target=target,
-        frame=body.frame,
-        contact=body.contact,
-        target_point=body.target_point,
-        more_frames=clicked_frames(body.more_frames),
-        sigma_px=body.sigma_px,
-        inset_m=body.inset_m,
-        u_inset_m=body.u_inset_m,
+        more_frames=clicked_frames(body.more_frames) if isinstance(body, ClicksIn) else (),
+        **{name: getattr(body, name) for name in OnFrameIn.model_fields},
     )
 
 
