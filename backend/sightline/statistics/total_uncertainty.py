@@ -226,26 +226,9 @@ class TotalUncertainty:
         found = self._known(percent)
         if isinstance(found, Said):
             value = self._at(percent / 100.0) if self._supported(percent) else None
-            return TotalPercentile(
-                percent=percent,
-                value=value,
-                U95_low=None,
-                U95_high=None,
-                raw=raw,
-                needs=needs,
-                reason=found,
-            )
-        low, high = ends_of(found.error_m)
-        value = found.value_m
-        return TotalPercentile(
-            percent=percent,
-            value=value,
-            U95_low=value + low,
-            U95_high=value + high,
-            raw=raw,
-            needs=needs,
-            effect=found.effect,
-        )
+            return TotalPercentile(percent, value, None, None, raw, needs, found)
+        low, high = (found.value_m + end for end in ends_of(found.error_m))
+        return TotalPercentile(percent, found.value_m, low, high, raw, needs, effect=found.effect)
 
     def percentile_draws(self, percent: float) -> tuple[float, Floats] | Said:
         """A percentile's value and draws of its error (D,), metres, ascending, or the reason why there are

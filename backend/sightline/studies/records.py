@@ -120,15 +120,15 @@ class ErrorFigure:
     value: TotalFigure
 
 
-@dataclass(frozen=True)
-class PlannedStudy:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlanRow:
     """Sites and vehicles at each that give a percentile its interval; vehicles None: no number does."""
 
     target: StatisticsTarget
     percent: float
     goal_U95_m: float
     sites: int
-    vehicles: int | None
+    vehicles_each: int | None
     U95_m: float | None
 
 
@@ -140,24 +140,7 @@ class StudyRule:
     rule: RuleToday
 
 
-@dataclass(frozen=True)
-class YearDifference:
-    """A figure of a later year less that of the first, metres; percent None: the mean. Either n may be 0."""
-
-    target: StatisticsTarget
-    first_year: int
-    second_year: int
-    percent: float | None
-    n_first: int
-    n_second: int
-    value: float | None
-    U95_low: float | None
-    U95_high: float | None
-    verdict: ComparisonVerdict | None
-    reason: Said | None = None
-
-
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class StudyDifference:
     """A figure of a study less that of another, metres; percent None: the mean."""
 
@@ -170,6 +153,14 @@ class StudyDifference:
     high_m: float | None
     verdict: ComparisonVerdict | None
     reason: Said | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class YearRow(StudyDifference):
+    """A figure of the second year less that of the first. Either n may be 0."""
+
+    first_year: int
+    second_year: int
 
 
 @dataclass(frozen=True)
@@ -194,9 +185,9 @@ class Study:
     targets: list[TargetFigures]
     errors: list[ErrorFigure]
     classes: list[ClassShare]
-    plans: list[PlannedStudy]
+    plans: list[PlanRow]
     rules: list[StudyRule]
-    years: list[YearDifference]
+    years: list[YearRow]
     curves: list[Curve]
     notes: list[Said]
 

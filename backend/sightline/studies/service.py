@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Protocol, get_args
+from typing import Any, Protocol, get_args
 
 import numpy as np
 
@@ -16,25 +16,25 @@ from sightline.enums import StatisticsTarget
 from sightline.errors import BadInput
 from sightline.messages.said import Said
 from sightline.results.standards_store import joined_standards
-from sightline.statistics.comparison import difference_of_figures
 from sightline.statistics.figures import Figure
 from sightline.statistics.standards import Standard
 from sightline.statistics.study_plan import Components, U95_of, plan
 from sightline.statistics.survey_design import weighting_effect
 from sightline.statistics.total_uncertainty import TotalUncertainty
+from sightline.studies.beside import difference_in_cells, no_difference
 from sightline.studies.places import Places, places_of
 from sightline.studies.records import (
     Curve,
     Fleet,
     Ints,
-    PlannedStudy,
+    PlanRow,
     SiteFacts,
     StudiedHeights,
     StudiedSurvey,
     Study,
     StudyRule,
     TargetFigures,
-    YearDifference,
+    YearRow,
 )
 from sightline.studies.rules import rules_of_all, rules_of_classes
 from sightline.studies.shares import class_shares, error_figures
@@ -83,9 +83,9 @@ class _Found:
     """What came out so far, target by target."""
 
     targets: list[TargetFigures] = field(default_factory=list)
-    plans: list[PlannedStudy] = field(default_factory=list)
+    plans: list[PlanRow] = field(default_factory=list)
     rules: list[StudyRule] = field(default_factory=list)
-    years: list[YearDifference] = field(default_factory=list)
+    years: list[YearRow] = field(default_factory=list)
     curves: list[Curve] = field(default_factory=list)
 
 
@@ -208,22 +208,21 @@ def _target_figures(
 
 def _plans(
     target: StatisticsTarget, figures: TotalUncertainty, goal_m: float, sites_there: float
-) -> list[PlannedStudy]:
+) -> list[PlanRow]:
     told = figures.components(_PLANNED_PERCENT)
     if told is None:
         return []
     components = Components(told.sampling_m, told.between_m, told.common_m, sites_there)
     found = []
     for sites, vehicles in plan(components, _PLANNED_SITES, goal_m):
-        reached = None if vehicles is None else U95_of(components, sites, vehicles)
         found.append(
-            PlannedStudy(
+            PlanRow(
                 target=target,
                 percent=_PLANNED_PERCENT,
                 goal_U95_m=goal_m,
                 sites=sites,
-                vehicles=vehicles,
-                U95_m=reached,
+                vehicles_each=vehicles,
+                U95_m=None if vehicles is None else U95_of(components, sites, vehicles),
             )
         )
     return found
@@ -231,7 +230,7 @@ def _plans(
 
 def _years(
     target: StatisticsTarget, rows: StudiedHeights, surveys: Sequence[StudiedSurvey], asked: Plan
-) -> list[YearDifference]:
+) -> list[YearRow]:
     """Each later year beside the first: percentiles and mean, each year weighted to the fleet by itself."""
     years = sorted({one.year for one in surveys if one.year is not None})
     if len(years) < 2 or not len(rows.height_m):
@@ -261,40 +260,18 @@ def _differences(
     target: StatisticsTarget,
     years: tuple[int, int],
     both: tuple[tuple[Weighted, TotalUncertainty | None], tuple[Weighted, TotalUncertainty | None]],
-) -> list[YearDifference]:
+) -> list[YearRow]:
     (of_first, first), (of_second, second) = both
-    none = YearDifference(
-        target=target,
-        first_year=years[0],
-        second_year=years[1],
-        percent=None,
-        n_first=of_first.n,
-        n_second=of_second.n,
-        value=None,
-        U95_low=None,
-        U95_high=None,
-        verdict=None,
-        reason=of_first.reason or of_second.reason,
-    )
+    named: dict[str, Any] = {"target": target, "first_year": years[0], "second_year": years[1]}
+    named |= {"n_first": of_first.n, "n_second": of_second.n}
     if first is None or second is None:
-        return [none] if of_first.n and of_second.n else []
+        none = no_difference(of_first.reason or of_second.reason)
+        return [YearRow(**named, percent=None, **none)] if of_first.n and of_second.n else []
     pairs: list[tuple[float | None, Figure, Figure]] = [
         (percent, first.percentile(percent), second.percentile(percent)) for percent in PERCENTS
     ]
     pairs.append((None, first.mean(), second.mean()))
-    found = []
-    for percent, before, after in pairs:
-        one = difference_of_figures(before, after)
-        told = one.difference
-        found.append(
-            replace(
-                none,
-                percent=percent,
-                value=None if np.isnan(told.value) else told.value,
-                U95_low=told.U95_low,
-                U95_high=told.U95_high,
-                verdict=one.verdict,
-                reason=told.reason,
-            )
-        )
-    return found
+    return [
+        YearRow(**named, percent=percent, **difference_in_cells(before, after))
+        for percent, before, after in pairs
+    ]
