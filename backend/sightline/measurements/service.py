@@ -188,7 +188,7 @@ def gone_by_measuring(context: ClickContext, target: Target) -> VehicleChanges:
     """What was said of a vehicle and no longer holds once the target is measured."""
     gone = [f"{target}_not_visible"] if target in context.not_visible else []
     gone += ["discarded"] if context.discarded else []
-    return cast(VehicleChanges, dict.fromkeys(gone))
+    return dict.fromkeys(gone)
 
 
 def store_revision(session: Session, before: Measurement, clicks: Clicks, *, actor: int) -> Measurement:

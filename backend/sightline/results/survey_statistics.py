@@ -253,7 +253,7 @@ def filtered(found: Measured, chosen: Filter) -> tuple[Measured, LeftOut]:
     if chosen.lighting is not None:
         keep &= found.lighting == LIGHTING.index(chosen.lighting)
     if chosen.categories or chosen.class_sets:
-        keep &= of_classes(found, chosen.categories, chosen.class_sets)
+        keep &= found.of_classes(chosen.categories, chosen.class_sets)
     if chosen.operator_id is not None:
         keep &= found.operator_id == chosen.operator_id
     if chosen.first_day is not None:
@@ -272,14 +272,6 @@ def filtered(found: Measured, chosen: Filter) -> tuple[Measured, LeftOut]:
     if count := int(np.count_nonzero(outside & of_target)):
         left_out[OUT_OF_SAMPLE] = count
     return found.where(keep & wanted & ~outside), LeftOut(left_out, without_time)
-
-
-def of_classes(
-    measured: Measured, categories: Sequence[Category], class_sets: Sequence[ClassSet] = ()
-) -> NDArray[np.bool_]:
-    """Whose vehicles (N,) are of one of the classes, or count in one of the sets."""
-    of_set = np.isin(measured.class_set, [CLASS_SETS.index(one) for one in class_sets])
-    return of_set | np.isin(measured.category, [CATEGORIES.index(one) for one in categories])
 
 
 def _of_target(measured: Measured, target: StatisticsTarget | None) -> NDArray[np.bool_]:
@@ -398,7 +390,7 @@ def figures_of_rule(
     rows = _of_target(measured, target)
     by_class = by_class and bool(np.any(measured.category[rows] != NONE))
     if by_class:
-        rows = rows & of_classes(measured, *classes)
+        rows = rows & measured.of_classes(*classes)
     if not rows.any():
         return None, by_class
     sample = height_sample(measured.where(rows), sites.where(rows) if sites else None)

@@ -64,27 +64,6 @@ class Fleet:
     margins: Mapping[str, Mapping[str, float]]
 
 
-@dataclass(frozen=True, eq=False)
-class StudiedHeights:
-    """Counted heights of one target, (N,) each: accepted, not withdrawn. package: which of the study's;
-    category, lighting, class_set: codes of words, -1 for none; inset_m, u_inset_m, u_clicks_m, u_by_inset_m:
-    NaN where not known; reference_m: the maker's height, NaN where not known.
-    """
-
-    package: Ints
-    pose: Ints
-    category: Ints
-    lighting: Ints
-    class_set: Ints
-    height_m: Floats
-    u_height_m: Floats
-    u_clicks_m: Floats
-    u_by_inset_m: Floats
-    inset_m: Floats
-    u_inset_m: Floats
-    reference_m: Floats
-
-
 @dataclass(frozen=True)
 class TargetFigures:
     """The figures of one target's heights, or the reason why there are none."""

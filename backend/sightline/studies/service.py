@@ -15,6 +15,7 @@ import numpy as np
 from sightline.enums import StatisticsTarget
 from sightline.errors import BadInput
 from sightline.messages.said import Said
+from sightline.results.measured_columns_query import Heights
 from sightline.results.standards_store import joined_standards
 from sightline.statistics.figures import Figure
 from sightline.statistics.standards import Standard
@@ -29,7 +30,6 @@ from sightline.studies.records import (
     Ints,
     PlanRow,
     SiteFacts,
-    StudiedHeights,
     StudiedSurvey,
     Study,
     StudyRule,
@@ -38,7 +38,7 @@ from sightline.studies.records import (
 )
 from sightline.studies.rules import rules_of_all, rules_of_classes
 from sightline.studies.shares import class_shares, error_figures
-from sightline.studies.weighted import Weighted, refuse_fleet, weighted, where
+from sightline.studies.weighted import Weighted, refuse_fleet, weighted
 
 TARGETS: tuple[StatisticsTarget, ...] = get_args(StatisticsTarget)
 PERCENTS = (2.5, 5.0, 10.0, 15.0, 50.0, 85.0, 90.0, 95.0, 97.5)
@@ -61,7 +61,7 @@ class Tables(Protocol):
         """(survey, category, lighting), (V,) each, of every vehicle with a counted height."""
         ...
 
-    def heights(self, target: StatisticsTarget) -> StudiedHeights:
+    def heights(self, target: StatisticsTarget) -> Heights:
         """The counted heights of one target, by survey and number."""
         ...
 
@@ -161,7 +161,7 @@ def _notes_of_counts(surveys: Sequence[StudiedSurvey], counted: Ints, outside: I
 
 def _of_target(
     target: StatisticsTarget,
-    rows: StudiedHeights,
+    rows: Heights,
     surveys: Sequence[StudiedSurvey],
     places: Places,
     asked: Plan,
@@ -171,7 +171,7 @@ def _of_target(
 ) -> None:
     """Everything of one target, put with what was found."""
     of = weighted(rows, places, asked.fleet)
-    left_out = len(rows.height_m) - of.n
+    left_out = len(rows) - of.n
     if left_out:
         notes.append(Said("study-without-class", count=left_out, target=target))
     figures = None if of.design is None else of.figures()
@@ -192,7 +192,7 @@ def _of_target(
 def _target_figures(
     target: StatisticsTarget, of: Weighted, figures: TotalUncertainty | None, places: Places
 ) -> TargetFigures:
-    at = int(np.count_nonzero(np.bincount(places.of_survey[of.rows.package]))) if of.n else 0
+    at = int(np.count_nonzero(np.bincount(places.of_survey[of.rows.survey_id]))) if of.n else 0
     if figures is None or of.design is None:
         return TargetFigures(target, of.n, at, reason=of.reason)
     return TargetFigures(
@@ -229,11 +229,11 @@ def _plans(
 
 
 def _years(
-    target: StatisticsTarget, rows: StudiedHeights, surveys: Sequence[StudiedSurvey], asked: Plan
+    target: StatisticsTarget, rows: Heights, surveys: Sequence[StudiedSurvey], asked: Plan
 ) -> list[YearRow]:
     """Each later year beside the first: percentiles and mean, each year weighted to the fleet by itself."""
     years = sorted({one.year for one in surveys if one.year is not None})
-    if len(years) < 2 or not len(rows.height_m):
+    if len(years) < 2 or not len(rows):
         return []
     first, *later = [_of_year(year, rows, surveys, asked) for year in years]
     return [
@@ -244,14 +244,14 @@ def _years(
 
 
 def _of_year(
-    year: int, rows: StudiedHeights, surveys: Sequence[StudiedSurvey], asked: Plan
+    year: int, rows: Heights, surveys: Sequence[StudiedSurvey], asked: Plan
 ) -> tuple[Weighted, TotalUncertainty | None]:
     """The heights of one year's surveys as a study of its own."""
     here = [n for n, one in enumerate(surveys) if one.year == year]
     own = np.full(len(surveys), -1, dtype=np.int64)
     own[here] = np.arange(len(here))
-    of_year = where(rows, own[rows.package] >= 0)
-    of_year = replace(of_year, package=own[of_year.package])
+    of_year = rows.where(own[rows.survey_id] >= 0)
+    of_year = replace(of_year, survey_id=own[of_year.survey_id])
     of = weighted(of_year, places_of([surveys[n] for n in here], asked.sites), asked.fleet)
     return of, None if of.design is None else of.figures()
 

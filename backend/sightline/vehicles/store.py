@@ -49,8 +49,9 @@ class PassCount:
 
 
 _ALIVE: ColumnElement[bool] = vehicles.c.deleted_at.is_(None)
-_FIELDS = frozenset(VehicleChanges.__annotations__)
 _SKIPPED = ("created_at", "created_by", "updated_by", "deleted_at")
+_FIXED = ("id", "survey_id", "recording_id", "number", "version", "updated_at", *_SKIPPED)
+_FIELDS = frozenset(column.name for column in columns_of(vehicles, *_FIXED))
 _NAMED = [column.name for column in columns_of(vehicles, *_SKIPPED)]
 _OF_RECORDING = ("started_at", "time_zone", "duration_s", "frame_count")
 
