@@ -10,6 +10,7 @@ from sightline.export.records import Export
 from sightline.export.seal import ACTION, ENTITY
 from sightline.infra.audit import trail
 from sightline.infra.audit.records import AuditHead
+from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, get_row, missing, who
 from sightline.infra.database.types import now
@@ -70,10 +71,11 @@ def _fetch(session: Session, condition: Any) -> tuple[Export, ...]:
         .order_by(exports.c.id.desc())
     )
     return tuple(
-        Export(
+        record_of(
+            Export,
+            row,
             created_by=who(row["created_by"], row["maker"]),
             selection=selection_of(row["selection"]),
-            **{key: value for key, value in row.items() if key not in ("created_by", "maker", "selection")},
         )
         for row in session.execute(query).mappings()
     )
