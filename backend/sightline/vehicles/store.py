@@ -48,6 +48,8 @@ class PassCount:
     passes: int
 
 
+#: A vehicle without lighting has its recording's.
+LIGHT = func.coalesce(vehicles.c.lighting, recordings.c.lighting).label("light")
 _ALIVE: ColumnElement[bool] = vehicles.c.deleted_at.is_(None)
 _SKIPPED = ("created_at", "created_by", "updated_by", "deleted_at")
 _FIXED = ("id", "survey_id", "recording_id", "number", "version", "updated_at", *_SKIPPED)
@@ -229,9 +231,8 @@ def vehicle_rows(*where: ColumnElement[bool], deleted: bool = False) -> Select[A
     `deleted`: those too.
     """
     of_survey = (*(surveys.c[name] for name in TRAFFIC), surveys.c.asked, surveys.c.sampling)
-    light = func.coalesce(vehicles.c.lighting, recordings.c.lighting).label("light")
     filmed = (recordings.c[name] for name in _OF_RECORDING)
-    query = select(vehicles, people.c.name.label("changer"), *of_survey, light, *filmed)
+    query = select(vehicles, people.c.name.label("changer"), *of_survey, LIGHT, *filmed)
     query = query.join(surveys, surveys.c.id == vehicles.c.survey_id)
     query = query.join(recordings, recordings.c.id == vehicles.c.recording_id)
     query = query.outerjoin(people, people.c.id == vehicles.c.updated_by).order_by(vehicles.c.number)
