@@ -87,7 +87,7 @@ def _why(row: Mapping[str, str]) -> tuple[str, Said] | None:
     if row["withdrawn"] == "true":
         return "withdrawn", Said("excluded-withdrawn")
     if row["status"] != "ok":
-        return "not_measurable", _reason(row) or Said("excluded-no-height")
+        return "not_measurable", reason_in(row) or Said("excluded-no-height")
     if row["verdict"] == "rejected":
         return "rejected", _of_person(row) or Said("excluded-rejected")
     if row["verdict"] == "to_review":
@@ -97,8 +97,8 @@ def _why(row: Mapping[str, str]) -> tuple[str, Said] | None:
     return None
 
 
-def _reason(row: Mapping[str, str]) -> Said | None:
-    """Of a height that is missing; a package of an earlier program may have its words alone."""
+def reason_in(row: Mapping[str, str]) -> Said | None:
+    """Of what is missing; a package of an earlier program may have its words alone."""
     return code_in(unsafe(row["reason_code"])) or (
         Said.read(unsafe(row["reason"])) if row["reason"] else None
     )

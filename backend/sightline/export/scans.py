@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import asdict
 from typing import cast, get_args
 
@@ -15,6 +15,7 @@ from sightline.enums import (
     Target,
 )
 from sightline.export.chosen import chosen_scanned
+from sightline.export.exclusions import reason_in
 from sightline.export.statistics_rows import (
     BAND,
     INTERVAL,
@@ -24,11 +25,10 @@ from sightline.export.statistics_rows import (
     error_rows,
     statistics_table,
 )
-from sightline.infra.csv_package.columns import code_in, integer, metres, number, text, words_of
+from sightline.infra.csv_package.columns import integer, metres, number, text, words_of
 from sightline.infra.csv_package.files import Files, read_columns, read_rows, unsafe
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.linescan.rig import rig_from
-from sightline.messages.said import Said
 from sightline.results.csv import selection_in
 from sightline.scans.heights.csv import LINE_HEIGHTS
 from sightline.scans.records import state_of
@@ -217,7 +217,7 @@ def scanned_motions(files: Files) -> Iterator[VehicleMotion]:
                 )
             },
             status=row["status"] or "not_measurable",
-            reason=_reason(row),
+            reason=reason_in(row),
             filmed_at=row["filmed_at"],
             u_filmed_at_s=figure_of(row["u_filmed_at_s"]),
             run_of=row["run_of"] or None,
@@ -229,12 +229,6 @@ def scanned_motions(files: Files) -> Iterator[VehicleMotion]:
                 {} if rig is None else when_passed(rig, float(row["front_line_1"]), float(row["rear_line_1"]))
             ),
         )
-
-
-def _reason(row: Mapping[str, str]) -> Said | None:
-    """Why there is no motion; a package of an earlier version has the words alone."""
-    told = code_in(row["reason_code"])
-    return Said.read(unsafe(row["reason"])) if row["reason"] and told is None else told
 
 
 def _standing(files: Files) -> dict[str, list[ReferenceValues]]:
