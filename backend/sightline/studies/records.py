@@ -183,7 +183,9 @@ class StudySurvey:
 
 @dataclass(frozen=True, slots=True)
 class StudyFacts:
-    """What people say of a study; the tables of its fleet and sites as they were uploaded, "" for none."""
+    """What people say of a study; the tables of its fleet and sites as they were uploaded, "" for none; the
+    U95 of P10 that a further study is to have.
+    """
 
     name: str
     description: str = ""

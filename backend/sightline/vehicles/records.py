@@ -66,14 +66,10 @@ def is_reference(chosen_by: str | None) -> bool:
     return chosen_by != BY_SIZE
 
 
-@dataclass(frozen=True, slots=True)
-class Vehicle:
-    """The facts of a record; its measurements are on its sheet (`measurements`)."""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class VehicleFields:
+    """What people fill in of a vehicle, or the search for passes."""
 
-    id: int
-    survey_id: int
-    recording_id: int
-    number: int
     first_frame: int
     last_frame: int
     best_frame: int | None
@@ -130,6 +126,16 @@ class Vehicle:
         Discarded | None, Field(description="Why it is no pass of a vehicle to be measured.")
     ]
     detection: Annotated[JsonObject | None, Field(description="What the search for passes saw of it.")]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Vehicle(VehicleFields):
+    """The facts of a record; its measurements are on its sheet (`measurements`)."""
+
+    id: int
+    survey_id: int
+    recording_id: int
+    number: int
     version: int
     updated_by: Who | None
     updated_at: datetime
@@ -170,5 +176,5 @@ class Vehicle:
         }
 
 
-#: Fields of a vehicle record that people fill in, by name; keys left out stay as they are.
+#: `VehicleFields` by name; keys left out stay as they are.
 VehicleChanges = Mapping[str, Any]

@@ -1,7 +1,7 @@
 """Vehicle records: their facts."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any, get_args
 
 from sqlalchemy import ColumnElement, Select, and_, func, select
@@ -27,6 +27,7 @@ from sightline.vehicles.records import (
     NOT_VISIBLE,
     Vehicle,
     VehicleChanges,
+    VehicleFields,
 )
 from sightline.vehicles.tables import vehicles
 
@@ -52,8 +53,7 @@ class PassCount:
 LIGHT = func.coalesce(vehicles.c.lighting, recordings.c.lighting).label("light")
 _ALIVE: ColumnElement[bool] = vehicles.c.deleted_at.is_(None)
 _SKIPPED = ("created_at", "created_by", "updated_by", "deleted_at")
-_FIXED = ("id", "survey_id", "recording_id", "number", "version", "updated_at", *_SKIPPED)
-_FIELDS = frozenset(column.name for column in columns_of(vehicles, *_FIXED))
+_FIELDS = frozenset(one.name for one in fields(VehicleFields))
 _NAMED = [column.name for column in columns_of(vehicles, *_SKIPPED)]
 _OF_RECORDING = ("started_at", "time_zone", "duration_s", "frame_count")
 
