@@ -153,10 +153,7 @@ def pass_spans(session: Session, recording_id: int) -> tuple[PassSpan, ...]:
     """The spans of all passes of a recording, discarded ones too."""
     columns = (vehicles.c.first_frame, vehicles.c.last_frame, vehicles.c.direction)
     query = select(*columns).where(vehicles.c.recording_id == recording_id).order_by(vehicles.c.first_frame)
-    return tuple(
-        PassSpan(first_frame=row.first_frame, last_frame=row.last_frame, direction=row.direction)
-        for row in session.execute(query)
-    )
+    return tuple(PassSpan(*row) for row in session.execute(query))
 
 
 def _check_year(fields: VehicleChanges) -> None:
