@@ -4,7 +4,6 @@ import re
 from dataclasses import dataclass
 from datetime import date, datetime
 from typing import Annotated, get_args
-from urllib.parse import quote
 
 from fastapi import APIRouter
 from fastapi.responses import FileResponse
@@ -140,5 +139,4 @@ def download_export(export_id: PathId, who: Exporter, services: Wired) -> FileRe
         made = store.get_export(session, export_id)
         name = get_survey(session, made.survey_id).name
     path = services.media.local_path(made.media_key)
-    headers = {"Content-Disposition": f"attachment; filename={quote(filename_of(made, name))}"}
-    return FileResponse(path, media_type="application/zip", headers=headers)
+    return FileResponse(path, media_type="application/zip", filename=filename_of(made, name))

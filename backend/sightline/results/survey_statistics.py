@@ -25,7 +25,6 @@ from sightline.enums import (
     Category,
     ClassSet,
     Correction,
-    Lighting,
     Rounding,
     StandardHeight,
     StatisticsState,
@@ -36,7 +35,6 @@ from sightline.infra.audit import trail
 from sightline.infra.database import Session
 from sightline.infra.web.person import Seen
 from sightline.people.store import list_people
-from sightline.recordings.filming import FilmedWithin
 from sightline.results.measured_columns_query import (
     CATEGORIES,
     CLASS_SETS,
@@ -48,6 +46,7 @@ from sightline.results.measured_columns_query import (
     Measured,
     load_measured_columns,
 )
+from sightline.results.selection import Selection
 from sightline.results.standards_store import standards_of_surveys
 from sightline.results.survey_comparison import ComparedSurveys, compared_surveys
 from sightline.results.usual_standards import STANDARDS
@@ -88,7 +87,7 @@ _EPOCH = date(1970, 1, 1)
 
 
 @dataclass(frozen=True)
-class Filter(FilmedWithin):
+class Filter(Selection):
     """Which measurements count; None or empty: no limit. Days are of a measurement's making (UTC).
 
     A vehicle counts if its class is one of `categories` or counts in one of `class_sets`.
@@ -98,9 +97,6 @@ class Filter(FilmedWithin):
     """
 
     survey_ids: tuple[int, ...] = ()
-    lighting: Lighting | None = None
-    categories: tuple[Category, ...] = ()
-    class_sets: tuple[ClassSet, ...] = ()
     operator_id: int | None = None
     first_day: date | None = None
     last_day: date | None = None

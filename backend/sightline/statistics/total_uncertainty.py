@@ -204,13 +204,7 @@ class TotalUncertainty:
     @property
     def holds_in_words(self) -> Said:
         """What the intervals hold, and for which roads, as the end of a sentence."""
-        words: dict[IntervalPart, Said] = {
-            "sampling": Said("stat-sampling"),
-            "sites": Said("stat-sites", sites=self.sites),
-            "shared_errors": Said("stat-shared-errors"),
-            "random_error": Said("stat-random-error-removed"),
-        }
-        return holding([words[part] for part in self.holds], self.sites)
+        return holding(self.holds, self.sites, "stat-random-error-removed")
 
     def percentile(self, percent: float) -> TotalPercentile:
         """THE percentile, 0 < percent < 100, metres: of the true heights, with its total 95 % interval.

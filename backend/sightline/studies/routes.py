@@ -1,7 +1,6 @@
 """Studies: surveys of this installation joined, their figures, packages and reports."""
 
 import re
-from urllib.parse import quote
 
 from fastapi import APIRouter, Response
 from fastapi.responses import FileResponse
@@ -234,8 +233,7 @@ def _found(services: Services, who: Person, study_id: int, result_id: int) -> tu
 
 
 def _file(services: Services, key: str, kind: str, name: str) -> FileResponse:
-    headers = {"Content-Disposition": f"attachment; filename={quote(name)}"}
-    return FileResponse(services.media.local_path(key), media_type=kind, headers=headers)
+    return FileResponse(services.media.local_path(key), media_type=kind, filename=name)
 
 
 def _plain(study: StoredStudy) -> str:

@@ -12,6 +12,7 @@ from sightline.errors import BadInput
 from sightline.messages.said import Said
 from sightline.results.measured_columns_query import CATEGORIES, LIGHTING, Heights
 from sightline.statistics.drawn import lonely_strata, ordered
+from sightline.statistics.sites import compact
 from sightline.statistics.survey_design import Design
 from sightline.statistics.survey_weights import Margin, calibrated
 from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty, sample_of_measurements
@@ -47,8 +48,7 @@ class Weighted:
         design = ordered(self.design, np.flatnonzero(chosen))
         if len(rows) < LEAST:
             return Weighted(rows, None, _too_few())
-        code = (np.cumsum(np.bincount(design.site) > 0) - 1)[design.site]
-        design = replace(design, site=np.asarray(code, dtype=np.int64))
+        design = replace(design, site=compact(design.site))
         if lonely_strata(design) and not lonely_strata(self.design):
             return Weighted(rows, None, Said("study-class-at-one-site"))
         return Weighted(rows, design)
@@ -148,11 +148,7 @@ def sample_of(rows: Heights) -> HeightSample:
 
 def _pose_codes(rows: Heights) -> Ints:
     """A number for each pose of each package, from 0."""
-    most = int(rows.pose_id.max()) + 1
-    both = rows.survey_id * most + rows.pose_id
-    if (int(rows.survey_id.max()) + 1) * most > 8 * len(both) + 1_000_000:
-        return _codes(both)
-    return np.asarray((np.cumsum(np.bincount(both) > 0) - 1)[both], dtype=np.int64)
+    return compact(rows.survey_id * (int(rows.pose_id.max()) + 1) + rows.pose_id)
 
 
 def _codes(values: NDArray[np.generic]) -> Ints:
