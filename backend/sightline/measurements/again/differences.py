@@ -10,7 +10,6 @@ from typing import Protocol, TypeVar
 
 from sightline.enums import Category, ComputingCause, DriverSide, InsetSource, SideBasis, Target, Verdict
 from sightline.geometry.sides import FoundSide
-from sightline.infra.by_name import filled_from
 from sightline.measurements.height_of_clicks import filled_in, on_side
 from sightline.measurements.records import Clicks, MeasurementValues, ScanHeightValues
 from sightline.surveys.records import Inset
@@ -59,7 +58,15 @@ class Facts:
 
 def facts_of(said: Values | Clicks, pose_id: int) -> Facts:
     """Those of a stored content, or of clicks with everything filled in."""
-    return filled_from(Facts, said, pose_id=pose_id, solved=bool(said.more_frames))
+    return Facts(
+        pose_id=pose_id,
+        side=said.side,
+        side_from=said.side_from,
+        inset_m=said.inset_m,
+        u_inset_m=said.u_inset_m,
+        inset_from=said.inset_from,
+        solved=bool(said.more_frames),
+    )
 
 
 def causes_of_facts(then: Facts, now: Facts) -> tuple[ComputingCause, ...]:
