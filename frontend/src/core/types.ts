@@ -86,7 +86,7 @@ export type Recording = Schemas["RecordingBody"];
 export type RecordingChange = Partial<Schemas["RecordingChange"]>;
 export type UnfinishedUpload = Schemas["UploadBody"];
 
-export type BoardFinding = Schemas["BoardBody"];
+export type BoardFinding = Schemas["BoardView"];
 export type AxisLines = Schemas["DrawnAxes"];
 export type PoseSummary = Schemas["PoseSummaryBody"];
 export type PoseOverlay = Schemas["PoseOverlay"];
