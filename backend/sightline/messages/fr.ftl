@@ -468,7 +468,7 @@ system-checkpoints-loading = points de contrôle
 system-checkpoints-key = Clé actuelle
 system-checkpoints-keys-before = { $count ->
     [one] Elle remplace { $count } clé antérieure, qui l’a signée.
-   *[other] Elle remplace { $count } clés antérieures ; chacune a signé la suivante.
+   *[other] Elle remplace { $count } clés antérieures ; chacune a signé la suivante.
   }
 system-checkpoints-none = Aucun point de contrôle pour l’instant.
 system-checkpoints-chains = Chaînes
@@ -2274,7 +2274,7 @@ live-no-vehicles = Pas encore de véhicules
 live-picture-later = Les images des véhicules sont disponibles quand cette partie du flux est terminée et importée.
 scans-add = Ajouter un balayage
 scans-all = Tous les balayages
-scans-no-such-lane = Le dispositif n’a pas de voie { $lane } ; choisissez une de ses voies.
+scans-no-such-lane = Le dispositif n’a pas de voie { $lane } ; choisissez une de ses voies.
 scans-none-title = Pas encore de balayages
 scans-none = Un opérateur peut envoyer ici les bandes des deux caméras.
 scans-delete-title = Supprimer { $scan } ?
@@ -2704,7 +2704,7 @@ scan-reference-length = Longueur
 scan-reference-wheelbase = Empattement
 scan-reference-counter = compteur du véhicule
 scan-reference-radar = radar
-scan-reference-laser = pistolet laser
+scan-reference-laser = cinémomètre laser
 scan-reference-gps = GPS
 scan-reference-loop = boucle
 scan-reference-tape = mètre ruban
@@ -3082,7 +3082,7 @@ motion-spread-says = { $count ->
 }
 motion-spread-note = Centiles en { $unit }, avec intervalles à 95 % : { $percentiles }.
 
-## Mouvement : le tableau de l'article
+## Mouvement : le tableau de l’article
 
 flows-title = Trafic par tranche horaire
 flows-note = Le débit, les temps intervéhiculaires et le taux d’occupation comprennent tous les véhicules trouvés ; les vitesses et longueurs, les véhicules mesurés choisis ci-dessus.
@@ -3242,7 +3242,7 @@ statistics-reference-u-hint = Pour les hauteurs sans u propre. Loi uniforme, dem
 statistics-reference-u-inches = Saisissez un nombre de pouces.
 statistics-reference-u-millimetres = Saisissez un nombre de millimètres.
 
-## Statistiques : le tableau d'erreurs
+## Statistiques : le tableau d’erreurs
 
 stat-trend-needs = Une tendance demande au moins { $least } véhicules ; { stat-there-are }.
 stat-heights-alike = Toutes les hauteurs sont égales ; il n’y a pas de tendance.
@@ -3347,7 +3347,7 @@ statistics-known-inside = Dans leur U95
 statistics-known-inside-of = { $inside } sur { $n }
 statistics-known-none = Pas encore de hauteurs connues. Saisissez les hauteurs des constructeurs, des feux, ou une cible de contrôle dans les fiches des véhicules.
 
-## Statistiques : les figures de l'erreur
+## Statistiques : les figures de l’erreur
 
 statistics-group-daytime = De jour
 statistics-group-low_light = Faible luminosité
@@ -3707,7 +3707,7 @@ sheet-row = Rangée de référence de la mire au-dessus de la chaussée (mesuré
 sheet-zoom = Zoom et mise au point (bloqués)
 sheet-exposure = Temps de pose, gain, balance des blancs (fixes)
 sheet-start = Début de l’enregistrement, fuseau horaire
-sheet-traffic = Sens de circulation ; volant ; caméra sur l’accotement ou le terre-plein
+sheet-traffic = Circulation à droite ou à gauche ; volant ; caméra sur l’accotement ou le terre-plein
 sheet-weather = Météo, éclairage public, vitesse limite
 sheet-checks = Liste de contrôle
 sheet-check-calibrated = Caméra étalonnée à ce zoom et à cette mise au point ; les deux bloqués
@@ -3790,7 +3790,7 @@ planning-forms-error-at = Erreur à { $line_rate_hz } Hz
 planning-forms-error-value = { $error }, { $speed }
 planning-forms-note = n = b f / s : les lignes de la caméra 1 à la caméra 2, pour la base b, la cadence de lignes f et la vitesse s. L’équation (2) est le cas le plus défavorable de passages lus à la ligne entière. Sightline recale les bandes à une fraction de ligne près et n’a pas besoin de ces cadences.
 
-## Relevé : la vue d'ensemble
+## Relevé : la vue d’ensemble
 
 survey-loading = relevé
 survey-demonstration = démonstration
@@ -3989,7 +3989,7 @@ survey-inset-problem = { $target } : saisissez le retrait et son incertitude en
    *[m] mètres
 }, par exemple { $inset } et { $u_inset }.
 
-## Relevé : photos de l'installation
+## Relevé : photos de l’installation
 
 photographs-title = Photos de l’installation
 photographs-help = Le dispositif, la route, la mire en place. Affichées dans le rapport et l’archive.
@@ -4543,7 +4543,7 @@ export-checking-help = Contrôle chaque fichier, la chaîne d’audit, sa signat
 export-command-copy = Copier la commande
 export-command-copied = La commande est dans le presse-papiers.
 
-## Export : contenu d'une archive
+## Export : contenu d’une archive
 
 export-contents = Contenu d’une archive
 export-contents-report = installation, étalonnage, méthode, erreurs, figures et exclusions en quelques pages
@@ -4562,7 +4562,7 @@ export-contents-reviews = décisions et motifs, et répétitions en aveugle
 export-contents-audit = chaque modification avec son empreinte ; la chaîne peut être contrôlée
 export-contents-datapackage = nom, unité et signification de chaque colonne (Frictionless Data)
 
-## Propositions : pourquoi un point d'un véhicule qui passe n'est pas proposé (conservées par clé)
+## Propositions : pourquoi un point d’un véhicule qui passe n’est pas proposé (conservées par clé)
 
 proposals-not-across = Le véhicule monte ou descend dans l’image. Les propositions demandent un véhicule qui la traverse.
 proposals-no-empty-road = Trop peu d’images avant et après le véhicule pour reconnaître la route vide.
@@ -4603,7 +4603,7 @@ measurements-proposals-not-these = Ces points sont périmés : les propositions
 
 ## Erreurs : caméras
 
-## Heights: why there is none, and what to know of one; what is followed and suggested (kept by code)
+## Hauteurs : pourquoi il n’y en a pas, et ce qu’il faut en savoir ; ce qui est suivi et proposé (conservés par code)
 
 height-click-not-finite = Une coordonnée de pointé n’est pas un nombre fini.
 height-contact-outside-picture = Le contact est hors de l’image.
@@ -4893,8 +4893,8 @@ export-no-no-whole-export-export-survey = { $checksums } manque : ce n’est pa
 export-package-is-inside = L’archive est un niveau plus bas, dans { $inner } ; indiquez ce dossier.
 export-read-only = { $folder } est en lecture seule. Chaque export est inscrit au journal d’audit ; copiez le dossier sur un disque inscriptible et exportez de là.
 export-stray-files = { $count ->
-    [one] Le système a ajouté un fichier à ceux de l’archive : { $names }
-   *[other] Le système a ajouté { $count } fichiers à ceux de l’archive : { $names }
+    [one] Le système a ajouté un fichier à ceux de l’archive : { $names }
+   *[other] Le système a ajouté { $count } fichiers à ceux de l’archive : { $names }
  }. Supprimez ce qui est nommé ici et relancez le contrôle ; aucun fichier de l’archive n’a encore été examiné.
 export-zip-in-zip = { $place } contient { $inner } ; décompressez-le et indiquez celui-là.
 export-checksums-no-list = { $checksums } n’est pas une liste d’empreintes : il a été modifié ou coupé après l’export ; reprenez l’export complet.
@@ -4967,7 +4967,7 @@ geometry-no-pose-fits-corners-check-camera = Aucune pose ne convient aux coins�
 geometry-reference-height-boards-uncertainties-must-numbers = La hauteur de référence et les incertitudes de la mire doivent être des nombres, en mètres et radians, les incertitudes non négatives.
 geometry-reference-row-m-above-road-cannot = Une rangée de référence à { $height_m } m au-dessus de la chaussée n’est pas plausible ; indiquez en mètres la hauteur au-dessus de la chaussée de la rangée de coins intérieurs « { $side } ».
 geometry-board-camera-moves-during-these-frames = La mire ou la caméra bouge pendant ces images (jusqu’à { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px) ; choisissez une plage, ou une seule image, où toutes deux sont immobiles.
-geometry-corners-not-fit-camera-model-residual = Les coins ne conviennent pas au modèle de caméra (résidu { NUMBER($rms, minimumFractionDigits: 1, maximumFractionDigits: 1) } px) ; le fichier est d’une autre caméra ou d’un autre zoom, ou la mire est déformée.
+geometry-corners-not-fit-camera-model-residual = Les coins ne conviennent pas au modèle de caméra (résidu { NUMBER($rms, minimumFractionDigits: 1, maximumFractionDigits: 1) } px) ; le fichier est d’une autre caméra ou d’un autre zoom, ou la mire est courbée.
 geometry-board-seen-edge-turn-towards-camera = La mire est vue par la tranche ; tournez-la vers la caméra, d’au moins 10 degrés.
 geometry-board-lies-on-road = La mire semble posée à plat sur la chaussée ; dressez-la à angle droit avec la chaussée, rangées horizontales, ou mesurez la hauteur de la rangée de coins que vous avez nommée.
 geometry-reference-height-m-puts-camera-below = La hauteur de référence de { $height_m } m place la caméra sous la chaussée ; indiquez en mètres la hauteur au-dessus de la chaussée de la rangée de coins intérieurs « { $side } ».
@@ -5034,7 +5034,7 @@ database-database-file-cannot-opened-writing-check = Le fichier de la base de do
 database-database-address-cannot-read-use-sqlite = L’adresse de la base de données est illisible ; utilisez sqlite:///FILE ou postgresql+psycopg://.
 database-no-database-check-name = Il n’y a pas de base de données { $path } ; vérifiez son nom.
 database-file-not-database-program-give-right = Ce fichier n’est pas une base de données de Sightline, ou son début est endommagé ; indiquez le bon fichier, ou restaurez une sauvegarde.
-database-damaged = La base de données est endommagée : des parties de son fichier contiennent autre chose. Arrêtez le serveur, gardez une copie du dossier de données et restaurez la dernière sauvegarde (sightline restore).
+database-damaged = La base de données est endommagée : des parties de son fichier contiennent autre chose. Arrêtez le serveur, gardez une copie du dossier de données et restaurez la dernière sauvegarde (sightline restore).
 database-read-only-with-log = { $path } est en lecture seule, et ses derniers changements sont encore dans le fichier voisin qui finit par -wal ; copiez le dossier sur un disque inscriptible et indiquez celui-là.
 database-damaged-tables = La base de données est endommagée dans { $tables } ; ses { $whole } autres tables sont lisibles. Arrêtez le serveur, gardez une copie du dossier de données et restaurez la dernière sauvegarde (sightline restore).
 database-account-lacks-rights = Il manque au compte de la base de données un droit nécessaire ici ; exécutez `sightline migrate` avec le compte qui possède les tables.
@@ -5139,10 +5139,10 @@ rig-passes-outside = { NUMBER($distance_m, minimumFractionDigits: 2) } m est loi
 rig-pass-twice = Une autre ligne a le même nom ; nommez chaque passage une fois.
 linescan-rig-pass = Passage { $name } : { $sentence }
 linescan-rig-common = Les incertitudes de la cadence de lignes, du mètre ruban et de la vitesse sont des parts de 0 à 0,1 (1e-4 vaut 0,01 %) ; corrigez-les.
-linescan-lane-needs-name = Une voie n’a pas de nom ; donnez-lui-en un.
-linescan-lanes-same-name = Deux voies s’appellent { $name }, ou un nom commence ou finit par une espace ; donnez à chacune son nom.
-linescan-lane-rows-both = La voie { $name } n’a qu’une rangée pour ses pneus ; donnez les deux, ou aucune.
-linescan-lane-rows-order = Les rangées de la voie { $name } ne sont pas en ordre ; donnez d’abord la plus haute, 0 ou plus.
+linescan-lane-needs-name = Une voie n’a pas de nom ; donnez-lui-en un.
+linescan-lanes-same-name = Deux voies s’appellent { $name }, ou un nom commence ou finit par une espace ; donnez à chacune son nom.
+linescan-lane-rows-both = La voie { $name } n’a qu’une rangée pour ses pneus ; donnez les deux, ou aucune.
+linescan-lane-rows-order = Les rangées de la voie { $name } ne sont pas en ordre ; donnez d’abord la plus haute, 0 ou plus.
 linescan-rig-divergence-without-distance = Une divergence exige la distance aux véhicules ; indiquez-la, ou omettez la divergence et son incertitude.
 linescan-rig-few-passes = { $count } passages utilisables ne suffisent pas pour la base et la divergence ; il en faut au moins { $least }, à deux distances ou plus.
 linescan-rig-distances-alike = Tous les passages sont entre { $nearest_m } et { $farthest_m } m, trop proches pour séparer la base de la divergence ; ajoutez des passages à une autre distance, comme la voie proche et la voie éloignée.
@@ -5652,17 +5652,17 @@ vehicles-not-category-use-one = « { $category } » n’est pas une catégorie
 vehicles-which-not-year-give-four-digits = { $column } vaut « { $cell } », qui n’est pas une année ; indiquez quatre chiffres.
 csv-empty = { $name } est vide ; sa première ligne doit nommer les colonnes { $needed }.
 csv-no-column = { $name } n’a pas de colonne { $missing } ; sa première ligne doit nommer les colonnes { $needed }.
-csv-column-twice = { $name }, ligne { $line } : la colonne { $column } est nommée deux fois ; gardez celle qui compte.
-csv-more-cells = { $name }, ligne { $line } : { $cells } cellules, mais l’en-tête en nomme { $columns } ; écrivez les décimales avec un point, non une virgule, et mettez entre guillemets les textes qui ont des virgules.
-csv-fewer-cells = { $name }, ligne { $line } : { $cells } cellules, alors que l’en-tête en nomme { $columns } ; complétez la ligne.
+csv-column-twice = { $name }, ligne { $line } : la colonne { $column } est nommée deux fois ; gardez celle qui compte.
+csv-more-cells = { $name }, ligne { $line } : { $cells } cellules, mais l’en-tête en nomme { $columns } ; écrivez les décimales avec un point, non une virgule, et mettez entre guillemets les textes qui ont des virgules.
+csv-fewer-cells = { $name }, ligne { $line } : { $cells } cellules, alors que l’en-tête en nomme { $columns } ; complétez la ligne.
 csv-header-again = { $name }, ligne { $line } : elle nomme à nouveau les colonnes, comme là où des tableaux ont été réunis ; ôtez cette ligne.
-csv-open-quote = { $name }, ligne { $line } : un guillemet n’est pas fermé sur sa ligne ; fermez-le ou ôtez-le, et ne mettez pas de saut de ligne dans une cellule.
-csv-after-a-quote = { $name }, ligne { $line } : du texte suit un guillemet fermant ; doublez un guillemet dans une cellule, ou ôtez-le.
-csv-rest-of-a-cell = { $name }, ligne { $line } : c’est peut-être la suite de la cellule que la ligne { $opened } ne ferme pas ; corrigez les deux lignes.
-csv-empty-cell = { $name }, ligne { $line } : { $column } est vide ; remplissez la cellule.
-csv-not-a-number = { $name }, ligne { $line } : { $column } vaut « { $cell } », qui n’est pas un nombre ; corrigez la cellule.
-csv-number-separated = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; écrivez les décimales avec un point et rien entre les milliers.
-csv-no-size-of-a-vehicle = { $name }, ligne { $line } : { $column } vaut « { $cell } », et aucun véhicule n’a plus de 20 m ; en { $unit }, ce serait { $metres } m. Indiquez des mètres.
+csv-open-quote = { $name }, ligne { $line } : un guillemet n’est pas fermé sur sa ligne ; fermez-le ou ôtez-le, et ne mettez pas de saut de ligne dans une cellule.
+csv-after-a-quote = { $name }, ligne { $line } : du texte suit un guillemet fermant ; doublez un guillemet dans une cellule, ou ôtez-le.
+csv-rest-of-a-cell = { $name }, ligne { $line } : c’est peut-être la suite de la cellule que la ligne { $opened } ne ferme pas ; corrigez les deux lignes.
+csv-empty-cell = { $name }, ligne { $line } : { $column } est vide ; remplissez la cellule.
+csv-not-a-number = { $name }, ligne { $line } : { $column } vaut « { $cell } », qui n’est pas un nombre ; corrigez la cellule.
+csv-number-separated = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; écrivez les décimales avec un point et rien entre les milliers.
+csv-no-size-of-a-vehicle = { $name }, ligne { $line } : { $column } vaut « { $cell } », et aucun véhicule n’a plus de 20 m ; en { $unit }, ce serait { $metres } m. Indiquez des mètres.
 csv-size-not-above-0 = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; une dimension est supérieure à 0. Corrigez la cellule.
 csv-uncertainty-below-0 = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; une incertitude n’est pas négative. Corrigez la cellule.
 csv-not-utf-8 = { $name } n’est pas un texte UTF-8 ; enregistrez-le en CSV UTF-8.
@@ -5746,27 +5746,27 @@ lots-lead = Les hauteurs peuvent être vérifiées par lots : un échantillon d
 lots-loading = lots
 lots-summary = Validées par décision individuelle : { $individual } ; par l’échantillon de leur lot : { $by_lot }.
 lots-outgoing = { $count ->
-    [one] Sur { $count } que personne n’a regardée, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
-   *[other] Sur les { $count } que personne n’a regardées, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
+    [one] Sur { $count } non vérifiée individuellement, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
+   *[other] Sur les { $count } non vérifiées individuellement, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
   }
 lots-held = { $count ->
     [one] { $count } hauteur attend l’échantillon de son lot.
    *[other] { $count } hauteurs attendent l’échantillon de leur lot.
   }
-lots-draw-title = Tirer des lots parmi ce qui attend
+lots-draw-title = Tirer des lots de la file
 lots-draw = Tirer
 lots-by = Point commun des hauteurs d’un lot
 lots-by-target = cible
 lots-by-lighting = luminosité
 lots-by-operator = auteur de la mesure
 lots-by-day = jour de la mesure
-lots-producer-quality = Un lot avec cette part fausse devrait passer
+lots-producer-quality = Part de hauteurs fausses à laquelle un lot devrait passer
 lots-producer-risk = Risque qu’il ne passe pas
-lots-consumer-quality = Un lot avec cette part fausse ne devrait pas passer
+lots-consumer-quality = Part de hauteurs fausses à laquelle un lot ne devrait pas passer
 lots-consumer-risk = Risque qu’il passe
-lots-nonconforming = Est fausse (non conforme) une hauteur que son vérificateur rejette, ou corrige de plus que son propre U95. L’échantillon est tiré avec une graine issue de la chaîne d’audit avant tout jugement. Le critère d’acceptation est celui de l’ISO 2859 ; ses tables ne sont pas utilisées : le plan est calculé pour l’effectif de chaque lot.
-lots-nothing-waits = Rien n’attend de décision en dehors des lots.
-lots-planned = Lots qui pourraient être tirés
+lots-nonconforming = Une hauteur est fausse (non conforme) si son vérificateur la rejette, ou la corrige de plus que son U95. L’échantillon est tiré avec une graine issue de la chaîne d’audit, avant toute vérification. Le critère d’acceptation est celui de l’ISO 2859 ; ses tables ne sont pas utilisées : le plan est calculé pour l’effectif de chaque lot.
+lots-nothing-waits = Aucune hauteur n’attend de vérification en dehors des lots.
+lots-planned = Lots possibles
 lots-lot = Lot
 lots-size = Hauteurs
 lots-sample = Échantillon
@@ -5776,11 +5776,11 @@ lots-saves = { $count ->
     [one] { $count } décision
    *[other] { $count } décisions
   }
-lots-saves-nothing = aucun : l’échantillon est tout le lot ; vérifiez une à une
-lots-everything = tout ce qui attendait
+lots-saves-nothing = aucun : l’échantillon est tout le lot ; vérifiez les hauteurs une à une
+lots-everything = toutes les hauteurs de la file
 lots-named = Lot { $number } : { $common }
 lots-of = { NUMBER($part) } sur { NUMBER($all) }
-lots-judged = Échantillon jugé
+lots-judged = Vérifiées
 lots-bad = Fausses
 lots-state = État
 lots-state-open = ouvert
@@ -5799,8 +5799,8 @@ lots-says-waits = { $count ->
    *[other] { $count } de l’échantillon attendent encore leur décision.
   }
 lots-says-accept = { $count ->
-    [one] L’échantillon est jugé : { $count } est fausse (admises : { $most }). Le lot peut être accepté.
-   *[other] L’échantillon est jugé : { $count } sont fausses (admises : { $most }). Le lot peut être accepté.
+    [one] Échantillon vérifié : { $count } est fausse (admises : { $most }). Le lot peut être accepté.
+   *[other] Échantillon vérifié : { $count } sont fausses (admises : { $most }). Le lot peut être accepté.
   }
 lots-says-refused = { $count ->
     [one] { $count } de l’échantillon est fausse (admises : { $most }) : le reste passe au contrôle complet.
@@ -5818,23 +5818,23 @@ lots-says-taken-back = { $count ->
     [one] Accepté, puis annulé : { $count } hauteur attend à nouveau.
    *[other] Accepté, puis annulé : { $count } hauteurs attendent à nouveau.
   }
-lots-says-dissolved = Dissous avant tout jugement.
-lots-judge = Juger l’échantillon
+lots-says-dissolved = Dissous avant le début de la vérification.
+lots-judge = Vérifier l’échantillon
 lots-accept = Accepter le lot
 lots-inspect = Contrôle complet
 lots-inspect-text = { $count ->
     [one] { $count } hauteur du reste passe à la file et n’entre dans aucun autre lot.
-   *[other] { $count } hauteurs du reste passent à la file, chacune pour soi, et n’entrent dans aucun autre lot.
+   *[other] { $count } hauteurs du reste passent à la file, individuellement, et n’entrent dans aucun autre lot.
   }
 lots-dissolve = Dissoudre
 lots-take-back = Annuler
 lots-own = { $count ->
-    [one] { $count } de l’échantillon est la vôtre ; quelqu’un d’autre la juge.
-   *[other] { $count } de l’échantillon sont les vôtres ; quelqu’un d’autre les juge.
+    [one] { $count } de l’échantillon est la vôtre ; une autre personne la vérifie.
+   *[other] { $count } de l’échantillon sont les vôtres ; une autre personne les vérifie.
   }
 lots-drawn = Tiré { $when } par { $person } ; graine { $seed }…
 lots-nobody = Sightline
-lots-curve = Fréquence d’acceptation d’un tel lot
+lots-curve = Probabilité d’acceptation
 lots-curve-says = La probabilité que le plan accepte un lot, décroissante avec la part de hauteurs fausses : avec { $good } de fausses il n’est pas accepté dans { $refused } des cas, avec { $bad } il est accepté dans { $passed }.
 lots-curve-note = Exact pour un lot de cet effectif (loi hypergéométrique). Avec { $good } de fausses, { $refused } de ces lots ne sont pas acceptés ; avec { $bad }, { $passed } le sont.
 lots-curve-x = hauteurs fausses du lot (%)
@@ -5843,27 +5843,27 @@ lots-producer = devrait passer
 lots-consumer = ne devrait pas passer
 lots-sample-of = échantillon du lot { $number }
 lots-badge = lot { $number }
-lots-sample-done = L’échantillon de ce lot est jugé. Il reste à décider du lot.
-lots-sample-done-title = L’échantillon est jugé
+lots-sample-done = L’échantillon de ce lot est vérifié. Il reste à décider du lot.
+lots-sample-done-title = L’échantillon est vérifié
 lots-decide = Décider du lot
 lots-show-all = Tout afficher
-lots-by-lot = Acceptée d’après l’échantillon de son lot ; personne n’a regardé celle-ci.
-lots-fraction-between = Une proportion de non conformes est un nombre de 0 à moins de 1, par exemple 0,01 pour 1 sur 100.
-lots-risk-between = Un risque est un nombre entre 0,001 et 0,5, par exemple 0,05 pour 1 sur 20.
+lots-by-lot = Acceptée d’après l’échantillon de son lot ; non vérifiée individuellement.
+lots-fraction-between = Saisissez une proportion de non conformes de 0 à moins de 1, par exemple 0,01 pour 1 sur 100.
+lots-risk-between = Saisissez un risque de 0,001 à 0,5, par exemple 0,05 pour 1 sur 20.
 lots-fractions-in-order = La proportion d’un lot qui devrait passer doit être plus petite que celle d’un lot qui ne devrait pas ; modifiez l’une d’elles.
-lots-nothing-to-draw = Aucun lot ne ferait gagner quoi que ce soit : ce qui attend est trop peu pour ces risques, ou déjà dans des lots. Divisez moins, ou vérifiez une à une.
+lots-nothing-to-draw = Aucun lot n’épargnerait de travail : trop peu de hauteurs attendent pour ces risques, ou elles sont déjà dans des lots. Divisez moins, ou vérifiez-les une à une.
 lots-sample-not-judged = { $count ->
-    [one] { $count } hauteur de l’échantillon attend encore sa décision ; jugez-la d’abord.
-   *[other] { $count } hauteurs de l’échantillon attendent encore leur décision ; jugez-les d’abord.
+    [one] { $count } hauteur de l’échantillon attend encore sa décision ; vérifiez-la d’abord.
+   *[other] { $count } hauteurs de l’échantillon attendent encore leur décision ; vérifiez-les d’abord.
   }
 lots-too-many = { $count ->
     [one] { $count } hauteur de l’échantillon est non conforme ; ce lot est accepté avec { $most } au plus : le reste passe au contrôle complet.
    *[other] { $count } hauteurs de l’échantillon sont non conformes ; ce lot est accepté avec { $most } au plus : le reste passe au contrôle complet.
   }
-lots-own-heights = Personne n’accepte ses propres hauteurs : le reste de ce lot en contient des vôtres. Demandez à un autre vérificateur.
-lots-judged-already = Une partie de cet échantillon est déjà jugée : le tirage reste ; acceptez le lot ou contrôlez-le en entier.
-lots-not-accepted = Seul un lot accepté peut être annulé ; regardez ce qu’est devenu celui-ci.
-lots-decided-already = Le lot { $number } a reçu une décision entre-temps ; regardez-la d’abord.
+lots-own-heights = Vous ne pouvez pas accepter vos propres hauteurs, et le reste de ce lot en contient. Demandez à un autre vérificateur.
+lots-judged-already = Une partie de cet échantillon est déjà vérifiée : le lot ne peut pas être dissous ; acceptez-le ou contrôlez-le en entier.
+lots-not-accepted = Seul un lot accepté peut être annulé ; contrôlez l’état de celui-ci.
+lots-decided-already = Le lot { $number } a reçu une décision entre-temps ; contrôlez-la d’abord.
 lots-event-another-row = audit.csv : l’événement { $number } contient un autre lot que celui qu’il a haché ; reprenez l’export complet.
 lots-verdict-of-no-lot = reviews.csv : une décision par le lot { $lot }, qui n’existe pas ; reprenez l’export complet.
 lots-seed-not-the-chains = lots.csv : la graine du lot { $id } ne découle pas de la chaîne d’audit ; le tirage a été choisi.
@@ -5872,18 +5872,18 @@ lots-plan-keeps-no-risk = lots.csv : le plan du lot { $id } ne respecte pas les
 lots-decided-otherwise = audit.csv : les décisions sur le lot { $id } ne découlent pas l’une de l’autre ; elles ont été modifiées.
 lots-sample-not-the-draws = audit.csv : l’échantillon du lot { $id } n’est pas le début de son tirage ; il a été modifié.
 lots-counts-not-those-of-verdicts = audit.csv : les nombres du lot { $id } ne sont pas ceux des décisions de son échantillon ; l’un des deux est faux.
-lots-accepted-beyond-its-plan = audit.csv : le lot { $id } a été accepté avec plus de hauteurs non conformes que son plan n’en admet, ou sans jugement.
+lots-accepted-beyond-its-plan = audit.csv : le lot { $id } a été accepté avec plus de hauteurs non conformes que son plan n’en admet, ou sans vérification.
 lots-verdicts-not-those-of-its-rest = reviews.csv : les décisions par le lot { $id } ne sont pas celles de son reste ; certaines ont été ajoutées ou retirées.
 lots-verdict-before-the-decision = audit.csv : une décision par le lot { $id } précède la décision sur le lot ; l’une des deux est fausse.
-reviews-verdict-given-meanwhile = { $name } a rendu entre-temps la décision « { $verdict } » ; regardez-la d’abord.
+reviews-verdict-given-meanwhile = { $name } a rendu entre-temps la décision « { $verdict } » ; contrôlez-la d’abord.
 
 ## Distance de visibilité : la page
 
-sight-lead = Ce que signifient les hauteurs mesurées pour une route : des angles saillants qui gardent une distance de visibilité, selon les hauteurs d’une norme et celles du relevé.
+sight-lead = Effet des hauteurs mesurées sur la conception des routes : angles saillants qui assurent une distance de visibilité, avec les hauteurs d’une norme et avec celles du relevé.
 sight-loading = angles saillants
-sight-form = Données du calcul des angles saillants
+sight-form = Données d’entrée
 sight-form-standard = Norme
-sight-form-survey = Relevé, lu selon la règle de la norme
+sight-form-survey = Relevé, aux centiles de la norme
 sight-form-road = Route
 sight-form-fleet = Autre parc : part de chaque classe
 sight-eye = Œil de la norme
@@ -5907,18 +5907,18 @@ sight-kind-intersection_left = Carrefour, tourne-à-gauche depuis un arrêt
 sight-kind-intersection_right = Carrefour, tourne-à-droite ou traversée
 sight-speed = Vitesse de référence
 sight-difference = Différence de déclivités
-sight-headlight = Projecteur (rentrant)
+sight-headlight = Projecteur (angle rentrant)
 sight-radius = Rayon (virage)
-sight-number-problem = Ce nombre est hors limites ; corrigez-le.
-sight-fleet-begin = Et si le parc était autre
-sight-fleet-hint = Parts des classes mesurées, à modifier.
+sight-number-problem = Ce nombre est hors plage ; corrigez-le.
+sight-fleet-begin = Essayer un autre parc
+sight-fleet-hint = Parts des classes mesurées ; modifiez-les au besoin.
 sight-fleet-end = Parc mesuré
 sight-fleet-measured = Yeux mesurés : { NUMBER($eyes) }, obstacles : { NUMBER($objects) }
 sight-case = Hauteurs de
 sight-case-standard = la norme
 sight-case-survey = le relevé
 sight-case-mix = l’autre parc
-sight-sentence = Signification
+sight-sentence = Résultat
 sight-missing = Aucune hauteur de cette cible ne correspond au filtre : { $targets }. Mesurez et validez-en, ou affichez tous les états.
 sight-too-few = Trop peu de hauteurs pour le centile : { $targets }.
 sight-too-few-of = { $target }, { $reason }
@@ -5933,20 +5933,20 @@ sight-verdict-shorter = { $case ->
     [mix] Avec les hauteurs de l’autre parc
     [study] Avec les hauteurs de l’étude
    *[survey] Avec les hauteurs du relevé
-} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, et K pour { $distance } est { $k } au lieu de { $k_standard }. Les angles saillants pourraient être plus courts de { $change } ; sur un angle saillant construit selon la norme, on voit à { $seen }.
+} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, et K pour { $distance } est { $k } au lieu de { $k_standard }. Les raccordements saillants pourraient être plus courts de { $change } ; sur un angle saillant construit selon la norme, la distance de visibilité est de { $seen }.
 sight-verdict-longer = { $case ->
     [mix] Avec les hauteurs de l’autre parc
     [study] Avec les hauteurs de l’étude
    *[survey] Avec les hauteurs du relevé
-} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, et K pour { $distance } est { $k } au lieu de { $k_standard }. Les angles saillants devraient être plus longs de { $change } ; sur un angle saillant construit selon la norme, on ne voit qu’à { $seen }.
+} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, et K pour { $distance } est { $k } au lieu de { $k_standard }. Les raccordements saillants devraient être plus longs de { $change } ; sur un angle saillant construit selon la norme, la distance de visibilité n’est que de { $seen }.
 sight-verdict-unknown = { $case ->
     [mix] Avec les hauteurs de l’autre parc
     [study] Avec les hauteurs de l’étude
    *[survey] Avec les hauteurs du relevé
-} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, soit K modifié de { $change }. Il n’y a pas d’intervalle ({ $reason }) : on ne peut dire si c’est plus que le hasard.
+} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, soit K modifié de { $change }. Il n’y a pas d’intervalle ({ $reason }) : on ne sait pas si cet écart est significatif.
 sight-cases-title = Angles saillants
 sight-cases-distance = { $speed } : { $formula } = { $distance }, arrondi par excès à { $design }
-sight-cases-note = Yeux : { NUMBER($eyes) }, obstacles : { NUMBER($objects) }, { $whose }. Les hauteurs sont les vraies. Sous chaque valeur, son intervalle total à 95 %, qui comprend l’échantillonnage, les erreurs que des hauteurs partagent (pose de la caméra, retrait moyen) et l’erreur aléatoire ; les erreurs de l’œil et de l’obstacle dues à la même pose de caméra comptent ensemble ; les hauteurs de la norme et les parts du parc sont supposées exactes. Les longueurs valent pour la différence de déclivités ; la dernière colonne est ce que l’on voit sur un angle saillant construit selon les hauteurs de la norme.
+sight-cases-note = Yeux : { NUMBER($eyes) }, obstacles : { NUMBER($objects) }, { $whose }. Les hauteurs sont les hauteurs vraies. Sous chaque valeur, son intervalle total à 95 %, qui comprend l’échantillonnage, les erreurs communes aux hauteurs (pose de la caméra, retrait moyen) et l’erreur aléatoire ; les erreurs de l’œil et de l’obstacle dues à la même pose de caméra comptent ensemble ; les hauteurs de la norme et les parts du parc sont supposées exactes. Les longueurs valent pour la différence de déclivités saisie ; la dernière colonne est la distance de visibilité sur un angle saillant construit selon la norme.
 sight-interval = { $low } à { $high }
 sight-no-interval = pas d’intervalle
 sight-column-eye = Œil ({ $unit })
@@ -5954,26 +5954,26 @@ sight-column-object = Obstacle ({ $unit })
 sight-column-constant = Constante ({ $unit })
 sight-column-k = K ({ $unit } par %)
 sight-column-length = Longueur minimale ({ $unit })
-sight-column-seen = Vu sur le saillant de la norme ({ $unit })
+sight-column-seen = Visibilité sur le saillant de la norme ({ $unit })
 sight-figure-title = K d’un angle saillant selon la vitesse de référence
 sight-figure-says = K d’un angle saillant selon la vitesse de référence, avec les hauteurs de la norme et celles du relevé
 sight-figure-note = K = S² / C à la distance de visibilité de chaque vitesse de référence, arrondie par excès comme dans les tables de conception (points). { $bands ->
     [0] Il n’y a pas d’intervalle, donc pas de bande.
-   *[other] Bande : intervalle à 95 % ; là où l’on n’en voit pas, il est plus étroit que le trait.
+   *[other] Bande : intervalle à 95 % ; là où l’on n’en voit pas, il est plus étroit que le trait.
 }
-sight-figure-x = vitesse de référence ({ $unit })
+sight-figure-x = Vitesse de référence ({ $unit })
 sight-figure-y = K ({ $unit } par %)
-sight-besides-title = Angle rentrant et virage, que les yeux ne changent pas
-sight-sag = Angle rentrant, aux projecteurs
+sight-besides-title = Angle rentrant et virage, indépendants de la hauteur des yeux
+sight-sag = Angle rentrant, à la lumière des projecteurs
 sight-sag-words = K { $k } { $unit } par % ; longueur minimale { $length } { $case ->
     [within] (la distance de visibilité est comprise dans le raccordement)
     [beyond] (la distance de visibilité dépasse le raccordement)
    *[none] (ces déclivités sont éclairées sans raccordement)
 }
 sight-curve = Dégagement en virage
-sight-curve-words = { $offset } de la trajectoire à ce qui masque la vue, au milieu du virage
-sight-curve-none = Le virage est trop serré pour cette distance : elle ferait plus d’un demi-cercle.
-sight-besides-note = Le faisceau d’un projecteur monte de 1 degré. Les hauteurs de ce qui borde un virage ne sont pas considérées.
+sight-curve-words = { $offset } de la trajectoire au masque, au milieu du virage
+sight-curve-none = Le virage est trop serré pour cette distance : elle couvrirait plus d’un demi-cercle.
+sight-besides-note = Le faisceau d’un projecteur monte de 1 degré. La hauteur des masques en bord de virage n’est pas prise en compte.
 
 ## Distance de visibilité : ce qui ne peut pas être calculé
 sightdistance-heights = Les hauteurs des yeux doivent être supérieures à 0, celles des obstacles d’au moins 0, toutes inférieures à 10 m ; indiquez-les en mètres.
@@ -5981,11 +5981,11 @@ sightdistance-uncertainty = Une incertitude-type doit être de 0 ou plus, et de 
 sightdistance-distance = Une distance de visibilité doit être supérieure à 0 et inférieure à 100 km, et une longueur d’au moins 0 ; indiquez des mètres.
 sightdistance-difference = La différence des deux déclivités doit être supérieure à 0 et d’au plus 100 pour cent ; corrigez-la.
 sightdistance-speed = { $speed_kmh } km/h n’est pas une vitesse de référence ; indiquez plus de 0 et au plus 300 km/h.
-sightdistance-gradient = On ne peut pas freiner sur une déclivité de { $gradient_percent } % ; indiquez au plus 25 %, et en descente moins que ce que le freinage retient.
+sightdistance-gradient = Un véhicule ne peut pas freiner sur une déclivité de { $gradient_percent } % ; indiquez au plus 25 %, et en descente moins que ne le permet la décélération.
 sightdistance-reaction-deceleration = Le temps de réaction doit être de 0 ou plus et la décélération supérieure à 0 ; corrigez-les.
 sightdistance-manoeuvre-time = La manœuvre { $manoeuvre } prend { $least } à { $most } s ; indiquez un temps compris entre les deux.
 sightdistance-passing-speed = Il n’y a pas de distance de visibilité de dépassement à { $speed_kmh } km/h ; la table va de 30 à 130 km/h.
-sightdistance-headlight = La hauteur du projecteur et la montée de son faisceau ne doivent être ni négatives, ni toutes deux 0 ; corrigez-les.
+sightdistance-headlight = La hauteur du projecteur et la montée de son faisceau ne doivent être ni négatives, ni toutes deux nulles ; corrigez-les.
 sightdistance-radius = Le rayon doit être supérieur à 0, et son virage contenir la distance et le dégagement ; corrigez-les.
 sightdistance-shares = Les parts d’un parc doivent totaliser 100 % ; celles-ci totalisent { $total_percent } %. Corrigez-les.
 sightdistance-share = « { $share } » n’est pas une part d’un parc ; écrivez la classe, deux-points et 0 à 100 pour cent (suv:40).
@@ -5993,14 +5993,14 @@ sightdistance-class-unseen = Le parc a une part de { $category }, dont le relev�
 
 ## Catalogue : la page
 
-catalogue-lead = Dimensions des modèles selon les constructeurs, chacune avec sa source : ce à quoi les hauteurs et longueurs mesurées sont comparées.
+catalogue-lead = Dimensions des modèles selon les constructeurs, chacune avec sa source, à comparer aux hauteurs et longueurs mesurées.
 catalogue-loading = catalogue
 catalogue-search = Rechercher par marque, modèle et année
 catalogue-which = Quels modèles
 catalogue-offered = proposés
 catalogue-retired = retirés
 catalogue-none = Aucun modèle
-catalogue-none-found = Aucun modèle ne commence par ces mots ; cherchez avec moins de lettres.
+catalogue-none-found = Aucun modèle ne correspond. Cherchez avec moins de lettres.
 catalogue-none-yet = Importez un CSV de modèles, ou ajoutez-en un à la main.
 catalogue-model = Modèle
 catalogue-years = Années
@@ -6034,8 +6034,8 @@ catalogue-model-name = Modèle
 catalogue-year-from = Première année-modèle
 catalogue-year-to = Dernière année-modèle
 catalogue-needed = Obligatoire.
-catalogue-year-problem = Quatre chiffres, comme 2019.
-catalogue-number-problem = Ce n’est pas un nombre.
+catalogue-year-problem = Saisissez quatre chiffres, par exemple 2019.
+catalogue-number-problem = Saisissez un nombre.
 catalogue-export = Exporter
 catalogue-import = Importer un CSV
 catalogue-import-title = Importer des modèles d’un CSV
@@ -6045,20 +6045,20 @@ catalogue-import-hint = Une ligne d’en-tête avec make et model ; dimensions
 catalogue-import-looking = fichier
 catalogue-import-unit = Unité des dimensions
 catalogue-import-unit-header = selon les en-têtes, sinon mètres
-catalogue-import-conflicts = Si le catalogue dit autre chose
-catalogue-import-keep = garder ce qu’il a
-catalogue-import-replace = mettre la valeur du fichier à la place
+catalogue-import-conflicts = Si le catalogue diffère
+catalogue-import-keep = garder la valeur du catalogue
+catalogue-import-replace = prendre la valeur du fichier
 catalogue-import-columns = Colonnes du fichier
 catalogue-import-in = en { $unit }
 catalogue-import-left-out = ignorée
 catalogue-import-some-left-out = { $count ->
-    [one] Colonne non importée : { $columns }. Choisissez ce que c’est, s’il s’agit d’une dimension, d’une année ou d’une incertitude.
-   *[other] Colonnes non importées : { $columns }. Choisissez ce que c’est, s’il s’agit de dimensions, d’années ou d’incertitudes.
+    [one] Colonne non importée : { $columns }. Choisissez sa signification s’il s’agit d’une dimension, d’une année ou d’une incertitude.
+   *[other] Colonnes non importées : { $columns }. Choisissez leur signification s’il s’agit de dimensions, d’années ou d’incertitudes.
 }
 catalogue-import-lines = Lignes à examiner
 catalogue-import-line = Ligne
-catalogue-import-what = Quoi
-catalogue-import-why = Pourquoi
+catalogue-import-what = Action
+catalogue-import-why = Motif
 catalogue-import-store = { $count ->
     [0] Rien à enregistrer
     [one] Enregistrer { NUMBER($count) } modèle
@@ -6070,50 +6070,50 @@ catalogue-change-update = complété
 catalogue-change-same = inchangé
 catalogue-change-conflict = en conflit
 catalogue-change-duplicate = en double dans le fichier
-catalogue-change-refused = inutilisable
+catalogue-change-refused = refusé
 catalogue-unit-m = mètres
 catalogue-unit-cm = centimètres
 catalogue-unit-mm = millimètres
 catalogue-unit-ft = pieds
 catalogue-unit-in = pouces
 
-## Catalogue : ce qu'un import dit d'une ligne, et ce qui ne peut pas être stocké
-catalogue-make-and-model = La marque et le modèle sont obligatoires ; remplissez les deux.
+## Catalogue : ce qu’un import dit d’une ligne, et ce qui ne peut pas être stocké
+catalogue-make-and-model = Saisissez la marque et le modèle.
 catalogue-too-long = Une marque a au plus { $most_make } caractères et un modèle { $most_model } ; raccourcissez.
 catalogue-years-reversed = La dernière année précède la première ; inversez-les.
-catalogue-sizes-contradict = { $column } vaut { $value } et { $other } vaut { $large }, ce qu’aucun véhicule n’a ; corrigez l’une des deux valeurs.
+catalogue-sizes-contradict = { $column } vaut { $value } et { $other } vaut { $large }, ce qui n’est pas plausible pour un véhicule ; corrigez l’une des deux valeurs.
 catalogue-control-characters = Une marque, un modèle ou une source contient un caractère qui ne peut être affiché ; saisissez-le à nouveau.
-catalogue-say-the-columns = { $name } n’a pas de colonne { $missing } ; indiquez laquelle de ses colonnes c’est, ou nommez-la ainsi en première ligne.
+catalogue-say-the-columns = { $name } n’a pas de colonne { $missing } ; attribuez-lui l’une de ses colonnes, ou nommez-la ainsi en première ligne.
 catalogue-no-rows = { $name } a un en-tête et aucune ligne de modèle en dessous ; ajoutez-en une.
 catalogue-column-twice = Les colonnes { $first } et { $second } sont toutes deux { $field } ; choisissez celle qui compte.
-catalogue-size-impossible = { $column } vaut { $value }, ce qu’aucun véhicule n’a ; indiquez-le en mètres, de { $low } à { $high }.
-catalogue-size-in-other-unit = { $column } vaut { $value }, ce qu’aucun véhicule n’a en mètres ; en { $unit } ce serait { $metres } m. Indiquez-le en mètres, ou dites l’unité.
-catalogue-u-impossible = { $column } vaut { $value }, qui n’est pas l’incertitude-type d’une dimension ; indiquez des mètres, de 0 à 1.
-catalogue-unit-doubtful = { $column } : la moitié de ses valeurs sont { $middle } ou plus, ce qu’aucune liste de véhicules n’a en { $unit } ; elles ressemblent à des { $other }. Rien n’est stocké ; dites que l’unité est { $sign }, ou convertissez le fichier.
+catalogue-size-impossible = { $column } vaut { $value }, ce qui n’est pas plausible pour un véhicule ; indiquez-le en mètres, de { $low } à { $high }.
+catalogue-size-in-other-unit = { $column } vaut { $value }, ce qui n’est pas plausible en mètres ; en { $unit } ce serait { $metres } m. Donnez des mètres, ou indiquez l’unité.
+catalogue-u-impossible = { $column } vaut { $value }, ce qui n’est pas plausible pour l’incertitude-type d’une dimension ; indiquez des mètres, de 0 à 1.
+catalogue-unit-doubtful = { $column } : la moitié de ses valeurs sont { $middle } ou plus, ce qui n’est pas plausible en { $unit } ; elles ressemblent à des { $other }. Rien n’a été enregistré. Indiquez l’unité { $sign }, ou convertissez le fichier.
 catalogue-there-already = { $make } { $model } ({ $year }) est déjà dans le catalogue ; corrigez plutôt cette ligne.
-catalogue-changed-meanwhile = Quelqu’un a modifié { $make } { $model } entre-temps ; regardez à nouveau et refaites votre modification.
+catalogue-changed-meanwhile = { $make } { $model } a été modifié entre-temps ; contrôlez-le et refaites votre modification.
 catalogue-no-such-field = Le catalogue n’a pas de champ « { $field } » ; utilisez l’un de { $known }.
-catalogue-column-choice = « { $column } » ne dit rien d’une colonne ; écrivez le champ, un signe égal et l’en-tête (height_m=Roof).
+catalogue-column-choice = « { $column } » n’attribue aucune colonne ; écrivez le champ, un signe égal et l’en-tête (height_m=Roof).
 catalogue-duplicate = Même modèle que la ligne { $line } ; ignorée.
 catalogue-duplicate-differs = Même modèle que la ligne { $line } avec d’autres valeurs ({ $differences }) ; ignorée. Gardez l’une des deux.
-catalogue-conflict-keep = { $differences } ; ce qu’a le catalogue reste.
-catalogue-conflict-replace = { $differences } ; cette ligne prend sa place.
+catalogue-conflict-keep = { $differences } ; la valeur du catalogue est gardée.
+catalogue-conflict-replace = { $differences } ; la valeur de cette ligne la remplace.
 catalogue-differs = { $here } ici, { $there } là-bas
 catalogue-fills-in = Complète { $columns }.
 
 studies-fleet-header = { $path } demande une colonne category (ou lighting, stratum, site), ou les deux colonnes variable et class, et une colonne share ou registrations ; ajoutez-les.
-studies-fleet-variable = { $path }, ligne { $row } : rien dans un parc ne se divise selon { $cell } ; utilisez l’un de { $known }.
+studies-fleet-variable = { $path }, ligne { $row } : un parc ne se divise pas selon { $cell } ; utilisez l’un de { $known }.
 studies-fleet-class-twice = { $path }, ligne { $row } : { $name } est là deux fois ; gardez une seule ligne.
 studies-fleet-empty = { $path } n’a pas de ligne ; donnez une ligne par classe.
 studies-shares-do-not-sum = { $path } : les parts de { $variable } totalisent { $total }, non 1 ; corrigez-les, ou donnez à la place registrations.
-studies-registrations-do-not-sum = { $path } : { $first } totalise { $first_sum } véhicules et { $other } { $other_sum } ; les deux doivent être le même parc.
+studies-registrations-do-not-sum = { $path } : { $first } totalise { $first_sum } véhicules et { $other } { $other_sum } ; les deux doivent décrire le même parc.
 studies-sites-header = { $path } demande les colonnes site et stratum ; ajoutez-les.
 studies-sites-there-differ = { $path }, ligne { $row } : la strate { $stratum } a un autre sites_there plus haut ; écrivez le même nombre, ou aucun, dans chacune de ses lignes.
 studies-traffic-of-some = { $path } : traffic n’est là que pour certains sites, ou vaut 0 ; donnez-le pour tous les sites ou pour aucun.
-studies-not-a-count = { $path }, ligne { $row } : { $name } vaut { $cell }, qui n’est pas un nombre entier de 1 ou plus ; corrigez-le ou laissez-le vide.
+studies-not-a-count = { $path }, ligne { $row } : { $name } vaut { $cell }, qui n’est pas un nombre entier de 1 ou plus ; corrigez-le ou laissez-le vide.
 studies-not-an-amount = { $path }, ligne { $row } : { $name } vaut { $cell }, qui n’est pas un nombre de 0 ou plus ; corrigez-le.
 studies-no-package-there = { $place } n’est pas une archive et n’en contient pas ; nommez des dossiers ou ZIP exportés, ou un dossier qui en contient.
-studies-package-does-not-verify = { $place } échoue au contrôle, aucune étude n’en est donc faite : { $problem }
+studies-package-does-not-verify = { $place } échoue au contrôle et ne peut pas servir à une étude : { $problem }
 studies-package-without-sample = { $place } ne dit pas lesquels de ses véhicules comptent, car faite par une version antérieure ; exportez à nouveau son relevé.
 studies-package-without-parquet = { $place } a été faite par une version antérieure, sans Parquet ; exportez à nouveau son relevé.
 studies-survey-without-poses = { $place } n’a pas de pose de la caméra, donc pas de hauteur ; omettez-le, ou calculez la pose de ses enregistrements (et exportez à nouveau une archive).
@@ -6121,29 +6121,29 @@ studies-same-survey-twice = { $first } et { $second } sont des archives du même
 studies-packages-of-two-versions = { $first } (version { $first_version }) et { $second } (version { $second_version }) ont d’autres colonnes dans { $table } ; exportez les deux avec une même version.
 studies-no-height-counts = Aucun des relevés n’a de hauteur validée qui compte ; vérifiez des mesures (et exportez à nouveau une archive).
 studies-class-unknown = Le parc a { $variable } { $name }, que Sightline ne connaît pas ; utilisez { $known }.
-studies-class-never-seen = Le parc a { $variable } { $name }, qu’aucun relevé n’a vu ; omettez-le et faites totaliser 1 aux autres parts, ou mesurez-en.
-studies-class-not-in-fleet = Les relevés ont vu { $count } véhicules de { $variable } { $name }, que le parc n’a pas ; ajoutez une ligne pour cela (0 s’ils ne doivent pas compter).
+studies-class-never-seen = Le parc a { $variable } { $name }, qu’aucun relevé ne contient ; omettez-le et faites totaliser 1 aux autres parts, ou mesurez-en.
+studies-class-not-in-fleet = Les relevés contiennent { $count } véhicules de { $variable } { $name }, que le parc n’a pas ; ajoutez-lui une ligne (0 pour les exclure).
 studies-site-not-in-sites = Le tableau des sites n’a pas de ligne pour { $site } ; ajoutez-la.
 studies-more-sites-than-there = La strate { $stratum } a { $count } sites ici, mais sites_there indique { $there } ; corrigez-le.
 studies-needs-a-name = Une étude doit avoir un nom ; indiquez-le.
 studies-needs-each-survey = Vous ne voyez pas actuellement chaque relevé de cette étude ; demandez à un gestionnaire de ces relevés de vous ajouter.
-studies-open-needs-managers = Vous ne gérez pas { $name } ; seul qui gère chaque relevé d’une étude peut la montrer à tous. Demandez à un gestionnaire de { $name }.
+studies-open-needs-managers = Vous ne gérez pas { $name } ; seule une personne qui gère chacun des relevés d’une étude peut la montrer à tous. Demandez à un gestionnaire de { $name }.
 studies-has-no-survey = L’étude n’a pas de relevé ; ajoutez-en au moins un.
-studies-goal-of-study = { $goal } m n’est pas un U95 entre 0 et 1 m ; 0,010 m font 10 mm.
+studies-goal-of-study = { $goal } m n’est pas une U95 entre 0 et 1 m ; 0,010 m font 10 mm.
 studies-survey-stands-twice = { $name } figure deux fois dans l’étude ; gardez-le une seule fois.
 studies-no-year = { $year } n’est pas une année possible pour { $name } ; corrigez-la, ou laissez vide.
-studies-site-in-two-strata = Le site { $site } est des strates { $first } et { $second } ; donnez-lui-en une seule, dans tous ses relevés et dans le tableau des sites.
+studies-site-in-two-strata = Le site { $site } est dans les strates { $first } et { $second } ; donnez-lui-en une seule, dans tous ses relevés et dans le tableau des sites.
 studies-site-without-stratum = Le site { $site } n’a pas de strate, alors que d’autres en ont ; donnez-en une à chaque site, ou à aucun.
 studies-changed-meanwhile = { $name } a modifié cette étude le { $when }. Rechargez-la et refaites votre modification.
-studies-goal-no-length = --goal { $goal } n’est pas un U95 en mètres entre 0 et 1 ; 0,010 fait 10 mm.
+studies-goal-no-length = --goal { $goal } n’est pas une U95 en mètres entre 0 et 1 ; 0,010 fait 10 mm.
 studies-compared-with-itself = { $name } ne peut pas être comparée à elle-même ; choisissez une autre étude.
 studies-compared-without-figures = { $name } n’a pas été calculée ; calculez-la d’abord.
 studies-fleet-two-amounts = { $path } a une colonne share et une colonne registrations ; gardez celle qui compte.
-studies-registrations-of-nobody = { $path } : la somme de { $variable } est de 0 véhicule ; indiquez combien il y en a.
+studies-registrations-of-nobody = { $path } : la somme de { $variable } est de 0 véhicule ; indiquez combien il y en a.
 studies-output-is-a-package = { $place } est l’archive d’un relevé, ou se trouve dans une archive ; nommez pour l’étude un dossier à elle.
 traffic-duration-twice = { $path } indique lui-même sa durée ; omettez --duration.
 traffic-no-duration-inside = { $path } n’indique pas sa durée ; écrivez-le à nouveau avec sightline linescan --json.
-traffic-lanes-of-its-own = Les véhicules de { $name } ont leurs propres voies ({ $lanes }) ; omettez --lane.
+traffic-lanes-of-its-own = Les véhicules de { $name } ont leurs propres voies ({ $lanes }) ; omettez --lane.
 traffic-no-duration = { $path } contient des lignes de sightline stream, qui n’indiquent pas la durée ; indiquez --duration en secondes.
 traffic-no-recording = { $path } n’est pas une sortie de sightline linescan --json ni de sightline stream ; indiquez l’une d’elles.
 traffic-file-too-large = { $path } dépasse { $most_gb } Go ; ajoutez l’enregistrement par parties.
@@ -6153,10 +6153,10 @@ traffic-number-twice = { $path } a deux fois le véhicule { $vehicle } ; donne
 traffic-outside-recording = Le véhicule { $vehicle } de { $path } est passé de { $front_s } s à { $rear_s } s, hors des { $duration_s } s de l’enregistrement ; corrigez --duration, ou écrivez à nouveau le fichier.
 import-videos-or-folder = Nommez des vidéos, ou un dossier avec --watch, pas les deux ; voyez sightline import --help.
 import-no-token = Il faut un jeton : créez-en un dans Compte avec lire et envoyer, et mettez-le dans SIGHTLINE_TOKEN.
-import-no-address = « { $url } » n’est pas l’adresse d’un Sightline ; écrivez-la http://name:8000.
+import-no-address = « { $url } » n’est pas une adresse de Sightline ; écrivez-la http://name:8000.
 import-no-answer = { $url } ne répond pas ; vérifiez l’adresse, et que le serveur est en marche.
-import-no-sightline = { $url } a répondu avec le statut { NUMBER($status, useGrouping: 0) } et non comme un Sightline ; vérifiez l’adresse.
-import-server-said = Le serveur dit : { $sentence }.
+import-no-sightline = { $url } a répondu avec le statut { NUMBER($status, useGrouping: 0) } mais pas comme Sightline ; vérifiez l’adresse.
+import-server-said = Le serveur a répondu : { $sentence }.
 import-no-such-survey = Il n’y a pas de relevé « { $survey } » visible pour vous ; les vôtres sont : { $names }.
 import-survey-name-twice = Plusieurs relevés s’appellent « { $survey } » ; donnez le numéro de l’un : { $numbers }.
 import-no-such-file = { $name } n’est pas un fichier ; vérifiez le nom.
@@ -6164,8 +6164,8 @@ import-no-such-folder = { $name } n’est pas un dossier ; nommez-en un qui ex
 import-not-a-video = { $name } n’est pas une vidéo d’après son nom ; les vidéos finissent par { $suffixes }.
 import-empty-file = { $name } est vide ; indiquez le fichier que la caméra a écrit.
 import-changed-meanwhile = { $name } a été modifié pendant son envoi ; supprimez son enregistrement, et importez-le à nouveau quand il est terminé.
-import-cannot-be-read = { $name } a été envoyé et est illisible : { $reason }.
-import-passes-not-found = { $name } a été lu, mais ses passages n’ont pas été trouvés : { $reason }.
+import-cannot-be-read = { $name } a été envoyé, mais il est illisible : { $reason }.
+import-passes-not-found = { $name } a été importé, mais ses passages n’ont pas été trouvés : { $reason }.
 traffic-recording-there = { $name } est déjà dans l’archive de trafic (site { $site }, { $day }) ; retirez-le d’abord avec : sightline traffic remove
 traffic-other-zone = Le site { $site } est à l’heure de { $there }, non de { $zone } ; indiquez ce fuseau, ou un autre site.
 traffic-overlap = { $name } et { $other }, qui est dans l’archive de trafic, ont tous deux observé cette voie de { $site } de { $start } à { $end } ; corrigez --start, ou nommez la voie avec --lane.
@@ -6182,8 +6182,8 @@ traffic-cannot-write = Impossible d’écrire { $path } ({ $strerror }) ; choi
 traffic-no-u-start = --u-start { $u_start_s } n’est pas une incertitude-type en secondes ; indiquez 0 ou plus.
 traffic-no-length-of-time = --duration { $duration_s } n’est pas un temps en secondes supérieur à 0 ; corrigez-le.
 traffic-no-minutes = --minutes { $minutes } ne divise pas un jour ; utilisez 1, 5, 15, 30, 60 ou un autre diviseur.
-traffic-no-percents = --percentile { $text } doit être des nombres différents supérieurs à 0 et inférieurs à 100, comme 15,50,85.
-traffic-no-limits = --lengths { $text } doit être des longueurs croissantes en mètres entre 0 et 100, comme 6,12.
+traffic-no-percents = --percentile { $text } doit donner des nombres différents, supérieurs à 0 et inférieurs à 100, comme 15,50,85.
+traffic-no-limits = --lengths { $text } doit donner des longueurs croissantes en mètres entre 0 et 100, comme 6,12.
 traffic-no-numbers = { $option } { $text } contient autre chose que des nombres ; séparez les nombres par des virgules.
 traffic-no-day = { $option } { $text } n’est pas un jour ; écrivez-le 2026-05-04.
 traffic-days-turned = --to { $last } précède --from { $first } ; inversez-les.
@@ -6193,7 +6193,7 @@ commands-errors-unknown-target = Ligne { $line } : la cible est « { $target }
 commands-compare-two-values = --compare { $text } demande --by et deux valeurs différentes de sa colonne, comme --by year --compare 2020,2026.
 commands-compare-no-such-value = Aucune ligne avec une hauteur n’a { $name } dans { $by } ; comparez deux valeurs parmi { $known }.
 
-## La page que porte une archive (index.html) : lue sans serveur ; elle n'a pas de code commun avec ce qui a mesuré
+## La page que porte une archive (index.html) : lue sans serveur ; elle n’a pas de code commun avec ce qui a mesuré
 
 opened-reading = Lecture de l’archive…
 opened-unreadable = Cette page ne peut pas lire l’archive qu’elle porte. Utilisez un navigateur de 2023 ou plus récent, ou lancez sightline verify.
@@ -6215,20 +6215,20 @@ opened-table = { $table ->
     [exclusions] mesures exclues des résultats, avec le motif
     [response] issue des passages
     [error_table] erreurs des toits validés (hauteur mesurée moins hauteur du constructeur)
-    [agreement] limites d’agrément, et régression de l’erreur sur la hauteur
+    [agreement] limites de concordance, et régression de l’erreur sur la hauteur
     [corrections] effet de chaque correction sur les hauteurs
     [percentiles] centiles des hauteurs, avec intervalles à 95 %
     [total_uncertainty] grandeurs des hauteurs vraies, avec intervalles totaux
-    [same_rule] verdict pour chaque norme
+    [same_rule] conclusion pour chaque norme
     [shares] part des hauteurs inférieures à la valeur de chaque norme
    *[lateral_positions] positions latérales des véhicules
 }
-opened-checks = Vérifications
+opened-checks = Contrôles
 opened-sizes = Tailles
 opened-checking = Contrôle de l’archive…
-opened-is-fine = Rien de ce que cette page peut contrôler ne se contredit.
-opened-is-wrong = Cette archive n’est pas telle qu’elle a été faite.
-opened-failed = L’archive ne peut pas être lue jusqu’au bout : { $words }.
+opened-is-fine = Les contrôles de cette page n’ont trouvé aucune contradiction.
+opened-is-wrong = Cette archive a été modifiée après sa création.
+opened-failed = L’archive n’a pas pu être lue en entier : { $words }.
 opened-heights-agree = { $count ->
     [one] { NUMBER($count) } hauteur a été recalculée à partir de ses pointés et concorde.
    *[other] { NUMBER($count) } hauteurs ont été recalculées à partir de leurs pointés et concordent.
@@ -6243,38 +6243,38 @@ opened-heights-differ = { $count ->
   }
 opened-chain-whole = { $count ->
     [one] La chaîne d’audit de { NUMBER($count) } événement est intacte.
-   *[other] La chaîne d’audit de { NUMBER($count) } événements est intacte : chacun contient ce qui a été haché et suit le précédent.
+   *[other] La chaîne d’audit de { NUMBER($count) } événements est intacte : chaque événement correspond à son empreinte et suit le précédent.
   }
 opened-chain-broken = La chaîne d’audit est rompue à l’événement { $number }.
 opened-chain-absent = La chaîne d’audit n’a pas été contrôlée : audit.js ne se trouve pas à côté de cette page, ou la chaîne est trop grande pour une page. Déposez ici le ZIP ou le dossier de l’archive, ou utilisez sightline verify.
 opened-seal-none = La chaîne d’audit ne finit pas par le sceau d’une archive.
 opened-seal-chain = La chaîne d’audit avant le sceau n’est pas celle que nomme le sceau.
-opened-seal-holds = Les { NUMBER($count) } fichiers que porte cette page sont ceux que nomme le sceau.
-opened-seal-wrong = Fichiers autres que ceux que nomme le sceau : { $named }.
-opened-rows-agree = Chaque mesure dit ce que dit son événement d’audit.
+opened-seal-holds = Les { NUMBER($count) } fichiers que porte cette page concordent avec le sceau.
+opened-seal-wrong = Fichiers qui ne concordent pas avec le sceau : { $named }.
+opened-rows-agree = Chaque mesure concorde avec son événement d’audit.
 opened-rows-differ = { $count ->
     [one] { NUMBER($count) } mesure diffère de son événement d’audit : { $named }.
-   *[other] { NUMBER($count) } mesures ne sont pas ce que disent leurs événements d’audit : { $named }.
+   *[other] { NUMBER($count) } mesures diffèrent de leurs événements d’audit : { $named }.
   }
-opened-poses-agree = Chaque pose de la caméra est celle que nomme son événement d’audit.
-opened-poses-differ = Poses de la caméra autres que celles que nomment leurs événements d’audit : { $named }.
+opened-poses-agree = Chaque pose de la caméra concorde avec son événement d’audit.
+opened-poses-differ = Poses de la caméra qui diffèrent de leurs événements d’audit : { $named }.
 opened-signature-holds = Signé le { $at } avec la clé { $key }… : comparez-la à celle qu’affiche l’installation.
 opened-signature-wrong = La signature ne vaut pas pour la fin de cette chaîne.
-opened-signature-unknown = La signature n’a pas été contrôlée, car ce navigateur n’a pas Ed25519. Utilisez sightline verify.
+opened-signature-unknown = La signature n’a pas été contrôlée, car ce navigateur ne prend pas en charge Ed25519. Utilisez sightline verify.
 opened-folder-choose = Contrôlez aussi les fichiers : déposez le ZIP ou le dossier de l’archive n’importe où sur cette page, ou choisissez-le ici. Rien ne quitte cet ordinateur.
 opened-folder-folder = Le dossier où se trouve cette page
 opened-folder-zip = Ou le ZIP de l’archive
 opened-folder-unreadable = Les fichiers n’ont pas été contrôlés : la sélection n’est pas une archive complète. Reprenez le ZIP, ou choisissez le dossier.
 opened-folder-checking = Contrôle des fichiers…
-opened-folder-fine = Les { NUMBER($count) } fichiers de l’archive ({ NUMBER($mb, maximumSignificantDigits: 2) } Mo) sont tous ceux que nomme le sceau.
+opened-folder-fine = Les { NUMBER($count) } fichiers de l’archive ({ NUMBER($mb, maximumSignificantDigits: 2) } Mo) concordent tous avec le sceau.
 opened-folder-changed = Modifiés après l’export : { $named }.
 opened-folder-missing = Manquent dans l’archive : { $named }.
 opened-folder-strange = Hors de l’archive : { $named }.
 opened-what-title = Ce qui est contrôlé, et où
 opened-what-here = Ici, d’après les copies des tableaux que porte cette page : chaque hauteur en vigueur à partir des pointés, de l’objectif et de la pose de la caméra, par un calcul propre à cette page ; U95 comme 1,96 u et u comme racine de la somme des carrés de son bilan ; la chaîne d’audit avec son sceau et sa signature ; chaque mesure et chaque pose de la caméra par rapport à son événement d’audit.
-opened-what-folder = Seulement une fois le dossier choisi ou le ZIP déposé : si les fichiers de l’archive (vues, figures, rapport, tableaux) sont ceux que nomme le sceau. Un navigateur ne laisse pas une page lire ses voisins sans demande.
+opened-what-folder = Seulement une fois le dossier choisi ou le ZIP déposé : si les fichiers de l’archive (vues, figures, rapport, tableaux) concordent avec le sceau. Un navigateur ne laisse pas une page lire d’autres fichiers sans le demander.
 opened-what-verify = Seulement par sightline verify : révisions antérieures et répétitions, composantes des bilans, décisions par rapport aux vérifications, véhicules, balayages, statistiques, figures et rapport refaits, Parquet par rapport au CSV.
-opened-what-page = Une page peut être falsifiée en entier, et dirait alors ce que veut le faussaire. Pour une conclusion qui compte, lancez sightline verify avec la clé qu’affiche l’installation.
+opened-what-page = Une page peut être falsifiée en entier, et dirait alors ce que veut le faussaire. Si l’enjeu le demande, lancez sightline verify avec la clé qu’affiche l’installation.
 opened-measurements-none = Aucune mesure dans cette archive.
 opened-figures-none = Aucune figure : trop peu de mesures validées.
 opened-left-out = Trop volumineux pour cette page, donc ni affichés ni contrôlés ici : { $named }. Utilisez sightline verify.
@@ -6320,12 +6320,12 @@ opened-height = { $height_m } ± { $U95_m } m
 opened-height-here = { $height_m } m
 opened-height-none = pas de hauteur
 opened-refused-pose = non calculée : sa pose de la caméra n’est pas dans l’archive
-opened-refused-form = non calculée : ses images ne sont pas toutes dans le tableau
+opened-refused-form = non calculée : il manque certaines de ses images dans le tableau
 opened-one = Mesure { $id } : { $target }
-opened-crops-none = Aucune vue de celle-ci dans cette archive.
+opened-crops-none = Aucune image de cette mesure dans cette archive.
 opened-crops-outside = Hors des limites de cette archive ({ $only }) : elle n’a pas d’image ici et est exclue des résultats.
 opened-crop = Image { $frame } avec les deux points
-opened-differs = Autre chose que ce que donnent les pointés : { $named }.
+opened-differs = Diffère de ce que donnent les pointés : { $named }.
 opened-pair-package = Hauteur dans l’archive, m
 opened-pair-here = Calculée dans cette page
 opened-pair-off = Différence
@@ -6340,14 +6340,14 @@ opened-pair-u = u de { $source }, m
 ## Ce que signifient les colonnes qu’explique la page d’une archive
 
 column-measurements-id = mesure (une suite de révisions)
-column-measurements-revision = numéro de la révision actuelle, à partir de 1
+column-measurements-revision = numéro de la révision en vigueur, à partir de 1
 column-measurements-vehicle-id = véhicule mesuré
-column-measurements-recording-id = enregistrement sur lequel les points ont été cliqués
+column-measurements-recording-id = enregistrement dans lequel les points ont été placés
 column-measurements-target = ce qui a été mesuré
 column-measurements-frame = numéro de l’image : la n-ième image décodée, à partir de 0
 column-measurements-pts = horodatage de présentation de cette image, dans la base de temps du flux
 column-measurements-time-s = instant de cette image depuis le début du flux
-column-measurements-frame-crc32 = CRC-32 de la luminance décodée de cette image : la preuve de ce qui a été cliqué
+column-measurements-frame-crc32 = CRC-32 de la luminance décodée de cette image : la preuve de ce qui a été pointé
 column-measurements-contact-x-px = contact du pneu avec la chaussée, x vers la droite ; (0, 0) est le centre du pixel en haut à gauche
 column-measurements-contact-y-px = contact du pneu avec la chaussée, y vers le bas ; (0, 0) est le centre du pixel en haut à gauche
 column-measurements-target-x-px = la cible, x vers la droite ; (0, 0) est le centre du pixel en haut à gauche
@@ -6368,8 +6368,8 @@ column-measurements-u-inset-m = incertitude-type du retrait (k = 1)
 column-measurements-side = d’un œil : côté du véhicule, vu de la caméra, où est assis le conducteur
 column-measurements-side-from = origine du côté : indiqué pour ce véhicule, son sens, ou la voie la plus proche de la caméra
 column-measurements-inset-from = si le retrait est celui du relevé ou propre à cette mesure
-column-measurements-frames = nombre d’images sur lesquelles les points ont été cliqués, ou suivis tout au long d’un passage
-column-measurements-frame-n = numéro de l’image { $frame } sur laquelle les points ont été cliqués
+column-measurements-frames = nombre d’images sur lesquelles les points ont été placés, ou suivis tout au long d’un passage
+column-measurements-frame-n = numéro de l’image { $frame } sur laquelle les points ont été placés
 column-measurements-contact-n-x-px = le même contact du pneu sur l’image { $frame } de la mesure, x
 column-measurements-contact-n-y-px = le même contact du pneu sur l’image { $frame } de la mesure, y
 column-measurements-target-n-x-px = la même cible sur l’image { $frame } de la mesure, x
@@ -6392,7 +6392,7 @@ column-measurements-reason-code = le motif par code et valeurs (JSON)
 column-measurements-flags = avertissements sur cette hauteur, séparés par des points-virgules
 column-measurements-flags-code = flags par code et valeurs (JSON)
 column-measurements-code-version = version du programme qui a calculé la hauteur
-column-measurements-created-by-id = qui a cliqué les points
+column-measurements-created-by-id = qui a placé les points
 column-measurements-created-at = quand la révision a été enregistrée (ISO 8601, UTC)
 column-measurements-withdrawn = true si la mesure a été retirée
 column-measurements-computing-id = le recalcul dont vient cette révision, avec les pointés de la précédente
@@ -6418,7 +6418,7 @@ column-survey-longitude-deg = longitude (WGS84), est positif
 column-survey-road-class = classe de la route, en toutes lettres
 column-survey-lane = voie mesurée, en toutes lettres
 column-survey-travel-direction = sens de circulation, en toutes lettres
-column-survey-speed-limit-mps = limitation de vitesse
+column-survey-speed-limit-mps = vitesse limite
 column-survey-street-lamps = si la route a un éclairage public
 column-survey-time-zone = fuseau horaire du site (IANA)
 column-vehicles-id = véhicule
@@ -6429,7 +6429,7 @@ column-vehicles-last-frame = dernière image du passage
 column-vehicles-best-frame = image proposée pour la mesure
 column-vehicles-make = constructeur
 column-vehicles-model = modèle
-column-vehicles-year = millésime
+column-vehicles-year = année-modèle
 column-vehicles-model-chosen-by = size : le modèle a été choisi parce qu’il correspond à ce qui a été mesuré, aucune hauteur connue du véhicule n’est donc une référence ; seen : il a ensuite été reconnu sur le véhicule ; vide : ni l’un ni l’autre
 column-vehicles-model-sizes = d’un modèle choisi par ses dimensions : lesquelles, séparées par des espaces
 column-vehicles-category = type de carrosserie
@@ -6438,8 +6438,8 @@ column-vehicles-u-manufacturer-height-m = incertitude-type de cette hauteur (k =
 column-vehicles-height-source = d’où vient cette hauteur
 column-vehicles-known-driver-eye-m = hauteur de l’œil de son conducteur connue avant la mesure
 column-vehicles-known-taillight-m = hauteur de son feu arrière connue avant la mesure
-column-vehicles-known-headlight-m = hauteur de son feu avant connue avant la mesure
-column-vehicles-known-other-m = hauteur de sa marque connue avant la mesure
+column-vehicles-known-headlight-m = hauteur de son projecteur connue avant la mesure
+column-vehicles-known-other-m = hauteur de son repère connue avant la mesure
 column-vehicles-check-target = présent pour contrôler la mesure : lignes propres dans errors_by_target.csv, aucun véhicule du trafic
 column-vehicles-lighting = luminosité lors du passage
 column-vehicles-direction = sens de circulation sur l’image
@@ -6447,7 +6447,7 @@ column-vehicles-driver-side = côté du conducteur tel qu’indiqué, vu de la c
 column-vehicles-roof-not-visible = pourquoi le toit de ce véhicule ne peut pas être mesuré ; vide s’il peut l’être
 column-vehicles-driver-eye-not-visible = pourquoi l’œil du conducteur de ce véhicule ne peut pas être mesuré ; vide s’il peut l’être
 column-vehicles-taillight-not-visible = pourquoi le feu arrière de ce véhicule ne peut pas être mesuré ; vide s’il peut l’être
-column-vehicles-headlight-not-visible = pourquoi le feu avant de ce véhicule ne peut pas être mesuré ; vide s’il peut l’être
+column-vehicles-headlight-not-visible = pourquoi le projecteur de ce véhicule ne peut pas être mesuré ; vide s’il peut l’être
 column-vehicles-filmed-at = quand sa première image a été filmée, à l’heure du lieu (ISO 8601 avec décalage) : started_at de son enregistrement et first_frame, à la durée moyenne d’une image ; vide tant que personne n’a confirmé ce début
 column-vehicles-in-sample = si la règle de sampling.csv le retient
 column-vehicles-counts = si ses hauteurs comptent dans les résultats : pas une cible de contrôle, et dans l’échantillon, sauf si sampling.csv en compte aussi d’autres
@@ -6466,14 +6466,14 @@ column-recordings-codec = codec du flux vidéo
 column-recordings-container = conteneur du fichier
 column-recordings-variable-rate = true si le temps entre les images varie
 column-recordings-stream-number = lequel des flux vidéo du fichier a été lu, s’il en a plusieurs
-column-recordings-filmed-hz = images par seconde au tournage, si une personne a dû l’indiquer
+column-recordings-filmed-hz = images par seconde à la prise de vue, si une personne a dû l’indiquer
 column-recordings-lighting = luminosité de l’enregistrement
 column-recordings-started-at = quand sa première image a été filmée, comme une personne l’a confirmé, à l’heure du lieu (ISO 8601 avec décalage)
 column-recordings-time-zone = fuseau horaire de ces heures (IANA)
 column-recordings-weather = météo, en toutes lettres
 column-recordings-street-lighting = si l’éclairage public était allumé
 column-recordings-camera-id = caméra qui l’a filmé
-column-recordings-pose-id = pose actuelle de la caméra
+column-recordings-pose-id = pose de la caméra en vigueur
 column-recordings-drift-state = si la caméra a bougé depuis cette pose
 column-recordings-drift-floor-px = limite de détection du mouvement de la caméra
 column-recordings-drift-moved-px = plus grand mouvement trouvé, si elle a bougé
@@ -6483,7 +6483,7 @@ column-recordings-drift-decision = pourquoi la pose a été gardée bien que la 
 column-recordings-drift-decided-by-id = qui en a décidé
 column-recordings-drift-decided-at = quand cela a été décidé (ISO 8601, UTC)
 column-poses-id = pose de la caméra
-column-poses-recording-id = enregistrement où la mire se tenait sur la chaussée
+column-poses-recording-id = enregistrement où la mire était posée sur la chaussée
 column-poses-calibration-id = étalonnage avec lequel elle a été calculée
 column-poses-first-frame = première image du segment où la mire est visible
 column-poses-last-frame = dernière image du segment où la mire est visible
@@ -6583,37 +6583,37 @@ column-shares-share = part des hauteurs inférieures : below divisé par n
 column-lateral-positions-lane = sens de circulation sur l’image ; vide : tous
 column-lateral-positions-class = carrosserie des véhicules ; vide : toutes
 
-## La page d'un dossier de preuve : ouverte sans serveur, par quelqu'un qui n'a rien d'autre
+## La page d’un dossier de preuve : ouverte sans serveur, par quelqu’un qui n’a rien d’autre
 
-opened-evidence-unreadable = Cette page ne peut pas lire ce qu’elle porte : le fichier a été tronqué ou modifié.
+opened-evidence-unreadable = Cette page ne peut pas lire ses données : le fichier a été tronqué ou modifié.
 opened-evidence-title = Véhicule { $number }, { $scan }
 opened-evidence-made = Dossier de preuve fait le { $at } UTC par { $by } avec Sightline { $version }.
 opened-evidence-nobody = personne de connecté
 opened-evidence-checking = Contrôle du fichier…
-opened-evidence-is-fine = Rien de ce que cette page peut contrôler ne se contredit.
-opened-evidence-is-wrong = Ce fichier n’est pas tel qu’il a été fait.
-opened-evidence-failed = Le fichier ne peut pas être contrôlé jusqu’au bout : { $words }.
-opened-evidence-text-fine = Les données sont ici dans la seule forme qui est signée (RFC 8785).
-opened-evidence-text-wrong = Les données ne sont pas ici dans la forme qui est signée.
-opened-evidence-pictures-fine = Les deux images sont celles que les données nomment par leur SHA-256.
-opened-evidence-pictures-wrong = Images autres que celles que nomment les données : { $named }.
+opened-evidence-is-fine = Les contrôles de cette page n’ont trouvé aucune contradiction.
+opened-evidence-is-wrong = Ce fichier a été modifié après sa création.
+opened-evidence-failed = Le fichier n’a pas pu être contrôlé en entier : { $words }.
+opened-evidence-text-fine = Les données sont exactement dans la forme qui est signée (RFC 8785).
+opened-evidence-text-wrong = Les données ne sont pas dans la forme qui est signée.
+opened-evidence-pictures-fine = Les deux images correspondent aux SHA-256 des données.
+opened-evidence-pictures-wrong = Images qui ne correspondent pas aux données : { $named }.
 opened-evidence-events-fine = { $count ->
-    [one] L’événement d’audit est celui qui a été haché.
-   *[other] Les { NUMBER($count) } événements d’audit sont ceux qui ont été hachés.
+    [one] L’événement d’audit correspond à son empreinte.
+   *[other] Les { NUMBER($count) } événements d’audit correspondent à leurs empreintes.
   }
-opened-evidence-events-wrong = Événements d’audit autres que ceux qui ont été hachés : { $named }.
-opened-evidence-event-fine = Le mouvement est celui que donne son événement d’audit.
-opened-evidence-event-wrong = Le mouvement n’est pas celui que donne son événement d’audit : { $named }.
+opened-evidence-events-wrong = Événements d’audit qui ne correspondent pas à leurs empreintes : { $named }.
+opened-evidence-event-fine = Le mouvement concorde avec son événement d’audit.
+opened-evidence-event-wrong = Le mouvement diffère de son événement d’audit : { $named }.
 opened-evidence-signature-holds = La signature est valable pour la clé { $key }…
 opened-evidence-signature-wrong = La signature n’est pas valable pour la clé { $key }…
-opened-evidence-signature-unknown = La signature n’a pas été contrôlée, car ce navigateur n’a pas Ed25519. Les empreintes l’ont été. Utilisez sightline verify, ou un navigateur plus récent.
-opened-evidence-proves = Une signature prouve que le détenteur de cette clé a signé ces données, et rien de plus : ni qui détient la clé, ni que les données sont vraies, ni quand elles ont été faites. Comparez la clé à celle qu’affiche l’installation.
-opened-evidence-what-here = Ici : les empreintes des deux images et des événements d’audit, le mouvement par rapport à son événement, et la signature avec les clés transmises.
-opened-evidence-what-verify = Seulement par sightline verify : longueur, bilan, intervalle, heure et décision refaits à partir des lignes des bornes et du dispositif, la décision de vérification par rapport à son événement, et le programme de cette page. Le mouvement lui-même vient des deux bandes entières, que l’installation garde.
-opened-evidence-what-page = Un fichier peut être falsifié en entier, et dirait alors ce que veut le faussaire. Si cela compte, lancez sightline verify avec la clé qu’affiche l’installation.
+opened-evidence-signature-unknown = La signature n’a pas été contrôlée, car ce navigateur ne prend pas en charge Ed25519 ; les empreintes l’ont été. Utilisez sightline verify, ou un navigateur plus récent.
+opened-evidence-proves = Une signature prouve seulement que le détenteur de cette clé a signé ces données, non qui détient la clé, ni que les données sont vraies, ni quand elles ont été établies. Comparez la clé à celle qu’affiche l’installation.
+opened-evidence-what-here = Ici : les empreintes des deux images et des événements d’audit, le mouvement par rapport à son événement, et la signature avec la chaîne des clés.
+opened-evidence-what-verify = Seulement par sightline verify : longueur, bilan d’incertitude, intervalle, heure et décision recalculés à partir des lignes des bornes et du dispositif, la décision de vérification par rapport à son événement, et le programme de cette page. Le mouvement lui-même vient des deux bandes entières, que l’installation garde.
+opened-evidence-what-page = Un fichier peut être falsifié en entier, et dirait alors ce que veut le faussaire. Si l’enjeu le demande, lancez sightline verify avec la clé qu’affiche l’installation.
 opened-evidence-data = Toutes les données de ce fichier
 opened-evidence-decision = Décision
-opened-evidence-decision-note = La règle : une réponse n’est donnée que si la valeur est au-delà de la limite, d’un côté ou de l’autre, de la bande de garde ou plus (JCGM 106:2012, 8.3), l’incertitude de ce fichier étant supposée normale.
+opened-evidence-decision-note = Règle : une décision n’est prise que si la valeur est au-delà de la limite, d’un côté ou de l’autre, d’au moins la bande de garde (JCGM 106:2012, 8.3), l’incertitude indiquée étant supposée de loi normale.
 opened-evidence-rule-source = La limite : { $source }
 opened-evidence-motion = Mouvement mesuré
 opened-evidence-with-u = { $value } { $unit } (u = { $u } { $unit })
@@ -6637,7 +6637,7 @@ opened-evidence-time-gap = Intervalle temporel avec le véhicule précédent
 opened-evidence-distance-gap = Distance au véhicule précédent
 opened-evidence-gap-none = aucun véhicule n’a été mesuré avant celui-ci
 opened-evidence-method = Mesuré
-opened-evidence-found = Bornes trouvées par le programme, { $method ->
+opened-evidence-found = Bornes trouvées par Sightline, { $method ->
     [paper] appariement de blocs
    *[direct] recalage direct
   } ; révision { $revision } du { $at } UTC, Sightline { $version }
@@ -6662,13 +6662,13 @@ opened-evidence-combined = composée
 opened-evidence-time = Heure
 opened-evidence-passed = Avant à la caméra 1
 opened-evidence-passed-u = { $at } (u = { $u_s } s)
-opened-evidence-start = Début de l’enregistrement, confirmé par une personne
+opened-evidence-start = Début confirmé de l’enregistrement
 opened-evidence-start-u = { $at }, fuseau { $zone } (u = { $u_s } s)
 opened-evidence-since = Depuis la première ligne
-opened-evidence-clock-none = Personne n’a confirmé quand cet enregistrement a commencé : il n’y a pas d’heure.
+opened-evidence-clock-none = Le début de cet enregistrement n’est pas confirmé : il n’y a pas d’heure.
 opened-evidence-rig = Dispositif et enregistrement
 opened-evidence-baseline = Base
-opened-evidence-baseline-there = Base au véhicule
+opened-evidence-baseline-there = Base au droit du véhicule
 opened-evidence-rate = Cadence de lignes
 opened-evidence-divergence = Divergence des plans de balayage
 opened-evidence-distance = Distance aux véhicules
@@ -6718,8 +6718,8 @@ opened-evidence-line = { $edge ->
   } à la caméra { $camera }, ligne
 opened-evidence-plain-front = Vitesse de l’avant
 opened-evidence-plain-rear = Vitesse de l’arrière
-opened-evidence-plain = Votre colonne est la formule simple de deux lignes : vitesse = base / temps entre les deux caméras ; longueur = moyenne des deux vitesses × temps à la caméra 1. Ce n’est pas le résultat du serveur, qui recale toutes les lignes intermédiaires, et elle ignore l’accélération : la vitesse du fichier vaut quand l’avant atteint la caméra 1.
-opened-evidence-no-speed = ces lignes ne sont pas un passage
+opened-evidence-plain = Votre colonne applique la formule simple à partir de deux lignes : vitesse = base / temps entre les deux caméras ; longueur = moyenne des deux vitesses × temps à la caméra 1. Elle diffère du résultat du serveur, qui recale toutes les lignes intermédiaires et tient compte de l’accélération : la vitesse du fichier vaut quand l’avant atteint la caméra 1.
+opened-evidence-no-speed = ces lignes ne donnent pas de vitesse
 opened-evidence-not-set = placez les quatre bornes
 opened-evidence-no-shift = pas de vitesse
 opened-evidence-speed-of = { $kmh } km/h ({ $mps } m/s)
@@ -6728,17 +6728,17 @@ opened-evidence-shift = Reculer la caméra 2 de (lignes)
 opened-evidence-opacity = Opacité de la caméra 2
 opened-evidence-difference = Afficher la différence
 opened-evidence-shift-hand = { $edge ->
-    [rear] Vos arrières ensemble
-   *[front] Vos avants ensemble
+    [rear] Aligner vos arrières
+   *[front] Aligner vos avants
   }
 opened-evidence-shift-file = { $edge ->
-    [rear] Les arrières du fichier ensemble
-   *[front] Les avants du fichier ensemble
+    [rear] Aligner les arrières du fichier
+   *[front] Aligner les avants du fichier
   }
-opened-evidence-shift-words = { $lines } lignes font { $ms } ms ; par base / temps, cela fait { $speed }.
+opened-evidence-shift-words = { $lines } lignes font { $ms } ms ; base / temps donne { $speed }.
 
-## Preuve d'un véhicule balayé : sa création, sa décision et son contrôle
-evidence-no-rule = Aucune limite n’a été indiquée, rien n’a donc été décidé.
+## Preuve d’un véhicule balayé : sa création, sa décision et son contrôle
+evidence-no-rule = Aucune limite n’a été indiquée : aucune décision n’a été prise.
 evidence-decided = { $answer ->
     [conforming] Conforme
     [not_conforming] Non conforme
@@ -6746,93 +6746,93 @@ evidence-decided = { $answer ->
   } : { $quantity ->
     [speed] la vitesse
     [time_gap] l’intervalle temporel
-   *[distance_gap] la distance inter-véhicules
+   *[distance_gap] la distance intervéhiculaire
   } est de { $value } { $unit } avec une incertitude-type de { $u } { $unit } ; { $side ->
     [upper] au plus
    *[lower] au moins
   } { $limit } { $unit } sont demandés. { $answer ->
-    [conforming] La limite est respectée de plus que la bande de garde de { $guard } { $unit } ({ $factor } u) ; la probabilité que cette réponse soit fausse est { $least ->
+    [conforming] La limite est respectée de plus que la bande de garde de { $guard } { $unit } ({ $factor } u) ; la probabilité que cette décision soit erronée est { $least ->
         [under] inférieure à
        *[about] d’environ
     } { $chance } %, et { $risk } % étaient admis.
-    [not_conforming] La limite est enfreinte de plus que la bande de garde de { $guard } { $unit } ({ $factor } u) ; la probabilité que cette réponse soit fausse est { $least ->
+    [not_conforming] La limite est enfreinte de plus que la bande de garde de { $guard } { $unit } ({ $factor } u) ; la probabilité que cette décision soit erronée est { $least ->
         [under] inférieure à
        *[about] d’environ
     } { $chance } %, et { $risk } % étaient admis.
-   *[undecided] L’écart à la limite ne dépasse pas la bande de garde de { $guard } { $unit } ({ $factor } u) ; la réponse la plus probable serait fausse avec une probabilité { $least ->
+   *[undecided] L’écart à la limite ne dépasse pas la bande de garde de { $guard } { $unit } ({ $factor } u) ; la décision la plus probable serait erronée avec une probabilité { $least ->
         [under] inférieure à
        *[about] d’environ
     } { $chance } %, et { $risk } % étaient admis.
   }
-evidence-none-refused = Rien n’a été décidé : le véhicule n’a pas de mouvement mesuré. { $reason }
-evidence-none-rig = Rien n’a été décidé : des valeurs du dispositif ont été modifiées après la mesure de ce véhicule, ou du précédent.
-evidence-none-review = Rien n’a été décidé : { $verdict ->
+evidence-none-refused = Pas de décision : le véhicule n’a pas de mouvement mesuré. { $reason }
+evidence-none-rig = Pas de décision : des valeurs du dispositif ont été modifiées après la mesure de ce véhicule, ou du précédent.
+evidence-none-review = Pas de décision : { $verdict ->
     [rejected] un vérificateur a rejeté la mesure.
     [reopened] un vérificateur a rouvert la mesure, et personne ne l’a validée depuis.
    *[other] aucun vérificateur n’a validé la mesure.
   }
-evidence-none-first = Rien n’a été décidé : aucun véhicule n’a été mesuré avant celui-ci, il n’y a donc pas d’intervalle.
-evidence-none-before = Rien n’a été décidé : le véhicule { $number }, qui précède celui-ci, n’a pas de mouvement mesuré avec le dispositif actuel.
-evidence-none-before-review = Rien n’a été décidé : { $verdict ->
+evidence-none-first = Pas de décision : aucun véhicule n’a été mesuré avant celui-ci, il n’y a donc pas d’intervalle.
+evidence-none-before = Pas de décision : le véhicule { $number }, qui précède celui-ci, n’a pas de mouvement mesuré avec le dispositif actuel.
+evidence-none-before-review = Pas de décision : { $verdict ->
     [rejected] un vérificateur a rejeté
     [reopened] personne n’a validé depuis sa réouverture
    *[other] aucun vérificateur n’a validé
   } la mesure du véhicule { $number }, qui précède celui-ci.
-evidence-none-value = Rien n’a été décidé : il n’y a pas de valeur avec une incertitude. { $reason }
-evidence-not-measured = Le véhicule { $number } n’a jamais été mesuré, il n’y a donc rien à montrer ; mesurez-le d’abord.
+evidence-none-value = Pas de décision : il n’y a pas de valeur avec une incertitude. { $reason }
+evidence-not-measured = Le véhicule { $number } n’est pas mesuré ; mesurez-le d’abord.
 evidence-no-picture = La bande de la caméra { $camera } finit avant le véhicule ; placez son avant et son arrière dans la bande.
 evidence-too-long = L’avant et l’arrière sont à { NUMBER($lines) } lignes l’un de l’autre, plus que n’en prend un véhicule ({ NUMBER($most) }) ; corrigez ses bornes.
 evidence-pages-not-built = La page des dossiers de preuve n’est pas construite ici ; lancez make setup et réessayez.
 evidence-one-limit = Indiquez une limite : --most-kmh, --least-time-gap-s ou --least-distance-gap-m, supérieure à 0 et inférieure à 10 000.
 evidence-no-scan = Le relevé n’a pas d’enregistrement de balayage linéaire { $scan } ; il a : { $names }.
-evidence-no-vehicle = Il n’y a pas de véhicule { $number } dans { $scan } ; voyez les numéros sur la page du balayage.
+evidence-no-vehicle = Il n’y a pas de véhicule { $number } dans { $scan } ; vérifiez le numéro sur la page du balayage.
 evidence-not-one = Ce n’est pas un dossier de preuve tel que ce programme les écrit, ou il a été tronqué ; reprenez le fichier.
 evidence-form = La partie « { $part } » est illisible ({ $words }) ; elle a été modifiée.
 evidence-another-page = Le programme de la page n’est pas celui que nomme le document ; il a été modifié.
-evidence-not-canonical = Le document n’est pas dans sa forme JSON canonique ; il a été modifié.
-evidence-signature = La signature ne vaut pas pour ce que dit le document.
-evidence-keys = Le document ne dit pas comment sa clé découle des précédentes.
-evidence-other-key = Le fichier a été signé avec la clé { $key } et ne sait rien de la clé indiquée ; il vient d’une autre installation ou est falsifié.
-evidence-pictures = Il n’y a pas deux images, de la caméra 1 et de la caméra 2.
+evidence-not-canonical = Le document n’est pas un JSON canonique ; il a été modifié.
+evidence-signature = La signature n’est pas valable pour le document.
+evidence-keys = Le document n’indique pas comment sa clé découle des précédentes.
+evidence-other-key = Le fichier a été signé avec la clé { $key }, qui n’est pas liée à la clé indiquée ; il vient d’une autre installation ou est falsifié.
+evidence-pictures = Les deux images, de la caméra 1 et de la caméra 2, ne sont pas toutes deux présentes.
 evidence-picture = L’image { $name } n’est pas celle que nomme le document.
 evidence-picture-size = L’image { $name } a une autre taille que ne le dit le document.
 evidence-event = L’événement d’audit { $number } n’est pas celui qui a été haché, ou il est d’une autre chaîne.
-evidence-no-event = Aucun événement d’audit ne parle { $part ->
+evidence-no-event = Il n’y a pas d’événement d’audit { $part ->
     [before] du véhicule précédent
    *[measurement] de la mesure
   }.
 evidence-not-as-event = { $part ->
     [before] Le véhicule précédent
    *[measurement] La mesure
-  } diffère de ce que disent ses événements d’audit : { $named }.
-evidence-made-again = Refait à partir du document, ceci donne autre chose : { $named }.
+  } diffère de ses événements d’audit : { $named }.
+evidence-made-again = Recalculé à partir du document, ceci diffère : { $named }.
 evidence-numbers = Pour { $part ->
     [before] le véhicule précédent
    *[measurement] la mesure
-  }, ceci ne découle pas des lignes, du dispositif et du bilan : { $named }.
+  }, ceci ne découle pas des lignes, du dispositif et du bilan d’incertitude : { $named }.
 evidence-page-other-version = La page a été faite par une autre version du programme : son empreinte est signée, mais n’a pas été comparée à une page de cette version.
-evidence-key-given = La signature prouve ce que le détenteur de cette clé a signé, non qui détenait la clé, ni que c’est vrai, ni quand c’était.
-evidence-key-not-given = Signé avec la clé { $key } : qui falsifie un fichier peut le signer avec sa propre clé. Comparez-la à celle qu’affiche l’installation, ou indiquez celle-ci avec --key.
-statistics-risk-cannot-be = Un risque de { $risk } est impossible ; indiquez-en un de { $least } à { $most }.
+evidence-key-given = La signature prouve ce que le détenteur de cette clé a signé, non qui détenait la clé, ni que cela est vrai, ni quand cela a été fait.
+evidence-key-not-given = Signé avec la clé { $key } : un faussaire peut signer avec sa propre clé. Comparez-la à celle qu’affiche l’installation, ou indiquez celle-ci avec --key.
+statistics-risk-cannot-be = Un risque de { $risk } est hors plage ; indiquez-en un de { $least } à { $most }.
 
 ## Une mire à imprimer
 
 print-board-title = Damier : { $columns } × { $rows } coins intérieurs, cases de { $square_mm } mm
 print-board-title-charuco = Mire ChArUco : { $columns } × { $rows } coins intérieurs, cases de { $square_mm } mm, marqueurs { $dictionary } de { $marker_mm } mm
 print-board-check = Imprimez sur { $paper } à taille réelle (100 %), sans ajustement à la page. Mesurez ensuite la barre ci-dessus : elle fait { $bar_mm } mm de long. Si l’impression diffère, mesurez une rangée entière de cases et indiquez la taille réelle d’une case.
-geometry-board-larger-than-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm avec son bord blanc, plus grande que A0 ; choisissez des cases plus petites, ou nommez un rouleau de papier, par exemple 1200x900.
-geometry-board-not-on-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm avec son bord blanc et ne tient pas sur { $paper } ; choisissez un papier plus grand ou des cases plus petites.
+geometry-board-larger-than-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm marge blanche comprise, plus grande que A0 ; choisissez des cases plus petites, ou nommez un rouleau de papier, par exemple 1200x900.
+geometry-board-not-on-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm marge blanche comprise et ne tient pas sur { $paper } ; choisissez un papier plus grand ou des cases plus petites.
 geometry-paper-not-known = Il n’y a pas de papier { $paper } ; utilisez l’un de { $papers }, ou sa largeur et sa hauteur en mm, par exemple 841x1500.
-reference-value-cannot-be = Une référence ({ $quantity }) de { $value } { $unit } est impossible ; indiquez une valeur supérieure à { $least } et d’au plus { $most } { $unit }.
-reference-u-cannot-be = Une incertitude de { $u } { $unit } pour { $quantity } de { $value } { $unit } est impossible ; indiquez une incertitude-type supérieure à 0 et non supérieure à la valeur elle-même.
+reference-value-cannot-be = Une référence ({ $quantity }) de { $value } { $unit } est hors plage ; indiquez une valeur supérieure à { $least } et d’au plus { $most } { $unit }.
+reference-u-cannot-be = Une incertitude de { $u } { $unit } pour { $quantity } de { $value } { $unit } est hors plage ; indiquez une incertitude-type supérieure à 0 et non supérieure à la valeur elle-même.
 reference-device-too-long = Le nom de l’instrument dépasse { $most } caractères ; raccourcissez-le.
-reference-withdrawn-already = Cette valeur de référence a déjà été supprimée ; rien n’a été fait.
-reference-changed-meanwhile = { $name } a modifié cette valeur de référence entre-temps ; regardez-la d’abord.
+reference-withdrawn-already = Cette valeur de référence a déjà été supprimée ; il n’y a rien à faire.
+reference-changed-meanwhile = { $name } a modifié cette valeur de référence entre-temps ; contrôlez-la d’abord.
 reference-columns-missing = { $name } demande une colonne « number » (numéro du véhicule dans son enregistrement) ou « time » (heure de son passage) et l’une de speed_kmh, length_m, wheelbase_m ou run_of ; sa première ligne nomme les colonnes.
-reference-column-unit = La colonne « { $column } » de { $name } ne dit pas son unité ; nommez-la de l’une de ces façons : { $names }, précédée de « u_ » pour l’incertitude.
+reference-column-unit = La colonne « { $column } » de { $name } n’indique pas son unité ; donnez-lui l’un de ces noms : { $names }, précédée de « u_ » pour l’incertitude.
 reference-columns-of-one = Les colonnes « { $first } » et « { $second } » de { $name } indiquent la même chose ; retirez-en une.
 reference-no-line-used = Aucune ligne de { $name } n’est utilisable ; ligne { $line } : { $reason }
-reference-line-no-number = Le numéro du véhicule est « { $number } » ; indiquez le nombre entier affiché à l’établi.
+reference-line-no-number = Le numéro du véhicule est « { $number } » ; indiquez le nombre entier affiché sur la page du balayage.
 reference-line-no-vehicle = Cet enregistrement n’a pas de véhicule { $number }.
 reference-line-no-u = Aucune incertitude pour { $quantity } ; indiquez u_{ $quantity } à côté.
 reference-line-no-value = Il y a une incertitude pour { $quantity }, mais pas de valeur.
@@ -6919,19 +6919,19 @@ scan-run-short-objects = La caméra { $camera } montre { $per_s } objets courts 
 scan-run-flicker = La lumière à la caméra { $camera } scintille de { $percent } %, comme un éclairage sur secteur ; changez d’éclairage, ou attendez-vous à des incertitudes plus grandes.
 scan-run-saturated = { $percent } % de l’image de la caméra { $camera } est saturée ; réduisez l’exposition.
 rig-misalignments-scatter = Le désalignement diffère d’un véhicule à l’autre de { NUMBER($sd_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px (écart-type) ; vérifiez si une caméra a bougé.
-rig-few-known = { $count } véhicules connus sont trop peu ; il en faut { $least }.
+rig-few-known = { $count } véhicules connus ne suffisent pas ; il en faut { $least }.
 rig-misalignment-given = Le désalignement a été saisi : les estimations des véhicules en dépendent ; laissez-le vide et mesurez à nouveau pour l’estimer.
-rig-baseline-off = { $count } { $of ->
+rig-baseline-off = D’après { $count } { $of ->
     [length] longueurs
    *[wheelbase] empattements
- } de véhicules connus ressortent de { NUMBER($percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % plus { $than ->
+ }, les véhicules connus ressortent de { NUMBER($percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % plus { $than ->
     [longer] longs
    *[shorter] courts
  } qu’ils ne sont (u = { NUMBER($u_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %) : une base plus { $than ->
     [longer] courte
    *[shorter] longue
- } leur conviendrait. Mesurez-la de nouveau.{ $of ->
-    [length] { " " }Une ombre allonge aussi un véhicule ; les empattements n’en portent pas.
+ } leur conviendrait. Contrôlez la base.{ $of ->
+    [length] { " " }Les ombres peuvent aussi allonger ; les empattements en sont exempts.
    *[wheelbase] { "" }
  }
 rig-baseline-agrees = { $count } { $of ->
@@ -6958,7 +6958,7 @@ scan-motion-not-finite = La { $what ->
    *[acceleration] accélération
  } calculée n’est pas un nombre : contrôlez les bornes, la base et la cadence.
 
-## Said: boards, calibrations, camera poses and the traffic's say on them
+## Said: boards, calibrations, camera poses and the traffic’s say on them
 
 board-not-found = Aucune mire n’a été trouvée.
 board-search-stopped = La recherche a été arrêtée.
@@ -6982,7 +6982,7 @@ board-no-frame = Aucune image n’a été donnée.
 board-corners-few = Au plus { $parts } de ses { $whole } coins ont été trouvés ; montrez la mire entière.
 board-order = Les coins sont numérotés depuis le haut à gauche tel que vu, le long des rangées vers la droite puis vers le bas.
 board-order-part = { $seen } de ses { $all } coins sont visibles ; cela suffit à un étalonnage, mais une pose de la caméra les demande tous.
-board-order-turned = La mire est posée dans l’autre sens qu’indiqué : { $columns } colonnes sur { $rows } rangées telle que vue.
+board-order-turned = La mire est tournée : { $columns } colonnes sur { $rows } rangées telles que vues, et non telles que saisies.
 pose-frames-without-board = La mire n’a pas été trouvée dans { $missed } des images ; celles-ci ne servent pas.
 pose-frames-moved = La mire ou la caméra a bougé dans certaines images ; seules servent les images au repos.
 pose-corners-miss-model = Les coins ne suivent le modèle qu’à { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px près ; la mire est peut-être courbée ou l’étalonnage mauvais.
@@ -7010,18 +7010,18 @@ calibration-imported = Importé de { $file_name } : modèle { $model }, focale 
 calibration-board-bent = La mire n’est pas plane : elle fléchit d’environ { NUMBER($bow_percent, minimumFractionDigits: 1, maximumFractionDigits: 1) } % d’une case ; avec sa forme estimée, le résidu passe de { NUMBER($flat_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } à { NUMBER($bent_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px. Fixez la mire sur une plaque rigide et plane et reprenez les photos, ou étalonnez en tenant compte de la flèche.
 calibration-board-bent-changes = La mire n’est pas plane : elle fléchit d’environ { NUMBER($bow_percent, minimumFractionDigits: 1, maximumFractionDigits: 1) } % d’une case ; avec sa forme estimée, le résidu passe de { NUMBER($flat_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } à { NUMBER($bent_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px et une hauteur à { $distance_m } m change de { SMALL($change_m) }. Fixez la mire sur une plaque rigide et plane et reprenez les photos, ou étalonnez en tenant compte de la flèche.
 calibration-halves-few = Deux moitiés demandent au moins { $least } vues utilisables{ $board ->
-    [bent] { " " }d’une mire gauchie
+    [bent] { " " }d’une mire courbée
    *[flat] { "" }
  } ; il y en a { $usable }. Prenez d’autres photos.
 calibration-halves-failed = Les deux moitiés n’ont pas pu être étalonnées séparément : { $message }
 calibration-halves-no-inverse = Une mire est là où le modèle d’objectif n’a pas d’inverse ; ajoutez des photos qui atteignent les coins.
-calibration-halves-differ = Deux moitiés des photos, étalonnées séparément, diffèrent de { SMALL($difference_m) } pour une hauteur à { $distance_m } m : plus que le bruit des coins ne l’explique. L’objectif demande peut-être l’autre modèle, la mire est peut-être gauchie, ou le zoom ou la mise au point a changé entre les photos.
-calibration-halves-differ-beyond = Deux moitiés des photos, étalonnées séparément, diffèrent de { SMALL($difference_m) } pour une hauteur à { $distance_m } m ({ SMALL($expected_m) } attendus) : plus que le bruit des coins ne l’explique. L’objectif demande peut-être l’autre modèle, la mire est peut-être gauchie, ou le zoom ou la mise au point a changé entre les photos.
+calibration-halves-differ = Deux moitiés des photos, étalonnées séparément, diffèrent de { SMALL($difference_m) } pour une hauteur à { $distance_m } m : plus que le bruit des coins ne l’explique. L’objectif demande peut-être l’autre modèle, la mire est peut-être courbée, ou le zoom ou la mise au point a changé entre les photos.
+calibration-halves-differ-beyond = Deux moitiés des photos, étalonnées séparément, diffèrent de { SMALL($difference_m) } pour une hauteur à { $distance_m } m ({ SMALL($expected_m) } attendus) : plus que le bruit des coins ne l’explique. L’objectif demande peut-être l’autre modèle, la mire est peut-être courbée, ou le zoom ou la mise au point a changé entre les photos.
 calibration-held-out-worse = Les photos hors ajustement s’accordent bien moins que les photos ajustées ({ NUMBER($held_out_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px contre { NUMBER($fit_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px) ; ajoutez des photos où la mire est inclinée, partout dans l’image.
-calibration-few-views = Seules { $count } vues ont servi ; sous { $few }, un petit résidu prouve peu ; prenez-en 15 à 25.
+calibration-few-views = Seules { $count } vues ont servi : sous { $few }, un petit résidu prouve peu ; prenez-en 15 à 25.
 calibration-views-alike = Seules { $different } des { $count } vues diffèrent, car la mire n’a guère bougé entre les autres ; déplacez-la et inclinez-la entre les photos, ou prenez des images plus éloignées.
 calibration-little-covered = Les mires couvrent { $percent } % de l’image ; ajoutez des vues qui atteignent ses bords et ses coins, où la distorsion est la plus forte.
-calibration-boards-parallel = Toutes les mires sont orientées de même ; focale et distance ne se distinguent pas ; inclinez la mire de 30 à 45 degrés dans plusieurs directions.
+calibration-boards-parallel = Toutes les mires sont orientées de même : focale et distance ne se distinguent pas ; inclinez la mire de 30 à 45 degrés dans plusieurs directions.
 calibration-residual-high = Le résidu de { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px est élevé ; la mire n’est peut-être pas plane, sa taille est peut-être fausse, ou l’objectif demande un autre modèle.
 calibration-other-model-better = Le modèle { $model } convient mieux ({ NUMBER($other_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px contre { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px) ; étalonnez avec lui.
 calibration-lens-undetermined = Les vues ne déterminent pas l’objectif ; son incertitude ne peut être indiquée.
@@ -7079,7 +7079,7 @@ adjustment-length-off = Sa longueur connue ({ $length ->
  } pour les points observés ; vérifiez le modèle.
 adjustment-crooked = Trop de ses points ne sont pas sur une même ligne droite.
 adjustment-point-outside = Un point est hors de l’image.
-adjustment-tyre-off-road = Un pneu est là où il n’y a pas de route : au-dessus de l’horizon, ou hors du rayon du modèle d’objectif.
+adjustment-tyre-off-road = Un pneu est là où il n’y a pas de route : au-dessus de l’horizon, ou hors du rayon de validité du modèle d’objectif.
 adjustment-part-excluded = Le trafic contredit ce terme : { $part ->
     [board_lean_rad] { adjust-board_lean_rad }
     [board_roll_rad] { adjust-board_roll_rad }
@@ -7126,10 +7126,10 @@ adjustment-no-pass = Aucun passage de longueur connue n’a pu servir.
 traffic-turned = L’axe X de la route est pivoté de { NUMBER($mean_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° (u = { NUMBER($u_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }°, { $count } véhicules) par rapport au trafic.
 traffic-agrees = L’axe X de la route s’accorde avec le trafic : rotation de { NUMBER($mean_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° (u = { NUMBER($u_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }°, { $count } véhicules), non significative.
 traffic-turn-changes = Cela change { $count } hauteurs enregistrées de { SMALL($largest_m) } au plus.
-traffic-turn-would-change = La pivoter changerait les hauteurs enregistrées de { SMALL($largest_m) } au plus.
+traffic-turn-would-change = Cette rotation changerait les hauteurs enregistrées de { SMALL($largest_m) } au plus.
 traffic-few-vehicles = Il faut les deux contacts de pneu d’au moins { $least } véhicules ; utilisables : { $usable }.
 adjustment-row-frame = Ligne { $row } : la cellule frame n’est pas un nombre entier.
-adjustment-row-point = Ligne { $row } : la cellule point n’est aucun de { $points }.
+adjustment-row-point = Ligne { $row } : la cellule point n’est pas l’un de { $points }.
 adjustment-row-another = Ligne { $row } : une autre valeur de { $column } est donnée pour le même passage.
 adjustment-u-lacking = { $given } est donné sans { $lacking }.
 
@@ -7138,15 +7138,15 @@ adjustment-u-lacking = { $given } est donné sans { $lacking }.
 inset-few-known = Il faut au moins { $least } véhicules de hauteur connue ; utilisables : { $usable }.
 inset-known-at-camera-height = Non concluant : les véhicules sont à peu près à la hauteur de la caméra, où le retrait a peu d’effet.
 inset-none-fits = Aucun retrait ne s’accorde aux hauteurs du constructeur ; contrôlez-les, ainsi que la hauteur de la caméra et les pointés.
-inset-known-vague = Cela ne dit presque rien : trop peu de véhicules pour des hauteurs si proches de la caméra ou si incertaines.
+inset-known-vague = Non concluant : trop peu de véhicules, ou hauteurs trop proches de celle de la caméra ou trop incertaines.
 inset-few-trend = Il faut au moins { $least } véhicules ; utilisables : { $usable }.
-inset-no-trend = Les hauteurs ne donnent pas de retrait : trop peu de véhicules, ou tous à peu près à la même distance.
-inset-trend-at-camera-height = Cela ne dit rien : cette cible est à peu près à la hauteur de la caméra, où le retrait ne compte guère.
-inset-trend-one-distance = Cela ne dit rien : tous sont passés à peu près à la même distance, { NUMBER($nearest_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } à { NUMBER($farthest_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } m.
+inset-no-trend = Le retrait ne peut pas être estimé : trop peu de véhicules, ou tous à peu près à la même distance.
+inset-trend-at-camera-height = Non concluant : cette cible est à peu près à la hauteur de la caméra, où le retrait a peu d’effet.
+inset-trend-one-distance = Non concluant : tous sont passés à peu près à la même distance, { NUMBER($nearest_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } à { NUMBER($farthest_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } m.
 inset-trend-few = Pas assez de données : il faut quelques centaines de véhicules pour u = 0,15 m.
 inset-few-solved = Il faut au moins { $least } véhicules mesurés sur deux images ; il y en a { $count }.
-inset-solved-close-frames = Cela ne dit presque rien : les images étaient trop rapprochées.
-inset-no-gain = S’accorde avec le retrait en vigueur ; l’adopter ne rendrait aucune hauteur plus sûre.
+inset-solved-close-frames = Non concluant : les images étaient trop rapprochées.
+inset-no-gain = S’accorde avec le retrait en vigueur ; l’adopter ne réduirait l’incertitude d’aucune hauteur.
 inset-no-known-roof = Aucun véhicule dont la hauteur du constructeur est connue n’a de toit mesuré.
 inset-nothing-measured = Aucune mesure de cette cible.
 repeat-first-no-height = Les premiers pointés ne donnent pas de hauteur : { $reason }
@@ -7157,11 +7157,11 @@ repeat-other-inset = Les retraits diffèrent : les pointés ne sont pas seuls �
 repeat-no-uncertainty = Une hauteur est sans incertitude.
 repeats-few-own = Répétitions propres de { $name } : { $pairs } ; il en faut { $least }.
 repeats-few-other-frame = Répétées sur une autre image par un même opérateur : { $count } ; il en faut { $least }.
-repeats-nothing-yet = Rien n’a encore été repointé.
+repeats-nothing-yet = Pas encore de mesures répétées.
 repeats-few = Trop peu de répétitions : { $freedom } degrés de liberté, il en faut au moins { $least }.
 repeats-few-to-compare = Trop peu de répétitions à comparer : { $freedom }, il en faut au moins { $least }.
 repeats-one-operator = Aucune cible n’a été répétée par un second opérateur ; demandez à un autre opérateur d’en répéter.
-repeats-no-difference = Les personnes diffèrent moins que leurs pointés ne se dispersent ; davantage de répétitions trancheraient.
+repeats-no-difference = Aucune différence entre opérateurs n’est détectable ; davantage de répétitions préciseraient l’estimation.
 models-none-in-catalogue = Le catalogue est vide.
 models-none-fits = Aucun modèle du catalogue ne convient à ce qui a été mesuré sur ce véhicule.
 models-nothing-measured = Aucune dimension du catalogue n’a encore été mesurée sur ce véhicule.
@@ -7169,12 +7169,12 @@ models-no-such-size = Aucun modèle du catalogue n’a de dimension mesurée sur
 
 ## Said: what an import notes of a video or of strips
 
-video-filmed-at = Filmé à { $filmed_hz } images par seconde, comme saisi ; le fichier en lit { $played_hz } par seconde. Les instants sont ceux du tournage.
+video-filmed-at = Filmé à { $filmed_hz } images par seconde, comme saisi ; le fichier est lu à { $played_hz } par seconde. Les instants sont ceux de la prise de vue.
 video-no-rate = Le fichier n’indique aucune cadence : { $played_hz } images par seconde sont supposées. Ses instants ne sont pas fiables ; aucun mouvement n’en est donc mesuré.
 video-impossible-rate-endless = Les horodatages donnent une infinité d’images par seconde, ce qu’aucune caméra ne filme. Ses instants ne sont pas fiables ; aucun mouvement n’en est donc mesuré.
 video-impossible-rate = Les horodatages donnent { $played_hz } images par seconde, ce qu’aucune caméra ne filme. Ses instants ne sont pas fiables ; aucun mouvement n’en est donc mesuré.
-video-slow-motion = Le fichier est marqué comme ralenti ; il lit { $played_hz } images par seconde. Les hauteurs d’une seule image sont valables, mais aucun mouvement n’est mesuré tant que vous n’avez pas saisi la cadence de tournage.
-video-slow-motion-at = Le fichier indique qu’il a été filmé à { $filmed_hz } images par seconde ; il lit { $played_hz } images par seconde. Les hauteurs d’une seule image sont valables, mais aucun mouvement n’est mesuré tant que vous n’avez pas saisi la cadence de tournage.
+video-slow-motion = Le fichier est marqué comme ralenti ; il est lu à { $played_hz } images par seconde. Les hauteurs d’une seule image sont valables, mais aucun mouvement n’est mesuré tant que vous n’avez pas saisi la cadence de prise de vue.
+video-slow-motion-at = Le fichier indique qu’il a été filmé à { $filmed_hz } images par seconde ; il est lu à { $played_hz } images par seconde. Les hauteurs d’une seule image sont valables, mais aucun mouvement n’est mesuré tant que vous n’avez pas saisi la cadence de prise de vue.
 video-gaps = Des images manquent : { $count ->
     [one] une lacune
    *[other] { $count } lacunes
@@ -7204,7 +7204,7 @@ video-not-later = { $count } { $count ->
 video-packets-damaged = { $count } { $count ->
     [one] paquet endommagé a été ignoré
    *[other] paquets endommagés ont été ignorés
- } ; des images manquent là.
+ } ; des images y manquent.
 video-frames-patched = { $count } { $count ->
     [one] image est endommagée et complétée
    *[other] images sont endommagées et complétées
@@ -7212,10 +7212,10 @@ video-frames-patched = { $count } { $count ->
 video-start-in-future = Le fichier indique un début à { $start } UTC, qui est dans le futur : l’horloge de la caméra est fausse ; aucun début n’est donc proposé.
 video-ends-early = L’en-tête annonce { NUMBER($duration_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s, les images s’arrêtent à { NUMBER($end_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s ; le fichier est peut-être tronqué.
 video-other-rate = L’en-tête annonce { $stated_hz } images par seconde, les horodatages { $rate_hz } ; les horodatages font foi.
-video-other-count = L’en-tête annonce { $claimed } images, { $count } ont pu être décodées ; leur numérotation suit celles-ci.
+video-other-count = L’en-tête annonce { $claimed } images, { $count } ont pu être décodées ; les numéros d’image se rapportent à celles-ci.
 video-shown-upright = Les images ont été { $done }, comme l’indique leur en-tête.
-video-stretched = étirée pour des pixels de { $aspect }
-video-turned = tournée de { $degrees } degrés dans le sens horaire
+video-stretched = étirées pour des pixels de { $aspect }
+video-turned = tournées de { $degrees } degrés dans le sens horaire
 video-mirrored = retournées en miroir
 video-interlaced = L’enregistrement est entrelacé : les bords mobiles sont dentelés, préférez un enregistrement progressif.
 video-working-copy = Les images viennent d’une copie de travail indexée ; elles sont identiques à celles de l’original.
@@ -7223,14 +7223,14 @@ video-other-size-skipped = { $count } images d’une autre taille ont été igno
 video-rate-varies = La cadence d’images varie : { NUMBER($least_s, minimumFractionDigits: 4, maximumFractionDigits: 4) } à { NUMBER($most_s, minimumFractionDigits: 4, maximumFractionDigits: 4) } s entre images ; les temps viennent des horodatages.
 video-unreadable-end = Le fichier n’a pu être lu jusqu’au bout ; { $count } images ont été trouvées avant.
 video-no-time-stamps = Le flux n’a pas d’horodatage utilisable : { $rate_hz } images par seconde sont supposées, ne vous fiez donc pas à ses temps.
-scan-pixels-saturated = { $percent } % des pixels de la caméra { $camera } sont saturés ; des bords y sont perdus ; réduisez la lumière ou l’exposition.
+scan-pixels-saturated = { $percent } % des pixels de la caméra { $camera } sont saturés : des bords y sont perdus ; réduisez la lumière ou l’exposition.
 scan-recorder-lost = L’enregistreur de { $name } a perdu { $count } lignes ; elles sont remplacées par des copies.
 scan-recorder-other-rate = { $name } annonce une cadence de { $told_hz } Hz, mais { $line_rate_hz } Hz ont été donnés et sont utilisés ; vérifiez laquelle est juste.
 
 ## Said: how far a job is
 
 job-begun-again = La tâche a été interrompue ; elle est relancée.
-job-tried-again = La base de données ou le stockage ne répond pas ; la tâche est réessayée d’elle-même.
+job-tried-again = La base de données ou le stockage ne répond pas ; la tâche est relancée automatiquement.
 job-waits-to-begin-again = En attente d’être relancée.
 job-video-reading = Lecture de la vidéo.
 job-drift-searching = Recherche de mouvements de la caméra.
@@ -7238,8 +7238,8 @@ job-drift-background = Recherche du fond dans l’image { $frame }.
 job-board-searching = Recherche de la mire.
 job-board-searching-frame = Recherche de la mire dans l’image { $frame }.
 job-board-searching-in = Recherche de la mire dans { $name }.
-job-pose-computing = Calcul de la position de la caméra.
-job-lens-fitting = Ajustement de l’objectif, et de ses deux moitiés séparément.
+job-pose-computing = Calcul de la pose de la caméra.
+job-lens-fitting = Ajustement de l’objectif, puis des deux moitiés séparément.
 job-export-vehicles = Écriture des véhicules, des vérifications et de la chaîne d’audit.
 job-export-measurements = Écriture des mesures.
 job-export-crops = Découpe des vues de chaque pointé.
@@ -7252,13 +7252,13 @@ job-heights-restoring = Rétablissement des anciennes hauteurs.
 job-heights-computing = Calcul des hauteurs.
 job-strips-reading = Lecture des bandes.
 job-strips-cutting = Découpe des bandes.
-job-vehicles-searching = Recherche de véhicules.
-job-vehicles-found = Recherche de véhicules. { $count } jusqu’ici.
+job-vehicles-searching = Détection des véhicules.
+job-vehicles-found = Détection des véhicules. { $count } jusqu’ici.
 job-vehicles-again = Nouvelle mesure des véhicules connus.
 job-study-package = Écriture de l’archive.
 job-study-report = Écriture du rapport.
-job-study-figures = Calcul des chiffres.
-job-passes-searching = Recherche des passages.
+job-study-figures = Calcul des valeurs.
+job-passes-searching = Détection des passages.
 job-demo-videos = Lecture des vidéos.
 job-demo-poses = Calcul des poses des caméras.
 job-demo-site = Simulation d’un site.
@@ -7274,9 +7274,9 @@ told-geometry-driver-on-the-side = conducteur du côté de la caméra (estimatio
 told-geometry-driver-on-the-side-away = conducteur du côté opposé à la caméra (estimation)
 told-geometry-not-known = retrait inconnu
 told-geometry-outer-edge-of-the = bord extérieur du feu (estimation)
-jobs-gave-up = Le processus s’est arrêté { $attempts } fois au milieu de la tâche ; contrôlez le fichier et la mémoire.
+jobs-gave-up = La tâche s’est arrêtée { $attempts } fois ; contrôlez les données d’entrée et la mémoire disponible.
 jobs-broke = Une erreur du programme a arrêté la tâche ({ $name }) ; réessayez, et signalez-la si elle revient.
-told-recordings-the-ingest-was-cancelled = La lecture de la vidéo a été annulée ; relancez-la ou supprimez l’enregistrement.
+told-recordings-the-ingest-was-cancelled = L’import a été annulé ; relancez-le ou supprimez l’enregistrement.
 told-scans-the-lines-of-this = Les lignes de ce flux n’ont pas été enregistrées : il n’y a pas d’image ; ses véhicules restent.
 told-scans-the-reading-was-cancelled = L’import a été annulé ; relancez-le ou supprimez le balayage.
 told-statistics-nobody-whose-text-was = aucun texte consulté ; à contrôler avant usage
@@ -7318,8 +7318,8 @@ told-statistics-passenger-cars = voitures particulières
 told-thing-camera-pose = pose de la caméra
 told-thing-line-scan = balayage
 told-thing-scanned-vehicle = véhicule balayé
-told-thing-calibration-image = image d’étalonnage
-told-thing-tyre-contacts = paire de contacts des pneus
+told-thing-calibration-image = photo d’étalonnage
+told-thing-tyre-contacts = paire de contacts de pneus
 told-thing-catalogue-row = ligne du catalogue
 
 
@@ -7335,13 +7335,13 @@ tour-next = Suivant
 tour-back = Retour
 tour-skip = Passer la visite
 tour-end = Finir la visite
-tour-survey = Un relevé mesure les hauteurs des yeux des conducteurs et des feux sur un site. Cette liste dit ce qui est fait et ce qui vient ensuite ; les pages à gauche suivent l’ordre du travail.
-tour-recordings = Un enregistrement est une vidéo prise de l’accotement. Chacun indique sa luminosité, quand il a été filmé, et si la caméra a bougé entre-temps.
-tour-pose = Une mire de taille connue posée sur la route dit où était la caméra, et donc à quel point les hauteurs seront connues.
-tour-measure = Choisissez un véhicule et cliquez deux fois sur une image : là où un pneu touche la route, et sur l’œil, le feu ou le toit. La hauteur apparaît aussitôt, avec son U95 et ce dont elle vient.
+tour-survey = Un relevé mesure les hauteurs des yeux des conducteurs et des feux sur un site. Cette liste indique ce qui est fait et ce qui vient ensuite ; les pages à gauche suivent l’ordre du travail.
+tour-recordings = Un enregistrement est une vidéo prise du bord de la route. Chacun indique sa luminosité, son début, et si la caméra a bougé.
+tour-pose = Une mire de dimensions connues posée sur la route donne la position de la caméra et l’incertitude attendue des hauteurs.
+tour-measure = Choisissez un véhicule et cliquez deux fois sur une image : là où un pneu touche la chaussée, et sur l’œil, le feu ou le toit. La hauteur apparaît aussitôt, avec son U95 et son bilan d’incertitude.
 tour-review = Une autre personne valide, corrige ou rejette chaque hauteur. Personne ne vérifie ses propres mesures.
-tour-statistics = Seules les hauteurs validées comptent : leurs distributions, les erreurs par rapport aux hauteurs connues, et les valeurs des normes selon leur propre règle aujourd’hui.
-tour-export = Un bouton crée l’archive pour un organisme de normalisation : rapport, tableaux, figures et journal d’audit. Qui la reçoit peut la contrôler. La visite recommence depuis le menu qu’ouvrent vos initiales.
+tour-statistics = Seules les hauteurs validées comptent : leurs distributions, les erreurs par rapport aux hauteurs connues, et les centiles des normes aujourd’hui.
+tour-export = Un bouton crée l’archive pour un organisme de normalisation : rapport, tableaux, figures et journal d’audit. Son destinataire peut la contrôler. Vous pouvez relancer la visite depuis le menu sous vos initiales.
 
 ## Rapport : les mots de tout rapport (PDF). Un rapport est écrit dans la langue dans laquelle il a été demandé.
 
@@ -7365,26 +7365,26 @@ report-unit-in = pouces
 report-unit-cm2 = centimètres carrés
 report-unit-in2 = pouces carrés
 report-target-driver_eye = œil du conducteur
-report-target-taillight = feu arrière, limite inférieure
+report-target-taillight = feu arrière, bord inférieur
 report-target-headlight = projecteur
 report-target-roof = toit
 report-target-other = autre
 report-measured-by-other = autre
 report-category-other = autre
-report-target-roof_van = toit, camionnettes
-report-target-roof_box = toit, camions et autocars
+report-target-roof_van = toit, fourgons
+report-target-roof_box = toit, camions et bus
 report-target-roof_unknown = toit, sans classe
 report-target-driver_eye_near = œil du conducteur, conducteur côté proche
 report-target-driver_eye_far = œil du conducteur, conducteur côté éloigné
 report-many-driver_eye = yeux des conducteurs
-report-many-taillight = limites inférieures des feux arrière
+report-many-taillight = bords inférieurs des feux arrière
 report-many-headlight = projecteurs
 report-many-roof = toits
 report-light-daytime = de jour
 report-light-low_light = faible luminosité
 report-light-overall = ensemble
 report-light-unknown = luminosité inconnue
-report-measured-by-counter = compteur de vitesse
+report-measured-by-counter = compteur du véhicule
 report-measured-by-radar = radar
 report-measured-by-laser = cinémomètre laser
 report-measured-by-gps = GPS
@@ -7432,7 +7432,7 @@ report-sd = Écart-type
 report-standard = Norme
 report-vehicles = Véhicules
 report-target = Cible
-report-verdict = Verdict
+report-verdict = Conclusion
 report-figure = Grandeur
 report-lighting = Luminosité
 report-camera = Caméra
@@ -7442,21 +7442,21 @@ report-recording = Enregistrement
 report-value = Valeur
 report-source = Source
 report-bias = Biais
-report-interval = Intervalle à 95 %
-report-interval-total = 95 %, total
+report-interval = Intervalle à 95 %
+report-interval-total = 95 %, total
 
 ## Rapport : le titre
 
 report-days-none = rien encore
 report-days = du { $first } au { $last }
 report-more-versions = et { $n } autres (voir measurements.csv)
-report-verdicts-of = { $individual } validées par une décision individuelle, { $by_lot } par l’échantillon de leur lot. Parmi les { $of } que personne n’a regardées dans { $lots ->
+report-verdicts-of = { $individual } validées par une décision individuelle, { $by_lot } par l’échantillon de leur lot. Parmi les { $of } non vérifiées individuellement dans { $lots ->
     [one] { $lots } lot accepté
    *[other] { $lots } lots acceptés
- }, { $estimate } sont fausses d’après l’estimation et { $at_most } au plus (95 % unilatéral).
+ }, { $estimate } sont fausses d’après l’estimation et { $at_most } au plus (95 % unilatéral).
 report-only = <strong>Uniquement :</strong> { $selection }. Les autres véhicules du relevé ne sont pas compris dans ce rapport.
 report-filmed = Filmé
-report-filmed-unconfirmed = date non confirmée
+report-filmed-unconfirmed = début non confirmé
 report-measured = Mesuré
 report-place = Lieu
 report-in-this = Dans ce rapport
@@ -7475,9 +7475,9 @@ report-count-vehicles = véhicules
 report-count-measurements = mesures
 report-count-not-visible = cibles non visibles
 report-count-used = comptées dans les résultats
-report-count-left-out = écartées
-report-count-out-of-date = périmées (out_of_date dans les tables dit pourquoi)
-report-count-without-time = véhicules exclus, car l’heure du tournage n’est pas connue
+report-count-left-out = exclues
+report-count-out-of-date = périmées (out_of_date en donne le motif dans les tableaux)
+report-count-without-time = véhicules exclus, car l’heure de prise de vue n’est pas connue
 report-count-scanned = véhicules balayés
 report-count-scanned-used = dont validés
 report-span = { $day } de { $first } à { $last } ({ $zone })
@@ -7486,7 +7486,7 @@ report-unconfirmed = { $n ->
    *[other] { $n } enregistrements dont le début n’est pas confirmé
  }
 report-coordinates = { $latitude } ; { $longitude } (WGS84)
-report-limit = limitation à { $speed }
+report-limit = limitée à { $speed }
 report-lamps = éclairage public
 report-no-lamps = sans éclairage public
 
@@ -7504,7 +7504,7 @@ report-duration = Durée
 report-model-brown = modèle radial et tangentiel de Brown
 report-model-fisheye = fisheye équidistant (Kannala et Brandt)
 report-from-images = à partir de photos d’une mire
-report-from-clip = à partir d’un film d’une mire
+report-from-clip = à partir d’une vidéo d’une mire
 report-from-import = importé du fichier d’un autre outil
 report-lens = { $camera }, étalonnage { $number }
 report-made = Établi
@@ -7515,7 +7515,7 @@ report-views-used = { $used } sur { $given } utilisées
 report-residual = Résidu
 report-residual-is = { $rms } px (erreur quadratique moyenne de reprojection)
 report-trusted = fiable
-report-not-trusted = peu fiable ; voir les avertissements
+report-not-trusted = non fiable ; voir les avertissements
 report-lens-known = Objectif de { $camera } : paramètres et incertitudes-types.
 report-lens-unknown = Objectif de { $camera } : paramètres ; leurs incertitudes sont inconnues.
 report-board-of = { $columns } × { $rows } coins intérieurs, cases de { $square } mm
@@ -7550,17 +7550,17 @@ report-set-none = aucun groupe
 report-set-unknown = inconnue
 report-vehicle = véhicule
 report-response = Échantillon et réponse
-report-response-words = { $rule } Chaque passage de l’échantillon est mesuré, non visible pour un motif indiqué, ou encore ouvert ; un passage écarté n’est pas un véhicule à mesurer. Si le taux diffère entre groupes, les véhicules mesurés peuvent ne pas représenter le trafic.
+report-response-words = { $rule } Chaque passage de l’échantillon est mesuré, non visible pour un motif indiqué, ou encore à faire ; un passage écarté n’est pas un véhicule à mesurer. Si le taux diffère entre groupes, les véhicules mesurés peuvent ne pas représenter le trafic.
 report-no-pass = Aucun passage n’a été trouvé.
 report-response-table = Réponse. Taux : passages (ou cibles) mesurés rapportés à ceux de l’échantillon, avec son intervalle exact à 95 %.
 report-classes = Classes
 report-of = De
 report-passes = Passages
 report-discarded = Écartés
-report-outside = Non tirés
-report-in-sample = Tirés
+report-outside = Hors éch.
+report-in-sample = Échantillon
 report-not-visible = Non visibles
-report-open = Ouverts
+report-open = À faire
 report-rate = Taux
 report-outside-sample = { $counts ->
     [yes] { $n ->
@@ -7576,9 +7576,9 @@ report-outside-sample = { $counts ->
 ## Rapport : la méthode
 
 report-method = Méthode
-report-method-lead = Les hauteurs sont mesurées comme le proposent Dupuis et al. (Sensors 2019, 19(7), 1611, « l’article »), les fautes d’impression de ses équations étant corrigées (ci-dessous). Un damier de dimensions connues, posé sur la route, donne la pose de la caméra ; deux pointés sur une même image, là où un pneu touche la route et sur la cible, donnent une hauteur. Le repère de la route a X le long de la circulation, Y en travers en s’éloignant de la caméra, et Z vers le haut. Un point { $point } de la route se voit au pixel
-report-method-lens = où { $pose } est la pose, { $distortion } la distorsion de l’objectif (modèle radial et tangentiel de Brown, ou fisheye équidistant), et où { $matrix } contient les focales et le point principal. Un pointé { $click } redevient une direction dans le repère de la route, vue du centre { $centre } de la caméra :
-report-method-rays = Le rayon du contact rencontre la route, { $road }. Le rayon de la cible rencontre le plan vertical, parallèle à la circulation, qui se trouve au retrait { $inset } derrière le contact. Avec une pente pour chaque pointé,
+report-method-lead = Les hauteurs sont mesurées comme le proposent Dupuis et al. (Sensors 2019, 19(7), 1611, « l’article »), les fautes d’impression de ses équations étant corrigées (ci-dessous). Un damier de dimensions connues, posé sur la route, donne la pose de la caméra ; deux pointés sur une même image, là où un pneu touche la route et sur la cible, donnent une hauteur. Le repère de la route a X dans le sens du trafic, Y en travers, en s’éloignant de la caméra, et Z vers le haut. Un point { $point } de la route se voit au pixel
+report-method-lens = où { $pose } est la pose, { $distortion } la distorsion de l’objectif (modèle radial et tangentiel de Brown, ou fisheye équidistant), et où { $matrix } contient les focales et le point principal. Un pointé { $click } est converti en une direction dans le repère de la route, depuis le centre { $centre } de la caméra :
+report-method-rays = Le rayon du contact rencontre la route, { $road }. Le rayon de la cible rencontre le plan vertical, parallèle au trafic, qui se trouve au retrait { $inset } derrière le contact. Avec une pente pour chaque pointé,
 report-eq-contact = contact
 report-eq-target = cible
 report-method-height = la distance { $distance } de la caméra au plan du contact et la hauteur { $height } sont
@@ -7586,7 +7586,7 @@ report-method-inset = L’article suppose { $inset }. Une cible à { $height } e
 report-method-raw = 44 mm pour un œil à 1,16 m, à 0,45 m en retrait, à 3 m d’une caméra haute de 1,5 m. Les hauteurs sont donc données deux fois : non corrigées (« brutes ») avec { $inset }, pour la comparaison avec l’article, et corrigées du retrait ci-dessous. Quand les deux mêmes points ont été pointés sur plusieurs images d’un passage, le retrait est estimé avec la hauteur par moindres carrés.
 report-method-u = L’incertitude-type de chaque hauteur s’obtient par propagation linéaire (JCGM 100:2008),
 report-coverage-factor = 1,96
-report-method-u-over = pour les deux pointés, l’objectif et la pose (ensemble, avec leur covariance), l’inclinaison, le roulis, la hauteur au-dessus de la route, la taille des cases et la flèche de la mire, et le retrait. La même pose sert à de nombreux véhicules : son erreur est commune à toutes leurs hauteurs.
+report-method-u-over = pour les deux pointés, l’objectif et la pose (ensemble, avec leur covariance), l’inclinaison, le roulis, la hauteur au-dessus de la route, le côté des cases et la flèche de la mire, et le retrait. La même pose sert à de nombreux véhicules : son erreur est commune à toutes leurs hauteurs.
 report-assumed = Hypothèses
 report-assumed-plane = La route est plane de la mire au véhicule, et la mire lui était perpendiculaire, à son incertitude près.
 report-assumed-still = La caméra n’a pas bougé entre l’enregistrement de la mire et les mesures qui l’utilisent.
@@ -7594,7 +7594,7 @@ report-assumed-parallel = Les véhicules roulent parallèlement aux rangées de 
 report-assumed-inset = Le retrait d’une cible est celui de la liste ci-dessous, à son incertitude près, sauf s’il a été estimé à partir de plusieurs images.
 report-assumed-makers = Les hauteurs des constructeurs sont celles du véhicule tel qu’il est passé, à leur incertitude près.
 report-assumed-left-out = Non compris : un modèle d’objectif inadapté, la charge et la suspension, les variations de dévers entre la mire et le véhicule.
-report-misprinted = Erreurs d’impression de l’article
+report-misprinted = Fautes d’impression de l’article
 report-misprints = Équations de l’article, telles qu’imprimées et telles qu’utilisées ici.
 report-equation = Équation
 report-as-printed = Imprimée
@@ -7608,9 +7608,9 @@ report-used-13 = { $printed } n’est pas défini ; il s’agit de la normale 
 report-used-14 = { $used }, sinon le plan latéral est inversé
 report-used-17 = { $used }, avec le point de contact métrique
 report-used-18 = la distance signée au plan de la route, { $used }
-report-insets = Retraits actuels : distance supposée de la cible derrière le plan du contact, et son incertitude-type.
+report-insets = Retraits en vigueur : distance d’une cible derrière le plan du contact, et son incertitude-type.
 report-inset = Retrait ({ $unit })
-report-from = Provenance
+report-from = Source
 
 ## Rapport : les équations lues à voix haute
 
@@ -7634,7 +7634,7 @@ report-aloud-18-used = n x transposé (X g moins p h)
 ## Rapport : les résultats en bref
 
 report-glance = Les résultats en bref
-report-brackets = (95 % : { $interval })
+report-brackets = (95 % : { $interval })
 report-conclusion = Conclusion
 report-filmed-on = Filmé : { $moment }
 report-not-covered = Non couvert
@@ -7666,42 +7666,42 @@ report-readme-contents = Contenu de cette archive
 report-readme-page = Cette archive sous forme de page : à ouvrir dans un navigateur. Elle se vérifie elle-même, sans serveur.
 report-readme-report = Le rapport.
 report-readme-statistics = Les valeurs du rapport en tableaux, non arrondies.
-report-readme-tables = Chaque véhicule, mesure et revue en tableaux ; datapackage.json décrit chaque colonne.
+report-readme-tables = Chaque véhicule, mesure et vérification en tableaux ; datapackage.json décrit chaque colonne.
 report-readme-files = Images, figures, poses et étalonnages des caméras, et les mêmes tableaux en Parquet.
 report-readme-audit = La chaîne d’audit et sa signature.
-report-readme-check = Pour tout vérifier : sightline verify, avec la clé que montre l’installation. Pour vérifier qu’aucun fichier n’a changé : sha256sum -c SHA256SUMS
-report-error-none = Aucun véhicule n’a de hauteur de référence : l’erreur des hauteurs n’est donc pas contrôlée ici.
+report-readme-check = Pour tout vérifier : sightline verify, avec la clé qu’affiche l’installation. Pour vérifier qu’aucun fichier n’a changé : sha256sum -c SHA256SUMS
+report-error-none = Aucun véhicule n’a de hauteur de référence : les erreurs des hauteurs ne peuvent pas être indiquées.
 report-error-short = Par rapport aux hauteurs de référence de { $n ->
     [one] { $n } véhicule
    *[other] { $n } véhicules
  }, les toits sont mesurés avec une erreur absolue moyenne de { $mae }{ $mae_interval } et un biais de { $bias }{ $bias_interval }.
-report-rules = La même règle aujourd’hui : le centile sur lequel repose une norme, avec son intervalle total à 95 %. « Plus bas » et « plus haut » ne sont indiqués que si la probabilité du contraire est de 2,5 % au plus (JCGM 106).
+report-rules = Normes : le même centile aujourd’hui. Le centile sur lequel repose une norme, avec son intervalle total à 95 %. « Plus bas » ou « plus haut » est indiqué si le risque d’erreur est d’au plus 2,5 % (JCGM 106).
 report-rule-column = Règle
 report-today = Aujourd’hui
 report-difference = Différence
 report-all-vehicles = tous les véhicules (aucune classe n’est connue)
-report-no-verdict = pas de verdict : { $reason }
-report-alike = pas de différence significative ; plus bas avec une probabilité de { $percent }
-report-lower = plus bas ; faux avec une probabilité de { $risk }
-report-higher = plus haut ; faux avec une probabilité de { $risk }
+report-no-verdict = pas de conclusion : { $reason }
+report-alike = indécis ; plus bas avec une probabilité de { $percent }
+report-lower = plus bas (risque d’erreur { $risk })
+report-higher = plus haut (risque d’erreur { $risk })
 report-less-than = moins de { $percent }
 
 ## Rapport : l’erreur par rapport aux hauteurs de référence
 
 report-errors = Erreur par rapport aux hauteurs de référence
-report-errors-none = Aucun toit de véhicule à hauteur de référence n’est compté : il n’y a pas d’erreur à donner. Saisissez la hauteur du constructeur dans les fiches des véhicules.
+report-errors-none = Aucune hauteur de toit validée n’a de hauteur de référence : les erreurs ne peuvent pas être indiquées. Saisissez la hauteur du constructeur dans les fiches des véhicules.
 report-errors-holds = Les intervalles à 95 % comprennent { $holds }. Ceux des corrélations et de l’asymétrie ne comprennent que l’échantillonnage.
 report-errors-words = Erreur = mesure moins référence, pour les toits corrigés de leur retrait, sans arrondi. Toutes les valeurs sont calculées à partir des erreurs individuelles, jamais à partir d’autres valeurs.
-report-errors-table = L’erreur et ses intervalles à 95 %.
+report-errors-table = Erreurs avec leurs intervalles de confiance à 95 %.
 report-row-bias = Biais (erreur moyenne)
 report-row-sd = Écart-type de l’erreur
 report-row-r = r(erreur, hauteur)
 report-row-r-abs = r(|erreur|, hauteur)
 report-row-skewness = Asymétrie de l’erreur
 report-row-within = Part d’erreurs ≤ { $limit } cm
-report-no-group = Aucun véhicule à hauteur de référence ne compte ici : { $group }.
+report-no-group = Aucun véhicule validé avec une hauteur de référence : { $group }.
 report-reference-part = { $words } Cela suffit à produire une corrélation de { $correlation } entre l’erreur et la hauteur, indépendamment de la caméra (u de la référence : { $u }).
-report-limits = Limites d’accord (Bland et Altman) : { $lower } ({ $lower_interval }) et { $upper } ({ $upper_interval }).
+report-limits = Limites de concordance (Bland et Altman) : { $lower } ({ $lower_interval }) et { $upper } ({ $upper_interval }).
 report-as-in-the-paper = Comme dans l’article
 report-as-in-the-paper-words = Seulement pour la comparaison avec Dupuis et al. (Sensors 2019, 19(7), 1611). Comme dans l’article : retrait 0 et, pour les erreurs, les deux hauteurs arrondies au centimètre. Les centiles sont ceux des hauteurs mesurées, erreur aléatoire comprise ; leurs intervalles ne couvrent que l’échantillonnage. Aucune autre section n’utilise ces valeurs.
 report-paper-errors = Erreurs comme dans l’article : retrait 0, centimètres entiers, avec leurs IC à 95 %.
@@ -7709,26 +7709,26 @@ report-paper-percentiles = Centiles comme dans l’article, des hauteurs ({ $tar
 report-paper = Tableau 1 de l’article, tel qu’imprimé.
 report-its-column = Sa colonne
 report-inconsistent = Incohérences
-report-known-errors = Erreurs par cible, luminosité et classe : mesure moins hauteur connue, sans arrondi, avec des intervalles totaux à 95 %. Les cibles de contrôle ne comptent nulle part ailleurs.
+report-known-errors = Erreurs par cible, luminosité et classe : mesure moins hauteur connue, sans arrondi, avec des intervalles totaux à 95 %. Les cibles de contrôle sont exclues partout ailleurs.
 report-within-u95 = Dans leur U95
-report-check-errors = Cibles de contrôle : mesure moins hauteur relevée au mètre ruban, avec des intervalles totaux à 95 %.
-report-known-errors-note = Les intervalles comprennent les erreurs communes aux hauteurs (pose, retrait moyen). Un modèle choisi d’après sa taille n’est pas une référence.
+report-check-errors = Cibles de contrôle : mesure moins hauteur relevée au mètre ruban, avec des intervalles totaux à 95 %.
+report-known-errors-note = Les intervalles comprennent les erreurs communes aux hauteurs (pose, retrait moyen). Un modèle choisi d’après ses dimensions ne sert pas de référence.
 report-check-targets = { $target }, cibles de contrôle
 
 ## Rapport : les distributions des hauteurs
 
 report-heights = Distributions des hauteurs
-report-heights-none = Aucune hauteur ne compte encore ici ; les mesures validées y figureront.
+report-heights-none = Pas encore de hauteurs validées.
 report-percentiles = Hauteurs vraies ({ $target }), toutes classes comprises, avec intervalles totaux à 95 % ; véhicules : { $n }.
 report-holds = Hauteurs vraies : l’erreur de mesure aléatoire est retirée de la dispersion. Les intervalles totaux comprennent { $holds }.
 report-absent = Aucune hauteur validée : { $targets }.
 report-percentile = Centile
 report-true-heights = Hauteurs vraies
 report-corrected = Corrigées
-report-interval-sampling = 95 %, échantil­lonnage
+report-interval-sampling = 95 %, échantil­lonnage
 report-raw-inset = Non corrigées, retrait 0
 report-reason-of = { $percents } : { $reason }.
-report-shares = Normes, et part qui leur est inférieure (des hauteurs vraies) : { $targets }, avec des intervalles totaux à 95 %.
+report-shares = Normes, et part qui leur est inférieure (des hauteurs vraies) : { $targets }, avec des intervalles totaux à 95 %.
 report-height = Hauteur
 report-below = Au-dessous
 report-share = Part
@@ -7736,45 +7736,45 @@ report-not-corrected-why = Non corrigées : { $reason }
 report-percentile-of = P{ $percent }, { $of }
 report-cited-by = cité d’après : { $who }
 report-lateral = Positions latérales
-report-lateral-words = Distance du contact du pneu à la caméra, mesurée perpendiculairement à la route : une valeur par véhicule, la médiane de ses contacts. Une voie regroupe les véhicules qui vont dans le même sens sur l’image.
+report-lateral-words = Distance du contact du pneu à la caméra, mesurée en travers de la route : une valeur par véhicule, la médiane de ses contacts. Une voie regroupe les véhicules qui vont dans le même sens sur l’image.
 report-lateral-table = Positions latérales par voie et par classe.
 report-lateral-all = Toutes
 
 ## Rapport : la distance de visibilité
 
 report-sight = Distance de visibilité
-report-sight-words = Un sommet de côte offre une distance de visibilité S si sa longueur par pour cent de pente, K, vaut au moins S²/C ; C découle des seules hauteurs de l’œil et de l’objet, C = 100 (√(2 œil) + √(2 objet))². La norme est { $standard } (œil { $eye }, objet { $object }). Les hauteurs du relevé sont le centile { $eye_percent } des yeux et le centile { $object_percent } des bords inférieurs des feux arrière{ $classes ->
+report-sight-words = Un angle saillant assure une distance de visibilité S si la longueur de son raccordement par pour cent de déclivité, K, est d’au moins S²/C. C ne dépend que des hauteurs de l’œil et de l’obstacle : C = 100 (√(2 œil) + √(2 obstacle))². La norme est { $standard } (œil { $eye }, obstacle { $object }). Les hauteurs du relevé sont le centile { $eye_percent } des yeux et le centile { $object_percent } des bords inférieurs des feux arrière{ $classes ->
     [class] , de la classe que nomme la règle
    *[all] , de tous les véhicules
  }{ $rule ->
     [own] , règle de cette norme d’après ses sources
    *[usual] , et là où la norme ne donne pas de règle, celle des hauteurs de l’AASHTO
- }. S est la distance de visibilité d’arrêt ({ $source }), arrondie vers le haut comme dans les tables de conception.
-report-sight-missing = Il n’y a pas de sommet de côte pour les hauteurs du relevé : aucune hauteur validée pour { $targets }.
-report-sight-table = K des sommets de côte d’après les hauteurs de la norme et celles du relevé, en { $unit } par pour cent.
+ }. S est la distance de visibilité d’arrêt ({ $source }), arrondie par excès comme dans les tables de conception.
+report-sight-missing = Il n’y a pas d’angle saillant pour les hauteurs du relevé : aucune hauteur validée pour { $targets }.
+report-sight-table = K des angles saillants d’après les hauteurs de la norme et celles du relevé, en { $unit } par pour cent.
 report-design-speed = Vitesse de référence
 report-stopping = Distance d’arrêt
 report-k-standard = K, norme
 report-k-survey = K, relevé
-report-per-percent = { $unit } par %
+report-per-percent = { $unit } par %
 report-sight-note = Intervalles totaux des deux centiles de hauteurs vraies (échantillonnage, erreurs communes aux hauteurs, erreur aléatoire) ; les erreurs dues à la même pose de caméra sont communes aux deux et comptées ensemble (limites de Zou et Donner, 2008). La réaction et le freinage du conducteur sont des conventions de la norme, sans intervalle.
 
 ## Rapport : les balayages
 
 report-scans = Balayages
-report-scans-words = Deux caméras linéaires, à une base connue l’une de l’autre, enregistrent la même circulation (Douxchamps, Macq et Chihara). Le mouvement d’un véhicule est une vitesse quand son avant atteint la caméra 1 et une accélération constante ; sa longueur en est compensée. Les intervalles de temps vont de l’arrière du véhicule précédent à cet avant, les distances entre véhicules séparent les mêmes points quand cet avant atteint la caméra 1. { $methods }Les incertitudes comprennent la base, l’horloge, le désalignement, l’ajustement et les bornes.
+report-scans-words = Deux caméras linéaires, séparées d’une base connue, enregistrent le même trafic (Douxchamps, Macq et Chihara). Le mouvement d’un véhicule est une vitesse quand son avant atteint la caméra 1 et une accélération constante ; sa longueur est corrigée de l’accélération. Les intervalles temporels vont de l’arrière du véhicule précédent à cet avant, les distances intervéhiculaires séparent les mêmes points quand cet avant atteint la caméra 1. { $methods }Les incertitudes comprennent la base, l’horloge, le désalignement, l’ajustement et les bornes.
 report-scans-methods = Méthode : { $methods }.
 report-and = { $first } et { $last }
 report-apart = { $first } ; { $second }
 report-scans-direct = { $n ->
-    [one] { $n } véhicule par superposition de ses deux bandes entières (recalage direct)
-   *[other] { $n } véhicules par superposition de leurs deux bandes entières (recalage direct)
+    [one] { $n } véhicule par recalage de ses deux bandes entières (recalage direct)
+   *[other] { $n } véhicules par recalage de leurs deux bandes entières (recalage direct)
  }
 report-scans-paper = { $n ->
     [one] { $n } véhicule par l’appariement de blocs et la régression linéaire de l’article
    *[other] { $n } véhicules par l’appariement de blocs et la régression linéaire de l’article
  }
-report-rigs = Balayages et leurs bancs tels qu’ils ont été entrés ; u est l’incertitude-type.
+report-rigs = Balayages et leurs dispositifs tels que saisis ; u est l’incertitude-type.
 report-line-scan = Balayage
 report-lines = Lignes
 report-baseline = Base
@@ -7787,47 +7787,47 @@ report-video-columns = colonnes d’une vidéo, { $lighting }
 report-strips = bandes, { $lighting }
 report-from-traffic = d’après le trafic
 report-with-u = { $value } (u = { $u })
-report-no-vehicle = Aucun véhicule n’y a été trouvé.
+report-no-vehicle = Ils ne contiennent aucun véhicule.
 report-left-out-to-review = { $n } non encore vérifiés
 report-left-out-rejected = { $n } rejetés
 report-left-out-not-measurable = { $n } non mesurables
-report-none-accepted = Aucun véhicule balayé n’est validé : aucun ne compte ici.
+report-none-accepted = Aucun véhicule balayé n’est validé.
 report-accepted-count = { $n ->
-    [one] { $n } véhicule validé compte, sur { $all } trouvés.
-   *[other] { $n } véhicules validés comptent, sur { $all } trouvés.
+    [one] { $n } véhicule validé, sur { $all } détectés.
+   *[other] { $n } véhicules validés, sur { $all } détectés.
  }
-report-scans-left-out = Écartés : { $states } ; scan_vehicles.csv en donne les motifs.
+report-scans-left-out = Exclus : { $states } ; scan_vehicles.csv en donne les motifs.
 report-speed-short = Vitesse moyenne : { $mean } ; vitesse du 85e centile (V85) : { $p85 } { $interval }.
-report-no-interval = (pas d’intervalle à 95 % : { $reason })
-report-quantities = Ce qui a été mesuré des véhicules validés, avec les centiles et leurs intervalles à 95 %.
+report-no-interval = (pas d’intervalle à 95 % : { $reason })
+report-quantities = Grandeurs mesurées des véhicules validés : centiles avec intervalles à 95 %.
 report-quantity = Grandeur
 report-quantity-of-speed = vitesse
 report-quantity-of-length = longueur
 report-quantity-of-wheelbase = empattement
-report-quantity-of-time_gap = intervalle de temps
-report-quantity-of-distance_gap = distance entre véhicules
+report-quantity-of-time_gap = intervalle temporel
+report-quantity-of-distance_gap = distance intervéhiculaire
 report-quantity-of-headway = temps intervéhiculaire
 report-by-lengths = Base d’après les longueurs : { $reason }
 report-by-wheelbases = Base d’après les empattements : { $reason }
-report-over-lengths = Longueurs mesurées sur longueurs vraies de { $n ->
+report-over-lengths = Longueurs mesurées sur longueurs connues de { $n ->
     [one] { $n } véhicule
    *[other] { $n } véhicules
  } : { $ratio } (u = { $u }). { $verdict }
-report-over-wheelbases = Empattements mesurés sur empattements vrais de { $n ->
+report-over-wheelbases = Empattements mesurés sur empattements connus de { $n ->
     [one] { $n } véhicule
    *[other] { $n } véhicules
  } : { $ratio } (u = { $u }). { $verdict }
 report-baseline-agrees = Le rapport s’écarte de 1 de moins de 2 u : il est compatible avec la base.
-report-sizes-none = Aucun véhicule validé n’a de longueur ni d’empattement connus : ils ne sont donc pas contrôlés ici.
-report-sizes = Erreurs (mesure moins dimensions du constructeur) en { $unit }, avec des intervalles à 95 %.
+report-sizes-none = Aucun véhicule validé n’a de longueur ni d’empattement connus : leurs erreurs ne peuvent pas être indiquées.
+report-sizes = Erreurs (mesure moins dimensions du constructeur) en { $unit }, avec des intervalles à 95 %.
 report-size = Dimension
-report-references = Écarts (mesure moins référence) des véhicules validés par rapport à d’autres mesures, par source. Accord : |E<sub>n</sub>| d’au plus 1, soit un écart inférieur à l’U95 composée des deux (ISO 13528), avec l’intervalle à 95 % de la part.
+report-references = Écarts (mesure moins référence) des véhicules validés par rapport aux mesures de référence, par source. Accord : |E<sub>n</sub>| d’au plus 1, soit un écart inférieur à l’U95 composée des deux (ISO 13528), avec l’intervalle à 95 % de la part.
 report-reference = Référence
 report-all-sources = toutes les sources
 report-within = Accord
 report-share-within = Part en accord
-report-references-words = Environ 19 véhicules sur 20 devraient être en accord. Les véhicules d’un même banc partagent l’erreur de sa base : plusieurs peuvent être en désaccord en même temps. scan_references.csv donne chaque véhicule et chaque source.
-report-scan-heights = Hauteurs validées de véhicules balayés, par deux pointés dans la bande de la caméra 1, dont un jalon a donné la pose ; corrigées de leurs retraits. Chacune a sa propre décision ; celles en attente ne comptent nulle part.
+report-references-words = Environ 95 % devraient être en accord. Les véhicules d’un même dispositif partagent l’erreur de sa base : plusieurs peuvent être en désaccord en même temps. scan_references.csv contient toutes les valeurs de référence.
+report-scan-heights = Hauteurs validées de véhicules balayés au-dessus de la chaussée, par deux pointés dans la bande de la caméra 1, dont la pose a été étalonnée avec un jalon ; corrigées de leurs retraits. Chacune a sa propre décision ; les hauteurs en attente de vérification sont exclues.
 report-typical-u95 = U95 typique
 report-waiting = En attente
 report-table-1 = Véhicules validés, présentés comme le tableau I de l’article.
@@ -7835,7 +7835,7 @@ report-vehicle-column = Véhicule
 report-speed-column = Vitesse
 report-acceleration = Accélération
 report-length-column = Longueur
-report-true-length = Longueur vraie
+report-true-length = Longueur connue
 report-length-error = Erreur de longueur
 report-fit-error = Erreur d’ajustement
 report-first-of = Les { $shown } premiers sur { $all } ; scan_vehicles.csv les contient tous.
@@ -7845,12 +7845,12 @@ report-first-of = Les { $shown } premiers sur { $all } ; scan_vehicles.csv les
 report-left-out = Exclusions
 report-nothing-left-out = Aucune mesure n’est exclue.
 report-left-out-of = { $n ->
-    [one] { $n } mesure ne compte dans aucun résultat.
-   *[other] { $n } mesures ne comptent dans aucun résultat.
+    [one] { $n } mesure est exclue des résultats.
+   *[other] { $n } mesures sont exclues des résultats.
  } Toutes sont listées dans les fichiers CSV de l’archive.
 report-left-out-first = { $n ->
-    [one] { $n } mesure ne compte dans aucun résultat.
-   *[other] { $n } mesures ne comptent dans aucun résultat.
+    [one] { $n } mesure est exclue des résultats.
+   *[other] { $n } mesures sont exclues des résultats.
  } Les { $shown } premières figurent ici. Toutes sont listées dans les fichiers CSV de l’archive.
 report-left-out-table = Mesures exclues des résultats, avec le motif.
 report-number = Numéro
@@ -7862,14 +7862,14 @@ report-trail-empty = Le journal d’audit est vide.
 report-trail = Le journal d’audit a { $n ->
     [one] { $n } événement
    *[other] { $n } événements
- } jusqu’au dernier de ce relevé. Chacun porte l’empreinte du précédent ; qui a gardé ailleurs l’empreinte de cet événement peut voir que rien avant lui n’a été modifié depuis. L’événement suivant, qui scelle cette archive, nomme chaque fichier par son empreinte.
+ } jusqu’au dernier de ce relevé. Chacun porte l’empreinte du précédent ; quiconque a gardé ailleurs l’empreinte de cet événement peut vérifier que rien avant lui n’a été modifié depuis. L’événement suivant, qui scelle cette archive, nomme chaque fichier par son empreinte.
 report-checksums = SHA-256 des fichiers de l’archive.
 report-file = Fichier
 
 ## Rapport : les figures
 
-report-fig-cumulative = Hauteurs, distribution cumulée : { $target }
-report-fig-no-height = Aucune hauteur ne compte ici ({ $target }) : il n’y a pas de distribution à tracer.
+report-fig-cumulative = Hauteurs, répartition : { $target }
+report-fig-no-height = Aucune hauteur validée : { $target }.
 report-fig-corrected = corrigées, n = { $n }
 report-fig-height-above = Hauteur au-dessus de la route : { $target } ({ $unit })
 report-fig-height = Hauteur : { $target } ({ $unit })
@@ -7878,7 +7878,7 @@ report-fig-share-below = { $standard }, { $share } au-dessous
 report-fig-cumulative-caption = Toutes classes comprises. Trait plein : hauteurs corrigées de leur retrait. Points : centiles des hauteurs vraies avec leurs intervalles totaux à 95 %.
 report-fig-density = Hauteurs, densité : { $target }
 report-fig-density-axis = Densité (par { $unit })
-report-fig-density-caption = Hauteurs corrigées, n = { $n } ; noyau gaussien, largeur { $width }.
+report-fig-density-caption = Hauteurs corrigées, n = { $n } ; noyau gaussien, largeur de bande { $width }.
 report-fig-by = Hauteurs par { $grouping } : { $target }
 report-fig-by-caption = Hauteurs corrigées par groupe (nombre de véhicules) : médiane (anneau), 15e au 85e centile (épais), 5e au 95e (fin) ; chaque véhicule (trait) s’ils sont trop peu nombreux.
 report-fig-band = Bande : 95 %, simultanée.
@@ -7890,16 +7890,16 @@ report-fig-group = { $group }, n = { $n }
 report-fig-no-error = Aucun véhicule n’a de hauteur de référence.
 report-fig-no-errors = Il n’y a pas d’erreur à tracer.
 report-fig-absolute-axis = Erreur absolue ({ $unit })
-report-fig-absolute = Erreur absolue, cumulée
+report-fig-absolute = Erreur absolue, répartition
 report-fig-absolute-caption = Part cumulée des véhicules selon l’erreur absolue.
 report-fig-relative-axis = Erreur absolue sur hauteur de référence (%)
-report-fig-relative = Erreur relative, cumulée
+report-fig-relative = Erreur relative, répartition
 report-fig-relative-caption = Erreur absolue rapportée à la hauteur de référence.
 report-fig-signed = Erreur signée, densité
 report-fig-signed-axis = Mesure moins référence ({ $unit })
 report-fig-signed-width = { $width } { $group }
-report-fig-signed-caption = Noyau gaussien, largeur { $widths }.
-report-fig-signed-caption-cm = Noyau gaussien, largeur { $widths }, au moins la moitié de l’arrondi de { $rounding }.
+report-fig-signed-caption = Noyau gaussien, largeur de bande { $widths }.
+report-fig-signed-caption-cm = Noyau gaussien, largeur de bande { $widths }, au moins la moitié de l’arrondi de { $rounding }.
 report-fig-trend = Erreur signée selon la hauteur du constructeur
 report-fig-regression = régression
 report-fig-maker-height = Hauteur du constructeur ({ $unit })
@@ -7907,23 +7907,23 @@ report-fig-one-mark = Une marque par véhicule. { $reason }
 report-fig-per = { $small } par { $height }
 report-fig-seen = Une marque par véhicule
 report-fig-seen-some = Une marque pour { $shown } véhicules sur { $n }
-report-fig-trend-caption = { $seen } ; régression et sa bande à 95 % : pente { $slope } ({ $interval }), r = { $r }.
-report-fig-trend-caption-absolute = { $seen } ; régression et sa bande à 95 % : pente { $slope } ({ $interval }), r = { $r } ; erreur absolue : r = { $r_absolute }.
+report-fig-trend-caption = { $seen } ; régression et sa bande à 95 % : pente { $slope } ({ $interval }), r = { $r }.
+report-fig-trend-caption-absolute = { $seen } ; régression et sa bande à 95 % : pente { $slope } ({ $interval }), r = { $r } ; erreur absolue : r = { $r_absolute }.
 report-fig-lateral = Position latérale par voie et par classe
 report-fig-lateral-axis = Distance à la caméra en travers de la route ({ $unit })
 report-fig-lateral-caption = Contact du pneu, un par véhicule, selon son sens sur l’image et sa classe (nombre de véhicules) : médiane (anneau), 15e au 85e centile (épais), 5e au 95e (fin) ; chaque véhicule (trait) s’ils sont trop peu nombreux.
-report-fig-crest = K d’un sommet de côte selon la vitesse de référence
+report-fig-crest = K d’un angle saillant selon la vitesse de référence
 report-fig-by-standard = d’après les hauteurs de la norme
 report-fig-by-survey = d’après les hauteurs du relevé
 report-fig-design-speed = Vitesse de référence ({ $unit })
 report-fig-k = K ({ $unit } par %)
-report-fig-crest-caption = K = S²/C à la distance de visibilité d’arrêt de chaque vitesse, arrondie vers le haut comme dans les tables de conception. Plein : d’après les hauteurs du relevé, avec sa bande à 95 % ; tireté : d’après celles de la norme.
-report-fig-scanned = Véhicules balayés : { $quantity }, distribution cumulée
-report-fig-scanned-caption = n = { $n } ; { $percentiles } ; intervalles à 95 % là où n le permet.
-report-fig-true = Hauteurs vraies, distribution cumulée : { $target }
+report-fig-crest-caption = K = S²/C à la distance de visibilité d’arrêt de chaque vitesse, arrondie par excès comme dans les tables de conception. Plein : d’après les hauteurs du relevé, avec sa bande à 95 % ; tireté : d’après celles de la norme.
+report-fig-scanned = Véhicules balayés : { $quantity }, répartition
+report-fig-scanned-caption = n = { $n } ; { $percentiles } ; intervalles à 95 % là où n le permet.
+report-fig-true = Hauteurs vraies, répartition : { $target }
 report-fig-error-left-in = erreur aléatoire comprise
 report-fig-true-curve = hauteurs vraies
-report-fig-true-caption = Plein : hauteurs vraies, pondérées selon le parc quand il a été donné ; la bande relie les intervalles totaux à 95 % des centiles. Tireté : erreur aléatoire comprise.
+report-fig-true-caption = Plein : hauteurs vraies, pondérées selon le parc quand il a été donné ; la bande relie les intervalles totaux à 95 % des centiles. Tireté : erreur aléatoire comprise.
 
 ## Rapport d’une étude
 
@@ -7944,9 +7944,9 @@ report-joined-of = { $surveys ->
  }
 report-weighted = Pondérés
 report-not-weighted = non : les véhicules comptent comme ils ont été tirés
-report-fleet-by = selon les parts du parc ({ $margins }), d’après sa table
+report-fleet-by = selon les parts du parc ({ $margins }), d’après son tableau
 report-target-reason = { $target } : { $reason }.
-report-study-table = Hauteurs au-dessus de la route en { $unit } : hauteurs vraies, pondérées selon le parc quand il a été donné, avec des intervalles totaux à 95 %.
+report-study-table = Hauteurs au-dessus de la route en { $unit } : hauteurs vraies, pondérées selon le parc quand il a été donné, avec des intervalles totaux à 95 %.
 report-sites-of = { $n } sites
 report-study-note = Les intervalles comprennent l’échantillonnage des véhicules et des sites et les erreurs communes aux hauteurs (pose de la caméra, retrait moyen). L’erreur de mesure aléatoire est retirée des valeurs.
 report-study-note-one-site = Les intervalles comprennent l’échantillonnage des véhicules et des sites et les erreurs communes aux hauteurs (pose de la caméra, retrait moyen). L’erreur de mesure aléatoire est retirée des valeurs. Avec un seul site, ils ne valent que pour celui-ci.
@@ -7960,7 +7960,7 @@ report-more-lower = plus bas (significatif)
 report-not-told-apart = pas de différence significative
 report-year-no-interval = pas d’intervalle
 report-verdict-why = { $verdict } ({ $reason })
-report-makers-words = Par rapport aux hauteurs des constructeurs, { $n } toits ont une erreur absolue moyenne de { $mae } (95 % : { $mae_interval }) et un biais de { $bias } (95 % : { $bias_interval }).
+report-makers-words = Par rapport aux hauteurs des constructeurs, { $n } toits ont une erreur absolue moyenne de { $mae } (95 % : { $mae_interval }) et un biais de { $bias } (95 % : { $bias_interval }).
 report-studied = Données
 report-surveys = Les relevés. « Comptées » : hauteurs validées qui comptent selon la règle d’échantillonnage du relevé ; « exclues » : celles de véhicules hors échantillon qui ne comptent pas.
 report-survey-column = Relevé
@@ -7976,12 +7976,12 @@ report-error-left-in = Erreur aléatoire comprise
 report-design-effect = Effet de plan
 report-effective-n = n effectif
 report-makers-errors = Erreur par rapport aux hauteurs des constructeurs
-report-makers-table = Erreur = mesure moins hauteur du constructeur, pour les toits, sans arrondi, avec des intervalles à 95 %.
+report-makers-table = Erreur = mesure moins hauteur du constructeur, pour les toits, sans arrondi, avec des intervalles à 95 %.
 report-vehicle-classes = Classes de véhicules
-report-classes-table = Parts des classes telles que tirées, en %, avec des intervalles à 95 %, à côté de celles du parc.
+report-classes-table = Parts des classes telles que tirées, en %, avec des intervalles à 95 %, comparées à celles du parc.
 report-class = Classe
 report-fleet = Parc
-report-further = Une nouvelle étude
+report-further = Planification d’une nouvelle étude
 report-further-table = Sites, et véhicules par site, avec lesquels le P10 des hauteurs vraies aurait une U95 de { $goal }, si les sites et les véhicules varient comme ici.
 report-sites = Sites
 report-no-number = aucun nombre
