@@ -2015,10 +2015,10 @@ review-verdict-kept = La décision est gardée dans ce navigateur et sera envoy�
 ## Vérification : repointer avant de voir les points
 
 review-plan = { $one_in ->
-    [0] désactivé
-    [1] chaque mesure
-   *[other] 1 sur { $one_in }
-}
+    [0] Contrôle en aveugle : désactivé.
+    [1] Contrôle en aveugle : chaque mesure est pointée avant d’être montrée.
+   *[other] Contrôle en aveugle : 1 mesure sur { $one_in } est pointée avant d’être montrée.
+ }
 review-plan-name = Contrôle en aveugle
 review-plan-choose = Contrôle en aveugle, pour tous les vérificateurs de ce relevé
 review-plan-choice = { $one_in ->
@@ -7558,7 +7558,7 @@ report-of = De
 report-passes = Passages
 report-discarded = Écartés
 report-outside = Hors éch.
-report-in-sample = Échantillon
+report-in-sample = Retenus
 report-not-visible = Non visibles
 report-open = À faire
 report-rate = Taux
