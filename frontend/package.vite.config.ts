@@ -95,7 +95,7 @@ function page({ policy, data }: Alone, script: string, style: string): string {
 </head>
 <body style="background: var(--paper)">
 <div id="opened"></div>
-<noscript>Sightline needs JavaScript; please switch it on for this page.</noscript>
+<noscript>Sightline needs JavaScript; enable it for this page.</noscript>
 ${data}
 <script type="module">${script.replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--")}</script>
 </body>

@@ -71,7 +71,7 @@ def no_videos(tmp_path: Path) -> dict[str, Path]:
     return {
         "is a text file": text,
         "is empty": empty,
-        "PNG picture, not a video": still,
+        "PNG image, not a video": still,
         "cut off before its index": cut,
         "no video": sound_alone(tmp_path / "sound.mp4"),
     }

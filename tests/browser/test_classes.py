@@ -62,4 +62,4 @@ def test_a_set_is_edited_and_a_package_of_it_is_built(page: Page, survey_id: int
             "class_set,light_trucks",
         ]
         report = " ".join(words(package.read("report.pdf")).split())
-    assert "Only: daytime; light trucks and multi-purpose." in report
+    assert "Only: daytime; light trucks and multi-purpose vehicles." in report

@@ -48,7 +48,7 @@ def test_a_sample_is_chosen_and_its_progress_followed(page: Page, survey_id: int
     page.keyboard.press("Control+z")
     expect(row).to_have_attribute("data-state", "to_do")
 
-    # the other half of the passes: it is then out of the sample, and what was measured of that half is said
+    # the other half of the passes: it is then outside the sample, and what was measured of that half is said
     now = page.request.get(f"/api/surveys/{survey_id}").json()
     rule = {**now["sampling"], "start": 3 - start}
     body = {"name": now["name"], "version": now["version"], "sampling": rule}
@@ -56,6 +56,6 @@ def test_a_sample_is_chosen_and_its_progress_followed(page: Page, survey_id: int
     page.reload()
     page.get_by_label("Show", exact=True).select_option("left_out")
     expect(row).to_have_attribute("data-state", "out_of_sample")
-    expect(row).to_contain_text(re.compile("out of the sample", re.IGNORECASE))
+    expect(row).to_contain_text(re.compile("outside the sample", re.IGNORECASE))
     page.goto(f"/surveys/{survey_id}/settings")
     expect(page.get_by_test_id("sample")).to_contain_text("outside the sample")

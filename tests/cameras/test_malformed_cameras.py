@@ -79,7 +79,7 @@ OTHERS: dict[str, tuple[bytes, tuple[int, tuple[str, ...]] | None]] = {
     "a lens profile": (json.dumps(GYROFLOW).encode(), (2, ("image size", "image_width"))),
     "a table of COLMAP": (
         b"# Camera list\n1 OPENCV 1280 720 900.5 901.2 640.2 358.9 -0.1 0.02 0 0\n",
-        (2, ("holds no camera",))),
+        (2, ("contains no camera",))),
     "the page of a pickle": (b"PK\x03\x04" + bytes(range(256)), (2, ("not UTF-8 text",))),
     "50 MB of blanks": (b" " * 50_000_000, (2, ("too large",))),
     "a list in a list without end": (b"- " * 50_000, (2, ("not a readable camera file",))),

@@ -211,8 +211,8 @@ def _without(row: Row, *names: str) -> Row:
     [
         (ROWS, ("--interval", "7"), "--interval 7 cannot be used"),
         (ROWS, ("--interval", "x"), "--interval x cannot be used"),
-        ([_without(row, "front_at", "u_front_at_s") for row in ROWS], (), "does not say when its vehicles"),
-        ([{**ROWS[0], "front_at": "2026-05-04T06:05:00"}], (), "does not say when its vehicles"),
+        ([_without(row, "front_at", "u_front_at_s") for row in ROWS], (), "does not state when its vehicles"),
+        ([{**ROWS[0], "front_at": "2026-05-04T06:05:00"}], (), "does not state when its vehicles"),
         ([_without(row, "rear_line_1") for row in ROWS], (), "rear_line_1"),
         ([{**ROWS[0], "speed_mps": "20,1"}], (), "line 2"),
         ([ROWS[1]], (), "single vehicle without a motion"),
@@ -229,11 +229,11 @@ def test_what_cannot_be_used_is_refused_in_words(
 
 def test_nothing_to_read_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert "does not exist" in flow(capsys, tmp_path / "nowhere", status=2)
-    assert "holds no scanned vehicles" in flow(capsys, tmp_path, status=2)
+    assert "contains no scanned vehicles" in flow(capsys, tmp_path, status=2)
     as_json(tmp_path / "recording.json", 680.0, start=None)
-    assert "does not say when" in flow(capsys, tmp_path, status=2)
+    assert "does not state when" in flow(capsys, tmp_path, status=2)
     (tmp_path / "recording.json").write_text("")
-    assert "holds no vehicle" in flow(capsys, tmp_path / "recording.json", status=2)
+    assert "contains no vehicle" in flow(capsys, tmp_path / "recording.json", status=2)
 
 
 def test_a_single_vehicles_motion_gives_its_time_before_the_camera(

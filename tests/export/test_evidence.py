@@ -175,7 +175,7 @@ def test_the_command_writes_a_file_that_verify_takes(
     assert "no reviewer has accepted" in said
     key = said.rsplit("key ", 1)[1].strip(".\n")
     assert main(["verify", str(place), "--key", key]) == 0
-    assert "decision hold" in capsys.readouterr().out
+    assert "decision are valid" in capsys.readouterr().out
     place.write_text(place.read_text().replace('"number":2', '"number":3', 1))
     assert main(["verify", str(place)]) == 1
     assert "signature is not valid" in capsys.readouterr().err

@@ -187,7 +187,7 @@ def test_words_are_held_against_their_codes_and_codes_against_the_events(
 
     forge(flags="Nothing is wrong.")
     rederive(package, drawings=True)
-    assert "flags does not say what the code beside it says" in str(check(package).problem)
+    assert "flags does not match the code beside it" in str(check(package).problem)
     later(WORDS)
     found = check(package)
     assert found.ok, found.problem

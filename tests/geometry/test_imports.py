@@ -152,7 +152,7 @@ def test_a_stereo_file_says_which_eye_and_lets_one_choose(text: str) -> None:
         right = read_camera(text, "rig.yaml", which=which)
         assert right.camera.fx_px == 600 and right.camera.distortion[0] == -0.2
         assert right.notes == ()
-    with pytest.raises(BadInput, match="it holds left, right"):
+    with pytest.raises(BadInput, match="it contains left, right"):
         read_camera(text, "rig.yaml", which="middle")
 
 
@@ -160,7 +160,7 @@ def test_a_camera_that_was_never_calibrated_is_refused() -> None:
     unset = ROS_TOPIC.replace("[-0.3, 0.1, 0.001, -0.002, 0.05]", "[0.0, 0.0, 0.0, 0.0, 0.0]").replace(
         "[500.0, 0.0, 320.0, 0.0, 501.0, 240.0, 0.0, 0.0, 1.0]", str([0.0] * 9)
     )
-    with pytest.raises(BadInput, match="is not calibrated"):
+    with pytest.raises(BadInput, match="was not calibrated"):
         read_camera(unset, "info.yaml")
 
 

@@ -7,7 +7,7 @@ import pytest
 from sightline.cli import main
 from tests.support.malformed import CAMERA_FILES, camera_files
 
-NO_CAMERA = "holds no camera; give OpenCV"
+NO_CAMERA = "contains no camera; give OpenCV"
 NO_FILE = "is not a readable camera file"
 REFUSED = {
     "transposed.yaml": "must be 3x3 with 0 0 1",
@@ -23,7 +23,7 @@ REFUSED = {
     "six_coefficients.yaml": "6 distortion coefficients; 4, 5 or 8",
     "fourteen_coefficients.yaml": "thin-prism and tilt",
     "unknown_lens.yaml": "'division' is not supported",
-    "lens_of_pixels.yaml": "turns back near the middle",
+    "lens_of_pixels.yaml": "folds back near the middle",
     "no_width.yaml": "two whole numbers of pixels",
     "half_a_pixel.yaml": "two whole numbers of pixels",
     "enormous.json": "the image size is not a list of numbers",
@@ -39,7 +39,7 @@ REFUSED = {
     "bomb.yaml": NO_FILE,
     "command.yaml": NO_FILE,
     "a_list.yaml": NO_CAMERA,
-    "newer.json": "holds no camera matrix",
+    "newer.json": "contains no camera matrix",
     "a_page.json": NO_CAMERA,
     "three_intrinsics.yaml": "four numbers, fu fv pu pv",
     "omni.yaml": "'omni' is not supported",

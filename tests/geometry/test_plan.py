@@ -197,7 +197,7 @@ def test_a_plain_camera_sees_its_field_of_view() -> None:
         (Site(-1.0, 3.0), "camera height"),
         (Site(1.5, float("nan")), "wheel path"),
         (Site(1.5, 3.0, 0.0), "board"),
-        (Site(1.5, 3.0, sigma_px=0.0), "click sigma"),
+        (Site(1.5, 3.0, sigma_px=0.0), "click uncertainty"),
         (Site(1.5, 3.0, direction_rad=1.3), "direction"),
         (Site(1.5, 3.0, travel_m=0.0), "travel"),
     ],

@@ -601,6 +601,6 @@ def test_by_commands(
     else:
         monkeypatch.delenv("SIGHTLINE_DATABASE_URL")
     assert main(["restore", folder, "--data-dir", str(place.data_dir)]) == 0
-    assert "events holds" in capsys.readouterr().out
+    assert "events is intact" in capsys.readouterr().out
     assert main(["restore", folder, "--data-dir", str(place.data_dir)]) == 2
     assert verify_database(place.database_url).ok

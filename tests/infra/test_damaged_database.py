@@ -235,7 +235,7 @@ def test_a_database_that_cannot_be_written_is_read_where_it_lies(data_dir: Path,
     told = ["unshare", "-m", "sh", "-c", READ_ONLY, "sh", str(data_dir), str(tmp_path), sys.executable]
     done = subprocess.run(told, check=False, capture_output=True, text=True, env=dict(os.environ))
     assert done.returncode == 0, done.stderr
-    assert done.stdout.count("holds") == 2
-    assert "Every export is recorded in the audit trail" in (tmp_path / "said").read_text()
+    assert done.stdout.count("is intact") == 2
+    assert "Every package is recorded in the audit trail" in (tmp_path / "said").read_text()
     assert not (tmp_path / "out").exists()
     assert sorted(data_dir.rglob("*")) == before

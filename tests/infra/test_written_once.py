@@ -252,7 +252,7 @@ TAMPERED: dict[str, tuple[tuple[str, ...], str]] = {
     "the chain's end removed": (("DELETE FROM audit_chains",), "not where it ended"),
     "a maker's height": (
         ("UPDATE vehicles SET manufacturer_height_m = 1.7 WHERE id = 1",),
-        "vehicle 1 is not what its events say",
+        "vehicle 1 differs from its audit events",
     ),
     "a deleted vehicle": (("UPDATE vehicles SET deleted_at = created_at WHERE id = 2",), "vehicle 2 is not"),
     "a vehicle removed": (("DELETE FROM vehicles WHERE id = 2",), "vehicle 2 was removed"),
@@ -289,7 +289,7 @@ TAMPERED: dict[str, tuple[tuple[str, ...], str]] = {
     ),
     "a maker's length": (
         ("UPDATE scan_vehicles SET true_length_m = 4.5 WHERE id = 1",),
-        "scanned vehicle 1 is not what its events say",
+        "scanned vehicle 1 differs from its audit events",
     ),
     "a baseline": (("UPDATE scans SET baseline_m = 0.6 WHERE id = 1",), "line-scan recording 1 is not"),
     "a run removed": (
@@ -501,7 +501,7 @@ def test_the_command_says_what_the_function_finds(
     """`sightline verify` of a database is `verify_database`: sound, changed, and not ours (status 2)."""
     sound = verify_database(database_url)
     assert main(["verify", database_url]) == 0
-    assert f"{sound.checked} events holds, head {sound.head_hash[:16]}." in capsys.readouterr().out
+    assert f"{sound.checked} events is intact, head {sound.head_hash[:16]}." in capsys.readouterr().out
     _tamper(engine_of(filled), *TAMPERED["a calibration"][0])
     assert main(["verify", database_url, "--json"]) == 1
     said = capsys.readouterr()

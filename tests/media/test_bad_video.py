@@ -55,7 +55,7 @@ def test_what_is_no_video_is_refused_in_words(name: str, content: bytes, words: 
 def test_still_pictures_are_refused(suffix: str, tmp_path: Path) -> None:
     path = tmp_path / "still.mp4"
     path.write_bytes(cv2.imencode(suffix, np.full((48, 64, 3), 90, np.uint8))[1].tobytes())
-    assert "picture, not a video" in refusal(path)
+    assert "image, not a video" in refusal(path)
 
 
 def test_sound_alone_is_refused(tmp_path: Path) -> None:

@@ -104,7 +104,7 @@ def test_a_cover_before_the_video_is_no_video(
     result = take_in(two_pictures(tmp_path / f"cover_first.{ending}", (1, 40), on, cover=True))
     assert numbers(result, server) == list(range(1000, 1040))
     assert (result.facts.width_px, result.facts.stream) == (640, 2)
-    assert any("1 (mjpeg, 320x240, a still picture)" in note and "2 (h264" in note
+    assert any("1 (mjpeg, 320x240, a still image)" in note and "2 (h264" in note
                for note in map(str, result.report.notes))  # fmt: skip
 
 
@@ -120,7 +120,7 @@ def test_of_two_moving_pictures_the_first_is_read_and_said(
 def test_one_that_is_switched_off_is_left_alone(tmp_path: Path, take_in: Ingest, server: FrameServer) -> None:
     result = take_in(two_pictures(tmp_path / "off.mp4", (30, 30), (False, True)))
     assert numbers(result, server) == list(range(1000, 1030))
-    assert any("1 (h264, 320x240, switched off)" in note for note in map(str, result.report.notes))
+    assert any("1 (h264, 320x240, disabled)" in note for note in map(str, result.report.notes))
 
 
 def test_a_single_picture_says_nothing_of_others(clip: Clip, take_in: Ingest) -> None:

@@ -107,7 +107,7 @@ def test_the_same_frames_in_five_files_have_the_same_checksums(taken: Callable[[
 
 
 def test_the_drawing_named_mp4_is_refused(shared_data: Path, take_in: Ingest) -> None:
-    with pytest.raises(BadInput, match=r"^webp_named_as\.mp4 is a WebP picture"):
+    with pytest.raises(BadInput, match=r"^webp_named_as\.mp4 is a WebP image"):
         take_in(shared_data / "video" / "odd" / "webp_named_as.mp4")
 
 

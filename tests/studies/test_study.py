@@ -296,4 +296,6 @@ def test_a_stratum_with_one_site_says_that_it_says_nothing(
     (tmp_path / "sites.csv").write_text("site,stratum\nsite 0,a\nsite 1,a\nsite 2,a\nsite 3,lonely\n")
     told = studied(capsys, *four, "-o", str(tmp_path / "study"), "--sites", str(tmp_path / "sites.csv"))
     reasons = {one["reason"] for one in told["figures"] if one["target"] == "roof"}
-    assert reasons == {"lonely has one site: join it with another stratum, so that sites can differ"}
+    assert reasons == {
+        "lonely has one site: join it with another stratum, because differences between sites need two"
+    }

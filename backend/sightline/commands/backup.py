@@ -66,9 +66,9 @@ def backup(folder: Path, reading_back: bool, prune: bool, data_dir: Path | None)
 def restore(folder: Path, data_dir: Path, earlier: bool) -> None:
     """Restore the backup in DIR into an empty place: data folder, database, media store.
 
-    The database is SQLite unless SIGHTLINE_DATABASE_URL names an empty PostgreSQL database (for a backup of
-    one). The hash of every file and the audit chains are checked first; if anything is wrong, nothing is
-    restored.
+    The database is SQLite unless SIGHTLINE_DATABASE_URL names an empty PostgreSQL database; a backup of
+    either kind can be restored into either. The hash of every file and the audit chains are checked first;
+    if anything is wrong, nothing is restored.
     """
     from sightline.infra.backup.restore import restore_backup
 
@@ -76,12 +76,12 @@ def restore(folder: Path, data_dir: Path, earlier: bool) -> None:
     found = restore_backup(folder, settings, progress_told(), earlier=earlier)
     assert found.audit is not None
     click.echo(
-        f"{data_dir}: {_what(found.manifest)}; the audit chain of {found.audit.checked} events holds, head "
-        f"{found.audit.head_hash[:16]}."
+        f"{data_dir}: {_what(found.manifest)}; the audit chain of {found.audit.checked} events is intact, "
+        f"head {found.audit.head_hash[:16]}."
     )
     for name, where in found.manifest.keys.items():
         if where == "environment":
-            click.echo(f"{name} was a setting and is not in the backup: set it as it was.", err=True)
+            click.echo(f"{name} was a setting and is not in the backup: set it to the same value.", err=True)
 
 
 def read_words(folder: Path, found: ReadBackup) -> str:
@@ -89,7 +89,7 @@ def read_words(folder: Path, found: ReadBackup) -> str:
     said = f"{folder}: {_what(found.manifest)}; every file is the one that was backed up"
     if found.audit is None:
         return f"{said}. The audit chains of PostgreSQL are checked when it is restored."
-    return f"{said}, and the audit chain of {found.audit.checked} events holds."
+    return f"{said}, and the audit chain of {found.audit.checked} events is intact."
 
 
 def _what(manifest: Manifest) -> str:

@@ -18,7 +18,7 @@ def checkpoint(output: Path | None, new_key: bool, data_dir: Path | None) -> Non
     """Sign the ends of all audit chains with the installation's key; print what was signed and the keys.
 
     Keep the output in another place: it reveals a chain that is cut or rewritten later, and its key reveals a
-    forged package (`sightline verify --key`). Every export is signed in the same way.
+    forged package (`sightline verify --key`). Every package is signed in the same way.
     """
     from sightline.infra.audit.checkpoints import hand_on, known_keys, sign_checkpoint
     from sightline.infra.audit.signing import put_in_force, replacing_key, signing_key

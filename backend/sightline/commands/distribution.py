@@ -38,7 +38,14 @@ class Rows:
 @click.command()
 @click.argument("heights", type=click.Path(path_type=Path))
 @click.option("--by", "by", metavar="COLUMN", help="Compute each value of this column separately.")
-@click.option("--percentile", "percents", metavar="P,P,...", default=_USUAL, show_default=True)
+@click.option(
+    "--percentile",
+    "percents",
+    metavar="P,P,...",
+    default=_USUAL,
+    show_default=True,
+    help="Percentiles to compute.",
+)
 @click.option(
     "--compare",
     metavar="FIRST,SECOND",

@@ -27,7 +27,14 @@ _ROOFS: Key = ("roof", False)
 
 @click.command()
 @click.argument("heights", type=FILE)
-@click.option("--round", "rounding", type=click.Choice(get_args(Rounding)), default="cm", show_default=True)
+@click.option(
+    "--round",
+    "rounding",
+    type=click.Choice(get_args(Rounding)),
+    default="cm",
+    show_default=True,
+    help="Rounding of both heights: whole centimetres, as Dupuis et al., or none.",
+)
 @click.option(
     "--by",
     type=click.Choice(["target"]),
@@ -62,7 +69,7 @@ def errors(heights: Path, rounding: Rounding, by: str | None, as_json: bool) -> 
     _tell_left_out(left_out)
     others = sorted({target for target, _ in found if target != (key or ("",))[0]})
     if others:
-        click.echo(f"Not in the table: {', '.join(others)}; --by target tells each.")
+        click.echo(f"Not in the table: {', '.join(others)}; --by target covers each.")
 
 
 def _tell_left_out(left_out: int) -> None:

@@ -27,12 +27,10 @@ if TYPE_CHECKING:
 @click.option("--scan", required=True, help="Name (or number) of the line-scan recording.")
 @click.option("--vehicle", required=True, type=int, help="Number of the vehicle in the recording.")
 @output_option("HTML file to write.")
-@number_option("--most-kmh", help="Maximum speed in km/h.")
-@number_option("--least-time-gap-s", "time_gap", help="Minimum time gap to the vehicle in front, seconds.")
-@number_option(
-    "--least-distance-gap-m", "distance_gap", help="Minimum distance to the vehicle in front, metres."
-)
-@number_option("--risk", default=0.05, help="Maximum risk of a wrong decision.")
+@number_option("--most-kmh", help="Limit: speed of at most this, km/h.")
+@number_option("--least-time-gap-s", "time_gap", help="Limit: time gap of at least this, seconds.")
+@number_option("--least-distance-gap-m", "distance_gap", help="Limit: distance gap of at least this, metres.")
+@number_option("--risk", default=0.05, help="Risk of a false decision.")
 @click.option("--limit-source", default="", help="Source of the limit: the sign, order or rule.")
 @data_dir_option
 def evidence(

@@ -23,7 +23,7 @@ _DAY = click.DateTime(["%Y-%m-%d"])
 
 @click.command()
 @survey_option
-@output_option("Folder to write; an earlier export there is replaced.")
+@output_option("Folder to write; an earlier package there is replaced.")
 @click.option("--crops/--no-crops", default=True, help="Include crops of the clicked frames (default).")
 @click.option(
     "--lighting", type=click.Choice(get_args(Lighting)), help="Limit statistics and report to this lighting."
@@ -101,6 +101,6 @@ def export(
         )
     click.echo(
         f"{built.measurements} measurements of {built.vehicles} vehicles written to {output} "
-        f"({len(staging.written)} files). Audit head {built.head.hash}; keep it elsewhere, for "
+        f"({len(staging.written)} files). Audit head {built.head.hash}; keep it in another place, for "
         "`sightline verify --head`."
     )

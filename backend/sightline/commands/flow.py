@@ -46,7 +46,7 @@ def flow(
 
     PLACE is a package (accepted vehicles of the selection), a vehicles.csv or JSON of `sightline linescan
     --start`, the output of `stream`, a folder of these, or an archive of `sightline traffic`. Every vehicle
-    counts for flow and occupancy, refused ones too; speeds and classes are of the measured ones.
+    counts for flow and occupancy, measured or not; speeds and classes cover the measured ones.
     """
     minutes = _minutes(lengths)
     rows, vehicles, notes = list[dict[str, Any]](), list[dict[str, Any]](), list[str]()
@@ -94,9 +94,9 @@ def _of_place(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic], R
         return _of_package(place, minutes)
     results, left = results_in(place)
     traffic = [each for length in minutes for one in results for each in one.traffic(length)]
-    notes = [f"{name} in {place} holds no scanned vehicles and is left out." for name in left]
+    notes = [f"{name} in {place} has no scanned vehicles and is skipped." for name in left]
     notes += [
-        f"{one.name} does not say how long was recorded: its first and last interval count as watched whole."
+        f"{one.name} does not say how long was recorded: its first and last interval count as fully observed."
         for one in results
         if one.watched_s is None
     ]

@@ -115,7 +115,9 @@ def read_pose_file(path: Path) -> RoadPose:
 @click.command()
 @click.argument("images", nargs=-1, required=True, type=FILE)
 @board_options
-@click.option("--model", type=click.Choice(get_args(LensModel)), default="brown", show_default=True)
+@click.option(
+    "--model", type=click.Choice(get_args(LensModel)), default="brown", show_default=True, help="Lens model."
+)
 @click.option("--bent-board", is_flag=True, help="The board may be bent: model its shape too.")
 @output_option("camera.json to write.")
 @stream_option
@@ -154,13 +156,13 @@ def _calibration_text(checked: CheckedCalibration, output: Path) -> str:
     result, camera = checked.result, checked.result.camera
     used = sum(view.used for view in camera.views)
     lines = [
-        f"{output}: {used} of {len(camera.views)} pictures, residual {camera.rms_px:.3f} px, "
+        f"{output}: {used} of {len(camera.views)} images used, residual {camera.rms_px:.3f} px, "
         f"fx {camera.fx_px:.2f}, fy {camera.fy_px:.2f}, cx {camera.cx_px:.2f}, cy {camera.cy_px:.2f} px"
     ]
-    lines += [f"left out {view.file}: {view.reason}" for view in camera.views if not view.used]
+    lines += [f"excluded {view.file}: {view.reason}" for view in camera.views if not view.used]
     lines.append(_halves_text(checked.cross_validation))
     lines += [f"warning: {warning}" for warning in result.warnings]
-    lines += [f"missing: {advice}" for advice in result.reshoot]
+    lines += [f"add images: {advice}" for advice in result.reshoot]
     if not result.trusted:
         lines.append("This calibration is unreliable.")
     return "\n".join(lines)
@@ -217,7 +219,7 @@ def parse_size(text: str | None) -> tuple[int, int] | None:
 
 
 @click.command()
-@click.argument("pictures", nargs=-1, required=True, type=FILE)
+@click.argument("pictures", metavar="IMAGES...", nargs=-1, required=True, type=FILE)
 @click.option("--camera", "camera_file", type=FILE, required=True, help="camera.json of the camera.")
 @board_options
 @number_option(
@@ -226,7 +228,14 @@ def parse_size(text: str | None) -> tuple[int, int] | None:
     required=True,
     help="Height of the reference row of corners above the road, metres.",
 )
-@click.option("--reference", "side", type=click.Choice(get_args(BoardSide)), default="top", show_default=True)
+@click.option(
+    "--reference",
+    "side",
+    type=click.Choice(get_args(BoardSide)),
+    default="top",
+    show_default=True,
+    help="Reference row: the top or the bottom row of inner corners.",
+)
 @number_option(
     "--u-reference-height",
     "u_height_m",

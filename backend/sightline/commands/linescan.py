@@ -49,7 +49,13 @@ from sightline.messages.said import Said
     help="Time of line 0 at camera 1 with its offset from UTC: 2026-05-04T06:00:00.000+02:00.",
 )
 @number_option("--u-start", "u_start_s", help="u of the start (k = 1), seconds.")
-@click.option("--time-axis", type=click.Choice(get_args(TimeAxis)), default="width", show_default=True)
+@click.option(
+    "--time-axis",
+    type=click.Choice(get_args(TimeAxis)),
+    default="width",
+    show_default=True,
+    help="Axis of the images along which time runs.",
+)
 @output_option("vehicles.csv to write (default: print it).", required=False)
 @json_option
 def linescan(
@@ -66,9 +72,9 @@ def linescan(
     """Measure vehicles from two line-scan strips: speed, acceleration, length and gaps.
 
     FIRST and SECOND are PNG or TIFF images; FIRST is from the camera that vehicles reach first. Vehicles of
-    the other direction are measured too (column direction). A file FIRST.json beside it may list lines that
-    the recorder lost: {"dropped_lines": [[line, count], ...]}. With --start every vehicle has the time of day
-    at which its front reached camera 1 (columns front_at, u_front_at_s).
+    the other direction are measured too (column direction). A file FIRST.json beside FIRST may list the
+    lines that the recorder lost: {"dropped_lines": [[line, count], ...]}. With --start every vehicle has the
+    time of day at which its front reached camera 1 (columns front_at, u_front_at_s).
     """
     begun = start_of(start, u_start_s)
     if output is not None and not output.parent.is_dir():

@@ -23,7 +23,7 @@ def passes(video: Path, stream_number: int | None, filmed_hz: float | None, as_j
         return
     click.echo(f"{video}: {len(search.passes)} found in {search.frames} frames")
     for one in search.passes:
-        way = one.direction or "down or up the picture"
+        way = one.direction or "down or up the frame"
         click.echo(f"frames {one.first_frame} to {one.last_frame}, best {one.best_frame}, {way}")
     for note in search.notes:
         click.echo(f"note: {note}")

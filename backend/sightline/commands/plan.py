@@ -38,9 +38,9 @@ _OF_LINES = ("speed_mps", "error", "line_rate_hz", "u_baseline_m", "length_m", "
     "--line-rate", "line_rate_hz", help="... line rate, Hz (default: lines 10 mm apart on the vehicle) ..."
 )
 @number_option("--u-baseline", "u_baseline_m", help="... and u of the baseline, metres.")
-@number_option("--length", "length_m", help="Length of the vehicle of a line scan, metres (4.5) ...")
+@number_option("--length", "length_m", help="Length of the vehicle of a line scan, metres (default 4.5) ...")
 @number_option(
-    "--time-gap", "time_gap_s", help="... and its time gap to the vehicle in front, seconds (1.5)."
+    "--time-gap", "time_gap_s", help="... and its time gap to the vehicle in front, seconds (default 1.5)."
 )
 @json_option
 def plan(

@@ -116,7 +116,13 @@ U_LINE_RATE = number_option(
     "--u-line-rate", "u_line_rate_ratio", default=0.0, help="Relative u of the line rate (1e-4 is 0.01 %)."
 )
 _RIG = (
-    click.option("--method", type=click.Choice(get_args(ScanMethod)), default="direct", show_default=True),
+    click.option(
+        "--method",
+        type=click.Choice(get_args(ScanMethod)),
+        default="direct",
+        show_default=True,
+        help="Direct registration, or block matching as in the paper (Douxchamps et al.).",
+    ),
     number_option(
         "--shadow-share",
         default=USUAL_SHADOW_SHARE,

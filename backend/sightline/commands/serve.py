@@ -42,9 +42,7 @@ AFTER_START_S = 0.2
 def serve(
     host: str | None, port: int | None, workers: int | None, with_demo: bool, data_dir: Path | None
 ) -> None:
-    """Migrate the database and start the server; prints the address and, the first time, a one-time sign-
-    in link.
-    """
+    """Migrate the database and start the server; prints its address and, the first time, a sign-in link."""
     run(host, port, workers, with_demo, data_dir)
 
 

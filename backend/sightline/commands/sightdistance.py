@@ -21,13 +21,19 @@ FOOT_M = 0.3048
 @click.command()
 @number_option("--eye", "eye_m", help="Height of the eye above the road, metres ...")
 @click.option("--eye-heights", type=FILE, help="... or heights.csv: one of its percentiles.")
-@number_option("--eye-percentile", default=10.0)
+@number_option("--eye-percentile", default=10.0, help="Percentile of --eye-heights.")
 @number_option("--object", "object_m", help="Height of the object, metres ...")
 @click.option("--object-heights", type=FILE, help="... or heights.csv: one of its percentiles.")
-@number_option("--object-percentile", default=5.0)
+@number_option("--object-percentile", default=5.0, help="Percentile of --object-heights.")
 @number_option("--distance", "distance_m", help="Sight distance, metres ...")
 @number_option("--speed", "speed_kmh", help="... or design speed, km/h, to use the sight distance of --kind.")
-@click.option("--kind", type=click.Choice(get_args(SightKind)), default="stopping", show_default=True)
+@click.option(
+    "--kind",
+    type=click.Choice(get_args(SightKind)),
+    default="stopping",
+    show_default=True,
+    help="Sight distance that --speed is converted into.",
+)
 @number_option("--u-eye", "u_eye_m", help="u of the eye height, metres.")
 @number_option("--u-object", "u_object_m", help="u of the object height, metres.")
 @number_option(

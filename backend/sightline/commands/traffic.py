@@ -75,7 +75,7 @@ def add(
         print_json({"vehicles": len(recorded.passings), "measured": measured, "days": days})
         return
     click.echo(
-        f"{recorded.name}: {len(recorded.passings)} vehicles, {measured} measured, put into {archive}; "
+        f"{recorded.name}: {len(recorded.passings)} vehicles, {measured} measured, added to {archive}; "
         f"days touched: {days}."
     )
 

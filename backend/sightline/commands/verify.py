@@ -18,18 +18,19 @@ BACKUP = "manifest.json"
 
 @click.command()
 @click.argument("place", metavar="DIR_OR_DATABASE")
-@click.option("--head", help="Audit head that you kept (last hash, 16 characters or more), for an export.")
+@click.option("--head", help="Audit head that you kept (last hash, 16 characters or more), for a package.")
 @click.option(
-    "--key", help=("Signing key of the installation (16 characters or more), for an export or evidence file.")
+    "--key", help=("Signing key of the installation (16 characters or more), for a package or evidence file.")
 )
 @json_option
 def verify(place: str, head: str | None, key: str | None, as_json: bool) -> None:
-    """Check the audit chain of a database (file, data folder or postgresql:// address), an export, a backup,
-    or the evidence file of a vehicle (.html).
+    """Check a database, a package (folder or ZIP), a backup or an evidence file with its audit chain.
 
-    For an export, this includes its seal (by which the chain names every file), every height and statistic
-    (recomputed), every row against the audit chain, and the signature of its end. A chain that was rewritten
-    and signed again is detected with --key (if the forger does not have the key) or --head.
+    A database is given as its file, its data folder or its postgresql:// address; an evidence file ends in
+    .html. For a package, this includes its seal (by which the chain names every file), every height and
+    statistic (recomputed), every row against the audit chain, and the signature of the chain's end. A
+    chain that was rewritten and signed again is detected with --key (if the forger does not have the key)
+    or --head.
     """
     found = check(place, head, key)
     if as_json:
@@ -98,23 +99,23 @@ def _words(place: str, found: dict[str, Any]) -> str:
         return str(found["said"])
     if found["kind"] == "evidence":
         return _evidence_words(place, found)
-    said = f"{place}: the audit chain of {found['checked']} events holds, head {found['head_hash'][:16]}"
+    said = f"{place}: the audit chain of {found['checked']} events is intact, head {found['head_hash'][:16]}"
     if found["kind"] != "export":
         return said + "."
     said += (
-        f"; {found['files']} files unchanged, {found['heights']} heights and {found['statistics']} figures "
-        f"of statistics computed again and equal, {found['keys']} keys followed, {found['crops']} crops "
-        f"compared, {found['drawings']} drawings made again; its end was signed on "
-        f"{found['signed_at'][:19]} UTC with key {found['key'][:16]}."
+        f"; {found['files']} files unchanged, {found['heights']} heights and {found['statistics']} "
+        f"statistics recomputed and equal, {found['keys']} references between tables checked, "
+        f"{found['crops']} crops compared, {found['drawings']} drawings made again; the end of the chain was "
+        f"signed on {found['signed_at'][:19]} UTC with key {found['key'][:16]}."
     )
     if found["sha256"] is not None:
-        said += f" SHA-256 {found['sha256']}; compare it with the one on the export page."
+        said += f" SHA-256 {found['sha256']}; compare it with the one on the page Package."
     return " ".join([said, *found["notes"]])
 
 
 def _evidence_words(place: str, found: dict[str, Any]) -> str:
     said = [
-        f"{place}: signature, hashes, audit events, numbers and decision hold; made on "
+        f"{place}: signature, hashes, audit events, numbers and decision are valid; made on "
         f"{found['made_at'][:19]} UTC by Sightline {found['program']}.",
         found["decision"],
     ]

@@ -44,7 +44,7 @@ def require_site(site: Site) -> None:
         ("camera height", site.camera_height_m, 0.2, 20.0, "m"),
         ("distance to the wheel path", site.distance_m, 0.5, 100.0, "m"),
         ("distance to the board", site.board_m, 0.5, 100.0, "m"),
-        ("click sigma", site.sigma_px, 1e-3, 100.0, "px"),
+        ("click uncertainty", site.sigma_px, 1e-3, 100.0, "px"),
         ("direction", float(np.rad2deg(site.direction_rad)), -60.0, 60.0, "degrees"),
         ("travel between two frames", site.travel_m, 0.15, 20.0, "m"),
     ):

@@ -88,7 +88,7 @@ state-to_do = to do
 state-partial = partly measured
 state-measured = measured
 state-not_visible = not visible
-state-out_of_sample = out of the sample
+state-out_of_sample = outside the sample
 state-discarded = discarded
 state-to_review = to review
 state-accepted = accepted
@@ -138,7 +138,7 @@ category-other = Other
 ## Sets of classes of vehicles
 
 class-set-passenger_cars = Passenger cars
-class-set-light_trucks = Light trucks and multi-purpose
+class-set-light_trucks = Light trucks and multi-purpose vehicles
 class-set-heavy = Heavy vehicles
 class-set-none = no set
 class-choice = Classes
@@ -151,7 +151,7 @@ sample-title = Sample
 sample-edit = Change the sample
 sample-dialog = Passes to measure
 sample-method = Passes
-sample-method-help = The rule uses the pass number, so a pass found later does not change which others are selected. Passes that are not selected are marked “out of the sample”.
+sample-method-help = The rule uses the pass number, so a pass found later does not change which others are selected. Passes that are not selected are marked “outside the sample”.
 sample-every = every pass
 sample-nth = every n-th pass
 sample-share = a random share (seeded)
@@ -174,7 +174,7 @@ sample-any-class = any class
 sample-response = Outcome of the passes
 sample-lighting = Lighting
 sample-classes = Classes
-sample-of = target
+sample-of = Target
 sample-passes = Passes
 sample-discarded = Discarded
 sample-out = Outside
@@ -245,7 +245,7 @@ page-checks = Checks
 page-review = Review
 page-lots = Lots
 page-repeats = Repeatability
-page-click-again = Click again
+page-click-again = Blind repeats
 page-scans = Line scans
 page-scan-results = Motion
 page-scan = Line scan
@@ -465,7 +465,7 @@ system-clock-back = The clock went back by { $seconds } s, noticed on { $when }.
 system-jobs = Jobs
 system-checkpoints = Checkpoints
 system-checkpoints-sign = Sign a checkpoint
-system-checkpoints-lead = A checkpoint signs where every audit chain ends. Keep the files outside this server: they reveal a chain that is cut or rewritten later. Every export signs one too.
+system-checkpoints-lead = A checkpoint signs where every audit chain ends. Keep the files outside this server: they reveal a chain that is cut or rewritten later. Every package is signed in the same way.
 system-checkpoints-loading = the checkpoints
 system-checkpoints-key = Current key
 system-checkpoints-keys-before = { $count ->
@@ -531,7 +531,7 @@ app-title-in-survey = { $page } – { $survey } – Sightline
 app-not-found = Not found
 app-skip = Skip to the page
 app-skip-picture = Skip to the image
-app-to-surveys = Go to the surveys
+app-to-surveys = Go to Surveys
 app-nothing-here-title = Page not found
 app-nothing-here = The link may be out of date, or the survey may have been removed.
 app-not-loaded = This page could not be loaded. A newer version may have been installed; reload the page.
@@ -610,7 +610,7 @@ board-marker-too-large = The marker must be smaller than its square.
 
 drift-title = Camera stability
 drift-stopped = The check stopped.
-drift-under-way = Checking camera stability …
+drift-under-way = Checking camera stability…
 drift-not-yet = Camera stability not checked.
 drift-holds = Pose kept by { $person }: { $reason }
 drift-over-time = Movement over time
@@ -672,7 +672,7 @@ revisions-review = { $person } – { $reason }
 catalogue-list = { $field } in the catalogue
 catalogue-other-years = The catalogue has { $model } only for { $years }. Check the year.
 passes-find = Find the passes
-passes-find-title = Detect vehicle passes in this video. Existing and discarded passes do not change.
+passes-find-title = Find the vehicle passes in this video. Existing and discarded passes do not change.
 passes-failed = The search for passes failed. Try again.
 passes-cancelled = The search for passes in { $recording } was cancelled.
 passes-found = { $recording }: { $message }
@@ -688,7 +688,7 @@ passes-doubts = { $count ->
 }
 passes-class-missing = The class is missing.
 passes-measured = Measured
-passes-left-out = out of the sample
+passes-left-out = outside the sample
 passes-by-number = by number
 passes-by-time = by time
 passes-by-state = by state
@@ -893,7 +893,7 @@ camera-cy = principal point cy
 camera-distortion = distortion { $name }
 camera-coverage-unknown = The coverage of the image is not known for this calibration.
 camera-coverage = Corners cover { $percent } % of the image.
-camera-coverage-label = Coverage of the image: { $empty } of { $all } parts hold no corner
+camera-coverage-label = Coverage of the image: { $empty } of { $all } parts contain no corner
 camera-coverage-cell = { $count ->
     [one] { $count } corner
    *[other] { $count } corners
@@ -909,7 +909,7 @@ camera-no-reason = no reason stated
 camera-residuals-label = Residuals of { $file }, the longest { $longest_px } pixels
 camera-worst-view = Worst view.
 camera-residuals-drawn = { $file }: residuals enlarged { $times } times; the longest is { $longest_px } px.
-camera-history-made = Made
+camera-history-made = Created
 camera-history-by = By
 camera-history-from = From
 camera-history-verdict = Verdict
@@ -1472,7 +1472,7 @@ checks-turn-done = Rotated pose applied to new measurements. Existing measuremen
 checks-turn-back-done = The previous pose is current again.
 checks-heading = Heading
 checks-u = u
-checks-apart = Spacing
+checks-apart = Between tyres
 checks-two-frames = from two frames
 checks-tyres = tyres of vehicle { $vehicle }
 checks-withdrawal = withdrawal of the tyres of vehicle { $vehicle }
@@ -1499,7 +1499,7 @@ measure-passes-open = Passes <muted>{ NUMBER($count) } to do{ $rejected ->
 }</muted>
 measure-passes-show = Show
 measure-passes-order = Order
-measure-passes-none = No vehicles yet. Detect passes, or mark the first frame of a vehicle.
+measure-passes-none = No passes yet. Find the passes, or mark the first frame of a vehicle.
 measure-passes-none-in-state = No pass is in this state.
 measure-class-missing = Missing: the inset of the roof and the figures of each class depend on it.
 measure-proposals-late = Show the suggestions
@@ -1706,7 +1706,7 @@ measure-inset-as-survey = Reset to survey value ({ $inset }, u = { $u_inset })
 measure-inset-side = Driver’s side
 measure-unseen = Not visible: { $why }.
 measure-unseen-back = Mark as visible
-measure-unseen-ask = Not visible …
+measure-unseen-ask = Not visible…
 measure-unseen-why = { $target ->
     [roof] Why is the roof not visible?
     [driver_eye] Why is the driver’s eye not visible?
@@ -1726,7 +1726,7 @@ measure-side-from = { $from ->
     }
     [place] direction unknown: seen from the median, all traffic runs one way
     [undirected] direction unknown, so the eye height cannot be computed: set near or far here, or the direction of the vehicle
-   *[unknown] unknown, so the eye height cannot be computed: set it here for this vehicle, or <link>on the survey’s page</link> for all
+   *[unknown] unknown, so the eye height cannot be computed: set it here for this vehicle, or under <link>Settings</link> for all
 }
 measure-inset-roof = Roof point
 measure-inset-needs-class = Choose the class: the inset of a roof depends on it.
@@ -1734,7 +1734,7 @@ measure-inset-now = inset { $inset } (u = { $u_inset }), estimate
 
 ## Measure: several frames
 
-measure-second-looking = Searching for the best second frame …
+measure-second-looking = Searching for the best second frame…
 measure-second-hint = { $nth ->
     [2] Second frame
     [3] Third frame
@@ -1769,7 +1769,7 @@ measure-frames-said-inset = { $count ->
    *[other] From { $count } frames; inset { $inset } (u = { $u_inset })
 }
 measure-whole-nothing-yet = Measure a target first. Then it can be followed through the pass.
-measure-whole-looking = Following the points through the pass …
+measure-whole-looking = Following the points through the pass…
 measure-whole-heading = Whole pass: not saved yet
 measure-whole-height = Height
 measure-whole-frames = Frames
@@ -1813,8 +1813,8 @@ measure-all-frames = { $count ->
    *[other] { $count } frames
 }
 measure-gain-looking = { $which ->
-    [second] Searching for the best second frame …
-   *[another] Searching for the best further frame …
+    [second] Searching for the best second frame…
+   *[another] Searching for the best further frame…
 }
 measure-gain = { $which ->
     [second] Second frame, U95: { $U95_now } → { $U95_then }
@@ -1919,7 +1919,7 @@ measure-field-taillight_not_visible = Taillight not visible
 measure-field-headlight_not_visible = Headlight not visible
 measure-field-discarded = Pass
 measure-in-sample = in the sample
-measure-out-of-sample = out of the sample, by the survey’s rule
+measure-out-of-sample = outside the sample, by the survey’s rule
 measure-discard-measured = Withdraw its measurements to discard it.
 measure-fact = { $field ->
     [first_frame] first frame { $value }
@@ -1982,8 +1982,8 @@ review-back-to-frame = Back to frame { $frame }
 review-none-in-state-title = Nothing in this state
 review-none-in-state = Choose another state in the list on the left.
 review-all-done-title = Everything is reviewed
-review-all-done = Each measurement has a verdict. New and corrected ones appear here automatically.
-review-to-export = Go to the package
+review-all-done = Each measurement has a verdict. New and remeasured ones appear here automatically.
+review-to-export = Go to Package
 review-none-title = Nothing to review yet
 review-none = Measurements appear here as soon as an operator has made them.
 review-to-measure = Go to Measure
@@ -2076,7 +2076,7 @@ review-made-by = { $made ->
 
 review-look-only = View only. Reviewers decide.
 review-own = You made this measurement, so another person reviews it.
-review-pose-changed = The recording has a new camera pose since this was measured; the correction is computed with it.
+review-pose-changed = The recording has a new camera pose since this was measured; the fix is computed with it.
 review-fix-save = Save the fix
 review-fix-nothing = Nothing has changed. Move a point first, or accept the measurement.
 review-fix-leave = Cancel
@@ -2127,7 +2127,7 @@ repeats-none = { $one_in ->
    *[other] Blind checks are on: 1 measurement in { $one_in } is repeated in Review. Ten random ones can be repeated here as well.
 } After ten repeats of your own work, your own click uncertainty can replace the default of 1 px. Repeats of other people’s work show the variation between operators.
 repeats-no-result = Repeats are kept separate and do not affect results.
-repeats-to-review = Go to the review
+repeats-to-review = Go to Review
 repeats-target = Target
 repeats-items = { $count ->
     [one] { $count } item
@@ -2505,7 +2505,7 @@ scans-traffic-value = Estimate (u)
 scans-traffic-from = Vehicles
 scans-traffic-in-force = Current
 scans-traffic-take = Use
-scans-traffic-gain = Light, camera 2 over 1
+scans-traffic-gain = Brightness, camera 2 / camera 1
 scans-traffic-gain-own = per vehicle
 scans-traffic-baseline = { $of ->
     [length] Baseline by lengths
@@ -2526,9 +2526,9 @@ scan-find = Find the vehicles…
 scan-nothing-found-title = No vehicle was found
 scan-nothing-yet-title = No vehicles yet
 scan-nothing-found = Check the strips. Add a missed vehicle with two clicks: its front and its rear.
-scan-nothing-yet = Detect vehicles to measure front, rear, speed, length and gaps automatically.
+scan-nothing-yet = Find the vehicles to measure front, rear, speed, length and gaps automatically.
 scan-find-now = Find the vehicles
-scan-none-choose = Choose one
+scan-none-choose = Choose a line scan
 scan-on = Forward along the strips
 scan-back = Back along the strips
 scan-on-window = Forward one window
@@ -2708,7 +2708,7 @@ scan-reference-counter = speedometer
 scan-reference-radar = radar
 scan-reference-laser = laser gun
 scan-reference-gps = GPS
-scan-reference-loop = loop
+scan-reference-loop = induction loop
 scan-reference-tape = tape
 scan-reference-other = other
 scan-reference-says = { $quantity }, { $source }: { $value }
@@ -2985,13 +2985,13 @@ scan-wish-nothing-known = none
 
 motion-lead = Speeds, gaps and lengths of every line scan of this survey, and agreement with known lengths and wheelbases.
 motion-loading = the statistics
-motion-which = Which vehicles count
+motion-which = Vehicles included
 motion-which-accepted = Accepted
 motion-which-all = Include unreviewed
 motion-none-accepted-title = No accepted vehicles yet
 motion-none-accepted = Review some in Line scans, or include unreviewed vehicles.
 motion-none-title = No measured vehicles yet
-motion-none = Add a line scan and detect its vehicles.
+motion-none = Add a line scan and find its vehicles.
 motion-filter = Time of filming
 motion-without-time = { $count ->
     [one] { NUMBER($count) } vehicle is excluded because the start of its line scan is not confirmed. <link>Confirm it in Line scans</link>
@@ -3099,7 +3099,7 @@ flows-minutes = Interval
 flows-minutes-of = { $minutes } min
 flows-loading = the traffic
 flows-table = Traffic of { $scan }
-flows-table-note = Below each value: its standard uncertainty u (k = 1), or its 95 % interval. The interval of a flow assumes independent arrivals. Length classes: the four of England’s trunk road counters.
+flows-table-note = Below each value: its standard uncertainty u (k = 1), or its 95 % interval. The interval of a flow assumes independent arrivals. Near: within its U95 of the start or end of the interval, or of a limit of the class; the vehicle may belong to the next. Length classes: the four of England’s trunk road counters.
 flows-unplaced = { $count ->
     [one] { $count } vehicle was not measured, has no time, and is in no interval.
    *[other] { $count } vehicles were not measured, have no time, and are in no interval.
@@ -3115,11 +3115,11 @@ flows-head-occupancy = Occupancy
 flows-head-density = Density
 flows-head-unclassed = No length
 flows-partial = partial
-flows-refused = { $count } refused
-flows-near-edge = { $count } near an edge
+flows-refused = { $count } not measurable
+flows-near-edge = { $count } near its start or end
 flows-axles = { $axles } axles: { $count }
 flows-axles-many = 5 or more
-flows-near-limit = { $count } near
+flows-near-limit = { $count } near a limit
 flows-u = u = { $u }
 flows-axis-time = Time of day
 flows-flow = Flow
@@ -3145,9 +3145,9 @@ motion-head-car = Car in Table I
 motion-head-speed = Speed
 motion-head-acceleration = Acc.
 motion-head-size = Length
-motion-head-counter = Counter
+motion-head-counter = Speedometer
 motion-head-reference = Reference speed
-motion-head-true = True
+motion-head-true = Known length
 motion-head-fit-error = Fit error (%)
 
 ## Statistics: the page
@@ -3194,7 +3194,7 @@ statistics-left-out-state = { $state ->
 }
 statistics-none-accepted-title = No accepted measurements yet
 statistics-none-title = No measurements here
-statistics-to-review = Go to the review
+statistics-to-review = Go to Review
 statistics-show-to-review = Include unreviewed
 statistics-to-measure = Measure vehicles
 statistics-none-accepted = { $count ->
@@ -3240,7 +3240,7 @@ statistics-filter-surveys-some = { $count ->
    *[other] { $count } surveys
 }
 statistics-filter-surveys-none = all surveys
-statistics-filter-surveys-help = Surveys that count; none chosen: all
+statistics-filter-surveys-help = Surveys to include. None selected: all.
 statistics-reference-u = u of a reference height
 statistics-reference-u-hint = For heights without a u of their own. Uniform distribution, half-width { $limit }
 statistics-reference-u-inches = Enter a number of inches.
@@ -3253,17 +3253,17 @@ stat-heights-alike = All heights are the same, so there is no trend.
 stat-limits-need = Limits of agreement need at least { $least } vehicles; { stat-there-are }.
 stat-variance-shares-need = Shares of the variance need at least { $least } vehicles; { stat-there-are }.
 stat-errors-alike = All errors are the same; there is no variance to divide.
-stat-reference-explains-all = The reference heights' own uncertainty explains all of the errors' variance: nothing remains for the measurement.
-stat-reference-explains = The reference heights' own uncertainty explains { $share } % of the errors' variance; { SMALL($camera_sd_m, digits: 0) } remain for the measurement.
+stat-reference-explains-all = The reference heights’ own uncertainty explains all of the errors’ variance: nothing remains for the measurement.
+stat-reference-explains = The reference heights’ own uncertainty explains { $share } % of the errors’ variance; { SMALL($camera_sd_m, digits: 0) } remain for the measurement.
 stat-shifted = The mean signed error of { $count } vehicles of known height, { SMALL($mean_m, digits: 1) }, was subtracted from every height (as in Dupuis et al.).
 stat-by-inset = Each height is corrected by the inset of its measurement; no other correction is made.
 stat-correction-needs = This correction needs at least { $least } vehicles with a reference height; { stat-there-are }.
 stat-known-alike = The vehicles of known height are all of one height, so their error has no trend with it.
-stat-variance-unknown = The reference heights alone explain the errors' variance, so the variance of the measurement is unknown and cannot be removed.
+stat-variance-unknown = The reference heights alone explain the errors’ variance, so the variance of the measurement is unknown and cannot be removed.
 stat-variance-needs = A variance needs at least 2 heights.
 stat-variance-too-large = The variance of the measurement is larger than that of the heights, so it cannot be removed.
 stat-uncorrected = Heights as in Dupuis et al. (inset 0), without a correction.
-stat-deconvolved = After the shift by { SMALL($mean_m, digits: 1) }, the measurement's own standard deviation of { SMALL($camera_sd_m, digits: 1) } was removed: every height moved towards the mean by { $keep } %.
+stat-deconvolved = After the shift by { SMALL($mean_m, digits: 1) }, the measurement’s own standard deviation of { SMALL($camera_sd_m, digits: 1) } was removed: every height moved towards the mean by { $keep } %.
 stat-percentile-needs = P{ $percent } needs { $needed }; { stat-there-are }
 stat-percentile-needs-alike = P{ $percent } needs { $needed }; { stat-there-are }, as good as { $like } of equal weight
 stat-density-needs = A density needs at least { $least } vehicles; { stat-there-are }.
@@ -3284,7 +3284,7 @@ stat-alone = { $part } alone
 stat-too-few-errors = too few different errors for a bootstrap interval
 stat-no-value = No vehicle has this value.
 stat-group-empty = no vehicle in this group
-stat-regressed = The error's regression on the measured height of { $count } vehicles ({ SMALL($intercept_m, digits: 1) } at height 0 and { $slope } mm more per m) was subtracted from every height.
+stat-regressed = The error’s regression on the measured height of { $count } vehicles ({ SMALL($intercept_m, digits: 1) } at height 0 and { $slope } mm more per m) was subtracted from every height.
 stat-extrapolated = { $outside } % of the heights lie outside the { NUMBER($low_m, minimumFractionDigits: 2) } to { NUMBER($high_m, minimumFractionDigits: 2) } m of the regression; the correction extrapolates there and is not reliable.
 stat-there-are = { $count ->
     [0] there is none
@@ -3302,9 +3302,9 @@ stat-too-few-of-spread = { $count ->
 stat-holding-sites = { $parts }; they apply to roads like those of these sites
 stat-holding-place = { $parts }; they apply to the site of the survey only
 stat-errors-of = { $heights ->
-    [inset] Heights corrected by each measurement's inset
+    [inset] Heights corrected by each measurement’s inset
    *[paper] Heights as in Dupuis et al. (inset 0)
-} against manufacturers' heights, { $rounded ->
+} against manufacturers’ heights, { $rounded ->
     [cm] both rounded to whole centimetres, as in Dupuis et al.
    *[none] not rounded
 }; all values from the individual errors.
@@ -3323,10 +3323,10 @@ statistics-errors-holds = The intervals include { $words }. Those of correlation
 statistics-shares-title = Shares of errors in per cent, with exact 95 % CIs, and skewness
 statistics-skewness = Skewness
 statistics-within = Within { $within }
-paper-day = SD is that of the signed error and differs from the RMSE, so there was a bias of 7 to 13 mm that is not printed. The text's “less than 10 % below 2 cm” is possible here: MAE and MSE allow as little as 0 to 3 % where errors reach 7 cm.
-paper-low-light = A perfect clicker (within 1 px, reference heights within 3 cm) scores MAE 0.016 m, RMSE 0.019 m: this column bounds the reference, not the method. The printed SD of 0.059 ft should be 0.062 ft. “Less than 10 % below 2 cm” is impossible here: MAE and MSE allow no less than 26.5 %.
-paper-overall = Not the pool of 400 and 250 vehicles: their MAE pools to 0.0198 m, their RMSE to 0.0249 m. The abstract's “MAE < 1.8 cm” is not in the table; the MSE in feet has a wrong factor and exponent. “Less than 10 % below 2 cm” needs an error of more than 10 cm here.
-paper-sizes = Printed sizes are 3.1 to 9.1 % longer than the true lengths (5.6 % in the mean), which the text blames on shadow, while it claims less than 1 %; braking “within 1 %” is off by up to 1.5 % against the other runs of the same car. Speed was never held against truth, only against the car's own counter.
+paper-day = SD is that of the signed error and differs from the RMSE, so there was a bias of 7 to 13 mm that is not printed. The text’s “less than 10 % below 2 cm” is possible here: MAE and MSE allow as little as 0 to 3 % where errors reach 7 cm.
+paper-low-light = Perfect clicks (within 1 px, reference heights within 3 cm) already give MAE 0.016 m and RMSE 0.019 m: this column shows the limit of the reference, not of the method. The printed SD of 0.059 ft should be 0.062 ft. “Less than 10 % below 2 cm” is impossible here: MAE and MSE allow no less than 26.5 %.
+paper-overall = Not the pooled values of the 400 and 250 vehicles, which are MAE 0.0198 m and RMSE 0.0249 m. The abstract’s “MAE < 1.8 cm” is not in the table; the MSE in feet has a wrong factor and exponent. “Less than 10 % below 2 cm” needs an error of more than 10 cm here.
+paper-sizes = Printed sizes are 3.1 to 9.1 % longer than the true lengths (5.6 % in the mean); the text attributes this to shadows, although it states less than 1 %. Braking “within 1 %” differs by up to 1.5 % from the other runs of the same car. Speed was compared with the car’s own speedometer only, not with a reference.
 statistics-paper-inconsistent = Inconsistencies in Table 1 of Dupuis et al.
 statistics-paper-note = <strong>{ $group }:</strong> { $note }
 statistics-paper-printed = Dupuis et al., as printed
@@ -3475,7 +3475,7 @@ statistics-lateral-note = Distance of the tyre contact from the camera, measured
 statistics-lateral-figure = Lateral position by lane
 statistics-lateral-says = Cumulative distributions of the distance from the camera across the road, of { $count } lanes.
 statistics-lateral-x = Distance from the camera across the road ({ $unit })
-statistics-lateral-none = No vehicle has a direction yet, so there are no lanes. The pass search fills it in, or set it in the vehicle panel.
+statistics-lateral-none = No vehicle has a direction yet, so there are no lanes. The pass search sets it; you can also set it in the vehicle record.
 statistics-lateral-vehicles = Vehicles
 statistics-lateral-all = all
 statistics-lane-right = To the right
@@ -3582,41 +3582,41 @@ statistics-plan-incomplete = Enter three numbers.
 planning-lead-heights = Estimate the uncertainty of heights at this site before you record.
 planning-lead-lines = Estimate the uncertainty of speeds from two line-scan cameras before you record.
 planning-nothing-stored = Nothing is saved. To share this plan, copy the page address.
-planning-what = What is planned
+planning-what = What to plan
 planning-what-heights = Heights (video)
 planning-what-lines = Speeds (line scan)
 planning-loading-cameras = the cameras
 planning-loading-rig = the survey’s rig
 planning-loading = the plan
 plan-board-square = Set the board perpendicular to the road, not plumb: on a crossfall of { $crossfall } % a plumb board biases heights by { SMALL($here_m, digits: 0) } at { $distance_m } m and by { SMALL($further_m, digits: 0) } at 1 m more.
-plan-out-of-sight = Road or target are outside the picture for: { $targets }; step back or use a wider lens.
-plan-oblique = A board seen obliquely determines the camera's direction better than one seen frontally, while clicks are slightly less precise: with the camera turned 30 degrees along the road, an eye has ±{ SMALL($U95_turned_m, digits: 0) } instead of ±{ SMALL($U95_square_m, digits: 0) }.
-plan-second-frame = Click eye and contact in a second frame where possible: with { $travel_m } m of travel the inset is computed instead of assumed, and ±{ SMALL($U95_one_m, digits: 0) } becomes ±{ SMALL($U95_two_m, digits: 0) }. At 50 km/h and 25 frames/s, this is { $frames } frames later.
-plan-board-at-wheel-path = Put the board at the wheel path, { $distance_m } m away, not at { $board_m } m: errors of pose, tilt and focal length vanish at the board's distance and grow away from it.
-plan-lane-close = The lane is very close; step back to at least 2 m.
-plan-board-unseen = The picture would not show a board at { $board_m } m with its top row { $board_top_m } m above the road; put it at the wheel path, step back, or use a wider lens.
-plan-camera-at-eye = The camera is at about the height of a driver's eye ({ $height_m } m), where the inset has little effect; for roofs or lamps, place it at their height.
-plan-second-frame-no-gain = A second frame { $travel_m } m on does not reduce the uncertainty here (±{ SMALL($U95_two_m, digits: 0) } for an eye); use frames further apart.
-plan-camera-height = Put the camera at the height to be measured, where the inset has no effect: { $height_m } m for a driver's eye. At { $camera_height_m } m, ignoring the inset biases the height by { SMALL($near_m, digits: 0) } for a driver on the near side and { SMALL($far_m, digits: 0) } on the far side.
+plan-out-of-sight = Road or target is outside the image for: { $targets }; move the camera back or use a wider lens.
+plan-oblique = A board seen obliquely determines the camera’s direction better than one seen frontally, while clicks are slightly less precise: with the camera turned 30 degrees along the road, the U95 of an eye is { SMALL($U95_turned_m, digits: 0) } instead of { SMALL($U95_square_m, digits: 0) }.
+plan-second-frame = Click eye and contact in a second frame where possible: with { $travel_m } m of travel the inset is computed instead of assumed, and U95 falls from { SMALL($U95_one_m, digits: 0) } to { SMALL($U95_two_m, digits: 0) }. At 50 km/h and 25 frames/s, this is { $frames } frames later.
+plan-board-at-wheel-path = Put the board at the wheel path, { $distance_m } m away, not at { $board_m } m: errors of pose, tilt and focal length vanish at the board’s distance and grow away from it.
+plan-lane-close = The lane is very close; move the camera back to at least 2 m.
+plan-board-unseen = The image would not show a board at { $board_m } m with its top row { $board_top_m } m above the road; put it at the wheel path, move the camera back, or use a wider lens.
+plan-camera-at-eye = The camera is at about the height of a driver’s eye ({ $height_m } m), where the inset has little effect; for roofs or lamps, place it at their height.
+plan-second-frame-no-gain = A second frame after { $travel_m } m of travel does not reduce the uncertainty here (U95 of an eye: { SMALL($U95_two_m, digits: 0) }); use frames further apart.
+plan-camera-height = Put the camera at the height to be measured, where the inset has no effect: { $height_m } m for a driver’s eye. At { $camera_height_m } m, ignoring the inset biases the height by { SMALL($near_m, digits: 0) } for a driver on the near side and { SMALL($far_m, digits: 0) } on the far side.
 plan-target = { $target ->
-    [driver_eye] driver's eye
-    [driver_eye_far] driver's eye on the far side
+    [driver_eye] driver’s eye
+    [driver_eye_far] driver’s eye on the far side
     [taillight] taillight
     [headlight] headlight
    *[roof] roof
 }
-plan-lines-expected = Expected of the default method, from simulated vehicles that fill the image; little texture, strong noise or rain make it worse, and each vehicle's own uncertainty states what was reached.
+plan-lines-expected = Expected of the default method, from simulated vehicles that fill the image; little texture, strong noise or rain make it worse, and each vehicle’s own uncertainty states what was reached.
 plan-lines-few = Only { $lines } lines lie between the cameras; use a higher line rate or a longer baseline, otherwise this vehicle can hardly be measured.
 plan-lines-coarse = The vehicle moves { SMALL($line_m, digits: 1) } from line to line; beyond { SMALL($coarse_m, digits: 0) } most vehicles are refused. Use { $rate_hz } Hz or more.
 plan-lines-apart = The vehicle moves { SMALL($line_m, digits: 1) } from line to line, which can be measured; { $rate_hz } Hz brings it to { SMALL($good_m, digits: 0) }.
-plan-lines-U95 = The speed's U95 is { $reached } %, more than the { $allowed } % allowed; use a baseline { $times } times as long, measured as accurately.
+plan-lines-U95 = The speed’s U95 is { $reached } %, more than the { $allowed } % allowed; use a baseline { $times } times as long, measured as accurately.
 plan-lines-baseline-exact = The baseline is taken as exact; enter its uncertainty, which is part of every speed.
 plan-lines-baseline-limits = The baseline is the limit, not the line rate: its standard uncertainty is { $baseline } %, registering the strips adds { $strips } %. Measure the baseline more accurately first.
-plan-lines-strips-limit = Registering the strips is the limit, not the baseline: it adds { $strips } % (standard uncertainty), the baseline { $baseline } %. Use a longer baseline.
+plan-lines-strips-limit = Registering the strips is the limit, not the baseline: registering adds { $strips } % (standard uncertainty), the baseline { $baseline } %. Use a longer baseline.
 plan-lines-no-share = The error must be a share between 0 and 1; speed and baseline greater than 0.
 plan-lines-above-zero = Speed, baseline and line rate must be greater than 0.
 plan-lines-vehicle = The vehicle must be up to 100 m long, the gap up to 3600 s; both greater than 0.
-plan-lines-u-baseline = The baseline's uncertainty must be at least 0 and less than the baseline.
+plan-lines-u-baseline = The baseline’s uncertainty must be at least 0 and less than the baseline.
 planning-advice = Advice
 planning-lens-exact = Assumes no calibration uncertainty.
 planning-lens-exact-plain = Assumes an ideal lens: no distortion, no calibration uncertainty.
@@ -3833,7 +3833,7 @@ members-everybody = Everyone with an account is already a member.
 members-does-viewer = sees everything, exports packages
 members-does-operator = adds recordings, calibrates, measures
 members-does-reviewer = everything an operator does, and reviews other people’s work
-members-does-manager = everything a reviewer does, and manages members and the review plan
+members-does-manager = everything a reviewer does, and manages members and blind checks
 members-admin = An administrator has all rights here, whatever role is chosen.
 members-loading = the members
 survey-camera-go = Calibrate
@@ -3841,7 +3841,7 @@ survey-recordings-go = Add recordings
 survey-pose-go = Compute pose
 survey-vehicles-go = Measure
 survey-review-go = Review
-survey-results-go = Export
+survey-results-go = Build package
 survey-open = Open
 survey-statistics = <link>Results</link>: percentiles with their intervals, standards, errors.
 survey-traffic = Traffic keeps { $traffic ->
@@ -3873,7 +3873,7 @@ overview-confirm = { $count ->
 }
 overview-not-imported = A recording could not be imported; see its reason and upload another.
 overview-importing = Wait until the recording has been imported.
-overview-drop-video = Drop the day's video here.
+overview-drop-video = Drop the day’s video here.
 overview-posed = Every recording has its camera pose.
 overview-mark-board = { $count ->
     [one] Mark the frames with the board at rest in 1 recording.
@@ -3947,7 +3947,7 @@ overview-line-heights-accepted = { $all ->
 }
 survey-scans-none = <link>Line scans</link>: { $summary }
 survey-scans-label = Line scans, separate from these steps
-survey-scan-results = <link>Motion</link>: speeds, gaps, lengths against the manufacturers’.
+survey-scan-results = <link>Motion</link>: speeds, gaps, and lengths compared with the manufacturers’.
 survey-count-scans = { $count ->
     [one] line scan
    *[other] line scans
@@ -4005,8 +4005,8 @@ survey-inset-problem = { $target }: enter the inset and its uncertainty as numbe
 photographs-title = Photographs of the set-up
 photographs-help = The rig, the road, the board in place. Shown in the report and the package.
 photographs-choose = Choose photographs to add
-photographs-drop = Drop photographs here, or choose them
-photographs-adding = Adding { $count } …
+photographs-drop = Drop photographs here, or click to choose
+photographs-adding = Adding { $count }…
 photographs-hint = JPEG, PNG, WebP or TIFF. Resized to 1600 px; location data removed.
 photographs-open = Open { $photograph }
 photographs-what = What it shows
@@ -4036,7 +4036,7 @@ surveys-demo-first = The demonstration survey is rendered from a known scene, so
 surveys-demo-open = Open the demonstration survey
 surveys-demo-title = Demonstration survey
 surveys-demo-being-made = being created
-surveys-demo-wait = Rendering a road, a checkerboard and some forty vehicles; this takes about a minute.
+surveys-demo-wait = Importing its videos and strips, and computing poses and heights; this may take a minute.
 surveys-none-title = No surveys yet
 surveys-none-make = Create a survey for a site, calibrate its camera, add the video of the day, and measure. The demonstration survey contains all of that.
 surveys-none = No surveys yet. An operator can create the first one.
@@ -4057,15 +4057,15 @@ study-simulated = simulated
 study-none-counts = { $name } has no accepted height that counts; it does not contribute.
 study-versions = Packages come from { $count } versions with identical tables: { $versions }.
 study-one-site = One site: the intervals apply to that site only.
-study-outside-sample = { $count } accepted heights are of vehicles outside their survey's sample; they do not count.
+study-outside-sample = { $count } accepted heights are of vehicles outside their survey’s sample; they do not count.
 study-without-class = { $count } heights of { $target } have no class of the fleet; they do not count.
 study-all-simulated = Simulated: no value describes real roads.
-study-some-simulated = { $count } of { $surveys } surveys are simulated: no figure of it says anything of real roads.
-study-heights-needed = its figures need at least { $least } heights
+study-some-simulated = { $count } of { $surveys } surveys are simulated: no value of this study describes real roads.
+study-heights-needed = at least { $least } heights are needed
 study-no-weights = no weights meet all shares of the fleet at once
-study-one-site-of-stratum = { $stratum } has one site: join it with another stratum, so that sites can differ
-study-class-not-counted = no height of { $variable } { $name } counts, which the fleet has
-study-class-at-one-site = a stratum has its class at one site only, so that sites cannot differ
+study-one-site-of-stratum = { $stratum } has one site: join it with another stratum, because differences between sites need two
+study-class-not-counted = the fleet has { $variable } { $name }, but none of its heights counts
+study-class-at-one-site = a stratum has its class at one site only, and differences between sites need two
 study-simulated-note = Simulated: nothing was filmed. The vehicles were drawn from known fleets; no value describes real roads.
 study-name = Name
 study-description = Description
@@ -4101,7 +4101,7 @@ study-site = Site
 study-stratum = Stratum
 study-year = Year
 study-counted = Heights included
-study-outside = Out of sample
+study-outside = Outside the sample
 study-weighted = Heights are weighted to the given fleet.
 study-not-weighted = No fleet given: vehicles are not weighted.
 study-sites-known = Strata, numbers of sites and traffic come from the table of sites.
@@ -4337,13 +4337,13 @@ audit-event-missing = Audit event { $number } of { $chain } is missing; restore 
 audit-event-changed = Audit event { $number } of { $chain } was changed after it was written; restore a backup.
 audit-chain-ends-elsewhere = The audit chain of { $chain } ends at event { $count }, which is not where it ended; restore a backup.
 audit-chains-not-signed = The audit chains are not those signed on { $at }; restore a backup.
-audit-chain-not-in-export = The audit chain is not the one in export { $id }; restore a backup.
-audit-row-not-events = The { audit-thing } { $id } is not what its events say; restore a backup.
-audit-row-not-first = The { audit-thing } { $id } is not what was written at first; restore a backup.
+audit-chain-not-in-export = The audit chain is not the one in package { $id }; restore a backup.
+audit-row-not-events = The { audit-thing } { $id } differs from its audit events; restore a backup.
+audit-row-not-first = The { audit-thing } { $id } differs from what was first written; restore a backup.
 audit-row-removed = The { audit-thing } { $id } was removed without an audit event; restore a backup.
 audit-thing = { $entity ->
     [calibration] calibration
-    [click_sigma] click sigma
+    [click_sigma] click uncertainty
     [computing] record of heights computed again
     [frames] frame table of recording
     [line_pose] calibration of a line camera
@@ -4356,9 +4356,9 @@ audit-thing = { $entity ->
     [review] review
     [rig_calibration] calibration of a rig
     [scan] line-scan recording
-    [scan_measurement] scanned vehicle's measurement
+    [scan_measurement] scanned vehicle’s measurement
     [scan_reference] reference value of a scanned vehicle
-    [scan_review] scanned vehicle's review
+    [scan_review] scanned vehicle’s review
     [scan_run] run over a line-scan recording
     [scan_vehicle] scanned vehicle
     [series] measurement
@@ -4391,9 +4391,9 @@ audit-action-ingest = imported
 audit-action-ingest_failed = could not import
 audit-action-order = ordered
 audit-action-propose = made
-audit-action-read = read
+audit-action-read = imported
 audit-action-recorded = recorded
-audit-action-reading_failed = could not read
+audit-action-reading_failed = could not import
 audit-action-release = requeued
 audit-action-requeue = requeued
 audit-action-request = requested the statistics of
@@ -4428,7 +4428,7 @@ audit-entity-calibration_image = calibration image
 audit-entity-calibration = calibration
 audit-entity-recording = recording
 audit-entity-upload = upload
-audit-entity-pose = pose
+audit-entity-pose = camera pose
 audit-entity-photograph = photograph
 audit-entity-catalogue = catalogue
 audit-entity-vehicle = vehicle
@@ -4441,22 +4441,22 @@ audit-entity-free_plan = plan of hidden suggestions
 audit-entity-wheel_pair = wheel pair
 audit-entity-click_sigma = click uncertainty
 audit-entity-standards = standards
-audit-entity-scan = scan
-audit-entity-scan_run = scan run
+audit-entity-scan = line scan
+audit-entity-scan_run = vehicle search of a line scan
 audit-entity-lot = lot
 audit-entity-lot_decision = decision on a lot
-audit-entity-scan_vehicle = scan vehicle
-audit-entity-scan_measurement = scan measurement
-audit-entity-scan_review = scan review
+audit-entity-scan_vehicle = scanned vehicle
+audit-entity-scan_measurement = scanned vehicle’s measurement
+audit-entity-scan_review = verdict on a scanned vehicle
 audit-entity-scan_reference = reference value
-audit-entity-line_pose = line pose
+audit-entity-line_pose = calibration of a line camera
 audit-entity-rig_calibration = rig calibration
-audit-entity-export = export
+audit-entity-export = package
 audit-entity-evidence = evidence file
 audit-entity-study = study
 audit-entity-study_result = result of a study
 audit-entity-study_member = member of a study
-audit-entity-package = package
+audit-entity-package = package seal
 audit-entity-checkpoint = checkpoint
 audit-entity-signing_key = signing key
 audit-entity-person = person
@@ -4488,9 +4488,9 @@ excluded-not-selected = It is not among the vehicles of this package.
 excluded-no-height = There is no height.
 excluded-rejected = It was rejected by a reviewer.
 excluded-reopened = It was reopened and is waiting for another review.
-excluded-check-target = It checks the measuring: its errors are in statistics/errors_by_target.csv.
-excluded-without-time = This package is of days or hours of filming, and the start of its recording is not confirmed.
-excluded-out-of-sample = Its vehicle is out of the survey's sample.
+excluded-check-target = It is a check target: its errors are in statistics/errors_by_target.csv.
+excluded-without-time = This package is limited to days or hours of filming, and the start of its recording is not confirmed.
+excluded-out-of-sample = Its vehicle is outside the survey’s sample.
 export-lead = Download the data, report and audit trail.
 export-crops = with images of the clicks
 export-of-title = Vehicles in statistics and report
@@ -4537,7 +4537,7 @@ export-since-other = { $count ->
 export-loading = packages
 export-none-title = No packages yet
 export-none = Press “Build the package”. It takes seconds to minutes, depending on the number of images. You can continue working.
-export-made = Made
+export-made = Built
 export-by = By
 export-language = Report language
 export-size = Size
@@ -4782,7 +4782,7 @@ commands-stream-camera-rows = Camera { $name } delivers lines of { $width } pixe
 commands-stream-empty = Standard input ended before one pair of lines ({ $pair_bytes } bytes) arrived; start the cameras first, and check --rows.
 commands-stream-follow-missing = { $path } cannot be read ({ $strerror }); give the file that the cameras’ program is writing.
 commands-stream-no-aravis = GigE Vision cameras need Aravis and PyGObject, which are not installed ({ $error }); install gir1.2-aravis-0.8 and python3-gi, or give the lines on standard input.
-commands-stream-other-rig = { $path } holds an interrupted stream (segment { $number }) recorded with other rows or another rig; start it with the same options to resume it, or choose another --spool.
+commands-stream-other-rig = { $path } contains an interrupted stream (segment { $number }) recorded with other rows or another rig; start it with the same options to resume it, or choose another --spool.
 commands-stream-spool-taken = Another stream writes into { $path }; give this one another --spool.
 commands-stream-two-cameras = Give --camera twice, first the camera that vehicles reach first, and no --follow with it.
 commands-cannot-written-because-disk-full-free = { $path } cannot be written because the disk is full; free some space.
@@ -4809,32 +4809,32 @@ commands-time-cannot-read = { $option } { $text } is not a time that can be used
 commands-u-start-needs-start = --u-start needs --start.
 commands-flow-other-minutes = --interval { $text } cannot be used; give one or more of 1, 5, 15 and 60, as in 5,60.
 commands-flow-not-there = { $place } does not exist; name a package, results of sightline linescan, or a folder of them.
-commands-flow-nothing-in-folder = { $place } holds no scanned vehicles; name a package, results of sightline linescan, or a folder of them.
-commands-flow-no-start = { $path } does not say when its vehicles passed (front_at or start with an offset from UTC); make it again with sightline linescan --start.
-commands-flow-no-vehicles = { $path } holds no vehicle; give the JSON of sightline linescan, which says how long was recorded.
-commands-flow-no-rate = { $path } holds a single vehicle without a motion, from which the line rate does not follow; give the JSON of sightline linescan.
+commands-flow-nothing-in-folder = { $place } contains no scanned vehicles; name a package, results of sightline linescan, or a folder of them.
+commands-flow-no-start = { $path } does not state when its vehicles passed (front_at or start with an offset from UTC); make it again with sightline linescan --start.
+commands-flow-no-vehicles = { $path } contains no vehicle; give the JSON of sightline linescan, which states the recorded duration.
+commands-flow-no-rate = { $path } contains a single vehicle without a motion, from which the line rate does not follow; give the JSON of sightline linescan.
 commands-u-start-cannot-be = --u-start { $u_s } is not a standard uncertainty of a start; give seconds from 0 to 3600.
 commands-given-twice-give-strips-both-cameras = { $first } is given twice; give the strips of both cameras.
-backup-none-here = { $folder } holds no complete backup (no manifest.json); run sightline backup again, or name another folder.
-backup-other-format = { $folder } holds a backup in another format; use the version of Sightline that made it.
+backup-none-here = { $folder } contains no complete backup (no manifest.json); run sightline backup again, or name another folder.
+backup-other-format = { $folder } contains a backup in another format; use the version of Sightline that made it.
 backup-manifest-damaged = { $path } was changed after the backup; use another backup.
 backup-file-missing = { $name } is missing from the backup; use another backup, or run sightline backup again.
 backup-file-changed = { $name } in the backup is not the file that was backed up; use another backup.
-backup-folder-holds-other-things = { $folder } holds files that are not a backup; choose an empty folder or an earlier backup.
+backup-folder-contains-other-things = { $folder } contains files that are not a backup; choose an empty folder or an earlier backup.
 backup-folder-in-data-folder = One of { $folder } and the data folder lies within the other; choose a separate folder, preferably on another disk.
 backup-under-way = Another backup is being written to { $folder }; wait until it ends.
 backup-database-not-copied = The database { $path } could not be copied ({ $said }); try again.
-backup-of-another-installation = The folder holds a backup of another installation, or of a later state than this; choose another folder.
+backup-of-another-installation = The folder contains a backup of another installation, or of a later state than this; choose another folder.
 backup-other-tables = The backup has a table { $name } that this version does not know; restore it with the version that made it.
 backup-rows-do-not-fit = The rows of { $name } in the backup do not fit their table; use another backup.
-backup-older-crosses-later = The backup is of an older version of the program; restore it into PostgreSQL, back that up with this version, and restore the new backup here.
+backup-older-crosses-later = The backup is of an older version of Sightline; restore it into PostgreSQL, back that up with this version, and restore the new backup here.
 backup-place-not-empty = { $place } is not empty; restore into a new or empty place.
 backup-database-not-empty = The PostgreSQL database already has tables; restore into an empty one.
 backup-chains-end-elsewhere = The audit chains in the backup’s database do not end as its manifest states; use another backup.
 backup-chain-broken = The database in the backup does not verify: { $problem }
 backup-damaged-kept = { $problem } No new backup was made; the last good one, of { $at } UTC, is still in { $folder }.
 backup-damaged-none-before = { $problem } No backup was made; { $folder } has no earlier one, only copies of the media files.
-backup-no-earlier = { $folder } holds one backup only; leave out --earlier.
+backup-no-earlier = { $folder } contains one backup only; leave out --earlier.
 backup-media-missing = { $count ->
     [one] The backup is complete, but a media file that the database refers to is not in the media store: { $names }
    *[other] The backup is complete, but { $count } media files that the database refers to are not in the media store, such as { $names }
@@ -4860,7 +4860,7 @@ commands-grade-difference-needs-distance = --grade-difference needs a sight dist
 commands-sag-needs-distance = --headlight needs a sight distance; give --distance or --speed too.
 commands-height-or-heights = Give either --{ $name }, with its u if known, or --{ $name }-heights with a file.
 commands-too-few-heights = { $path }: { $reason }. Measure more, or choose a percentile nearer to the median.
-commands-not-exist-name-database-data-folder = { $place } does not exist; name a database, a data folder or an exported folder.
+commands-not-exist-name-database-data-folder = { $place } does not exist; name a database, a data folder or the folder of a package.
 
 ## Errors: demo
 
@@ -4889,45 +4889,45 @@ export-crops-csv-other-points-frames-measurement = crops.csv: { $path } has othe
 export-not-one-whose-hash-crops-csv = { $path } does not have the hash stated in crops.csv; it was replaced.
 export-no-picture-size-crops-csv-tells = { $path } is not an image of the size stated in crops.csv; it was replaced.
 export-not-show-points-measurement-changed = { $overlay } does not show the points of its measurement; it was changed.
-export-cannot-read-take-whole-export-again = { $description } cannot be read; get the complete export again.
+export-cannot-read-take-whole-export-again = { $description } cannot be read; get the complete package again.
 csv-package-no-code = A cell with a code and its values cannot be read ({ $cell }); it was changed.
 export-another-files-chain-changed = { $description } states another { $name } than the files and the chain; it was changed.
-export-describes-otherwise-program-changed = { $description } describes { $named } differently from this program; it was changed.
+export-describes-otherwise-program-changed = { $description } describes { $named } differently from this version of Sightline; it was changed.
 export-too-rows-changed = { $path } has too { $value } rows; it was changed.
 export-not-one-these-rows-statistics-give = { $path } is not what these rows and statistics give; it was replaced.
 export-line-says-rows-give-one-wrong = { $path }, line { $at }: { $name } states { $told }, the rows give { $found }; one is wrong.
-export-missing-named-twice-crops-csv-take = { $path } is missing or named twice in crops.csv; get the complete export again.
+export-missing-named-twice-crops-csv-take = { $path } is missing or named twice in crops.csv; get the complete package again.
 export-first-characters-head-prove-little-give = The audit head is too short ({ $count } characters). Enter at least { $least_of_head }.
-export-audit-csv-ends-not-head-kept = audit.csv ends with { $head }, not with the given audit head: it was rewritten, or this is another export.
-export-no-no-whole-export-export-survey = There is no { $checksums }, so this is not a complete export; export the survey again.
+export-audit-csv-ends-not-head-kept = audit.csv ends with { $head }, not with the given audit head: it was rewritten, or this is another package.
+export-no-no-whole-export-export-survey = There is no { $checksums }, so this is not a complete package; export the survey again.
 export-package-is-inside = The package is one level down, in { $inner }; give that.
-export-read-only = { $folder } cannot be written. Every export is recorded in the audit trail; copy the folder to a disk that can be written, and export from there.
+export-read-only = { $folder } cannot be written. Every package is recorded in the audit trail; copy the folder to a disk that can be written, and export from there.
 export-stray-files = { $count ->
     [one] The system put a file beside those of the package: { $names }
    *[other] The system put { $count } files beside those of the package: { $names }
  }. Delete what is named here and check again; no file of the package has been looked at yet.
 export-zip-in-zip = { $place } contains { $inner }; unpack it and give that.
-export-checksums-no-list = { $checksums } is not a list of hashes: it was changed or cut off after the export; get the complete export again.
-export-file-renamed = { $path } is here as { $there }: file names were changed on the way; copy or unpack the export again with its names.
-export-not-belong-export-take-out-check = { $strange } is not listed in SHA256SUMS: it was added, or the list was changed. Remove what you added, or get the complete export again.
-export-changed-after-export-take-whole-export = { $path } was changed after the export; get the complete export again.
-export-checkpoint-form = checkpoint.json is not written as this program writes it; get the complete export again.
+export-checksums-no-list = { $checksums } is not a list of hashes: it was changed or cut off after the export; get the complete package again.
+export-file-renamed = { $path } is here as { $there }: file names were changed on the way; copy or unpack the package again with its names.
+export-not-belong-export-take-out-check = { $strange } is not listed in SHA256SUMS: it was added, or the list was changed. Remove what you added, or get the complete package again.
+export-changed-after-export-take-whole-export = { $path } was changed after the export; get the complete package again.
+export-checkpoint-form = checkpoint.json is not written as Sightline writes it; get the complete package again.
 export-checkpoint-signature = checkpoint.json carries a signature that its key does not give; it was changed.
 export-checkpoint-other-chain = checkpoint.json does not vouch for the end of audit.csv; one was changed.
 export-checkpoint-keys = checkpoint.json does not show how its key follows from the earlier keys; it was changed.
 export-checkpoint-other-key = The package was signed with key { $key }, not with the given key; it is from another installation, or forged.
 export-key-too-short = The key is too short. Enter at least its first { $least } characters.
-export-no-seal = audit.csv does not end with the event that seals the package: it was cut off or changed; get the complete export again.
-export-page-not-described = { $path } is not described by datapackage.json, or missing although it is; get the complete export again.
-export-page-another-program = { $path } is not the page that datapackage.json names; get the complete export again.
-export-page-carries-another = The page carries another { $path } than the package; get the complete export again.
+export-no-seal = audit.csv does not end with the event that seals the package: it was cut off or changed; get the complete package again.
+export-page-not-described = { $path } is not described by datapackage.json, or missing although it is; get the complete package again.
+export-page-another-program = { $path } is not the page that datapackage.json names; get the complete package again.
+export-page-carries-another = The page carries another { $path } than the package; get the complete package again.
 export-not-the-file-that-the-seal-names = { $path } is not what the package’s seal, the last event of audit.csv, states: it was changed, removed or added after the export, and the checksums with it.
 export-event-of-another-survey-or-time = audit.csv: event { $number } is shown or withheld against the package’s seal, or the chain does not begin with the survey; audit.csv was changed after the export.
 
 ## Errors: geometry
 
-geometry-too-few-pictures = Only { $used } of { $given } images can be used and at least { $least } are needed; take more images of the whole board, from different sides.
-geometry-too-few-pictures-why = Only { $used } of { $given } images can be used and at least { $least } are needed; take more images of the whole board, from different sides. { $file }: { $reason }
+geometry-too-few-pictures = Only { $used } of { $given } images can be used and at least { $least } are needed; add images of the whole board, from different sides.
+geometry-too-few-pictures-why = Only { $used } of { $given } images can be used and at least { $least } are needed; add images of the whole board, from different sides. { $file }: { $reason }
 geometry-board-x-inner-corners-cannot-used = A board of { $columns }x{ $rows } inner corners cannot be used; count the inner corners (where four squares meet), 3 to 60 in each direction.
 geometry-square-m-cannot-right-give-side = A square of { $square_m } m is not plausible; give the side of one square in metres.
 geometry-model-could-not-fitted-these-views = The { $model } model could not be fitted to these views; add views from different sides or use the other model.
@@ -4945,19 +4945,19 @@ geometry-distortion-model-not-supported-plumb-bob = { $file_name }: the distorti
 geometry-too-large-calibration-file-choose-file = { $file_name } is too large for a calibration file; choose the file with the intrinsics.
 geometry-opencv-xml-save-as-yaml = { $file_name } is OpenCV’s XML, which Sightline does not read; save it again from OpenCV under a name that ends in .yml (FileStorage then writes YAML).
 geometry-states-no-distortion = { $file_name } states no distortion of the lens; add distortion_coefficients, or five zeros if the lens has none.
-geometry-holds-no-camera-give-opencv-yaml = { $file_name } holds no camera; give OpenCV YAML or JSON, ROS camera_info, a Kalibr camchain or a mrcal .cameramodel.
-geometry-holds-values-not-finite-calibrate-again = { $file_name }: { $what } holds values that are not finite; calibrate again.
+geometry-contains-no-camera-give-opencv-yaml = { $file_name } contains no camera; give OpenCV YAML or JSON, ROS camera_info, a Kalibr camchain or a mrcal .cameramodel.
+geometry-contains-values-not-finite-calibrate-again = { $file_name }: { $what } contains values that are not finite; calibrate again.
 geometry-image-size-must-two-whole-numbers = { $file_name }: the image size must be two whole numbers of pixels.
-geometry-holds-no-camera-matrix-camera-matrix = { $file_name } holds no camera matrix (camera_matrix or K); export the intrinsics with their distortion coefficients.
+geometry-contains-no-camera-matrix-camera-matrix = { $file_name } contains no camera matrix (camera_matrix or K); export the intrinsics with their distortion coefficients.
 geometry-camera-matrix-must-3x3-0-0 = { $file_name }: the camera matrix must be 3x3 with 0 0 1 as its last row.
 geometry-camera-matrix-skew-which-not-supported = { $file_name }: the camera matrix has a skew, which is not supported; calibrate without.
-geometry-holds-no-camera-holds = { $file_name } holds no camera '{ $which }'; it holds { $cameras }.
+geometry-contains-no-camera-contains = { $file_name } contains no camera '{ $which }'; it contains { $cameras }.
 geometry-key-written-twice = { $file_name } contains the key “{ $key }” twice; keep the right one.
-geometry-rows-and-columns-contradict = { $file_name }: { $what } states { $rows } rows and { $columns } columns but holds { $count } numbers; export the file again.
-geometry-camera-not-calibrated = { $file_name }: the camera matrix is all 0, which is how a driver says that the camera is not calibrated; calibrate it first.
+geometry-rows-and-columns-contradict = { $file_name }: { $what } states { $rows } rows and { $columns } columns but contains { $count } numbers; export the file again.
+geometry-camera-not-calibrated = { $file_name }: the camera matrix is all 0, so the camera was not calibrated; calibrate it first.
 geometry-roi-contradicts-size = { $file_name }: the part of the image (roi) does not fit the image’s size; give the camera_info of whole images.
 geometry-focal-length-not-of-these-pixels = { $file_name }: a focal length of { $focal } is not plausible for images { $width } px wide; it must be in pixels.
-geometry-lens-turns-back-early = { $file_name }: with these distortion coefficients the lens turns back near the middle of the image; check their order and the lens model.
+geometry-lens-turns-back-early = { $file_name }: with these distortion coefficients the lens model folds back near the middle of the image; check their order and the lens model.
 geometry-camera-model-not-supported-calibrate-pinhole = { $file_name }: the camera model '{ $camera_model }' is not supported; calibrate as pinhole.
 geometry-intrinsics-must-four-numbers-fu-fv = { $file_name }: intrinsics must be four numbers, fu fv pu pv.
 geometry-lens-model-not-supported-convert-mrcal = { $file_name }: the lens model { $word } is not supported; convert it with mrcal-convert-lensmodel to LENSMODEL_OPENCV8.
@@ -4987,7 +4987,7 @@ geometry-cannot-planned-give-one = A { $what } of { $value } { $unit } is out of
 
 ## Errors: audit
 
-audit-signing-key-unreadable = { $path } holds no signing key (64 hexadecimal digits); put it back from a backup.
+audit-signing-key-unreadable = { $path } contains no signing key (64 hexadecimal digits); put it back from a backup.
 audit-signing-key-another = This machine’s signing key is not the one that the database was signed with; put signing.key back from a backup, or give all machines the same SIGHTLINE_SIGNING_KEY.
 audit-database-made-another-version-verify-one = This database was made by another version; verify it with that version, or open it once with this one (`sightline serve`), which updates it.
 audit-guard-missing = The database no longer protects { $table }: a trigger that refuses changes is missing or switched off. Restore a backup, or restore the trigger and find out who removed it.
@@ -4997,30 +4997,30 @@ audit-not-sightline-database-name-sightline-db = { $name } is not a Sightline da
 
 csv_package-audit-csv-event-not-follow-one = audit.csv: event { $number } does not follow from the one before; it was changed.
 csv_package-audit-csv-event-not-one-hashed = audit.csv: event { $number } is not the one that was hashed; it was changed.
-csv_package-missing-take-whole-export-again = { $path } is missing; get the complete export again.
-csv_package-file-name-folder-export-not-exist = { $target } is a file; name a folder for the export that does not exist yet.
-csv_package-holds-other-files-name-folder-empty = { $target } holds other files; name a folder that is empty or does not exist yet.
-csv_package-holds-file-twice-no-export-take = { $place } contains a file twice, so it is not an export; get the export again.
-csv_package-table-twice = { $path } is in the package twice, so nobody can tell which one holds; get the complete export again.
-csv_package-cannot-read-export-name-folder-zip = { $place } cannot be read as an export; name its folder or ZIP.
-csv_package-parquet-and-csv-not-pairs = { $path } has no counterpart: a package has every table as CSV and as Parquet; get the complete export again.
+csv_package-missing-take-whole-export-again = { $path } is missing; get the complete package again.
+csv_package-file-name-folder-export-not-exist = { $target } is a file; name a folder for the package that does not exist yet.
+csv_package-contains-other-files-name-folder-empty = { $target } contains other files; name a folder that is empty or does not exist yet.
+csv_package-holds-file-twice-no-export-take = { $place } contains a file twice, so it is not a package; get the complete package again.
+csv_package-table-twice = { $path } is in the package twice, so it is unclear which one is valid; get the complete package again.
+csv_package-cannot-read-export-name-folder-zip = { $place } cannot be read as a package; name its folder or ZIP.
+csv_package-parquet-and-csv-not-pairs = { $path } has no counterpart: a package has every table as CSV and as Parquet; get the complete package again.
 csv_package-parquet-described-otherwise = { $path } has other columns, units or meanings than datapackage.json describes; it was changed.
 csv_package-parquet-not-csv = { $path } differs from { $csv_path }: column { $name }, row { $at }; one was changed.
 csv_package-parquet-other-rows = { $path } does not have the rows of { $csv_path }; one was changed.
-csv_package-parquet-cannot-be-read = { $path } cannot be read as Parquet; get the complete export again.
+csv_package-parquet-cannot-be-read = { $path } cannot be read as Parquet; get the complete package again.
 csv_package-cell-not-of-its-type = { $path } has a cell that does not have the type stated in datapackage.json; it was changed.
-csv_package-csv-of-another-form = { $path } is not written as Sightline writes a table (near line { $at }: line ending or quotes differ), so programs might read it differently; get the complete export again.
-csv_package-zip-odd-entry = { $place } contains { $path }, which is not a plain file of a package; get the complete export again.
-csv_package-zip-bomb = { $place }: { $path } would unpack to far more than any table has; get the complete export again.
-csv_package-too-many-files = { $place } lists more files than a package can have; get the complete export again.
-csv_package-link = { $path } is a link, not a file (or a pipe or device): an export has none; get the complete export again.
-csv_package-no-json = { $path } cannot be read as JSON: it was cut off or changed after the export; get the complete export again.
+csv_package-csv-of-another-form = { $path } is not written as Sightline writes a table (near line { $at }: line ending or quotes differ), so programs might read it differently; get the complete package again.
+csv_package-zip-odd-entry = { $place } contains { $path }, which is not a plain file of a package; get the complete package again.
+csv_package-zip-bomb = { $place }: { $path } would unpack to far more than any table has; get the complete package again.
+csv_package-too-many-files = { $place } lists more files than a package can have; get the complete package again.
+csv_package-link = { $path } is a link, not a file (or a pipe or device): a package has none; get the complete package again.
+csv_package-no-json = { $path } cannot be read as JSON: it was cut off or changed after the export; get the complete package again.
 csv_package-zip-encrypted = { $place } is protected with a password; unpack it with the password and give the folder.
-csv_package-json-of-another-form = { $path } is not written as Sightline writes JSON (a key twice, other blanks or numbers), so programs might read it differently; get the complete export again.
+csv_package-json-of-another-form = { $path } is not written as Sightline writes JSON (a key twice, other blanks or numbers), so programs might read it differently; get the complete package again.
 csv_package-other-columns-than-described = { $path } has other columns than datapackage.json describes ({ $column }): it was changed after the export.
-csv_package-cannot-read-csv-take-whole-export = { $path } cannot be read as CSV; get the complete export again.
-csv_package-cannot-unpacked-take-whole-export-again = { $path } cannot be unpacked; get the complete export again.
-csv_package-cannot-read-described-take-whole-export = { $path } cannot be read as it was described; get the complete export again.
+csv_package-cannot-read-csv-take-whole-export = { $path } cannot be read as CSV; get the complete package again.
+csv_package-cannot-unpacked-take-whole-export-again = { $path } cannot be unpacked; get the complete package again.
+csv_package-cannot-read-described-take-whole-export = { $path } cannot be read as it was described; get the complete package again.
 csv_package-row-too-long-too-short-changed = { $path } has a row that is too long or too short; it was changed.
 csv_package-without-audit-event-missing = { $path }: { $kind_name } { $odd } has no audit event, or is missing.
 csv_package-twice-one-put = { $path }: { $columns } { $values } appears twice; one was added.
@@ -5095,12 +5095,12 @@ line-pose-open = The marks do not determine the camera height: hold the rod upri
 line-pose-below-road = The marks put the camera below the road; check their distances, heights and rows.
 line-pose-one-distance = All marks are at one distance, so the camera height cannot be determined; hold the rod upright at two.
 line-pose-wide = The marks fit the model to { $rms_px } px only, worse than clicks of { $sigma_px } px explain; check the distances and the mark with the largest residual.
-line-pose-vague = The camera's height is known to { $u_height } m only; hold the rod at two distances further apart, or measure them better.
+line-pose-vague = The camera’s height is known to { $u_height } m only; hold the rod at two distances further apart, or measure them better.
 rig-pass-no-way = It has neither positions nor lines; give the values of one method.
 rig-pass-two-ways = It has values of two methods ({ $one } and { $two }); use a row of its own for each.
 rig-pass-lacks = The value { $column } is missing; fill it in.
 rig-pass-no-rate = Its speed needs the line rate of the cameras; give it.
-rig-pass-no-order = The board's lines are not in order: its front passes each camera before its rear, and both cameras see the same edge first.
+rig-pass-no-order = The board’s lines are not in order: its front passes each camera before its rear, and both cameras see the same edge first.
 rig-pass-stopped = The board stopped or nearly stopped between the planes; carry it through evenly.
 rig-pass-span = It gives a baseline of { $span_m } m, outside the range of { $least } to { $most } m; correct its values.
 rig-pass-value = The value { $column } is out of range: { $value }; correct it.
@@ -5146,9 +5146,9 @@ adjusting-not-an-adjusted-pose-in-force = This is not a current adjusted pose, s
 computing-undo-cannot-be-undone = An undo cannot be undone; compute the heights again instead.
 computing-undone-already = This was already undone; compute the heights again to restore them.
 computing-undo-the-later-first = Heights were computed again at { $when }; undo that first.
-computing-computing-made-other-revisions = computings.csv: { $id } made a different number of revisions than it states; get the complete export again.
-computing-out-of-date-not-so = { $path }: the out-of-date mark of { $id } does not follow from its facts; get the complete export again.
-computing-verdict-went-over = revisions.csv: revision { $revision } of measurement { $name } has a verdict that was given to another height; get the complete export again.
+computing-computing-made-other-revisions = computings.csv: { $id } made a different number of revisions than it states; get the complete package again.
+computing-out-of-date-not-so = { $path }: the out-of-date mark of { $id } does not follow from its facts; get the complete package again.
+computing-verdict-went-over = revisions.csv: revision { $revision } of measurement { $name } has a verdict that was given to another height; get the complete package again.
 measurements-measurement-not-withdrawn-nothing-restore = This measurement is not withdrawn, so there is nothing to restore.
 measurements-deleted-vehicle-restore-first = { $name } deleted vehicle { $vehicle_number } at { $when }; restore it first.
 measurements-changed-measurement-utc-look-again = { $name } changed this measurement at { $created_at } UTC; reload it.
@@ -5160,12 +5160,12 @@ measurements-measurement-stored-another-vehicle-already-click = This measurement
 measurements-frame-not-picture-clicked-load-again = Frame { $frame } is not the image that was clicked on; load it again.
 measurements-measurements-csv-lacks-measurement-revisions-csv = measurements.csv lacks a measurement of revisions.csv; one was removed.
 measurements-says-clicks-give-one-wrong = { $name } states { $status }, its clicks give { $status_2 }; one is wrong.
-measurements-words-not-of-code = { $name }: { $column } does not say what the code beside it says; one was changed.
+measurements-words-not-of-code = { $name }: { $column } does not match the code beside it; one was changed.
 measurements-names-another-pose-file-pose-changed = { $path }: { $id } names another pose file than its pose; it was changed.
 measurements-measurement-no-audit-event-revision-put = { $path }: measurement { $key } has no audit event for revision { $key_2 }; it was added.
 measurements-measurement-differs-audit-event-changed = { $path }: measurement { $key } differs from its audit event; it was changed.
 measurements-revisions-csv-measurement-no-revisions-one = revisions.csv: measurement { $id } has no revisions; one was removed.
-measurements-missing-no-road-pose-take-whole = { $path } is missing or is not a camera pose; get the complete export again.
+measurements-missing-no-road-pose-take-whole = { $path } is missing or is not a camera pose; get the complete package again.
 measurements-says-clicks-give-one-wrong-2 = { $name } states { $words } { $told }, its clicks give { $computed }; one is wrong.
 measurements-measurements-csv-another-last-revision = measurements.csv: { $id } has another { $column } than its last revision.
 measurements-another-measurements-csv-one-wrong = { $path }: { $id } has another { $name } than measurements.csv; one is wrong.
@@ -5174,7 +5174,7 @@ measurements-not-measurements-csv-put = { $path }: { $row } is not in measuremen
 measurements-measurements-csv-u95-not-1-96 = measurements.csv: { $id } has a U95 that is not 1.96 u; one is wrong.
 measurements-budget-csv-contributions-give-m-measurements = budget.csv: the contributions to { $id } give { NUMBER($total, minimumFractionDigits: 6, maximumFractionDigits: 6) } m, measurements.csv states { NUMBER($told, minimumFractionDigits: 6, maximumFractionDigits: 6) } m; one is wrong.
 measurements-budget-csv-not-what-audit-event = budget.csv: the contributions to { $id } differ from its audit event; one was changed.
-cameras-calibration-of-other-images = calibrations.csv: { $id } names other images than its audit events; get the complete export again.
+cameras-calibration-of-other-images = calibrations.csv: { $id } names other images than its audit events; get the complete package again.
 measurements-event-another-row = audit.csv: an event of measurement { $id } contains another row than it hashed; it was changed.
 measurements-events-two-frames = audit.csv: two events describe frame { $frame } of recording { $recording } differently; one was changed.
 measurements-frames-csv-not-as-clicked = frames.csv: frame { $frame } of recording { $recording } differs from the audit events of its measurements; it was changed.
@@ -5229,8 +5229,8 @@ strips-transparency = { $name } has a transparency channel, and a line scan has 
 strips-colour-with-transparency = { $name } is in colour with transparency, and a line scan is grey; { strips-save-grey }.
 strips-save-grey = save it as 8-bit or 16-bit greyscale and try again
 strips-copy-again = copy it again from the recorder
-strips-give-one-strip = give one camera's strip
-strips-say-time-axis = if time runs along its { $axis }, say so
+strips-give-one-strip = give one camera’s strip
+strips-say-time-axis = if time runs along its { $axis }, choose that time axis
 strips-bits-pixel = { $name } has { $depth } bits per pixel; { strips-save-grey }.
 strips-interlaced-cannot-read-pieces-save-without = { $name } is interlaced and cannot be read in pieces; save it without interlacing.
 strips-pixels-wide-png-here-save-tiff = { $name } is { $width_px } pixels wide, more than a PNG may have here ({ $most_wide_px }); save it as TIFF or with time along the height.
@@ -5260,10 +5260,10 @@ strips-strip-no-level-only-0 = The strip { $name } has no level { $level }, only
 strips-gain-cannot-shown-choose-one-0 = A gain of { $gain } is out of range; choose 0.1 to 50.
 strips-strip-no-tile-level = The strip { $name } has no tile { $index } in level { $level }.
 strips-index-pixels-not-fit-size = has a pixel index that does not fit its size; { strips-copy-again }
-strips-holds-several-pictures-give-each-strip = { $name } holds several images; give each strip as one long image.
+strips-contains-several-pictures-give-each-strip = { $name } contains several images; give each strip as one long image.
 strips-palette-line-scan-grey = { $name } has a palette, and a line scan is grey; { strips-save-grey }.
 strips-colour-transparency-channel-line-scan-grey = { $name } is in colour or has a transparency channel, a line scan is grey; { strips-save-grey }.
-strips-holds-signed-floating-point-numbers = { $name } holds signed or floating-point numbers; { strips-save-grey }.
+strips-contains-signed-floating-point-numbers = { $name } contains signed or floating-point numbers; { strips-save-grey }.
 strips-bits-pixel-2 = { $name } has { $bitspersample } bits per pixel; { strips-save-grey }.
 strips-packed-which-not-read-here-save = { $name } is compressed with { $kind_name }, which is not supported; save it with zstd, deflate or LZW compression, or with none.
 strips-packed-unusual-way-save-zstd-deflate = { $name } is compressed in an unusual way; save it with zstd, deflate or LZW compression, or with none.
@@ -5289,7 +5289,7 @@ video-is-empty = { $name } { media-kind }; choose a video file.
 video-is-cut-off = { $name } { media-kind }; copy it again from the recorder, or repair it there.
 video-this-recording = This recording
 video-not-decoded-at = This recording cannot be decoded at frame { $frame }: the decoder { $why } there; convert the recording to MP4 with H.264 and upload it again.
-video-too-large-at = This recording cannot be decoded at frame { $frame }: the decoder { $why } there; convert the recording to smaller pictures and upload it again.
+video-too-large-at = This recording cannot be decoded at frame { $frame }: the decoder { $why } there; convert the recording to smaller frames and upload it again.
 video-decoder-memory = needed more than { $gigabytes } GB of memory, alone in a fresh process,
 video-decoder-hung = hung
 video-decoder-killed = was killed again and again, also alone in a fresh process,
@@ -5311,24 +5311,24 @@ passes-were-found-again = { $found ->
    *[other] { $new } new
 }, { $known } known or discarded before.
 scan-vehicles-found = { $found } found, { $added } new, { $revised } measured again.
-scan-vehicles-left = { $count } left as somebody changed them meanwhile.
+scan-vehicles-left = { $count } unchanged because another user edited them meanwhile.
 media-kind = { $kind ->
     [empty] is empty
     [playlist] is a playlist that points to other files
-    [png] is a PNG picture
-    [jpeg] is a JPEG picture
-    [gif] is a GIF picture
-    [bmp] is a BMP picture
-    [tiff] is a TIFF picture
-    [webp] is a WebP picture
-    [heif] is a HEIF or AVIF picture
+    [png] is a PNG image
+    [jpeg] is a JPEG image
+    [gif] is a GIF image
+    [bmp] is a BMP image
+    [tiff] is a TIFF image
+    [webp] is a WebP image
+    [heif] is a HEIF or AVIF image
     [zip] is a zip archive
     [pdf] is a PDF document
     [gzip] is a gzip archive
     [rar] is a RAR archive
     [seven_zip] is a 7z archive
     [audio] is an audio file
-    [ogg] is an Ogg file, which this program does not read
+    [ogg] is an Ogg file, which is not supported
     [text] is a text file
     [cut_before_index] is cut off before its index (moov) was written
     [cut_in_index] is cut off in the middle of its index (moov)
@@ -5454,8 +5454,8 @@ recordings-upload-finished-delete-recording-instead = This upload is finished; d
 
 ## Errors: results
 
-results-cannot-read-take-whole-export-again = { $path }: { $name } cannot be read; get the complete export again.
-results-database-holds-which-version-not-know = The database holds the { $name } “{ $unknown }”, which this version does not know.
+results-cannot-read-take-whole-export-again = { $path }: { $name } cannot be read; get the complete package again.
+results-database-contains-which-version-not-know = The database contains the { $name } “{ $unknown }”, which this version does not know.
 results-reference-heights-u-must-least-0 = The reference heights’ u must be at least 0 and below 1 m, such as 0.0173.
 results-more-values-your-own-cannot-drawn = At most { $most_own } values of your own can be shown; remove some.
 results-value-your-own-must-lie-between = A value of your own must lie between 0 and 10 m, such as 1.08.
@@ -5466,18 +5466,18 @@ results-standard-needs-name-such-aashto-usa = A standard needs a name, such as A
 results-height-must-lie-between-0-10 = The height of { $name } must lie between 0 and 10 m, such as 1.08.
 results-standard-percent = { $name }: a percentile lies above 0 and below 100; correct it, or leave it empty.
 results-last-day-lies-before-first-exchange = The last day is before the first; swap them.
-recordings-hours-are-none = The hours begin and end at the same time, so that nothing was filmed in them; choose another end.
+recordings-hours-are-none = The hours begin and end at the same time; choose another end.
 results-no-survey-may-been-removed = There is no survey { $survey_id }; it may have been removed.
 
 ## Errors: reviews
 
-reviews-fix-needs-both-points-contact-target = A correction needs both points, contact and target; click them and send them along.
-reviews-line-scan-not-fixed = A height of a line scan is not corrected in the review; reject it, or measure it again under Line scans.
-reviews-only-fix-carries-points-leave-them = Only a correction carries points; leave them out or choose the verdict fixed.
+reviews-fix-needs-both-points-contact-target = A fix needs both points, contact and target; click them and send them along.
+reviews-line-scan-not-fixed = A height of a line scan cannot be fixed in Review; reject it, or measure it again under Line scans.
+reviews-only-fix-carries-points-leave-them = Only a fix has points; leave them out or choose the verdict fixed.
 reviews-measurement-withdrawn-nothing-review = This measurement is withdrawn; there is nothing to review.
 reviews-repeat-not-reviewed-review-measurement-repeats = A repeat is not reviewed; review the measurement that it repeats.
-reviews-rejection-needs-reason-say-what-wrong = A rejection needs a reason; state what is wrong so that it can be corrected.
-reviews-fix-needs-new-points-only-fix = A correction needs the new points, and only a correction has them; click them and send them along.
+reviews-rejection-needs-reason-say-what-wrong = A rejection needs a reason; state what is wrong so that the operator can correct it.
+reviews-fix-needs-new-points-only-fix = A fix needs the new points, and only a fix has them; click them and send them along.
 reviews-somebody-changed-plan-meanwhile = The plan was changed meanwhile; reload it and repeat your change.
 reviews-plan-one-in-between = Enter a number from 0 (no blind checks) to { $most }.
 reviews-click-it-again-before = The survey’s plan requires a blind repeat of this measurement; click contact and target, then give your verdict.
@@ -5562,7 +5562,7 @@ scans-changed-vehicle-look-again-redo-yours = { $name } changed vehicle { $numbe
 scans-scanned-vehicle-no-leave-out = A scanned vehicle has no { $unknown }; leave it out.
 scans-m-cannot-used-give-metres-4 = A { $name } of { $value } m is out of range; give it in metres, as in 4.447.
 scans-vehicle-not-newest-revision-changed = { $path }: vehicle { $number } is not its newest revision; it was changed.
-scans-verdict-went-over = { $path }: row { $id } has a verdict that was given to another measurement; get the complete export again.
+scans-verdict-went-over = { $path }: row { $id } has a verdict that was given to another measurement; get the complete package again.
 scans-verdict-row-not-one-given = { $path }: the verdict of row { $number } is not the one given.
 
 ## Errors: statistics
@@ -5662,7 +5662,7 @@ request-below = input should be less than { $lt }
 request-most = input should be less than or equal to { $le }
 request-text-long = string should have at most { $max_length } characters
 request-pattern = string should match pattern { $pattern }
-request-nul = a text cannot hold the NUL character
+request-nul = a text cannot contain the NUL character
 request-one-of = input should be one of { $expected }
 request-date = input should be a valid date, such as 2026-05-04
 request-datetime = input should be a valid date and time, such as 2026-05-04T08:10:00
@@ -5716,7 +5716,7 @@ lots-producer-quality = Share of wrong heights at which a lot should pass
 lots-producer-risk = Risk that it does not
 lots-consumer-quality = Share of wrong heights at which a lot should not pass
 lots-consumer-risk = Risk that it does
-lots-nonconforming = A height is wrong (nonconforming) if its reviewer rejects it, or corrects it by more than its U95. The sample is drawn by a seed from the audit chain before anyone reviews it. The acceptance criterion is that of ISO 2859; its tables are not used: the plan is computed for the size of each lot.
+lots-nonconforming = A height is wrong (nonconforming) if its reviewer rejects it, or fixes it by more than its U95. The sample is drawn by a seed from the audit chain before anyone reviews it. The acceptance criterion is that of ISO 2859; its tables are not used: the plan is computed for the size of each lot.
 lots-nothing-waits = No heights are waiting for review outside of lots.
 lots-planned = Possible lots
 lots-lot = Lot
@@ -5816,8 +5816,8 @@ lots-own-heights = You cannot accept your own heights, and the rest of this lot 
 lots-judged-already = Part of this sample is already reviewed, so the lot cannot be dissolved; accept it or inspect it fully.
 lots-not-accepted = Only an accepted lot can be undone; check the state of this one.
 lots-decided-already = Lot { $number } was decided meanwhile; check it first.
-lots-event-another-row = audit.csv: event { $number } holds another lot than it hashed; get the complete export again.
-lots-verdict-of-no-lot = reviews.csv: a verdict by lot { $lot }, of which there is none; get the complete export again.
+lots-event-another-row = audit.csv: event { $number } contains another lot than it hashed; get the complete package again.
+lots-verdict-of-no-lot = reviews.csv: a verdict by lot { $lot }, of which there is none; get the complete package again.
 lots-seed-not-the-chains = lots.csv: the seed of lot { $id } does not follow from the audit chain; the draw was chosen.
 lots-not-drawn-by-its-seed = audit.csv: lot { $id } was not drawn in the order of its seed; the draw was changed.
 lots-plan-keeps-no-risk = lots.csv: the plan of lot { $id } does not keep the risks that it names; it was changed.
@@ -5938,7 +5938,7 @@ sightdistance-reaction-deceleration = The reaction time must be 0 or more and th
 sightdistance-manoeuvre-time = Manoeuvre { $manoeuvre } takes { $least } to { $most } s; give a time in this range.
 sightdistance-passing-speed = There is no passing sight distance at { $speed_kmh } km/h; the table runs from 30 to 130 km/h.
 sightdistance-headlight = The headlight’s height and its beam’s rise must not be negative, nor both 0; correct them.
-sightdistance-radius = The radius must be above 0, and its curve must hold the distance and the offset; correct them.
+sightdistance-radius = The radius must be above 0, and the distance and the offset must fit on its curve; correct them.
 sightdistance-shares = The shares of a fleet must sum to 100 %; these sum to { $total_percent } %. Correct them.
 sightdistance-share = “{ $share }” is not a share of a fleet; write the class, a colon and 0 to 100 percent (suv:40).
 sightdistance-class-unseen = The fleet has a share of { $category }, of which the survey measured none; set that share to 0 or measure some.
@@ -6064,7 +6064,7 @@ studies-sites-there-differ = { $path }, row { $row }: stratum { $stratum } has a
 studies-traffic-of-some = { $path }: traffic is given for some sites only, or is 0; give it for all sites or for none.
 studies-not-a-count = { $path }, row { $row }: { $name } is { $cell }, not a whole number from 1; correct it or leave it empty.
 studies-not-an-amount = { $path }, row { $row }: { $name } is { $cell }, not a number from 0; correct it.
-studies-no-package-there = { $place } is not a package and contains none; name exported folders or ZIPs, or a folder of them.
+studies-no-package-there = { $place } is not a package and contains none; name packages (folders or ZIPs), or a folder of them.
 studies-package-does-not-verify = { $place } does not verify, so it cannot be used in a study: { $problem }
 studies-package-without-sample = { $place } does not state which of its vehicles count because it was made by an earlier version; export its survey again.
 studies-package-without-parquet = { $place } was made by an earlier version, without Parquet; export its survey again.
@@ -6076,7 +6076,7 @@ studies-class-unknown = The fleet has { $variable } { $name }, which Sightline d
 studies-class-never-seen = The fleet has { $variable } { $name }, which no survey contains; leave it out and let the other shares sum to 1, or measure some.
 studies-class-not-in-fleet = The surveys contain { $count } vehicles of { $variable } { $name }, which the fleet does not have; add a row for it (0 to exclude it).
 studies-site-not-in-sites = The table of sites has no row for { $site }; add it.
-studies-more-sites-than-there = Stratum { $stratum } has { $count } sites here, but sites_there says { $there }; correct it.
+studies-more-sites-than-there = Stratum { $stratum } has { $count } sites here, but sites_there is { $there }; correct it.
 studies-needs-a-name = A study needs a name; enter one.
 studies-needs-each-survey = You do not see every survey of this study now; ask a manager of those surveys to add you.
 studies-open-needs-managers = You do not manage { $name }; only someone who manages each survey of a study can show it to everyone. Ask a manager of { $name }.
@@ -6091,7 +6091,7 @@ studies-goal-no-length = --goal { $goal } is not a U95 in metres between 0 and 1
 studies-compared-with-itself = { $name } cannot be compared with itself; choose another study.
 studies-compared-without-figures = { $name } has not been computed; compute it first.
 studies-fleet-two-amounts = { $path } has a column share and a column registrations; keep the one that counts.
-studies-registrations-of-nobody = { $path }: { $variable } sums to 0 vehicles; give how many there are.
+studies-registrations-of-nobody = { $path }: { $variable } sums to 0 vehicles; give the numbers of vehicles.
 studies-output-is-a-package = { $place } is a package of a survey, or lies in one; name a folder of its own for the study.
 traffic-duration-twice = { $path } states its own duration; leave --duration out.
 traffic-no-duration-inside = { $path } does not state its duration; write it again with sightline linescan --json.
@@ -6151,7 +6151,7 @@ opened-report = Report (PDF)
 opened-measurements = Measurements
 opened-figures = Figures
 opened-tables = Tables
-opened-tables-lead = Numbers are rounded here; the files hold every digit. datapackage.json describes each column.
+opened-tables-lead = Numbers are rounded here; the files contain all digits. datapackage.json describes each column.
 opened-table = { $table ->
     [survey] the survey, in one row
     [vehicles] passes and vehicles
@@ -6254,7 +6254,7 @@ opened-target-taillight = Taillight
 opened-target-headlight = Headlight
 opened-target-other = Other
 opened-verdict-accepted = accepted
-opened-verdict-fixed = corrected
+opened-verdict-fixed = fixed
 opened-verdict-rejected = rejected
 opened-verdict-unreviewed = not reviewed
 opened-withdrawn = withdrawn
@@ -6634,10 +6634,10 @@ opened-evidence-event = { $entity ->
    *[scan] Recording { $number }
   }: { $action ->
     [create] created
-    [read] read
+    [read] imported
     [recorded] recorded
-    [reading_failed] could not be read
-    [restart_reading] read again
+    [reading_failed] could not be imported
+    [restart_reading] imported again
     [review] reviewed
     [swap_cameras] cameras swapped
    *[update] changed
@@ -6699,9 +6699,9 @@ evidence-decided = { $answer ->
     [upper] at most
    *[lower] at least
   } { $limit } { $unit }. { $answer ->
-    [conforming] It keeps the limit by more than the guard band of { $guard } { $unit } ({ $factor } u); the probability that this decision is wrong is { $least } { $chance } %, and { $risk } % was allowed.
-    [not_conforming] It breaks the limit by more than the guard band of { $guard } { $unit } ({ $factor } u); the probability that this decision is wrong is { $least } { $chance } %, and { $risk } % was allowed.
-   *[undecided] It is no farther from the limit than the guard band of { $guard } { $unit } ({ $factor } u); the more likely decision would be wrong with a probability of { $least } { $chance } %, and { $risk } % was allowed.
+    [conforming] It is within the limit by at least the guard band of { $guard } { $unit } ({ $factor } u); the probability that this decision is wrong is { $least } { $chance } %, and { $risk } % was allowed.
+    [not_conforming] It is beyond the limit by at least the guard band of { $guard } { $unit } ({ $factor } u); the probability that this decision is wrong is { $least } { $chance } %, and { $risk } % was allowed.
+   *[undecided] It is closer to the limit than the guard band of { $guard } { $unit } ({ $factor } u); the more likely decision would be wrong with a probability of { $least } { $chance } %, and { $risk } % was allowed.
   }
 evidence-none-refused = No decision: the vehicle has no measured motion. { $reason }
 evidence-none-rig = No decision: values of the rig were changed after this vehicle, or the one in front of it, was measured.
@@ -6725,7 +6725,7 @@ evidence-pages-not-built = The page of evidence files is not built; run make set
 evidence-one-limit = Give one limit: --most-kmh, --least-time-gap-s or --least-distance-gap-m, above 0 and below 10,000.
 evidence-no-scan = The survey has no line-scan recording { $scan }; it has: { $names }.
 evidence-no-vehicle = There is no vehicle { $number } in { $scan }; check the number on the line scan page.
-evidence-not-one = This is not an evidence file as written by this program, or it was truncated; get the file again.
+evidence-not-one = This is not an evidence file as written by Sightline, or it was truncated; get the file again.
 evidence-form = The part “{ $part }” cannot be read ({ $words }); it was changed.
 evidence-another-page = The page’s program is not the one named by the document; it was changed.
 evidence-not-canonical = The document is not canonical JSON; it was changed.
@@ -6749,7 +6749,7 @@ evidence-numbers = For the { $part ->
     [before] vehicle in front
    *[measurement] measurement
   }, this does not follow from lines, rig and budget: { $named }.
-evidence-page-other-version = The page was made by another version of the program: its hash is signed, but the page could not be compared with a page of this version.
+evidence-page-other-version = The page was made by another version of Sightline: its hash is signed, but the page could not be compared with a page of this version.
 evidence-key-given = The signature proves what the holder of that key signed, not who held the key, nor that it is true, nor when it was made.
 evidence-key-not-given = Signed with key { $key }: a forger can sign with a key of their own. Compare it with the key shown by the installation, or give that as --key.
 statistics-risk-cannot-be = A risk of { $risk } is out of range; give { $least } to { $most }.
@@ -6792,15 +6792,15 @@ reference-line-time-of-another = Vehicle { $number } passed { $apart_s } s from 
 reference-times-need-start = { $name } has times, but the start of this line scan is not confirmed, so no vehicle has a time of day. Confirm the start, or give the vehicles’ numbers.
 reference-times-later = The times of { $count } lines are { $off_s } s later (median) than those of their vehicles.
 reference-times-earlier = The times of { $count } lines are { $off_s } s earlier (median) than those of their vehicles.
-reference-times-start = The start of this line scan is known to ± { $U95_s } s only, more than the tolerance of { $tolerance_s } s: a line may fit a neighbour. Check the pairs.
+reference-times-start = The U95 of the start of this line scan is { $U95_s } s, more than the tolerance of { $tolerance_s } s: a line may fit a neighbouring vehicle. Check the pairs.
 reference-line-replaces = Replaces the { $quantity } { $value } { $unit } (u = { $u } { $unit }).
 reference-line-renames = Was a run of { $car }.
 reference-car-too-long = The car’s name is longer than 100 characters; shorten it.
 scans-reference-does-not-follow = { $path }: { $name } of row { $number } does not follow from the reference and the vehicle’s own value.
 ## Said: motions, gaps and runs of line scans
 
-scan-motion-lane-unknown = The lane is not known ({ $why }): the uncertainties hold for every lane of its direction; choose its lane.
-scan-lane-no-wheel = no wheel was found that tells the lane
+scan-motion-lane-unknown = The lane is not known ({ $why }): the uncertainties cover every lane of its direction; choose its lane.
+scan-lane-no-wheel = no wheel that identifies the lane was found
 scan-lane-not-this-way = no lane of the rig has this direction
 scan-lane-other-rows = its tyres meet the road at row { $row }, { $lanes ->
     [0] in no lane’s rows
@@ -6826,7 +6826,7 @@ scan-motion-u-large = The U95 of the { $what ->
     [speed] speed
    *[length] length
  } is { $percent } %, too large to be useful: too little of the vehicle is clear, the boundaries are wrong, or two vehicles pass at once.
-scan-motion-u-acceleration-large = The U95 of the acceleration is { $U95_mps2 } m/s², more than any vehicle brakes: too little of the vehicle is clear, or the boundaries are wrong.
+scan-motion-u-acceleration-large = The U95 of the acceleration is { $U95_mps2 } m/s², more than any vehicle’s braking: too little of the vehicle is clear, or the boundaries are wrong.
 scan-motion-no-order = The boundaries are not in order: the front must come before the rear at both cameras.
 scan-motion-no-texture = Too little of the vehicle is clear enough to be registered between the strips.
 scan-motion-no-match = The two images of the vehicle do not fit one motion: two vehicles side by side, a vehicle that stopped, or lost lines.
@@ -6836,7 +6836,7 @@ scan-motion-not-converged = The registration did not converge completely.
 scan-motion-cameras-disagree = The cameras disagree by { $apart_cm } cm about the front or the rear: check the boundaries, and whether two vehicles pass side by side.
 scan-motion-saturated = Part of the image is saturated; reduce the exposure.
 scan-motion-stopped = The vehicle stopped or nearly stopped in view; mark another vehicle, or measure it by hand.
-scan-motion-too-long-in-view = Something stood in view for longer than a vehicle takes to pass; it stopped, or the light changed.
+scan-motion-too-long-in-view = Something was in view for longer than a vehicle takes to pass: it stopped, or the light changed.
 scan-motion-cut = The vehicle is cut off by the beginning or the end of the recording.
 scan-motion-no-road = The empty road before the vehicle is too unsteady: snow, rain, or traffic from the first line on; start to record while the road is empty.
 scan-motion-too-long = Its estimated length is { $length_m } m, and the limit is { $most_m } m: a train, vehicles without a gap, or a wrong baseline or line rate.
@@ -6953,30 +6953,30 @@ calibration-no-covariance = The file states no uncertainty of the lens, so that 
 calibration-made = { $used } of { $given } views used, residual { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px, focal length { NUMBER($focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px.
 calibration-made-u = { $used } of { $given } views used, residual { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px, focal length { NUMBER($focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (standard uncertainty { NUMBER($u_focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px).
 calibration-imported = Imported from { $file_name }: { $model } model, focal length { NUMBER($focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px.
-calibration-board-bent = The board is not flat: it bends by about { NUMBER($bow_percent, minimumFractionDigits: 1, maximumFractionDigits: 1) } % of a square; modelling its shape lowers the residual from { NUMBER($flat_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } to { NUMBER($bent_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px. Fix the board to a stiff, flat plate and take the pictures again, or calibrate it as a board that may be bent.
-calibration-board-bent-changes = The board is not flat: it bends by about { NUMBER($bow_percent, minimumFractionDigits: 1, maximumFractionDigits: 1) } % of a square; modelling its shape lowers the residual from { NUMBER($flat_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } to { NUMBER($bent_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px and a height at { $distance_m } m changes by { SMALL($change_m) }. Fix the board to a stiff, flat plate and take the pictures again, or calibrate it as a board that may be bent.
+calibration-board-bent = The board is not flat: it bends by about { NUMBER($bow_percent, minimumFractionDigits: 1, maximumFractionDigits: 1) } % of a square; modelling its shape lowers the residual from { NUMBER($flat_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } to { NUMBER($bent_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px. Fix the board to a stiff, flat plate and retake the images, or calibrate with “May be bent”.
+calibration-board-bent-changes = The board is not flat: it bends by about { NUMBER($bow_percent, minimumFractionDigits: 1, maximumFractionDigits: 1) } % of a square; modelling its shape lowers the residual from { NUMBER($flat_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } to { NUMBER($bent_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px and a height at { $distance_m } m changes by { SMALL($change_m) }. Fix the board to a stiff, flat plate and retake the images, or calibrate with “May be bent”.
 calibration-halves-few = Two halves need at least { $least } usable views{ $board ->
     [bent] { " " }of a bent board
    *[flat] { "" }
- }; there are { $usable }. Take more pictures.
+ }; there are { $usable }. Add images.
 calibration-halves-failed = The two halves could not be calibrated separately: { $message }
 calibration-halves-no-inverse = A board lies where the lens model has no inverse; add images that reach the corners.
-calibration-halves-differ = Two halves of the pictures, calibrated separately, differ by { SMALL($difference_m) } in a height at { $distance_m } m: more than the corners' noise explains. The lens may need the other model, the board may be bent, or zoom or focus changed between pictures.
-calibration-halves-differ-beyond = Two halves of the pictures, calibrated separately, differ by { SMALL($difference_m) } in a height at { $distance_m } m, { SMALL($expected_m) } expected: more than the corners' noise explains. The lens may need the other model, the board may be bent, or zoom or focus changed between pictures.
+calibration-halves-differ = Two halves of the images, calibrated separately, differ by { SMALL($difference_m) } in a height at { $distance_m } m: more than the corners’ noise explains. The lens may need the other model, the board may be bent, or zoom or focus changed between images.
+calibration-halves-differ-beyond = Two halves of the images, calibrated separately, differ by { SMALL($difference_m) } in a height at { $distance_m } m, { SMALL($expected_m) } expected: more than the corners’ noise explains. The lens may need the other model, the board may be bent, or zoom or focus changed between images.
 calibration-held-out-worse = Held-out images fit the lens much worse than fitted images ({ NUMBER($held_out_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px against { NUMBER($fit_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px); add images with the board tilted and in every part of the image.
-calibration-few-views = Only { $count } views were used; with fewer than { $few } a small residual proves little; take 15 to 25.
+calibration-few-views = Only { $count } views were used; with fewer than { $few } a small residual proves little; use 15 to 25.
 calibration-views-alike = Only { $different } of the { $count } views differ because the board hardly moved between the others; move and tilt it between images, or use frames further apart.
 calibration-little-covered = The boards cover { $percent } % of the image; add views that reach its edges and corners, where the distortion is largest.
 calibration-boards-parallel = All board views have the same orientation, so focal length and distance cannot be separated; tilt the board by 30 to 45 degrees in several directions.
 calibration-residual-high = The residual of { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px is high; the board may not be flat, its size may be wrong, or the lens needs another model.
 calibration-other-model-better = The { $model } model fits better ({ NUMBER($other_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px against { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px); calibrate with that model.
 calibration-lens-undetermined = The views do not determine the lens; its uncertainty cannot be stated.
-calibration-focal-vague = The focal length is known to { NUMBER($percent, minimumFractionDigits: 1, maximumFractionDigits: 1) } % only; take more views, tilted and near.
+calibration-focal-vague = The focal length is known to { NUMBER($percent, minimumFractionDigits: 1, maximumFractionDigits: 1) } % only; add views, tilted and near.
 lens-axis-off-middle = The optical axis lies far from the middle of the image; was the image cropped?
 lens-pixels-not-square = The two focal lengths differ by more than 10 %; are the pixels square?
 lens-no-inverse-in-corners = The lens model cannot be inverted in the corners of the image, so nothing is measured there; add images that reach the corners.
 calibration-squares-small = In { $small } of { $views } views the squares are smaller than { $least_px } px and their corners inexact; bring the board nearer or use larger squares.
-calibration-several-sizes = Images of several sizes: { $count } skipped that are not { $width_px }x{ $height_px } px ({ $file } first); a calibration holds for one size only, so use images of the recordings' size.
+calibration-several-sizes = Images of several sizes: { $count } skipped that are not { $width_px }x{ $height_px } px ({ $file } first); a calibration applies to one size only, so use images of the recordings’ size.
 calibration-board-seldom = The board was used in only { $used } of { $given } images; count its inner corners again, and show the whole board, sharp and evenly lit.
 calibration-image-outlier = { $file } fits much worse than the others ({ NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px against { NUMBER($usual_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px); check its corners.
 calibration-tilt-edge = Tilt the board by about 30 degrees, its { $edge } edge nearer the camera.
@@ -7024,8 +7024,8 @@ adjustment-length-off = Its { $length ->
    *[short] short
  } for the observed points; check the model.
 adjustment-crooked = Too many of its points are off a straight line.
-adjustment-point-outside = A point lies outside the picture.
-adjustment-tyre-off-road = A tyre lies where there is no road: above the horizon, or outside the lens model's radius.
+adjustment-point-outside = A point lies outside the frame.
+adjustment-tyre-off-road = A tyre lies where there is no road: above the horizon, or outside the lens model’s radius.
 adjustment-part-excluded = The traffic contradicts the { $part ->
     [board_lean_rad] { adjust-board_lean_rad }
     [board_roll_rad] { adjust-board_roll_rad }
@@ -7063,14 +7063,14 @@ adjustment-no-known-length = No known length of this vehicle was measured.
 adjustment-no-model = Its make and model are not filled in, so its wheelbase is unknown.
 adjustment-no-wheelbase = The catalogue has no wheelbase of this model and year.
 adjustment-several-wheelbases = The catalogue has several wheelbases of this model; fill in the year.
-adjustment-no-height = The manufacturer's height is not filled in.
+adjustment-no-height = The manufacturer’s height is not filled in.
 adjustment-model-by-size = Its model was chosen by its sizes, so what is known of the model is no reference.
 adjustment-roof-not-near-edge = The roof was not clicked at its near edge.
 adjustment-no-lengths-yet = No lengths are known yet: click both tyres of vehicles of a known model, or measure their roofs.
 adjustment-done-before = This pose is already adjusted to the traffic.
 adjustment-no-pass = No pass with a known length could be used.
-traffic-turned = The road's X axis is rotated by { NUMBER($mean_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° (u = { NUMBER($u_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }°, { $count } vehicles) against the traffic.
-traffic-agrees = The road's X axis agrees with the traffic: rotated by { NUMBER($mean_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° (u = { NUMBER($u_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }°, { $count } vehicles), not significant.
+traffic-turned = The road’s X axis is rotated by { NUMBER($mean_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° (u = { NUMBER($u_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }°, { $count } vehicles) against the traffic.
+traffic-agrees = The road’s X axis agrees with the traffic: rotated by { NUMBER($mean_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° (u = { NUMBER($u_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }°, { $count } vehicles), not significant.
 traffic-turn-changes = This changes { $count } stored heights by up to { SMALL($largest_m) }.
 traffic-turn-would-change = Rotating it would change stored heights by up to { SMALL($largest_m) }.
 traffic-few-vehicles = Both tyre contacts of at least { $least } vehicles are needed; { $usable } can be used.
@@ -7083,8 +7083,8 @@ adjustment-u-lacking = { $given } is given without { $lacking }.
 
 inset-few-known = At least { $least } vehicles of known height are needed; { $usable } can be used.
 inset-known-at-camera-height = Not conclusive: the vehicles are at about camera height, where the inset has little effect.
-inset-none-fits = No inset fits the manufacturers' heights; check them, the camera's height and the clicks.
-inset-known-vague = Not conclusive: too few vehicles, or heights too near the camera's or too uncertain.
+inset-none-fits = No inset fits the manufacturers’ heights; check them, the camera’s height and the clicks.
+inset-known-vague = Not conclusive: too few vehicles, or heights too near the camera’s or too uncertain.
 inset-few-trend = At least { $least } vehicles are needed; { $usable } can be used.
 inset-no-trend = The inset cannot be estimated: too few vehicles, or all at about the same distance.
 inset-trend-at-camera-height = Not conclusive: this target is at about camera height, where the inset has little effect.
@@ -7093,7 +7093,7 @@ inset-trend-few = Not enough data: a few hundred vehicles are needed for u = 0.1
 inset-few-solved = At least { $least } vehicles measured on two frames are needed; there are { $count }.
 inset-solved-close-frames = Not conclusive: the frames were close together.
 inset-no-gain = Agrees with the current inset; using it would make no height more certain.
-inset-no-known-roof = No vehicle with a manufacturer's height has a measured roof.
+inset-no-known-roof = No vehicle with a manufacturer’s height has a measured roof.
 inset-nothing-measured = No measurements of this target.
 repeat-first-no-height = The first clicks give no height: { $reason }
 repeat-second-no-height = The second clicks give no height: { $reason }
@@ -7132,9 +7132,9 @@ video-other-tracks = The file contains { $count ->
    *[other] { $count } other video tracks
  }: { $others }; track { $stream } ({ $codec }, { $width_px }x{ $height_px }) was imported.
 video-track = { $number } ({ $codec }, { $width_px }x{ $height_px }{ $kind ->
-    [still] , a still picture
-    [off] , switched off
-    [still_off] , a still picture, switched off
+    [still] , a still image
+    [off] , disabled
+    [still_off] , a still image, disabled
    *[moving] { "" }
  })
 video-track-unknown = { $number } (unknown codec)
@@ -7155,7 +7155,7 @@ video-frames-patched = { $count } { $count ->
     [one] frame is
    *[other] frames are
  } damaged and completed by the decoder, the first one at { $first }; do not measure there.
-video-start-in-future = The file states a start of { $start } UTC, which is in the future: the camera's clock is wrong, so no start is suggested.
+video-start-in-future = The file states a start of { $start } UTC, which is in the future: the camera’s clock is wrong, so no start is suggested.
 video-ends-early = The header states { NUMBER($duration_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s, the frames end after { NUMBER($end_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s; the file may be truncated.
 video-other-rate = The header states { $stated_hz } frames per second, the time stamps give { $rate_hz }; the time stamps are used.
 video-other-count = The header states { $claimed } frames, { $count } could be decoded; frame numbers refer to these.
@@ -7164,19 +7164,19 @@ video-stretched = stretched for pixels of { $aspect }
 video-turned = turned by { $degrees } degrees clockwise
 video-mirrored = mirrored
 video-interlaced = The recording is interlaced: moving edges are combed, prefer a progressive recording.
-video-working-copy = Frames are served from a working copy with an index; they are identical to the original's.
+video-working-copy = Frames are served from a working copy with an index; they are identical to the original’s.
 video-other-size-skipped = { $count } frames of another size were skipped.
 video-rate-varies = The frame rate varies: { NUMBER($least_s, minimumFractionDigits: 4, maximumFractionDigits: 4) } to { NUMBER($most_s, minimumFractionDigits: 4, maximumFractionDigits: 4) } s between frames; times come from the time stamps.
 video-unreadable-end = The file could not be read to its end; { $count } frames were found before that.
-video-no-time-stamps = The stream holds no usable time stamps: { $rate_hz } frames per second are assumed, so do not trust its times.
-scan-pixels-saturated = { $percent } % of camera { $camera }'s pixels are saturated, so edges are lost there; reduce the light or the exposure.
+video-no-time-stamps = The stream contains no usable time stamps: { $rate_hz } frames per second are assumed, so its times are unreliable.
+scan-pixels-saturated = { $percent } % of camera { $camera }’s pixels are saturated, so edges are lost there; reduce the light or the exposure.
 scan-recorder-lost = The recorder of { $name } lost { $count } lines; they were replaced by copies.
 scan-recorder-other-rate = { $name } states a line rate of { $told_hz } Hz, but { $line_rate_hz } Hz was given and is used; check which one is right.
 
 ## Said: how far a job is
 
 job-begun-again = The job was interrupted and is started again.
-job-tried-again = The database or the storage does not answer; the job is tried again by itself.
+job-tried-again = The database or the storage does not answer; the job is retried automatically.
 job-waits-to-begin-again = Waiting to be started again.
 job-video-reading = Reading the video.
 job-drift-searching = Searching for camera movement.
@@ -7188,7 +7188,7 @@ job-pose-computing = Computing the camera pose.
 job-lens-fitting = Fitting the lens, and the two halves separately.
 job-export-vehicles = Writing vehicles, reviews and the audit chain.
 job-export-measurements = Writing the measurements.
-job-export-crops = Cutting out the pictures of each click.
+job-export-crops = Cutting out the images of the clicks.
 job-export-figures = Computing statistics, drawing figures and the report.
 job-export-reading = Reading the survey.
 job-export-storing = Storing the package.
@@ -7221,7 +7221,7 @@ told-geometry-driver-on-the-side-away = driver on the side away from the camera 
 told-geometry-not-known = not known
 told-geometry-outer-edge-of-the = outer edge of the lamp (estimate)
 jobs-gave-up = The job stopped { $attempts } times; check the input and the available memory.
-jobs-broke = An error in the program stopped this ({ $name }); try again, and report it if it comes back.
+jobs-broke = An error in Sightline stopped this ({ $name }); try again, and report it if it comes back.
 told-recordings-the-ingest-was-cancelled = The import was cancelled; start it again or delete the recording.
 told-scans-the-lines-of-this = The lines of this stream were not stored, so there is no image; its vehicles remain.
 told-scans-the-reading-was-cancelled = The import was cancelled; start it again or delete the line-scan recording.
@@ -7285,7 +7285,7 @@ tour-survey = A survey measures the heights of drivers’ eyes and lamps at one 
 tour-recordings = A recording is a video taken from the roadside. Each shows its lighting, its start, and whether the camera moved.
 tour-pose = A board of known size on the road gives the position of the camera, and the expected uncertainty of heights.
 tour-measure = Choose a vehicle and click twice on one frame: where a tyre meets the road, and the eye, lamp or roof. The height appears at once, with its U95 and uncertainty budget.
-tour-review = Another person accepts, corrects or rejects each height. Nobody reviews their own measurements.
+tour-review = Another person accepts, fixes or rejects each height. Nobody reviews their own measurements.
 tour-statistics = Only accepted heights count: their distributions, errors against known heights, and the percentiles of standards today.
 tour-export = One button builds the package for a standards body: report, tables, figures and audit trail. Its receiver can verify it. You can start the tour again from the menu under your initials.
 
@@ -7294,8 +7294,8 @@ tour-export = One button builds the package for a standards body: report, tables
 report-kind = Measurement report
 report-of-survey = { $survey }, measurement report
 report-survey = Survey
-report-foot = State of { $moment }
-report-foot-head = State of { $moment }, audit head { $head }…
+report-foot = Data as of { $moment }
+report-foot-head = Data as of { $moment }, audit head { $head }…
 report-empty-trail = an empty audit trail
 report-page = Page { $page } of { $pages }
 report-between = { $low } to { $high }
@@ -7334,7 +7334,7 @@ report-measured-by-counter = speedometer
 report-measured-by-radar = radar
 report-measured-by-laser = laser gun
 report-measured-by-gps = GPS
-report-measured-by-loop = loop
+report-measured-by-loop = induction loop
 report-measured-by-tape = tape
 report-category-hatchback = hatchback
 report-category-saloon = saloon
@@ -7352,7 +7352,7 @@ report-category-motorcycle = motorcycle
 report-heading-right = to the right
 report-heading-left = to the left
 report-set-passenger_cars = passenger cars
-report-set-light_trucks = light trucks and multi-purpose
+report-set-light_trucks = light trucks and multi-purpose vehicles
 report-set-heavy = heavy vehicles
 report-divided-by-class_set = set of classes
 report-divided-by-category = category
@@ -7414,15 +7414,15 @@ report-in-this-of = { $measurements ->
    *[other] { $vehicles } vehicles
  }, { $with_reference } with a reference height. Accepted measurements only.
 report-verdicts = Verdicts
-report-state-of = State of
-report-code = Code
+report-state-of = Data as of
+report-code = Software
 report-count-recordings = recordings
 report-count-vehicles = vehicles
 report-count-measurements = measurements
 report-count-not-visible = targets not visible
 report-count-used = counted in the results
 report-count-left-out = excluded
-report-count-out-of-date = out of date (out_of_date in the tables says why)
+report-count-out-of-date = out of date (reasons: column out_of_date of the tables)
 report-count-without-time = vehicles excluded because their time of filming is not known
 report-count-scanned = scanned vehicles
 report-count-scanned-used = accepted of them
@@ -7453,7 +7453,7 @@ report-from-images = from images of a board
 report-from-clip = from a clip of a board
 report-from-import = imported from another tool’s file
 report-lens = { $camera }, calibration { $number }
-report-made = Made
+report-made = Created
 report-pixels = { $width } × { $height } pixels
 report-lens-model = Lens model
 report-views = Views
@@ -7689,7 +7689,7 @@ report-lateral-all = All
 ## Report: sight distance
 
 report-sight = Sight distance
-report-sight-words = A crest keeps a sight distance S if its length per percent of grade, K, is at least S²/C. C depends only on the heights of eye and object: C = 100 (√(2 eye) + √(2 object))². The standard is { $standard } (eye { $eye }, object { $object }). The survey’s heights are percentile { $eye_percent } of the eyes and percentile { $object_percent } of the taillights’ lower edges{ $classes ->
+report-sight-words = A crest provides a sight distance S if its length per percent of grade, K, is at least S²/C. C depends only on the heights of eye and object: C = 100 (√(2 eye) + √(2 object))². The standard is { $standard } (eye { $eye }, object { $object }). The survey’s heights are percentile { $eye_percent } of the eyes and percentile { $object_percent } of the taillights’ lower edges{ $classes ->
     [class] , of the class that the rule names
    *[all] , of all vehicles
  }{ $rule ->

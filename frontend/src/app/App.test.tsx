@@ -185,7 +185,7 @@ describe("the surveys", () => {
     await shown("Rouen south");
     expect(text()).toContain("3 of 4");
     expect(text()).toContain("7 of 9");
-    expect(text()).toContain("Drop the day's video here.");
+    expect(text()).toContain("Drop the day’s video here.");
   });
 
   it("stand above those that were never filmed", async () => {

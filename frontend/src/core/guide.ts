@@ -12,7 +12,7 @@ export const GUIDE_OF: Record<PlaceName, string> = {
   measure: "operator#measure",
   checks: "operator#checks",
   review: "reviewer#review",
-  lots: "reviewer#review",
+  lots: "reviewer#lots",
   repeats: "operator#repeatability",
   "click-again": "operator#repeatability",
   scans: "operator#line-scans",

@@ -86,7 +86,7 @@ def test_a_job_is_done_with_its_result(runner: Runner, factory: SessionFactory, 
     ("how", "words"),
     [
         ("input", "The video has no picture; upload another."),
-        ("program", "An error in the program stopped this (ZeroDivisionError)"),
+        ("program", "An error in Sightline stopped this (ZeroDivisionError)"),
         ("in_finish", "The result cannot be stored; try again."),
     ],
 )

@@ -49,7 +49,7 @@ function DriverSideChoice({ model, vehicle }: { model: MeasureModel; vehicle: Ve
         <Said
           what="measure-side-from"
           values={{ from, ...values }}
-          parts={{ link: (text) => <a href={`/surveys/${model.surveyId}`}>{text}</a> }}
+          parts={{ link: (text) => <a href={`/surveys/${model.surveyId}/settings`}>{text}</a> }}
         />
       </span>
       {from === "said" && canWork.value && (
