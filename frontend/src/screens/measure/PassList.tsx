@@ -3,7 +3,7 @@ import { useComputed, useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { Button, Icon, LongList, StateMark } from "../../components";
 import { bringInSight } from "../../components/inSight";
-import { late } from "../../components/late";
+import { late, soon } from "../../components/late";
 import { useOneTabStop } from "../../components/oneTabStop";
 import { Said } from "../../components/Said";
 import { hint } from "../../core/commands";
@@ -30,7 +30,7 @@ import { PassMenu } from "./passes/PassMenu";
 import "../../parts/vehicles/passes.css";
 
 const FindPasses = late(async () => (await import("../../parts/vehicles/FindPasses")).FindPasses);
-const ProposeButton = late(async () => (await import("./proposals/ProposeButton")).ProposeButton);
+const ProposeButton = soon(async () => (await import("./proposals/ProposeButton")).ProposeButton);
 
 /** A pass and what stands below it. */
 const ROW_PX = 43;
