@@ -22,7 +22,7 @@ it.each(readdirSync(`${src}screens`))("%s has the words it says", (room) => {
   const shared = parts.flatMap(([, path]) => [`${src}${path}.tsx`, `${src}${path}.ts`]).filter(existsSync);
   const every = [...texts, ...shared.map((file) => readFileSync(file, "utf8"))];
   const said = every.flatMap((text) =>
-    [...text.matchAll(/(?:\bsay\(|<Said\s+what=|<Button\s+says=)"([\w-]+)"/g)].map(([, key = ""]) => key),
+    [...text.matchAll(/(?:\bsay\(|<Said\s+what=|\bsays=)"([\w-]+)"/g)].map(([, key = ""]) => key),
   );
   expect(said.length).toBeGreaterThan(2);
   expect(said.filter((key) => !own.has(key) && !everywhere.has(key))).toEqual([]);

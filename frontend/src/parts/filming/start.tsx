@@ -159,7 +159,7 @@ export function StartFields({ start, label, hint, step }: Props) {
       </Field>
       {start.twice.length > 0 && (
         <Segments
-          label={say("filmed-which")}
+          says="filmed-which"
           value={start.offset}
           onInput={start.setOffset}
           options={start.twice.map((one, n) => ({
@@ -168,12 +168,7 @@ export function StartFields({ start, label, hint, step }: Props) {
           }))}
         />
       )}
-      <TextField
-        label={say("filmed-zone")}
-        value={start.zone}
-        suggestions={TIME_ZONES}
-        onInput={start.setZone}
-      />
+      <TextField says="filmed-zone" value={start.zone} suggestions={TIME_ZONES} onInput={start.setZone} />
     </>
   );
 }

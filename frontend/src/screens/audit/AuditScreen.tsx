@@ -62,7 +62,7 @@ export default function AuditScreen({ surveyId }: ScreenProps) {
   return (
     <div class={surveyId ? "page" : "page page--alone"}>
       <PageHead
-        title={say(surveyId ? "page-history" : "page-audit")}
+        says={surveyId ? "page-history" : "page-audit"}
         lead={say("audit-lead")}
         more={<p class="small muted">{say("audit-numbers")}</p>}
       >
@@ -123,7 +123,7 @@ function Filters({ surveyId }: ScreenProps) {
     <div class="audit__filters">
       {!surveyId && (
         <OptionalField
-          label={say("audit-survey")}
+          says="audit-survey"
           value={at("survey_id") || null}
           none={say("audit-survey-all")}
           options={named(surveys.data ?? [])}
@@ -131,22 +131,22 @@ function Filters({ surveyId }: ScreenProps) {
         />
       )}
       <OptionalField
-        label={say("audit-what")}
+        says="audit-what"
         value={at("entity") || null}
         none={say("audit-what-all")}
         options={choices<string>(ENTITY_WORDS)}
         onInput={(entity) => setQuery({ entity })}
       />
       <OptionalField
-        label={say("audit-person")}
+        says="audit-person"
         value={at("person_id") || null}
         none={say("audit-person-all")}
         options={named(people.data ?? [])}
         onInput={(person_id) => setQuery({ person_id })}
       />
-      <DateField label={say("audit-day")} value={at("day")} onChange={(day) => setQuery({ day })} />
+      <DateField says="audit-day" value={at("day")} onChange={(day) => setQuery({ day })} />
       <CommitField
-        label={say("audit-vehicle")}
+        says="audit-vehicle"
         numeric
         value={at("vehicle")}
         check={(text) => (/^\d{0,9}$/.test(text) ? null : say("audit-vehicle-problem"))}

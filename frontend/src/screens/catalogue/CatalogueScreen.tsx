@@ -34,7 +34,7 @@ export default function CatalogueScreen() {
   };
   return (
     <div class="page page--alone catalogue-page">
-      <PageHead title={say("page-catalogue")} lead={say("catalogue-lead")}>
+      <PageHead says="page-catalogue" lead={say("catalogue-lead")}>
         <div class="row">
           <Button says="catalogue-export" href="/api/catalogue/export" icon="download" />
           {canWork.value && (
@@ -52,13 +52,13 @@ export default function CatalogueScreen() {
       </PageHead>
       <div class="catalogue-search">
         <TextField
-          label={say("catalogue-search")}
+          says="catalogue-search"
           type="search"
           value={q}
           onInput={(text) => setQuery({ q: text || null, offset: null })}
         />
         <Segments
-          label={say("catalogue-which")}
+          says="catalogue-which"
           value={retired ? "retired" : "offered"}
           options={[
             { value: "offered", label: say("catalogue-offered") },

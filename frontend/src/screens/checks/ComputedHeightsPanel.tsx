@@ -28,7 +28,7 @@ export function ComputedHeightsPanel({ surveyId, computing, busy, undo }: Props)
     return read.error ? <Problem error={read.error} /> : <Loading what={say("computing-old-new")} />;
   return (
     <Panel
-      title={say("computing-old-new")}
+      says="computing-old-new"
       aside={
         canWork.value && (
           <Button

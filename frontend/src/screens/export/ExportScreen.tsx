@@ -1,6 +1,7 @@
 import { useEffect, useState } from "preact/hooks";
 import {
   Button,
+  Check,
   choices,
   Empty,
   JobProgress,
@@ -82,17 +83,9 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
   const counts = survey.value?.counts;
   return (
     <div class="page">
-      <PageHead title={say("page-export")} lead={say("export-lead")}>
+      <PageHead says="page-export" lead={say("export-lead")}>
         <div class="row row--wrap">
-          <label class="row">
-            <input
-              type="checkbox"
-              checked={crops}
-              disabled={underWay}
-              onChange={(event) => setCrops(event.currentTarget.checked)}
-            />
-            <span>{say("export-crops")}</span>
-          </label>
+          <Check says="export-crops" class="row" checked={crops} disabled={underWay} onInput={setCrops} />
           <Button
             says="export-build"
             kind="primary"
@@ -119,7 +112,7 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
         </div>
       )}
       <Problem error={problem} again={() => void build()} />
-      <Panel title={say("export-packages")}>
+      <Panel says="export-packages">
         <Loaded of={packages} what={say("export-loading")} />
         {packages.data?.length === 0 && (
           <Empty title={say("export-none-title")}>
@@ -129,7 +122,7 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
         {packages.data && packages.data.length > 0 && <Packages list={packages.data} />}
       </Panel>
       {packages.data?.[0] && <Checking newest={packages.data[0]} />}
-      <Panel title={say("export-contents")}>
+      <Panel says="export-contents">
         <table class="table">
           <tbody>
             {CONTENTS.map(({ files, what }) => (
@@ -153,7 +146,7 @@ function Choosing({ wanted, onChange }: { wanted: Wanted; onChange(wanted: Wante
     <section class="panel panel__body" aria-label={say("export-of-title")}>
       <div class="row row--wrap export__of">
         <OptionalField
-          label={say("export-of-lighting")}
+          says="export-of-lighting"
           value={wanted.lighting}
           none={say("statistics-filter-any")}
           options={choices(LIGHTING_WORDS)}
@@ -267,7 +260,7 @@ function Hash({ text, which }: { text: string; which: "sha256" | "audit-head" })
 function Checking({ newest }: { newest: ExportPackage }) {
   const command = `sightline verify ${newest.filename} --key ${newest.signing_key.slice(0, 32)}`;
   return (
-    <Panel title={say("export-checking")}>
+    <Panel says="export-checking">
       <div class="panel__body stack stack--tight">
         <p>{say("export-checking-help")}</p>
         <p class="export__command">

@@ -40,9 +40,9 @@ export default function JobsScreen() {
   const nameOf = (id: number | null): string => surveys.data?.find((survey) => survey.id === id)?.name ?? "–";
   return (
     <div class="page page--alone">
-      <PageHead title={say("page-jobs")} lead={say("jobs-lead")}>
+      <PageHead says="page-jobs" lead={say("jobs-lead")}>
         <OptionalField
-          label={say("jobs-show")}
+          says="jobs-show"
           value={state}
           none={say("jobs-all")}
           options={choices<string>(STATE_WORDS, STATES)}

@@ -37,7 +37,7 @@ function DriverSideChoice({ model, vehicle }: { model: MeasureModel; vehicle: Ve
       <span class="small">{say("measure-inset-side")}</span>
       {canWork.value ? (
         <Segments
-          label={say("measure-inset-side")}
+          says="measure-inset-side"
           value={side ?? ""}
           options={choices<string>(SIDE_WORDS)}
           onInput={(picked) => model.insets.chooseSide(picked as DriverSide)}
@@ -74,7 +74,7 @@ function RoofChoice({ model, target, entry }: Props) {
     <div class="inset-choice" data-testid={`inset-choice-${target}`}>
       <span class="small">{say("measure-inset-roof")}</span>
       <Segments
-        label={say("measure-inset-roof")}
+        says="measure-inset-roof"
         value={String(value)}
         options={offered.map((choice, i) => ({
           value: String(i),

@@ -73,7 +73,7 @@ export default function PeopleScreen() {
   };
   return (
     <div class="page page--alone">
-      <PageHead title={say("page-people")} lead={say("people-lead")}>
+      <PageHead says="page-people" lead={say("people-lead")}>
         <Button says="people-add" kind="primary" icon="add" onClick={() => setAdding(true)} />
       </PageHead>
       <Problem error={problem} />

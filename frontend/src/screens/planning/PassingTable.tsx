@@ -6,7 +6,7 @@ import type { Passing } from "./model";
 /** Exposure, motion blur and frames of a pass, by speed. */
 export function PassingTable({ passing }: { passing: readonly Passing[] }) {
   return (
-    <Panel title={say("planning-passing-title")} data-testid="plan-passing">
+    <Panel says="planning-passing-title" data-testid="plan-passing">
       <Table
         label={say("planning-passing-title")}
         heads={[

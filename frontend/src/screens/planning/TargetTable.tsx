@@ -12,7 +12,7 @@ interface Props {
 /** Each target's expected uncertainty; the parts it is made of below. */
 export function TargetTable({ targets, travelM }: Props) {
   return (
-    <Panel title={say("planning-targets-title")}>
+    <Panel says="planning-targets-title">
       <Table
         label={say("planning-targets-title")}
         heads={[

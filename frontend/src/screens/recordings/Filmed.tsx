@@ -52,7 +52,7 @@ function FilmedDialog({ recording, change, close }: Props & { close: () => void 
   };
   return (
     <FormDialog
-      title={say("filmed-title", { recording: recording.name })}
+      label={say("filmed-title", { recording: recording.name })}
       action={say(local && !recording.started_at ? "filmed-confirm-action" : "action-save")}
       onClose={close}
       submit={submit}
@@ -68,12 +68,12 @@ function FilmedDialog({ recording, change, close }: Props & { close: () => void 
         step="1"
       />
       <TextField
-        label={say("filmed-weather")}
+        says="filmed-weather"
         {...field("weather")}
         suggestions={say("filmed-weathers").split(", ")}
       />
       <OptionalField
-        label={say("filmed-lamps")}
+        says="filmed-lamps"
         {...field("street_lighting")}
         none={say("filmed-not-said")}
         options={choices(LAMPS)}

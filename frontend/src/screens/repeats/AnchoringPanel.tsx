@@ -1,5 +1,5 @@
 /** How far people lean on proposals that they are shown: heights shown against those measured free, with the goal beside it. */
-import { num, Panel, Problem, Table } from "../../components";
+import { num, Panel, Problem, Select, Table } from "../../components";
 import { api } from "../../core/api";
 import { say, sayCode } from "../../core/messages";
 import { useAsked } from "../../core/resource";
@@ -28,11 +28,7 @@ export function AnchoringPanel({ surveyId }: { surveyId: number }) {
   };
   if (!data) return <Problem error={found.error} again={found.reload} />;
   return (
-    <Panel
-      title={say("anchoring-title")}
-      aside={<Plan plan={data.plan} choose={choose} />}
-      data-testid="anchoring"
-    >
+    <Panel says="anchoring-title" aside={<Plan plan={data.plan} choose={choose} />} data-testid="anchoring">
       <Table
         label={say("anchoring-title")}
         class="repeats"
@@ -94,19 +90,16 @@ function Plan({ plan, choose }: { plan: Anchoring["plan"]; choose: (one_in: numb
   const words = (one_in: number) => say("anchoring-plan", { one_in });
   if (!may("manager")) return <span class="muted small">{words(oneIn)}</span>;
   return (
-    <select
-      class="input"
+    <Select
       aria-label={say("anchoring-plan-choose")}
       title={say("anchoring-plan-choose")}
       data-testid="free-plan"
       value={oneIn}
-      onChange={(event) => choose(Number(event.currentTarget.value))}
-    >
-      {(PLANS.includes(oneIn) ? PLANS : [oneIn, ...PLANS]).map((one) => (
-        <option key={one} value={one}>
-          {words(one)}
-        </option>
-      ))}
-    </select>
+      options={(PLANS.includes(oneIn) ? PLANS : [oneIn, ...PLANS]).map((value) => ({
+        value,
+        label: words(value),
+      }))}
+      onInput={choose}
+    />
   );
 }

@@ -75,9 +75,8 @@ export function ReferenceImport({ model, onClose }: { model: ScanModel; onClose:
         {busy && !plan && <Loading what={say("scan-references-looking")} />}
         {plan && !done && plan.tolerance_s !== null && (
           <CommitField
-            label={say("scan-references-tolerance")}
+            says="scan-references-tolerance"
             value={String(tolerance_s)}
-            numeric
             unit="s"
             hint={say("scan-references-tolerance-hint")}
             check={(text) => (toleranceOf(text) === null ? say("scan-references-tolerance-problem") : null)}

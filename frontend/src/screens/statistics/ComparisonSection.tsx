@@ -14,7 +14,7 @@ export function ComparisonSection({ compared }: { compared: Comparison }) {
     second: compared.second.name,
   });
   return (
-    <Panel title={title} data-testid="comparison">
+    <Panel label={title} data-testid="comparison">
       {compared.figures.length === 0 ? (
         <p class="stat-notes small">{say("statistics-compared-none")}</p>
       ) : (

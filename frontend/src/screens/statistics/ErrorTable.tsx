@@ -50,7 +50,7 @@ function headOf({ key, unit }: Column): string {
 export function ErrorTable({ errors }: { errors: Errors }) {
   return (
     <Panel
-      title={say("statistics-errors-title")}
+      says="statistics-errors-title"
       aside={
         <Button
           small

@@ -163,9 +163,8 @@ function ReferenceU({ value }: { value: string | null }) {
   };
   return (
     <TextField
-      label={say("statistics-reference-u")}
+      says="statistics-reference-u"
       hint={say("statistics-reference-u-hint", { limit: fixedRange(Math.sqrt(3) * now) })}
-      numeric
       unit={unit}
       value={text ?? smallText(now, lengthUnit.value, 2)}
       problem={problem}

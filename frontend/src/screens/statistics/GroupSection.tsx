@@ -31,17 +31,17 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
   const title = TARGET_TITLES[target.target];
   return (
     <Panel
-      title={say("statistics-groups-title")}
+      says="statistics-groups-title"
       aside={
         <div class="row row--wrap stat-noprint">
           <Segments
-            label={say("statistics-groups-target")}
+            says="statistics-groups-target"
             value={target.target}
             options={there.map((one) => ({ value: one.target, label: TARGET_TITLES[one.target] }))}
             onInput={setChosen}
           />
           <Segments
-            label={say("statistics-groups-by")}
+            says="statistics-groups-by"
             value={grouping}
             options={GROUPINGS.map((value) => ({ value, label: GROUPING_WORDS[value] }))}
             onInput={setGrouping}

@@ -20,7 +20,7 @@ const HEADS = wordsOf({
 export function KnownErrorsTable({ found }: { found: readonly KnownErrors[] }) {
   const unit = smallScale()[1];
   return (
-    <Panel title={say("statistics-known-title")}>
+    <Panel says="statistics-known-title">
       {found.length === 0 ? (
         <p class="stat-notes small">{say("statistics-known-none")}</p>
       ) : (

@@ -34,7 +34,7 @@ export function Standards({ standards, surveyId, reload }: Props) {
     setFilter({ off: on ? off.filter((one) => one !== key) : [...off, key] });
   return (
     <Panel
-      title={say("statistics-standards-title")}
+      says="statistics-standards-title"
       aside={
         surveyId &&
         canWork.value &&
@@ -178,13 +178,12 @@ function AddOwn() {
       }}
     >
       <SelectField
-        label={say("statistics-standard-own")}
+        says="statistics-standard-own"
         {...form.field("what")}
         options={choices(WHAT, ["eye_car", "object_stopping"])}
       />
       <TextField
-        label={say("statistics-standard-height")}
-        numeric
+        says="statistics-standard-height"
         unit={lengthUnit.value}
         {...form.field("text")}
         problem={problem}

@@ -1,6 +1,6 @@
 /** Errors against known heights and the distributions of what was measured, for the measurements a filter leaves. */
 import { useEffect } from "preact/hooks";
-import { Button, Empty, Loaded, Notice, PageHead } from "../../components";
+import { Button, Check, Empty, Loaded, Notice, PageHead } from "../../components";
 import { PageTabs } from "../../components/PageTabs";
 import { Said } from "../../components/Said";
 import { query } from "../../core/address";
@@ -39,7 +39,7 @@ export default function StatisticsScreen() {
   return (
     <div class="page page--alone stat-page">
       <PageHead
-        title={say("page-statistics")}
+        says="page-statistics"
         more={
           <p class="page__lead" data-testid="stat-counted">
             {data ? countedWords(data) : say("statistics-lead")}
@@ -47,14 +47,13 @@ export default function StatisticsScreen() {
         }
       >
         <div class="row stat-noprint">
-          <label class="row" title={say("results-paper-help")}>
-            <input
-              type="checkbox"
-              checked={asInPaper()}
-              onChange={(event) => setFilter({ paper: event.currentTarget.checked ? "1" : null })}
-            />
-            {say("results-paper")}
-          </label>
+          <Check
+            says="results-paper"
+            class="row"
+            title={say("results-paper-help")}
+            checked={asInPaper()}
+            onInput={(on) => setFilter({ paper: on ? "1" : null })}
+          />
           <Button says="action-print" onClick={() => window.print()} />
         </div>
       </PageHead>

@@ -45,7 +45,7 @@ export function TargetSection({ target, standards }: Props) {
   return (
     <Panel
       id={`stat-${target.target}`}
-      title={title}
+      label={title}
       note={heightsWords(target)}
       class="stat-target"
       data-testid={`target-${target.target}`}

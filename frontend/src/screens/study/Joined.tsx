@@ -15,7 +15,7 @@ export function Joined({ study, result, edit, remove }: Props) {
   const counted = new Map(result?.found.packages.map((one) => [one.place, one]));
   return (
     <Panel
-      title={say("study-joined")}
+      says="study-joined"
       aside={
         <div class="row">
           {remove && (

@@ -12,7 +12,7 @@ interface SectionProps {
 /** A table under its name. */
 export function Section({ id, title, note, children }: SectionProps) {
   return (
-    <Panel id={id} title={title} data-testid={id}>
+    <Panel id={id} label={title} data-testid={id}>
       <TableScroll label={title}>{children}</TableScroll>
       {note && <p class="stat-notes small">{note}</p>}
     </Panel>

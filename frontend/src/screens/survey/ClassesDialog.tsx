@@ -25,7 +25,7 @@ export function ClassesDialog({ survey, close }: { survey: Survey; close: () => 
     return read.every((one) => one !== null) ? save(survey, read, close) : null;
   };
   return (
-    <FormDialog wide title={say("classes-title")} action={say("action-save")} onClose={close} submit={submit}>
+    <FormDialog wide says="classes-title" action={say("action-save")} onClose={close} submit={submit}>
       <p class="field__hint">{say("classes-help")}</p>
       <Table
         label={say("classes-title")}

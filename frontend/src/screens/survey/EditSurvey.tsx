@@ -43,14 +43,14 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
   const change = (key: InsetName, part: "inset" | "u", value: string) =>
     setInsets({ ...insets, [key]: { ...insets[key], [part]: value } });
   return (
-    <FormDialog title={say("survey-edit-title")} action={say("action-save")} onClose={close} submit={submit}>
+    <FormDialog says="survey-edit-title" action={say("action-save")} onClose={close} submit={submit}>
       <TextField
-        label={say("survey-name")}
+        says="survey-name"
         {...field("name")}
         problem={values.name.trim() ? null : say("survey-name-problem")}
       />
-      <TextField label={say("survey-site")} {...field("site")} />
-      <TextField label={say("survey-description")} {...field("description")} rows={3} />
+      <TextField says="survey-site" {...field("site")} />
+      <TextField says="survey-description" {...field("description")} rows={3} />
       <PlaceFields {...field("place")} />
       {misplaced && <p class="field__problem">{misplaced}</p>}
       <TrafficFields {...field("traffic")} />

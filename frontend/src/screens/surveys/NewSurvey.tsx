@@ -36,20 +36,16 @@ export function NewSurvey({ close }: { close: () => void }) {
     navigate(`/surveys/${made.id}`);
   };
   return (
-    <FormDialog title={say("surveys-new")} action={say("surveys-new-make")} onClose={close} submit={submit}>
+    <FormDialog says="surveys-new" action={say("surveys-new-make")} onClose={close} submit={submit}>
       <TextField
-        label={say("surveys-new-name")}
+        says="surveys-new-name"
         {...field("name")}
         placeholder={say("surveys-new-name-example")}
         problem={missing && !name ? say("surveys-new-name-problem") : null}
       />
+      <TextField says="surveys-new-site" {...field("site")} placeholder={say("surveys-new-site-example")} />
       <TextField
-        label={say("surveys-new-site")}
-        {...field("site")}
-        placeholder={say("surveys-new-site-example")}
-      />
-      <TextField
-        label={say("surveys-new-description")}
+        says="surveys-new-description"
         {...field("description")}
         rows={3}
         hint={say("surveys-new-description-hint")}

@@ -22,7 +22,7 @@ export function Checkpoints() {
     });
   return (
     <Panel
-      title={say("system-checkpoints")}
+      says="system-checkpoints"
       aside={<Button says="system-checkpoints-sign" busy={busy} onClick={() => void sign()} />}
       data-testid="checkpoints"
     >
