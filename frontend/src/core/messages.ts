@@ -3,7 +3,6 @@
  * The sentences are in `backend/sightline/messages/<language>.ftl` (Project Fluent), which the server reads too.
  * Keys and the values that a sentence takes are type-checked: `npm run types` makes `#messages` out of en.ftl.
  */
-
 import words from "virtual:words";
 import english from "virtual:words/en/everywhere";
 import { FluentBundle, type FluentFunction, FluentNumber, type FluentVariable } from "@fluent/bundle";

@@ -114,11 +114,7 @@ function Checks() {
     <Checked
       checks={checksSoFar()}
       ended={done.value}
-      verdicts={{
-        wrong: say("opened-is-wrong"),
-        fine: say("opened-is-fine"),
-        open: say("opened-checking"),
-      }}
+      verdicts={{ wrong: say("opened-is-wrong"), fine: say("opened-is-fine"), open: say("opened-checking") }}
       underWay={
         !done.value && (
           <progress class="opened__progress" value={progress.value} aria-label={say("opened-checking")} />

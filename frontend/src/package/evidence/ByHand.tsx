@@ -1,5 +1,4 @@
 /** Both pictures with boundaries that the reader sets, laid over each other, and what these boundaries give. */
-
 import { useState } from "preact/hooks";
 import { decimal } from "../language";
 import { say } from "../say";

@@ -1,5 +1,4 @@
 /** What the file says, part by part; every number as it stands there. */
-
 import type { ComponentChildren } from "preact";
 import { decimal, told } from "../language";
 import { say } from "../say";

@@ -85,11 +85,7 @@ export function useStart(of: Started): StartTyped {
   };
 }
 
-const BUTTONS = wordsOf({
-  confirmed: "filmed-edit",
-  proposed: "filmed-confirm",
-  unknown: "filmed-enter",
-});
+const BUTTONS = wordsOf({ confirmed: "filmed-edit", proposed: "filmed-confirm", unknown: "filmed-enter" });
 
 interface LineProps {
   testId: string;

@@ -36,10 +36,7 @@ export default function AuditScreen({ surveyId }: ScreenProps) {
   const [older, setOlder] = useState<NamedEvent[]>([]);
   const [atEnd, setAtEnd] = useState(false);
   const { busy, problem, run } = useAction();
-  const filter = {
-    limit: PAGE,
-    ...fromAddress<"GET /audit/events">(filters),
-  };
+  const filter = { limit: PAGE, ...fromAddress<"GET /audit/events">(filters) };
   const first = useResource(
     async (signal) => {
       const page = await api.ask("GET /audit/events", filter, { signal });

@@ -109,11 +109,7 @@ function ChangesOf({ found, of }: { found: ComputedHeights; of: keyof typeof PLA
         const at = { x: (one: ComputedHeight) => (at_m(one) ?? 0) * perX, y: changeIn(perY) };
         return {
           x: { label: say(axis, { unit: long }) },
-          y: {
-            label: say("computing-figure-y", { small }),
-            nice: true,
-            zero: true,
-          },
+          y: { label: say("computing-figure-y", { small }), nice: true, zero: true },
           marks: [
             plot.ruleY([0], { stroke: "var(--line-strong)" }),
             readable(

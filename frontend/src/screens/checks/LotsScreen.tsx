@@ -220,10 +220,7 @@ function Lots({ lots, shown }: { lots: readonly ShownLot[]; shown: ShownLot | un
         rowAttributes={(one) => ({ "aria-current": one === shown ? "true" : undefined })}
         columns={({ col, num }) => [
           col(say("lots-lot"), (one) =>
-            say("lots-named", {
-              number: String(one.lot.number),
-              common: commonInWords(one.lot.common),
-            }),
+            say("lots-named", { number: String(one.lot.number), common: commonInWords(one.lot.common) }),
           ),
           num(say("lots-size"), (one) => formatCount(one.lot.size)),
           num(

@@ -76,10 +76,7 @@ function RoofChoice({ model, target, entry }: Props) {
       <Segments
         says="measure-inset-roof"
         value={String(value)}
-        options={offered.map((choice, i) => ({
-          value: String(i),
-          label: INSET_PLACE_WORDS[choice.place],
-        }))}
+        options={offered.map((choice, i) => ({ value: String(i), label: INSET_PLACE_WORDS[choice.place] }))}
         onInput={(picked) => {
           const choice = offered[Number(picked)];
           if (choice) model.insets.choose(target, { inset_m: choice.inset_m, u_inset_m: choice.u_inset_m });

@@ -1,5 +1,4 @@
 /** Below the frame: recording, steps, frame and time, loupe; and the timeline with the passes. */
-
 import { useEffect } from "preact/hooks";
 import { Select } from "../../components";
 import { CommandButton } from "../../components/CommandButton";

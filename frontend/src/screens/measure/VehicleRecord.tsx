@@ -1,8 +1,6 @@
 /** The record of a vehicle: its model, what is known of it, how it was filmed; saved by itself. */
-
 import { useMemo, useRef } from "preact/hooks";
 import { choices, OptionalField } from "../../components";
-
 import { CommitField, LengthField } from "../../components/CommitField";
 import { TypingHold } from "../../components/typing";
 import { say } from "../../core/messages";

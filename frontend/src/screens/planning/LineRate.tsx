@@ -1,5 +1,4 @@
 /** What a rig of line cameras will be worth, and equation (2) of the line-scan paper beside it. */
-
 import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
 import { DataTable, Loaded, Panel, Table } from "../../components";

@@ -80,9 +80,7 @@ function Planned({ surveyId, values }: { surveyId: number; values: Values }) {
   const plan = useResource(
     (signal) => askPlan(surveyId, values, signal),
     [surveyId, JSON.stringify(values)],
-    {
-      keep: true,
-    },
+    { keep: true },
   );
   if (plan.error || !plan.data) return <Loaded of={plan} what={say("planning-loading")} />;
   return <Result plan={plan.data} />;

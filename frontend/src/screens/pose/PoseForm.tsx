@@ -1,5 +1,4 @@
 /** The questions about the board, in the order of work, in words and with a drawing. */
-
 import { Button, JobProgress, Notice, Segments, SelectField, TextField } from "../../components";
 import { hint } from "../../core/commands";
 import { fieldsOf } from "../../core/form";

@@ -1,5 +1,4 @@
 /** When and in what weather a recording was filmed: proposed from its file, confirmed by a person. */
-
 import { choices, FormDialog, OptionalField, TextField } from "../../components";
 import { useForm } from "../../core/form";
 import { say, wordsOf } from "../../core/messages";

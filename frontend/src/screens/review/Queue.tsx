@@ -54,11 +54,7 @@ export function Queue({ model }: { model: ReviewModel }) {
         <LotLine model={model} />
         {work && (
           <p class="small muted" data-testid="review-counts">
-            {say("review-counts", {
-              accepted: work.accepted,
-              rejected: work.rejected,
-              count: work.heights,
-            })}{" "}
+            {say("review-counts", { accepted: work.accepted, rejected: work.rejected, count: work.heights })}{" "}
             {work.own > 0 && say("review-own-waiting", { count: work.own })}
           </p>
         )}

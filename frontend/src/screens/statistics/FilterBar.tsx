@@ -119,13 +119,7 @@ function Surveys({ found, chosen }: { found: Statistics | null; chosen: readonly
       label={say("statistics-filter-surveys")}
       words={word}
       help={say("statistics-filter-surveys-help")}
-      groups={[
-        {
-          options: named(list),
-          chosen,
-          onChange: (survey) => setFilter({ survey }),
-        },
-      ]}
+      groups={[{ options: named(list), chosen, onChange: (survey) => setFilter({ survey }) }]}
     />
   );
 }

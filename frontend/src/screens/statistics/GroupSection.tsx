@@ -70,11 +70,7 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
           options={(plot, unit) => {
             const [perX, long] = lengthScale(unit);
             return {
-              x: {
-                label: say("statistics-height-x", { unit: long }),
-                nice: true,
-                inset: 6,
-              },
+              x: { label: say("statistics-height-x", { unit: long }), nice: true, inset: 6 },
               y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
               marks: [...curves.flatMap(({ ecdf, curve }) => ecdfMarks(plot, ecdf, curve, perX))],
             };
@@ -100,10 +96,7 @@ export function drawn(groups: readonly Group[], grouping: string): { ecdf: Ecdf;
       const band = groups.length <= MOST_BANDS; // more of them hide each other; the CSV has them all
       const word = groupWord(grouping, one.word);
       return [
-        {
-          ecdf: one.ecdf,
-          curve: { word, hue: (i % HUES) as Hue, dash: i < HUES ? undefined : "6 4", band },
-        },
+        { ecdf: one.ecdf, curve: { word, hue: (i % HUES) as Hue, dash: i < HUES ? undefined : "6 4", band } },
       ];
     });
 }

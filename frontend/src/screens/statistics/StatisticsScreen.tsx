@@ -67,9 +67,7 @@ export default function StatisticsScreen() {
           <Said
             what="statistics-without-time"
             values={{ count: data.counted.without_time }}
-            parts={{
-              link: (text) => (only ? <a href={`/surveys/${only}/recordings`}>{text}</a> : text),
-            }}
+            parts={{ link: (text) => (only ? <a href={`/surveys/${only}/recordings`}>{text}</a> : text) }}
           />
         </Notice>
       )}
@@ -78,9 +76,7 @@ export default function StatisticsScreen() {
           <Said
             what="statistics-without-class"
             values={{ count: data.counted.without_class }}
-            parts={{
-              link: (text) => (only ? <a href={`/surveys/${only}/measure`}>{text}</a> : text),
-            }}
+            parts={{ link: (text) => (only ? <a href={`/surveys/${only}/measure`}>{text}</a> : text) }}
           />
         </Notice>
       )}

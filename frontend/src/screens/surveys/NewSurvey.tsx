@@ -10,14 +10,7 @@ import { NO_PLACE, PlaceFields, readPlace } from "../../parts/vehicles/PlaceFiel
 import { TrafficFields } from "../../parts/vehicles/TrafficFields";
 
 const UNSAID: Traffic = { traffic_side: null, steering_side: null, camera_place: null };
-const EMPTY = {
-  name: "",
-  site: "",
-  description: "",
-  place: NO_PLACE,
-  traffic: UNSAID,
-  asked: USUALLY_ASKED,
-};
+const EMPTY = { name: "", site: "", description: "", place: NO_PLACE, traffic: UNSAID, asked: USUALLY_ASKED };
 
 export function NewSurvey({ close }: { close: () => void }) {
   const { values, field } = useForm(EMPTY);

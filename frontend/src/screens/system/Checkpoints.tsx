@@ -1,5 +1,4 @@
 /** What the installation signed: where its audit chains ended, to be kept in another place. */
-
 import { Button, Empty, Facts, Loading, num, Panel, Problem, Table } from "../../components";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";

@@ -1,0 +1,23 @@
+/** The cell of a figure, with its interval below it. */
+import type { ComponentChildren } from "preact";
+import { NONE, range, scaled } from "./numbers";
+import type { Interval } from "./types";
+
+interface FigureCellProps {
+  figure: { value: number | null; ci95?: Interval | null } | undefined;
+  /** What a number is multiplied by to be shown, and its decimals. */
+  factor: number;
+  digits: number;
+  title?: string;
+  /** How the number stands out. */
+  drawn?: (text: string) => ComponentChildren;
+}
+
+export function FigureCell({ figure, factor, digits, title, drawn = (text) => text }: FigureCellProps) {
+  return (
+    <td class="num" title={title}>
+      {drawn(scaled(figure?.value ?? null, factor, digits))}
+      <div class="stat-ci">{range(figure?.ci95 ?? null, factor, digits) ?? NONE}</div>
+    </td>
+  );
+}
