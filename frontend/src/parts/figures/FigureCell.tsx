@@ -1,5 +1,6 @@
-/** The cell of a figure, with its interval below it. */
+/** A figure with its interval below it. */
 import type { ComponentChildren } from "preact";
+import { say } from "../../core/messages";
 import { NONE, range, scaled } from "./numbers";
 import type { Interval } from "./types";
 
@@ -19,5 +20,17 @@ export function FigureCell({ figure, factor, digits, title, drawn = (text) => te
       {drawn(scaled(figure?.value ?? null, factor, digits))}
       <div class="stat-ci">{range(figure?.ci95 ?? null, factor, digits) ?? NONE}</div>
     </td>
+  );
+}
+
+/** The same of words that are written already. */
+export function Bounded({ value, low, high }: { value: string; low: string | null; high: string | null }) {
+  return (
+    <>
+      <strong>{value}</strong>
+      {low !== null && high !== null && (
+        <div class="stat-ci">{say("statistics-compared-interval", { low, high })}</div>
+      )}
+    </>
   );
 }

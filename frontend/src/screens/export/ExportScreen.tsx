@@ -3,16 +3,15 @@ import {
   Button,
   Check,
   choices,
+  DataTable,
   Empty,
   JobProgress,
   Loaded,
   Notice,
-  num,
   OptionalField,
   PageHead,
   Panel,
   Problem,
-  Table,
 } from "../../components";
 import { nameOfLanguage } from "../../components/LanguageChoice";
 import { Said } from "../../components/Said";
@@ -206,44 +205,43 @@ async function copy(text: string, said: string) {
 
 function Packages({ list }: { list: ExportPackage[] }) {
   return (
-    <Table
+    <DataTable
       label={say("export-packages")}
       class="table--hover"
-      heads={[
-        say("export-made"),
-        say("export-by"),
-        say("export-of"),
-        say("export-language"),
-        num(say("export-size")),
-        <span class="visually-hidden">{say("export-download-column")}</span>,
-        say("export-sha256"),
-        say("export-audit-head"),
+      rows={list}
+      keyOf={(entry) => entry.id}
+      columns={({ col, num, actions }) => [
+        col(
+          say("export-made"),
+          (entry) => (
+            <>
+              {formatMoment(entry.created_at)}
+              <Outdated since={entry.since} />
+            </>
+          ),
+          "nowrap",
+        ),
+        col(say("export-by"), (entry) => entry.created_by?.name ?? "–", "nowrap"),
+        col(say("export-of"), (entry) => wantedWords(entry.selection) || say("export-of-all")),
+        col(say("export-language"), (entry) => nameOfLanguage(entry.language), "nowrap"),
+        num(say("export-size"), (entry) => formatBytes(entry.size_bytes), "nowrap"),
+        actions(say("export-download-column"), (entry) => (
+          <Button says="export-download" small icon="download" href={entry.url} download />
+        )),
+        col(say("export-sha256"), (entry) => <Hash text={entry.sha256} which="sha256" />, "export__hash"),
+        col(
+          say("export-audit-head"),
+          (entry) => <Hash text={entry.audit_head} which="audit-head" />,
+          "export__hash",
+        ),
       ]}
-    >
-      {list.map((entry) => (
-        <tr key={entry.id}>
-          <td class="nowrap">
-            {formatMoment(entry.created_at)}
-            <Outdated since={entry.since} />
-          </td>
-          <td class="nowrap">{entry.created_by?.name ?? "–"}</td>
-          <td>{wantedWords(entry.selection) || say("export-of-all")}</td>
-          <td class="nowrap">{nameOfLanguage(entry.language)}</td>
-          <td class="num nowrap">{formatBytes(entry.size_bytes)}</td>
-          <td>
-            <Button says="export-download" small icon="download" href={entry.url} download />
-          </td>
-          <Hash text={entry.sha256} which="sha256" />
-          <Hash text={entry.audit_head} which="audit-head" />
-        </tr>
-      ))}
-    </Table>
+    />
   );
 }
 
 function Hash({ text, which }: { text: string; which: "sha256" | "audit-head" }) {
   return (
-    <td class="export__hash">
+    <>
       <code title={text}>{text.slice(0, 16)}…</code>
       <Button
         small
@@ -252,7 +250,7 @@ function Hash({ text, which }: { text: string; which: "sha256" | "audit-head" })
         label={say(`export-${which}-copy`)}
         onClick={() => void copy(text, say(`export-${which}-copied`))}
       />
-    </td>
+    </>
   );
 }
 

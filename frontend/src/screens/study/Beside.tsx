@@ -2,7 +2,7 @@ import { useState } from "preact/hooks";
 import { Loaded, Notice, named, OptionalField, Panel, Problem } from "../../components";
 import { say } from "../../core/messages";
 import { useAsked } from "../../core/resource";
-import { Differences } from "./Differences";
+import { Differences } from "../../parts/figures/Differences";
 import { Section } from "./Section";
 
 /** This study less another one that the person chooses. */
