@@ -1,9 +1,8 @@
 import { useState } from "preact/hooks";
 import { FormDialog, num, Table, TextField } from "../../components";
-import { api } from "../../core/api";
 import { useForm } from "../../core/form";
 import { say } from "../../core/messages";
-import { refreshSurvey } from "../../core/survey";
+import { changeSurvey } from "../../core/survey";
 import type { Inset, InsetName, Place, Survey } from "../../core/types";
 import { lengthText, lengthUnit, parseLength } from "../../core/units";
 import { INSET_NAMES, INSET_WORDS } from "../../core/words";
@@ -31,12 +30,7 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
     return save(read, placed);
   };
   const save = async (read: Record<InsetName, Inset>, placed: Place) => {
-    await api.write(
-      "PUT /surveys/{survey_id}",
-      { survey_id: survey.id },
-      { body: { ...values, place: placed, insets: read, version: survey.version } },
-    );
-    await refreshSurvey();
+    await changeSurvey(survey, { ...values, place: placed, insets: read });
     close();
   };
   const unit = lengthUnit.value;

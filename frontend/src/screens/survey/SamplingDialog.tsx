@@ -1,10 +1,9 @@
 /** Which passes of a survey are to be measured, and how many of each lighting and set of classes. */
 import { useState } from "preact/hooks";
 import { Check, choices, FormDialog, SelectField, TextField } from "../../components";
-import { api } from "../../core/api";
 import { fieldsOf } from "../../core/form";
 import { say, wordsOf } from "../../core/messages";
-import { refreshSurvey } from "../../core/survey";
+import { changeSurvey } from "../../core/survey";
 import type { ClassSet, Lighting, Quota, Sampling, Survey } from "../../core/types";
 import { parseNumber } from "../../core/units";
 import { CLASS_SET_WORDS, LIGHTING_WORDS } from "../../core/words";
@@ -33,7 +32,10 @@ export function SamplingDialog({ survey, close }: { survey: Survey; close: () =>
   const [typed, setTyped] = useState<Typed>(() => typedOf(survey.sampling));
   const change = (part: Partial<Typed>) => setTyped({ ...typed, ...part });
   const wrong = problemsOf(typed);
-  const submit = () => (Object.values(wrong).some(Boolean) ? null : save(survey, samplingOf(typed), close));
+  const submit = () =>
+    Object.values(wrong).some(Boolean)
+      ? null
+      : changeSurvey(survey, { sampling: samplingOf(typed) }).then(close);
   const field = fieldsOf(typed, change);
   return (
     <FormDialog says="sample-dialog" action={say("action-save")} onClose={close} submit={submit}>
@@ -148,15 +150,4 @@ function samplingOf(typed: Typed): Sampling {
       return wanted === null ? [] : [{ ...kind, wanted }];
     }),
   };
-}
-
-async function save(survey: Survey, sampling: Sampling, close: () => void): Promise<void> {
-  const { id, name, site, description, version } = survey;
-  await api.write(
-    "PUT /surveys/{survey_id}",
-    { survey_id: id },
-    { body: { name, site, description, version, sampling } },
-  );
-  await refreshSurvey();
-  close();
 }
