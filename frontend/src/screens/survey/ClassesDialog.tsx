@@ -3,6 +3,7 @@ import { useState } from "preact/hooks";
 import { choices, FormDialog, OptionalField, Table, TextField } from "../../components";
 import { fieldsOf } from "../../core/form";
 import { say } from "../../core/messages";
+import { changeSurvey } from "../../core/survey";
 import type { Survey, VehicleClass } from "../../core/types";
 import { CATEGORY_WORDS, CLASS_SET_WORDS } from "../../core/words";
 
