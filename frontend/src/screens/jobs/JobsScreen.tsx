@@ -76,10 +76,11 @@ export default function JobsScreen() {
                 <Progress value={job.progress} label={sentenceOf(job.message) ?? "…"} />
               ),
             ),
-            {
-              ...col(say("jobs-column-begun"), (job) => formatAgo(job.created_at), "muted nowrap"),
-              cellTitle: (job) => formatMoment(job.created_at),
-            },
+            col(say("jobs-column-begun"), ({ created_at }) => (
+              <span class="muted nowrap" title={formatMoment(created_at)}>
+                {formatAgo(created_at)}
+              </span>
+            )),
             actions(say("people-actions"), (job) => <Actions job={job} run={run} />, "num"),
           ]}
         />

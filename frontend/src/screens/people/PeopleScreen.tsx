@@ -106,14 +106,11 @@ export default function PeopleScreen() {
                 "people__role",
               ),
               col(say("people-state"), (person) => <StateOf person={person} />),
-              {
-                ...col(
-                  say("people-last-seen"),
-                  ({ last_seen_at }) => (last_seen_at ? formatAgo(last_seen_at) : say("people-never")),
-                  "muted nowrap",
-                ),
-                cellTitle: (person) => person.last_seen_at ?? undefined,
-              },
+              col(say("people-last-seen"), ({ last_seen_at }) => (
+                <span class="muted nowrap" title={last_seen_at ?? undefined}>
+                  {last_seen_at ? formatAgo(last_seen_at) : say("people-never")}
+                </span>
+              )),
               actions(
                 say("people-actions"),
                 (person) => (
