@@ -37,7 +37,6 @@ export type ListedStudy = Schemas["ListedStudy"];
 export type StudyPage = Schemas["StudyPage"];
 export type Study = StudyPage["study"];
 export type StudyResult = NonNullable<StudyPage["result"]>;
-export type StudiesBeside = Schemas["BesideBody"];
 
 export type Inset = Schemas["Inset"];
 export type Step = Schemas["Step"];
