@@ -1725,7 +1725,7 @@ measure-side-from = { $from ->
     }
     [place] sens inconnu : vus du terre-plein central, tous vont dans le même sens
     [undirected] sens inconnu : la hauteur de l’œil ne peut pas être calculée ; indiquez ici le côté, proche ou éloigné, ou le sens du véhicule
-   *[unknown] inconnu : la hauteur de l’œil ne peut pas être calculée ; indiquez-le ici pour ce véhicule, ou <link>sur la page du relevé</link> pour tous
+   *[unknown] inconnu : la hauteur de l’œil ne peut pas être calculée ; indiquez-le ici pour ce véhicule, ou sous <link>Paramètres</link> pour tous
 }
 measure-inset-roof = Point du toit
 measure-inset-needs-class = Choisissez la classe : le retrait d’un toit en dépend.
