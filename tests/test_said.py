@@ -64,7 +64,8 @@ def test_it_always_has_words(one: Said) -> None:
 
 def test_words_in_the_language_of_the_reader() -> None:
     assert "(height error up to 14 mm); compute" in str(MOVED)
-    assert "bougé de 2,5 px après le calcul de la pose (erreur de hauteur jusqu’à 14 mm)" in MOVED.sentence("fr")
+    french = MOVED.sentence("fr")
+    assert "bougé de 2,5 px après le calcul de la pose (erreur de hauteur jusqu’à 14 mm)" in french
     within = Said("height-of-frame", frame=2, frames=3, reason=HORIZON)
     assert str(within) == f"Frame 2 of 3: {HORIZON}"
     assert HORIZON.sentence("fr") in within.sentence("fr")
