@@ -9,6 +9,10 @@ import { words, wordsName } from "./tools/words.ts";
 /** Where `npm run dev` finds the server; the built front end is served by the server itself. */
 const server = `http://127.0.0.1:${process.env.SIGHTLINE_PORT ?? "8000"}`;
 
+/** The stage, and what stands about it: its tools, undo, and the lists beside it. */
+const STAGE =
+  /[\\/]src[\\/](viewer[\\/]|core[\\/](history|latest|shape)|components[\\/](undoTools|CommandButton|oneTabStop|inSight))/;
+
 export default defineConfig({
   plugins: [guide(), licences(), words()],
   // the catalogue of messages lies beside the server's code, the guide in docs/
@@ -25,11 +29,13 @@ export default defineConfig({
       treeshake: { moduleSideEffects: [{ test: /[\\/]src[\\/]components[\\/]/, sideEffects: false }] },
       output: {
         chunkFileNames: ({ moduleIds }) => `assets/${wordsName(moduleIds) ?? "[name]"}-[hash].js`,
-        // what every page loads is one file, and so is the stage of the pages with frames: many small ones are a tenth more
+        // what every page loads is one file, and so are the stage of the pages with frames and how clicks are sent: many
+        // small ones are a tenth more
         codeSplitting: {
           groups: [
             { name: "base", tags: ["$initial"], priority: 1 },
-            { name: "frames", test: /[\\/]src[\\/]viewer[\\/]/, minShareCount: 4 },
+            { name: "frames", test: STAGE, minShareCount: 3 },
+            { name: "clicks", test: /[\\/]measure[\\/].*(kinds|fields|sizes)\.ts/, minShareCount: 2 },
           ],
         },
       },

@@ -64,7 +64,8 @@ def test_it_always_has_words(one: Said) -> None:
 
 def test_words_in_the_language_of_the_reader() -> None:
     assert "(height error up to 14 mm); compute" in str(MOVED)
-    assert "bougé de 2,5 px depuis sa pose (erreur de hauteur jusqu’à 14 mm)" in MOVED.sentence("fr")
+    french = MOVED.sentence("fr")
+    assert "bougé de 2,5 px après le calcul de la pose (erreur de hauteur jusqu’à 14 mm)" in french
     within = Said("height-of-frame", frame=2, frames=3, reason=HORIZON)
     assert str(within) == f"Frame 2 of 3: {HORIZON}"
     assert HORIZON.sentence("fr") in within.sentence("fr")
@@ -139,8 +140,8 @@ def test_a_cell_of_several_has_their_words() -> None:
         (Said("stat-density-needs", least=10, count=0), "there is none.", "il n’y en a aucun."),
         (Said("stat-density-needs", least=10, count=1), "there is 1.", "il y en a 1."),
         (Said("stat-density-needs", least=10, count=2), "there are 2.", "il y en a 2."),
-        (Said("stat-too-few", count=1, needed=5), "1 vehicle is too few", "1 véhicule est trop peu"),
-        (Said("stat-too-few", count=2, needed=5), "2 vehicles are too few", "2 véhicules sont trop peu"),
+        (Said("stat-too-few", count=1, needed=5), "1 vehicle is too few", "1 véhicule ne suffit pas"),
+        (Said("stat-too-few", count=2, needed=5), "2 vehicles are too few", "2 véhicules ne suffisent pas"),
         (Said("overview-remeasure", count=1), "1 rejected measurement.", "une mesure rejetée."),
         (Said("overview-remeasure", count=2), "2 rejected measurements.", "2 mesures rejetées."),
         (Said("passes-were-found", found=0), "No passes were found", "Aucun passage"),

@@ -1,7 +1,8 @@
 /** The words of the pages by rooms, cut out of the catalogue when the pages are built: a page fetches those it says.
  *
- * A room is a folder of `src/screens`, with what it imports of `parts` and `viewer`. What the app around the screens says,
- * and what more than two rooms say, is said "everywhere"; what no page says is the "server"'s, fetched once one of its sentences is to be said in another language.
+ * A room is a folder of `src/screens`, with what it imports of `parts` and `viewer`. What only its parts say that are
+ * shown `late` is the room of its own that comes with them. What the app around the screens says, and what more than two
+ * rooms say, is said "everywhere"; what no page says is the "server"'s, fetched where it has not said it itself.
  */
 import { readdirSync, readFileSync } from "node:fs";
 import { basename, dirname, join, posix } from "node:path";
@@ -15,6 +16,7 @@ const CATALOGUE = join(HERE, "../../backend/sightline/messages");
 const PAGES = join(HERE, "../src");
 const SOURCE = "en";
 const [EVERYWHERE, SERVER] = ["everywhere", "server"] as const;
+const LATE = "-late";
 const MOST_ROOMS = 2;
 
 /** `virtual:words`: each language's rooms and how their words are fetched; `virtual:words/<language>/<room>`: the words,
@@ -56,7 +58,7 @@ function read(source: string): Record<string, unknown> {
 
 /** What the file of a language's room is called: "words-fr-measure". */
 export function wordsName(modules: readonly string[]): string | null {
-  const [, language, room] = /^\0virtual:words\/(\w+)\/(\w+)$/.exec(modules[0] ?? "") ?? [];
+  const [, language, room] = /^\0virtual:words\/(\w+)\/([\w-]+)$/.exec(modules[0] ?? "") ?? [];
   return room && modules.length === 1 ? `words-${language}-${room}` : null;
 }
 
@@ -69,7 +71,8 @@ export function byRoom(language: string): ReadonlyMap<string, string> {
   const rooms = process.env.VITEST ? new Map<string, Set<string>>() : roomsOf(entries);
   const made = new Map<string, Entry[]>();
   for (const entry of entries) {
-    const said = [...(rooms.get(entry.id.name) ?? [EVERYWHERE])];
+    const all = rooms.get(entry.id.name) ?? new Set([EVERYWHERE]);
+    const said = [...all].filter((room) => !room.endsWith(LATE) || !all.has(room.slice(0, -LATE.length)));
     const everywhere = entry.type === "Term" || said.includes(EVERYWHERE) || said.length > MOST_ROOMS;
     for (const room of everywhere ? [EVERYWHERE] : said.length > 0 ? said : [SERVER]) made.set(room, [...(made.get(room) ?? []), entry]);
   }
@@ -117,24 +120,33 @@ function sources(): ReadonlyMap<string, string> {
 /** Which rooms' code each module is in: what the app around the screens imports is everywhere, and so is what nobody does. */
 function roomsOfModules(files: ReadonlyMap<string, string>): ReadonlyMap<string, ReadonlySet<string>> {
   const found = new Map<string, Set<string>>([...files.keys()].map((file) => [file, new Set()]));
-  const visit = (file: string, room: string, imports: RegExp): void => {
+  const imported = (file: string, imports: RegExp): string[] =>
+    [...(files.get(file) ?? "").matchAll(imports)].flatMap(([, to = ""]) => {
+      const path = posix.join(posix.dirname(file), to);
+      return [`${path}.ts`, `${path}.tsx`, `${path}/index.ts`].find((one) => files.has(one)) ?? [];
+    });
+  const visit = (file: string, room: string): void => {
     const rooms = found.get(file);
     if (!rooms || rooms.has(room) || rooms.has(EVERYWHERE)) return;
     rooms.add(room);
-    for (const [, first, later] of (files.get(file) ?? "").matchAll(imports)) {
-      const path = posix.join(posix.dirname(file), first ?? later ?? "");
-      const module = [`${path}.ts`, `${path}.tsx`, `${path}/index.ts`].find((one) => files.has(one));
-      if (module) visit(module, room, imports);
-    }
+    for (const module of imported(file, FIRST)) visit(module, room);
+    if (room === EVERYWHERE) return;
+    for (const module of imported(file, SOON)) visit(module, room);
+    for (const module of imported(file, SHOWN_LATE)) visit(module, room.endsWith(LATE) ? room : room + LATE);
   };
-  for (const file of files.keys()) if (/^(app|core|components|main)\b/.test(file)) visit(file, EVERYWHERE, FIRST);
-  for (const file of files.keys()) if (file.startsWith("screens/")) visit(file, roomOf(file), FIRST_OR_LATE);
+  for (const file of files.keys()) if (/^(app|core|components|main)\b/.test(file)) visit(file, EVERYWHERE);
+  for (const file of files.keys())
+    for (const module of file.startsWith("app/") ? imported(file, ANY_LATER) : [])
+      if (module.startsWith("screens/")) visit(module, roomOf(module));
   for (const [file, rooms] of found) if (rooms.has(EVERYWHERE) || rooms.size === 0) found.set(file, new Set([EVERYWHERE]));
   return found;
 }
 
 const FIRST = /^(?:import|export)\s+(?!type\b)(?:[^;"]*?from\s+)?"(\.[^"]+)";/gm;
-const FIRST_OR_LATE = new RegExp(`${FIRST.source}|\\bimport\\("(\\.[^"]+)"\\)`, "gm");
+const ANY_LATER = /\bimport\("(\.[^"]+)"\)/g;
+const SHOWN_LATE = new RegExp(`\\blate\\(.*${ANY_LATER.source}`, "g");
+/** What a page imports for itself, after what it is opened for. */
+const SOON = new RegExp(`^(?!.*\\blate\\().*${ANY_LATER.source}`, "gm");
 
 function referredTo(entry: Entry): string[] {
   const within = new Within();

@@ -72,14 +72,14 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    """Tests that needed a second try are named here and in .build/flaky.txt."""
-    again = sorted({report.nodeid for report in terminalreporter.stats.get("rerun", [])})
+    """Tests that needed a second try are named here and in .build/flaky.txt, with what the first one said."""
+    again = {report.nodeid: report.longreprtext for report in terminalreporter.stats.get("rerun", [])}
     place = ROOT / ".build" / "flaky.txt"
     place.parent.mkdir(exist_ok=True)
-    place.write_text("".join(f"{name}\n" for name in again))
-    if again:
-        words = f"WARNING: {len(again)} needed a second try: .build/flaky.txt"
-        terminalreporter.write_line(words, yellow=True)
+    place.write_text("".join(f"{name}\n{said}\n\n" for name, said in sorted(again.items())))
+    for name, said in sorted(again.items()):
+        terminalreporter.write_line(f"WARNING: {name} needed a second try (.build/flaky.txt):", yellow=True)
+        terminalreporter.write_line("\n".join(line for line in said.splitlines() if line[:1] in ">E"))
 
 
 def chromium_path() -> str | None:

@@ -264,7 +264,7 @@ def test_a_killed_backup_goes_on(filled: Services, tmp_path: Path, new_place: Ne
     asked = ["backup", str(folder), "--data-dir", str(settings.data_dir)]
     addresses = {"SIGHTLINE_DATABASE_URL": settings.database_url, "SIGHTLINE_MEDIA_URL": settings.media_url}
     copied = 0
-    for where in ("check_room", "replace", "sync_folder"):
+    for where in ("check_room", "replace", "sync_to_disk"):
         command = [sys.executable, "-c", KILLED, where, "16", *asked]
         done = subprocess.run(command, env=os.environ | addresses, stderr=subprocess.DEVNULL, check=False)
         assert done.returncode == -signal.SIGKILL

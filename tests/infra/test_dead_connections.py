@@ -1,9 +1,11 @@
 """Connections to PostgreSQL that died without a word, and writers that died with the turn in hand."""
 
+import asyncio
 import threading
 import time
 from collections.abc import Iterator
 
+import psycopg
 import pytest
 from sqlalchemy import Engine, make_url, text
 
@@ -20,7 +22,7 @@ from sightline.infra.database.engine import (
 from sightline.surveys.store import create_survey, list_surveys
 from tests.conftest import SERVER
 from tests.support.relay import Relay
-from tests.support.waiting import NEVER_S
+from tests.support.waiting import NEVER_S, until
 
 pytestmark = [
     pytest.mark.dialect,
@@ -90,6 +92,52 @@ def test_connections_that_died_in_the_pool_are_found_by_one_question(relay: Rela
             assert session.execute(text("SELECT 1")).scalar_one() == 1
     # one silent second; without limits it would be four times the kernel's patience
     assert time.monotonic() - begun >= 1.0 and through.pool.checkedout() == 0  # type: ignore[attr-defined]
+
+
+def test_a_long_answer_is_waited_for_and_a_lost_one_is_not(
+    relay: Relay, through: Engine, engine: Engine, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The server is asked whether it is still at the statement: while it is, its answer may come."""
+    monkeypatch.setattr(postgres, "READ_S", NEVER_S)
+    monkeypatch.setattr(postgres, "SILENT_S", 0.1)
+    monkeypatch.setattr(postgres, "ON_ITS_WAY_S", 0.1)
+    ours = session_factory(through)
+    with reading(ours) as session:
+        assert session.execute(text("SELECT 7 FROM pg_sleep(1)")).scalar_one() == 7
+
+    def freeze() -> None:
+        at_work = "FROM pg_stat_activity WHERE query LIKE 'SELECT 8 FROM%' AND state = 'active'"
+        with engine.connect().execution_options(isolation_level="AUTOCOMMIT") as connection:
+            until(lambda: connection.execute(text(f"SELECT 1 {at_work}")).first())
+            relay.freeze()
+            connection.execute(text(f"SELECT pg_cancel_backend(pid) {at_work}"))
+
+    freezing = threading.Thread(target=freeze)
+    freezing.start()
+    begun = time.monotonic()
+    with pytest.raises(DatabaseAway, match="does not answer"), reading(ours) as session:
+        session.execute(text("SELECT 8 FROM pg_sleep(600)"))
+    freezing.join()
+    assert time.monotonic() - begun < NEVER_S / 2
+
+
+def test_a_worker_waits_for_notices_and_not_for_a_dead_connection(
+    relay: Relay, database_url: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    address = make_url(database_url).set(drivername="postgresql", host="127.0.0.1", port=relay.port)
+
+    async def work() -> None:
+        info = address.render_as_string(hide_password=False)
+        connection = await postgres.LimitedAsyncConnection.connect(info, autocommit=True)
+        monkeypatch.setattr(postgres, "SHORT_WRITE_S", 0.2)
+        with pytest.raises(TimeoutError):
+            await asyncio.wait_for(anext(connection.notifies()), 0.5)
+        relay.freeze()
+        with pytest.raises(psycopg.OperationalError):
+            await connection.execute("SELECT 1")
+        assert connection.closed
+
+    asyncio.run(work())
 
 
 def test_a_writer_that_does_nothing_is_ended_and_stores_nothing(

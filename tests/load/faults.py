@@ -256,16 +256,18 @@ def watched(world: World, work: Callable[[World], None]) -> threading.Thread:
 
 def lost_and_doubled(engine: Engine, world: World) -> tuple[int, int]:
     """Acknowledged vehicles and clicks that are not in the database, and those that are there twice."""
+    # what is acknowledged while the database is read may be missing in what was read
+    marked, stored, revised = list(world.marked), list(world.stored), list(world.revised)
     with engine.connect() as connection:
         keys = Counter(connection.execute(text("SELECT client_key FROM measurement_series")).scalars())
         vehicles = Counter(connection.execute(text("SELECT notes FROM vehicles")).scalars())
         rows = connection.execute(text("SELECT series_id, revision, target_x_px FROM measurements")).all()
     there = {(int(one[0]), int(one[1]), float(one[2])) for one in rows}
-    lost = sum(vehicles[name] == 0 for name in world.marked)
-    lost += sum(keys[key] != 1 for key in world.stored) + sum(one not in there for one in world.revised)
-    mine = {series for series, _revision, _x in world.revised}
+    lost = sum(vehicles[name] == 0 for name in marked)
+    lost += sum(keys[key] != 1 for key in stored) + sum(one not in there for one in revised)
+    mine = {series for series, _revision, _x in revised}
     places = Counter((one[0], one[2]) for one in rows if one[0] in mine)
-    again = sum(max(vehicles[name] - 1, 0) for name in world.marked)
+    again = sum(max(vehicles[name] - 1, 0) for name in marked)
     return lost, again + sum(count - 1 for count in places.values())
 
 

@@ -17,7 +17,6 @@ from sightline.results.survey_statistics import (
     Filter,
     height_sample,
     measured_columns,
-    of_classes,
     survey_statistics,
 )
 from tests.bench.seed import seed
@@ -59,7 +58,7 @@ def by_the_command(services: Services, survey: int, folder: Path, target: str, p
     """heights.csv of the class of the rule, as somebody would write it who has the numbers: in full."""
     with services.reading() as session:
         rows = measured_columns(session, Filter(survey_ids=(survey,), target=target))  # type: ignore[arg-type]
-        rows = rows.where(of_classes(rows, (), ("passenger_cars",)))
+        rows = rows.where(rows.of_classes((), ("passenger_cars",)))
     sample = height_sample(rows)
     (shared,) = sample.shared  # the seed's heights share a pose, and assume no inset
     path = folder / f"{target}.csv"

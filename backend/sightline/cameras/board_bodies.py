@@ -5,7 +5,9 @@ from typing import Annotated
 from fastapi import Query
 from pydantic import Field
 
+from sightline.cameras.boards import board_told
 from sightline.enums import BoardKind
+from sightline.geometry.board import Board
 from sightline.infra.web.bodies import Finite, In
 
 Dictionary = Annotated[
@@ -22,3 +24,18 @@ class Markers(In):
     board_kind: BoardKind = "checkerboard"
     dictionary: Dictionary = None
     marker_m: MarkerM = None
+
+
+class BoardIn(Markers):
+    """A board to look for; its square is needed of one with markers alone."""
+
+    columns: int = Field(ge=2, le=100)
+    rows: int = Field(ge=2, le=100)
+    square_m: SquareM = None
+
+    @property
+    def board(self) -> Board:
+        """Raises BadInput for a board half told."""
+        return board_told(
+            self.columns, self.rows, self.square_m, self.board_kind, self.dictionary, self.marker_m
+        )

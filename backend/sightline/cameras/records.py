@@ -2,7 +2,9 @@
 
 from dataclasses import dataclass
 from datetime import datetime
-from typing import TypedDict
+from typing import Annotated, TypedDict
+
+from pydantic import Field
 
 from sightline.enums import CalibrationSource
 from sightline.infra.audit.records import Who
@@ -20,11 +22,9 @@ class CalibrationSummary:
     summary: Said
 
 
-@dataclass(frozen=True, slots=True)
-class Camera:
-    """A body and lens at one setting; `lens`, `zoom` and `focus` in words, `taken_from` the survey and camera
-    that it was taken from, empty for one of this survey's own.
-    """
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CameraFacts:
+    """A body and lens at one setting; `lens`, `zoom` and `focus` in words."""
 
     id: int
     survey_id: int
@@ -33,10 +33,18 @@ class Camera:
     lens: str
     zoom: str
     focus: str
-    taken_from: str
+    taken_from: Annotated[
+        str, Field(description="Survey and camera that it was taken from; empty for one of its own.")
+    ]
     current_calibration_id: int | None
-    images: int
     calibrations: tuple[CalibrationSummary, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Camera(CameraFacts):
+    """A camera with the number of its images."""
+
+    images: int
 
 
 class CameraWords(TypedDict, total=False):

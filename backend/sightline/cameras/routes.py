@@ -1,25 +1,25 @@
 """Cameras of a survey and their calibration images."""
 
+from dataclasses import dataclass
 from typing import Annotated
 
 from fastapi import APIRouter, Query, Request, Response, UploadFile
 from pydantic import Field
 
 from sightline.cameras import store, taking
-from sightline.cameras.board_bodies import Dictionary, KindAsked, MarkerM, Markers, SquareM
+from sightline.cameras.board_bodies import BoardIn, Dictionary, KindAsked, MarkerM, SquareM
 from sightline.cameras.boards import board_told
 from sightline.cameras.calibrations import images as calibration_images
 from sightline.cameras.calibrations.calibrating import under_way
-from sightline.cameras.calibrations.records import CalibrationImage
-from sightline.cameras.records import CalibrationSummary, Camera, CameraWords
-from sightline.enums import Point
+from sightline.cameras.calibrations.records import CalibrationImage, ImageFacts
+from sightline.cameras.records import Camera, CameraFacts, CameraWords
+from sightline.infra.by_name import filled_from
 from sightline.infra.jobs.records import Job
-from sightline.infra.web.bodies import In, JobBody, Name, Out, Text
+from sightline.infra.web.bodies import In, JobBody, Name, Text
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
 from sightline.infra.web.named import CalibrationId
 from sightline.infra.web.pictures import JPEG, jpeg_once
 from sightline.infra.web.uploaded import clean_name, whole_file
-from sightline.messages.said import Said
 from sightline.surveys.store import get_survey
 
 router = APIRouter()
@@ -28,36 +28,21 @@ MOST_IMAGE_BYTES = 64_000_000
 Corners = Annotated[int, Query(ge=2, le=100, description="Inner corners.")]
 
 
-class CalibrationImageBody(Out):
-    id: int
-    name: str
-    width_px: int
-    height_px: int
-    found: bool
-    reason: Said | None
-    corners_px: list[Point] = Field(description="Row by row, from the top left as seen.")
-    columns: int
-    rows: int
-    sharpness: float | None
-    ids: list[int] | None = Field(description="Which corners were seen, row by row; null for all of them.")
-    dictionary: str | None = Field(description="Of a ChArUco board's markers; null for a checkerboard.")
-    marker_share: float | None = Field(description="Side of a marker over the side of a square.")
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CalibrationImageBody(ImageFacts):
+    """A picture of the board with its address."""
+
     url: str
 
 
-class CameraDetail(Out):
-    id: int
-    survey_id: int
-    name: str
-    notes: str
-    lens: str
-    zoom: str
-    focus: str
-    taken_from: str = Field(description="Survey and camera that it was taken from; empty for one of its own.")
-    current_calibration_id: int | None
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CameraDetail(CameraFacts):
+    """A camera with its images in place of their number, and the calibration that is under way."""
+
     images: list[CalibrationImageBody]
-    calibrations: list[CalibrationSummary]
-    calibrating: JobBody | None = Field(description="A calibration that waits or runs, to be followed.")
+    calibrating: Annotated[
+        JobBody | None, Field(description="A calibration that waits or runs, to be followed.")
+    ]
 
 
 class NewCamera(In):
@@ -72,12 +57,6 @@ class CameraChange(NewCamera):
     """Any subset; what is left out stays."""
 
     name: Name = Field(default="", validate_default=False)
-
-
-class BoardSize(Markers):
-    columns: int = Field(ge=2, le=100)
-    rows: int = Field(ge=2, le=100)
-    square_m: SquareM = None
 
 
 class Choice(In):
@@ -142,13 +121,10 @@ def add_image(
 
 @router.post("/cameras/{camera_id}/images/detect")
 def detect_again(
-    camera_id: PathId, body: BoardSize, who: Operator, services: Wired
+    camera_id: PathId, body: BoardIn, who: Operator, services: Wired
 ) -> list[CalibrationImageBody]:
     """The board is of another size or kind: look in every image again."""
-    board = board_told(
-        body.columns, body.rows, body.square_m, body.board_kind, body.dictionary, body.marker_m
-    )
-    images = calibration_images.detect_again(services, camera_id, board, who.id)
+    images = calibration_images.detect_again(services, camera_id, body.board, who.id)
     return [image_body(one) for one in images]
 
 
@@ -175,13 +151,12 @@ def choose_calibration(camera_id: PathId, body: Choice, who: Operator, session: 
 
 def image_body(image: CalibrationImage) -> CalibrationImageBody:
     """An image as it goes out, with its address."""
-    names = CalibrationImageBody.model_fields.keys() - {"url"}
-    values = {name: getattr(image, name) for name in names}
-    return CalibrationImageBody.model_validate({**values, "url": f"/api/calibration-images/{image.id}.jpg"})
+    return filled_from(CalibrationImageBody, image, url=f"/api/calibration-images/{image.id}.jpg")
 
 
 def camera_detail(camera: Camera, images: tuple[CalibrationImage, ...], job: Job | None) -> CameraDetail:
-    """A camera with its images in place of their number, and the calibration that is under way."""
-    short = {name: getattr(camera, name) for name in Camera.__slots__ if name != "images"}
-    under_way = None if job is None else JobBody.model_validate(job)
-    return CameraDetail(**short, images=[image_body(one) for one in images], calibrating=under_way)
+    """A camera with its images, and the calibration that is under way."""
+    calibrating = None if job is None else JobBody.model_validate(job)
+    return filled_from(
+        CameraDetail, camera, images=[image_body(one) for one in images], calibrating=calibrating
+    )

@@ -175,5 +175,4 @@ def _cameras(session: Session, rows: Sequence[Mapping[str, Any]]) -> tuple[Camer
 
 
 def _image(row: Mapping[Any, Any]) -> CalibrationImage:
-    values = {key: value for key, value in row.items() if key not in ("created_at", "created_by")}
-    return CalibrationImage(**values)
+    return record_of(CalibrationImage, row, corners_px=[(x, y) for x, y in row["corners_px"]])

@@ -10,37 +10,31 @@ from sightline.adjustment.account import adjustment_to_dict
 from sightline.adjustment.adjust import Adjustment, LeftOut, adjust
 from sightline.adjustment.observed import DEFAULT_U_COMMON_M
 from sightline.commands.files import write_json
-from sightline.commands.geometry import read_pose_file
-from sightline.commands.options import json_option
+from sightline.commands.geometry import problems_of, read_pose_file
+from sightline.commands.options import FILE, json_option, number_option, output_option
 from sightline.commands.passes_csv import read_passes
 from sightline.coverage import expanded
 from sightline.errors import BadInput
 from sightline.geometry.documents import pose_to_dict
 from sightline.geometry.pose import expected_u
 
-_PATH = click.Path(path_type=Path)
-
 
 @click.command("adjust")
-@click.option("--pose", "pose_file", type=_PATH, required=True, help="pose.json to adjust.")
+@click.option("--pose", "pose_file", type=FILE, required=True, help="pose.json to adjust.")
 @click.option(
-    "--passes", "passes_file", type=_PATH, required=True, help="passes.csv with the observed vehicles."
+    "--passes", "passes_file", type=FILE, required=True, help="passes.csv with the observed vehicles."
 )
-@click.option(
+@number_option(
     "--u-wheelbase-common",
-    type=float,
     default=DEFAULT_U_COMMON_M,
-    show_default=True,
     help="u of the error common to all known wheelbases, metres.",
 )
-@click.option(
+@number_option(
     "--u-roof-common",
-    type=float,
     default=DEFAULT_U_COMMON_M,
-    show_default=True,
     help="u of the error common to all known roof heights, metres.",
 )
-@click.option("-o", "--output", type=_PATH, required=True, help="adjusted.json to write.")
+@output_option("adjusted.json to write.")
 @json_option
 def adjust_command(
     pose_file: Path,
@@ -56,12 +50,8 @@ def adjust_command(
             raise BadInput("commands-option-not-negative", option=name)
     pose = read_pose_file(pose_file)
     passes, unread = read_passes(passes_file)
-    try:
+    with problems_of(pose_file, passes_file):
         found = adjust(pose, passes, u_wheelbase_common, u_roof_common)
-    except BadInput as error:
-        raise BadInput(
-            "commands-problem", names=f"{pose_file}, {passes_file}", message=error.message
-        ) from None
     document = {**pose_to_dict(found.pose), "adjustment": adjustment_to_dict(found, unread)}
     write_json(output, document)
     click.echo(json.dumps(document) if as_json else _text(found, unread, output))

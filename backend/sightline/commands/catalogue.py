@@ -8,8 +8,15 @@ from typing import TYPE_CHECKING, get_args
 
 import click
 
-from sightline.commands.files import write_whole
-from sightline.commands.options import data_dir_option, json_option, opened_services, print_json
+from sightline.commands.files import read_bytes, write_whole
+from sightline.commands.options import (
+    FILE,
+    data_dir_option,
+    json_option,
+    opened_services,
+    output_option,
+    print_json,
+)
 from sightline.enums import OnConflict, SizeUnit
 from sightline.errors import BadInput
 
@@ -25,7 +32,7 @@ def catalogue() -> None:
 
 
 @catalogue.command("import")
-@click.argument("file", type=click.Path(path_type=Path))
+@click.argument("file", type=FILE)
 @click.option("--dry-run", is_flag=True, help="Show the result for each line without storing anything.")
 @click.option(
     "--unit", type=click.Choice(get_args(SizeUnit)), help="Unit of columns that state none (default: metres)."
@@ -59,9 +66,15 @@ def import_(
 
     Lists every line that cannot be used, is a duplicate, or contradicts the catalogue.
     """
-    from sightline.vehicles.catalogue.import_csv import Choices, columns_chosen, import_csv, plan_import
+    from sightline.vehicles.catalogue.import_csv import (
+        MOST_BYTES,
+        Choices,
+        columns_chosen,
+        import_csv,
+        plan_import,
+    )
 
-    content = _content(file)
+    content = read_bytes(file, "a CSV of models", MOST_BYTES + 1)
     choices = Choices(columns_chosen(columns), unit, on_conflict)
     with opened_services(data_dir) as services:
         if dry_run:
@@ -77,7 +90,7 @@ def import_(
 
 
 @catalogue.command("export")
-@click.option("-o", "--output", required=True, type=click.Path(path_type=Path), help="CSV to write.")
+@output_option("CSV to write.")
 @data_dir_option
 def export_(output: Path, data_dir: Path | None) -> None:
     """Export the catalogue, without retired models, as a CSV that `import` can read."""
@@ -88,20 +101,6 @@ def export_(output: Path, data_dir: Path | None) -> None:
         entries = all_of_catalogue(session)
     write_whole(output, catalogue_csv(entries).decode())
     click.echo(f"{len(entries)} models written to {output}.")
-
-
-def _content(file: Path) -> bytes:
-    from sightline.vehicles.catalogue.import_csv import MOST_BYTES
-
-    try:
-        with file.open("rb") as opened:
-            return opened.read(MOST_BYTES + 1)
-    except FileNotFoundError:
-        raise BadInput("commands-not-exist-give", path=file, what="a CSV of models") from None
-    except OSError as error:
-        raise BadInput(
-            "commands-cannot-read-give", path=file, strerror=error.strerror, what="a CSV of models"
-        ) from None
 
 
 def _tell(plan: ImportPlan, done: Imported | None, as_json: bool) -> None:

@@ -36,19 +36,8 @@ _READ: dict[str, Callable[[GivenTable, int, str, str], float]] = {
 }
 WORDS = ("target", "side")
 NEEDED = ("id", *FIRST)
-RESULTS = (
-    "height_m",
-    "u_height_m",
-    "U95_height_m",
-    "x_m",
-    "y_m",
-    "distance_m",
-    "solved_inset_m",
-    "u_solved_inset_m",
-    "status",
-    "reason",
-    "flags",
-)
+OF_HEIGHT = ("height_m", "u_height_m", "U95_height_m", "x_m", "y_m", "distance_m")
+RESULTS = (*OF_HEIGHT, "solved_inset_m", "u_solved_inset_m", "status", "reason", "flags")
 BETWEEN_FLAGS = " | "
 INSET_TAKEN_AS_0 = Said("height-flag-inset-zero")
 U_INSET_TAKEN_AS_0 = Said("height-flag-u-inset-zero")
@@ -193,7 +182,7 @@ def _measure_single(pose: RoadPose, rows: Sequence[_Row]) -> None:
             row.results = {"status": "not_measurable", "reason": str(REASONS[code])}
             continue
         row.results = {
-            name: metres(float(column[index])) for name, column in zip(RESULTS, columns, strict=False)
+            name: metres(float(column[index])) for name, column in zip(OF_HEIGHT, columns, strict=True)
         }
         row.results["status"] = "ok"
         row.results["flags"] = _joined((*row.flags, *found.flags(index)))
@@ -213,10 +202,9 @@ def _measure_several(pose: RoadPose, row: _Row) -> dict[str, str]:
 
 
 def _of_height(height: Height) -> dict[str, str]:
-    names = ("height_m", "u_height_m", "U95_height_m", "x_m", "y_m", "distance_m")
     reason = "" if height.reason is None else str(height.reason)
     out = {"status": height.status, "reason": reason, "flags": _joined(height.flags)}
-    for name in names:
+    for name in OF_HEIGHT:
         value = getattr(height, name)
         out[name] = "" if value is None else metres(value)
     return out

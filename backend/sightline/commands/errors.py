@@ -11,7 +11,7 @@ import numpy as np
 
 from sightline.commands.distribution import Rows, length_in, sample_of
 from sightline.commands.files import read_csv
-from sightline.commands.options import print_json
+from sightline.commands.options import FILE, json_option, print_json
 from sightline.enums import Rounding, Target
 from sightline.errors import BadInput
 
@@ -26,7 +26,7 @@ _ROOFS: Key = ("roof", False)
 
 
 @click.command()
-@click.argument("heights", type=click.Path(path_type=Path))
+@click.argument("heights", type=FILE)
 @click.option(
     "--round",
     "rounding",
@@ -40,7 +40,7 @@ _ROOFS: Key = ("roof", False)
     type=click.Choice(["target"]),
     help="Each target alone, by lighting and class, not rounded; check targets have their own rows.",
 )
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+@json_option
 def errors(heights: Path, rounding: Rounding, by: str | None, as_json: bool) -> None:
     """Compute the error table of HEIGHTS (heights.csv) against its reference heights, by lighting and
     overall.

@@ -8,7 +8,13 @@ from typing import TYPE_CHECKING
 import click
 
 from sightline.commands.files import write_whole
-from sightline.commands.options import data_dir_option, opened_services
+from sightline.commands.options import (
+    data_dir_option,
+    number_option,
+    opened_services,
+    output_option,
+    survey_option,
+)
 from sightline.errors import BadInput
 
 if TYPE_CHECKING:
@@ -17,14 +23,14 @@ if TYPE_CHECKING:
 
 
 @click.command()
-@click.option("--survey", required=True, help="Name (or number) of the survey.")
+@survey_option
 @click.option("--scan", required=True, help="Name (or number) of the line-scan recording.")
 @click.option("--vehicle", required=True, type=int, help="Number of the vehicle in the recording.")
-@click.option("-o", "--output", required=True, type=click.Path(path_type=Path), help="HTML file to write.")
-@click.option("--most-kmh", type=float, help="Limit: speed of at most this, km/h.")
-@click.option("--least-time-gap-s", type=float, help="Limit: time gap of at least this, seconds.")
-@click.option("--least-distance-gap-m", type=float, help="Limit: distance gap of at least this, metres.")
-@click.option("--risk", type=float, default=0.05, show_default=True, help="Risk of a false decision.")
+@output_option("HTML file to write.")
+@number_option("--most-kmh", help="Limit: speed of at most this, km/h.")
+@number_option("--least-time-gap-s", "time_gap", help="Limit: time gap of at least this, seconds.")
+@number_option("--least-distance-gap-m", "distance_gap", help="Limit: distance gap of at least this, metres.")
+@number_option("--risk", default=0.05, help="Risk of a false decision.")
 @click.option("--limit-source", default="", help="Source of the limit: the sign, order or rule.")
 @data_dir_option
 def evidence(
@@ -33,11 +39,10 @@ def evidence(
     vehicle: int,
     output: Path,
     most_kmh: float | None,
-    least_time_gap_s: float | None,
-    least_distance_gap_m: float | None,
     risk: float,
     limit_source: str,
     data_dir: Path | None,
+    **gaps: float | None,
 ) -> None:
     """Write the evidence file of one vehicle: images, times, rig, motion, budget, decision, signature.
 
@@ -46,7 +51,7 @@ def evidence(
     from sightline.export.evidence.service import make_evidence
     from sightline.export.export_job import find_survey
 
-    rule = _rule(most_kmh, least_time_gap_s, least_distance_gap_m, risk, limit_source)
+    rule = _rule(most_kmh, gaps, risk, limit_source)
     with opened_services(data_dir) as services:
         with services.reading() as session:
             vehicle_id = _vehicle(session, find_survey(session, survey).id, scan, vehicle)
@@ -56,19 +61,12 @@ def evidence(
     click.echo(f"{output}: signed with key {made.document['key']}.")
 
 
-def _rule(
-    most_kmh: float | None,
-    least_time_gap_s: float | None,
-    least_distance_gap_m: float | None,
-    risk: float,
-    source: str,
-) -> Rule | None:
+def _rule(most_kmh: float | None, gaps: dict[str, float | None], risk: float, source: str) -> Rule | None:
     from sightline.export.evidence.decision import KMH_PER_MPS
     from sightline.export.evidence.records import Rule
 
-    asked = {"time_gap": least_time_gap_s, "distance_gap": least_distance_gap_m}
-    asked["speed"] = None if most_kmh is None else most_kmh / KMH_PER_MPS
-    given = {name: limit for name, limit in asked.items() if limit is not None}
+    speed = None if most_kmh is None else most_kmh / KMH_PER_MPS
+    given = {name: limit for name, limit in {**gaps, "speed": speed}.items() if limit is not None}
     if not given:
         return None
     if len(given) > 1 or not 0 < min(given.values()) <= max(given.values()) < 1e4:

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from datetime import datetime
 from pathlib import Path
 from typing import Any, get_args
 
 import click
 
-from sightline.commands.options import data_dir_option, opened_services, progress_told
+from sightline.commands.options import (
+    data_dir_option,
+    opened_services,
+    output_option,
+    progress_told,
+    survey_option,
+)
 from sightline.enums import Category, ClassSet, Lighting
 from sightline.errors import BadInput
 from sightline.messages import SOURCE
@@ -17,14 +22,8 @@ _DAY = click.DateTime(["%Y-%m-%d"])
 
 
 @click.command()
-@click.option("--survey", required=True, help="Name (or number) of the survey.")
-@click.option(
-    "-o",
-    "--output",
-    required=True,
-    type=click.Path(path_type=Path),
-    help="Folder to write; an earlier package there is replaced.",
-)
+@survey_option
+@output_option("Folder to write; an earlier package there is replaced.")
 @click.option("--crops/--no-crops", default=True, help="Include crops of the clicked frames (default).")
 @click.option(
     "--lighting", type=click.Choice(get_args(Lighting)), help="Limit statistics and report to this lighting."
@@ -66,18 +65,7 @@ _DAY = click.DateTime(["%Y-%m-%d"])
 @click.option("--language", default=SOURCE, help="Language of figures and report: en (default) or fr.")
 @data_dir_option
 def export(
-    survey: str,
-    output: Path,
-    crops: bool,
-    lighting: str | None,
-    class_sets: tuple[str, ...],
-    categories: tuple[str, ...],
-    filmed_from: datetime | None,
-    filmed_to: datetime | None,
-    hour_from: int | None,
-    hour_to: int | None,
-    language: str,
-    data_dir: Path | None,
+    survey: str, output: Path, crops: bool, language: str, data_dir: Path | None, **chosen: Any
 ) -> None:
     """Write the package of a survey: tables, poses, crops, audit chain, statistics, figures and report.
 
@@ -89,10 +77,8 @@ def export(
     from sightline.results.selection import selection_of
 
     check_language(language)
-    chosen: dict[str, Any] = {"lighting": lighting, "class_sets": class_sets, "categories": categories}
-    chosen |= {"filmed_from": filmed_from and filmed_from.date(), "filmed_to": filmed_to and filmed_to.date()}
-    chosen |= {"hour_from": hour_from, "hour_to": hour_to}
-    selection = selection_of(chosen)
+    days = {name: chosen[name] and chosen[name].date() for name in ("filmed_from", "filmed_to")}
+    selection = selection_of(chosen | days)
     selection.require_sense()
     with (
         opened_services(data_dir) as services,

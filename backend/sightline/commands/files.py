@@ -19,7 +19,7 @@ _LARGEST_BYTES = 200_000_000
 def read_text(path: Path, what: str) -> str:
     """A UTF-8 text file, its BOM dropped. Raises BadInput naming the file."""
     try:
-        return _read_bytes(path, what).decode("utf-8-sig")
+        return read_bytes(path, what).decode("utf-8-sig")
     except UnicodeDecodeError:
         raise BadInput("commands-not-utf-8-text-give-saved", path=path, what=what) from None
 
@@ -27,17 +27,21 @@ def read_text(path: Path, what: str) -> str:
 def read_csv(path: Path, needed: Sequence[str], name: str | None = None) -> GivenTable:
     """A table that somebody brings, with the columns needed. Raises BadInput naming the file, or as told."""
     what = f"a CSV table with the columns {', '.join(needed)}" if needed else "a CSV table"
-    table = read_table(_read_bytes(path, what), name or path)
+    table = read_table(read_bytes(path, what), name or path)
     if needed:
         table.require(*needed)
     return table
 
 
-def _read_bytes(path: Path, what: str) -> bytes:
+def read_bytes(path: Path, what: str, most: int | None = None) -> bytes:
+    """A file's content, or its beginning of `most` bytes. Raises BadInput naming the file, and where nobody
+    said how much of it is read for one that is too large.
+    """
     try:
-        if path.stat().st_size > _LARGEST_BYTES:
+        if most is None and path.stat().st_size > _LARGEST_BYTES:
             raise BadInput("commands-larger-200-mb-give", path=path, what=what)
-        return path.read_bytes()
+        with path.open("rb") as file:
+            return file.read(most)
     except FileNotFoundError:
         raise BadInput("commands-not-exist-give", path=path, what=what) from None
     except OSError as error:

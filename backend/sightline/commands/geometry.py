@@ -1,8 +1,10 @@
 """The commands calibrate, import-camera, pose and height (docs/formats.md)."""
 
+import functools
 import json
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any, get_args
@@ -11,9 +13,9 @@ import click
 import numpy as np
 from click.core import ParameterSource
 
-from sightline.commands.clicks import Assumed, assumed_inset, heights_csv
+from sightline.commands.clicks import OF_HEIGHT, Assumed, assumed_inset, heights_csv
 from sightline.commands.files import read_json, read_text, write_json, write_whole
-from sightline.commands.options import stream_option
+from sightline.commands.options import FILE, json_option, number_option, output_option, stream_option
 from sightline.commands.tracks_csv import pass_to_dict, read_tracks
 from sightline.coverage import expanded
 from sightline.enums import BoardSide, DriverSide, LensModel, Target
@@ -40,33 +42,33 @@ from sightline.geometry.whole_pass import WholePass, measure_pass
 from sightline.messages.said import Said
 
 Command = Callable[..., None]
-_PATH = click.Path(path_type=Path)
-_JSON = click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
-_BOARD = click.option(
-    "--board", "board_text", required=True, metavar="CxR", help="Number of inner corners, across x down."
+_BOARD = (
+    number_option("--marker", "marker_m", help="Marker side, metres."),
+    click.option(
+        "--charuco",
+        metavar="DICT",
+        help="Use a ChArUco board with markers of this dictionary, such as 4X4_50.",
+    ),
+    number_option("--square", "square_m", required=True, help="Square size, metres."),
+    click.option(
+        "--board", "text", required=True, metavar="CxR", help="Number of inner corners, across x down."
+    ),
 )
-_SQUARE = click.option("--square", "square_m", type=float, required=True, help="Square size, metres.")
-
-
-_CHARUCO = click.option(
-    "--charuco", metavar="DICT", help="Use a ChArUco board with markers of this dictionary, such as 4X4_50."
-)
-_MARKER = click.option("--marker", "marker_m", type=float, help="Marker side, metres.")
 
 
 def board_options(command: Command) -> Command:
-    """The four options that tell a board; `parse_board` reads them."""
-    for option in (_MARKER, _CHARUCO, _SQUARE, _BOARD):
-        command = option(command)
-    return command
+    """The four options that tell a board: what the command is given of them is the `board`."""
+
+    @functools.wraps(command)
+    def with_board(
+        *, text: str, square_m: float, charuco: str | None, marker_m: float | None, **given: Any
+    ) -> None:
+        command(board=_board(text, square_m, charuco, marker_m), **given)
+
+    return functools.reduce(lambda made, option: option(made), _BOARD, with_board)
 
 
-def parse_board(
-    text: str, square_m: float, dictionary: str | None = None, marker_m: float | None = None
-) -> Board:
-    """`9x6` and a square in metres as a board; with a dictionary and a marker's side, a ChArUco board. Raises
-    BadInput.
-    """
+def _board(text: str, square_m: float, dictionary: str | None, marker_m: float | None) -> Board:
     if (dictionary is None) != (marker_m is None):
         raise BadInput("commands-charuco-marker-go-together-give-dictionary")
     match = re.fullmatch(r"\s*(\d{1,4})\s*[xX×*]\s*(\d{1,4})\s*", text)
@@ -87,6 +89,16 @@ def parse_point(text: str, option: str) -> tuple[float, float]:
     return x, y
 
 
+@contextmanager
+def problems_of(*files: Path) -> Iterator[None]:
+    """What cannot be done is said with the files that it is done with."""
+    try:
+        yield
+    except BadInput as error:
+        names = ", ".join(map(str, files))
+        raise BadInput("commands-problem", names=names, message=error.message) from None
+
+
 def read_camera_file(path: Path) -> Camera:
     document = read_json(path, "a camera.json made by sightline calibrate or import-camera")
     camera = camera_from_dict(document, str(path))
@@ -101,21 +113,18 @@ def read_pose_file(path: Path) -> RoadPose:
 
 
 @click.command()
-@click.argument("images", nargs=-1, required=True, type=_PATH)
+@click.argument("images", nargs=-1, required=True, type=FILE)
 @board_options
 @click.option(
     "--model", type=click.Choice(get_args(LensModel)), default="brown", show_default=True, help="Lens model."
 )
 @click.option("--bent-board", is_flag=True, help="The board may be bent: model its shape too.")
-@click.option("-o", "--output", type=_PATH, required=True, help="camera.json to write.")
+@output_option("camera.json to write.")
 @stream_option
-@_JSON
+@json_option
 def calibrate(
     images: tuple[Path, ...],
-    board_text: str,
-    square_m: float,
-    charuco: str | None,
-    marker_m: float | None,
+    board: Board,
     model: Any,
     bent_board: bool,
     output: Path,
@@ -125,14 +134,9 @@ def calibrate(
     """Calibrate a camera from checkerboard IMAGES (or a clip) and write camera.json."""
     from sightline.cameras.camera_files import calibration_views
 
-    board = parse_board(board_text, square_m, charuco, marker_m)
     views = calibration_views(images, board, stream_number)
-    try:
+    with problems_of(*images[:3]):
         checked = calibrate_and_check(views, board, model, bent_board)
-    except BadInput as error:
-        raise BadInput(
-            "commands-problem", names=", ".join(str(p) for p in images[:3]), message=error.message
-        ) from None
     result = checked.result
     document = camera_to_dict(result.camera)
     write_json(output, document)
@@ -180,14 +184,14 @@ def _halves_text(found: CrossValidation | Said) -> str:
 
 
 @click.command("import-camera")
-@click.argument("file", type=_PATH)
-@click.option("-o", "--output", type=_PATH, required=True, help="camera.json to write.")
+@click.argument("file", type=FILE)
+@output_option("camera.json to write.")
 @click.option(
     "--model", type=click.Choice(get_args(LensModel)), help="Lens model, if the file does not state it."
 )
 @click.option("--size", "size_text", metavar="WxH", help="Image size, if the file does not state it.")
 @click.option("--which", help="Camera to use from a file with several: left, right or its name.")
-@_JSON
+@json_option
 def import_camera(
     file: Path, output: Path, model: Any, size_text: str | None, which: str | None, as_json: bool
 ) -> None:
@@ -215,91 +219,60 @@ def parse_size(text: str | None) -> tuple[int, int] | None:
 
 
 @click.command()
-@click.argument("pictures", metavar="IMAGES...", nargs=-1, required=True, type=_PATH)
-@click.option("--camera", "camera_file", type=_PATH, required=True, help="camera.json of the camera.")
+@click.argument("pictures", metavar="IMAGES...", nargs=-1, required=True, type=FILE)
+@click.option("--camera", "camera_file", type=FILE, required=True, help="camera.json of the camera.")
 @board_options
-@click.option(
+@number_option(
     "--reference-height",
-    type=float,
+    "height_m",
     required=True,
     help="Height of the reference row of corners above the road, metres.",
 )
 @click.option(
     "--reference",
+    "side",
     type=click.Choice(get_args(BoardSide)),
     default="top",
     show_default=True,
     help="Reference row: the top or the bottom row of inner corners.",
 )
-@click.option(
+@number_option(
     "--u-reference-height",
-    type=float,
+    "u_height_m",
     default=DEFAULT_U_HEIGHT_M,
-    show_default=True,
     help="u of the reference height, metres.",
 )
-@click.option(
-    "--u-lean",
-    type=float,
-    default=DEFAULT_U_LEAN_RAD,
-    show_default=True,
-    help="u of board tilt and roll, radians.",
+@number_option(
+    "--u-lean", "u_lean_rad", default=DEFAULT_U_LEAN_RAD, help="u of board tilt and roll, radians."
 )
-@click.option(
-    "--u-square", type=float, help="u of the square size, metres (default: 0.1 % of it, an estimate)."
+@number_option(
+    "--u-square", "u_square_m", help="u of the square size, metres (default: 0.1 % of it, an estimate)."
 )
-@click.option(
+@number_option(
     "--u-bow",
-    type=float,
+    "u_bow_m",
     default=DEFAULT_U_BOW_M,
-    show_default=True,
     help="u of the board's flatness (middle out of plane), metres.",
 )
-@click.option("-o", "--output", type=_PATH, required=True, help="pose.json to write.")
+@output_option("pose.json to write.")
 @stream_option
-@_JSON
+@json_option
 def pose(
     pictures: tuple[Path, ...],
     camera_file: Path,
-    board_text: str,
-    square_m: float,
-    charuco: str | None,
-    marker_m: float | None,
-    reference_height: float,
-    reference: Any,
-    u_reference_height: float,
-    u_lean: float,
-    u_square: float | None,
-    u_bow: float,
+    board: Board,
     output: Path,
     stream_number: int | None,
     as_json: bool,
+    **reference: Any,
 ) -> None:
     """Compute the camera pose from a clip or IMAGES of the checkerboard on the road, as pose.json."""
     from sightline.cameras.camera_files import pose_detections
 
     camera = read_camera_file(camera_file)
-    board = parse_board(board_text, square_m, charuco, marker_m)
     frames, mean_picture = pose_detections(pictures, camera, board, stream_number)
-    try:
-        solved = pose_from_corners(
-            camera,
-            frames,
-            board,
-            Reference(
-                side=reference,
-                height_m=reference_height,
-                u_height_m=u_reference_height,
-                u_lean_rad=u_lean,
-                u_square_m=u_square,
-                u_bow_m=u_bow,
-            ),
-            mean_picture,
-        )
-    except BadInput as error:
-        raise BadInput(
-            "commands-problem", names=", ".join(str(p) for p in pictures[:3]), message=error.message
-        ) from None
+    with problems_of(*pictures[:3]):
+        solved = pose_from_corners(camera, frames, board, Reference(**reference), mean_picture)
     document = pose_to_dict(solved)
     write_json(output, document)
     expected = expected_u(solved)
@@ -322,45 +295,40 @@ def pose(
 
 
 @click.command()
-@click.option("--pose", "pose_file", type=_PATH, required=True, help="pose.json of the recording.")
+@click.option("--pose", "pose_file", type=FILE, required=True, help="pose.json of the recording.")
 @click.option("--contact", metavar="X,Y", help="Tyre contact point, pixels.")
 @click.option("--target", metavar="X,Y", help="Target point, pixels.")
 @click.option("--kind", type=click.Choice(get_args(Target)), help="Kind of target; sets the default inset.")
 @click.option("--side", type=click.Choice(get_args(DriverSide)), help="Driver's side of the vehicle.")
-@click.option(
+@number_option(
     "--inset",
-    type=float,
-    help=("Inset: distance of the target behind the side plane, metres (default: that of --kind, else 0)."),
+    help="Inset: distance of the target behind the side plane, metres (default: that of --kind, else 0).",
 )
-@click.option("--u-inset", type=float, help="u of the inset, metres (default: that of --kind, else 0).")
-@click.option(
-    "--sigma", type=float, default=1.0, show_default=True, help="u of each click coordinate, pixels."
-)
-@click.option("--clicks", type=_PATH, help="clicks.csv instead of one pair of clicks.")
-@click.option("--tracks", type=_PATH, help="tracks.csv: one vehicle followed through its pass.")
-@click.option(
-    "--confirmed", type=float, default=1.0, show_default=True, help="u of each track's first click, pixels."
-)
+@number_option("--u-inset", help="u of the inset, metres (default: that of --kind, else 0).")
+@number_option("--sigma", default=1.0, help="u of each click coordinate, pixels.")
+@click.option("--clicks", type=FILE, help="clicks.csv instead of one pair of clicks.")
+@click.option("--tracks", type=FILE, help="tracks.csv: one vehicle followed through its pass.")
+@number_option("--confirmed", "confirmed_px", default=1.0, help="u of each track's first click, pixels.")
 @click.option("--begun-on", type=int, help="Frame that was clicked on (default: the first of the table).")
-@click.option("--drift", type=float, default=0.0, help="u of a followed point from frame to frame, pixels.")
-@click.option("--u-time", type=float, default=0.0, help="u of the time of a frame, seconds.")
-@click.option(
-    "--row-time", type=float, default=0.0, help="Rolling shutter: time from one row to the next, seconds."
+@number_option("--drift", "drift_px", default=0.0, help="u of a followed point from frame to frame, pixels.")
+@number_option("--u-time", "u_time_s", default=0.0, help="u of the time of a frame, seconds.")
+@number_option(
+    "--row-time", "row_time_s", default=0.0, help="Rolling shutter: time from one row to the next, seconds."
 )
-@click.option("--u-row-time", type=float, default=0.0, help="u of the rolling-shutter time, seconds.")
-@click.option("--exposure", type=float, default=0.0, help="Exposure of a row, seconds (motion blur).")
-@click.option(
+@number_option("--u-row-time", "u_row_time_s", default=0.0, help="u of the rolling-shutter time, seconds.")
+@number_option("--exposure", "exposure_s", default=0.0, help="Exposure of a row, seconds (motion blur).")
+@number_option(
     "--view",
-    type=float,
+    "view_px",
     default=0.0,
     help="u of a point due to its changing aspect, pixels per 100 px of travel.",
 )
-@click.option(
-    "--depth-share", type=float, default=0.0, help="Relief around the followed target: depth / distance."
+@number_option(
+    "--depth-share", "u_depth_share", default=0.0, help="Relief around the followed target: depth / distance."
 )
 @click.option("--matched", is_flag=True, help="Followed points are given as shifts from the clicked frame.")
-@click.option("-o", "--output", type=_PATH, help="heights.csv to write.")
-@_JSON
+@output_option("heights.csv to write.", required=False)
+@json_option
 def height(
     pose_file: Path,
     contact: str | None,
@@ -385,7 +353,7 @@ def height(
         _refuse_ignored(("sigma",), "the CSV's column sigma_px")
         _refuse_ignored(("inset", "u_inset", "kind", "side"), "nothing: a whole pass is solved for its inset")
         _refuse_ignored(("output",), "--json and a redirection")
-        _whole_pass(solved, tracks, followed, as_json)
+        tell_pass(measure_pass(solved, read_tracks(tracks), Following(**followed)), as_json)
         return
     _refuse_ignored(tuple(followed), "--tracks with a CSV file")
     if clicks is not None:
@@ -410,23 +378,6 @@ def height(
         click.echo(f"{measured.height_m:.3f} m ± {measured.U95_height_m:.3f} m (95 %)")
         for flag in measured.flags:
             click.echo(f"note: {flag}")
-
-
-def _whole_pass(solved: RoadPose, tracks: Path, followed: dict[str, Any], as_json: bool) -> None:
-    """One vehicle followed through its pass, as a sentence or as JSON."""
-    following = Following(
-        confirmed_px=followed["confirmed"],
-        drift_px=followed["drift"],
-        begun_on=followed["begun_on"],
-        u_time_s=followed["u_time"],
-        row_time_s=followed["row_time"],
-        u_row_time_s=followed["u_row_time"],
-        exposure_s=followed["exposure"],
-        view_px=followed["view"],
-        u_depth_share=followed["depth_share"],
-        matched=followed["matched"],
-    )
-    tell_pass(measure_pass(solved, read_tracks(tracks), following), as_json)
 
 
 def tell_pass(found: WholePass, as_json: bool, also: Mapping[str, Any] | None = None) -> None:
@@ -468,11 +419,11 @@ def _one(
 def _refuse_ignored(names: tuple[str, ...], instead: str) -> None:
     """Raise BadInput for an option without effect: no number may rest on other inputs than those given."""
     context = click.get_current_context()
-    for name in names:
-        if context.get_parameter_source(name) is ParameterSource.COMMANDLINE:
-            raise BadInput(
-                "commands-no-effect-here-use-instead", name=name.replace("_", "-"), instead=instead
-            )
+    for option in context.command.params:
+        given = context.get_parameter_source(option.name or "") is ParameterSource.COMMANDLINE
+        if given and option.name in names:
+            name = max(option.opts, key=len).removeprefix("--")
+            raise BadInput("commands-no-effect-here-use-instead", name=name, instead=instead)
 
 
 def _many(solved: RoadPose, clicks: Path, output: Path | None, as_json: bool) -> None:
@@ -488,17 +439,12 @@ def _many(solved: RoadPose, clicks: Path, output: Path | None, as_json: bool) ->
 
 def height_to_dict(measured: Height) -> dict[str, Any]:
     """A height as `sightline height --json` prints it."""
-    return {
-        "height_m": measured.height_m,
-        "u_height_m": measured.u_height_m,
-        "U95_height_m": measured.U95_height_m,
-        "x_m": measured.x_m,
-        "y_m": measured.y_m,
-        "distance_m": measured.distance_m,
-        "inset_m": measured.inset_m,
-        "u_inset_m": measured.u_inset_m,
-        "status": measured.status,
-        "reason": None if measured.reason is None else str(measured.reason),
+    said = {name: getattr(measured, name) for name in _PRINTED}
+    return said | {
+        "reason": measured.reason and str(measured.reason),
         "budget": [asdict(entry) for entry in measured.budget],
         "flags": [str(flag) for flag in measured.flags],
     }
+
+
+_PRINTED = (*OF_HEIGHT, "inset_m", "u_inset_m", "status")

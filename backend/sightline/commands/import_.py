@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -10,8 +9,16 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sightline.commands.options import json_option, print_json, progress_told, settings_of
+from sightline.commands.options import (
+    FILE,
+    json_option,
+    print_json,
+    progress_told,
+    settings_of,
+    survey_option,
+)
 from sightline.errors import BadInput, Busy, TooMany
+from sightline.media.store.local import sha256_of
 from sightline.media.video.endings import VIDEO_ENDINGS
 
 if TYPE_CHECKING:
@@ -22,8 +29,8 @@ Tell = Callable[[float, str], None]
 
 
 @click.command("import")
-@click.argument("videos", nargs=-1, type=click.Path(path_type=Path))
-@click.option("--survey", required=True, help="Name (or number) of the survey.")
+@click.argument("videos", nargs=-1, type=FILE)
+@survey_option
 @click.option("--server", help="Address of the running Sightline (default: this machine).")
 @click.option(
     "--token",
@@ -31,10 +38,7 @@ Tell = Callable[[float, str], None]
     help="API token with the scopes read and upload (or SIGHTLINE_TOKEN).",
 )
 @click.option(
-    "--watch",
-    "folder",
-    type=click.Path(path_type=Path),
-    help="Import the files in this folder and all new ones, until stopped.",
+    "--watch", "folder", type=FILE, help="Import the files in this folder and all new ones, until stopped."
 )
 @click.option(
     "--settle",
@@ -116,8 +120,9 @@ def _require_video(video: Path) -> None:
 def _import(remote: Remote, survey_id: int, video: Path, settle_s: float, tell: Tell) -> dict[str, Any]:
     """One video, up to its passes; what became of it."""
     _await_still(video, settle_s, tell)
-    sha256 = _sha256(video)
-    there = _there(remote, survey_id, sha256)
+    sha256 = sha256_of(video)
+    recordings = remote.ask(f"/surveys/{survey_id}/recordings")
+    there = next((one for one in recordings if one["sha256"] == sha256), None)
     if there is None:
         size = video.stat().st_size
         recording_id = remote.upload(
@@ -147,12 +152,6 @@ def _sentence(one: dict[str, Any]) -> str:
     return f"{name}: {what} as recording {one['recording_id']}, {counted}."
 
 
-def _there(remote: Remote, survey_id: int, sha256: str) -> dict[str, Any] | None:
-    """The survey's recording with the same content."""
-    recordings = remote.ask(f"/surveys/{survey_id}/recordings")
-    return next((one for one in recordings if one["sha256"] == sha256), None)
-
-
 def _await_read(remote: Remote, recording_id: int, name: str, tell: Tell) -> dict[str, Any]:
     """Raises BadInput with the reader's reason where the file cannot be used."""
     while True:
@@ -169,7 +168,9 @@ def _await_read(remote: Remote, recording_id: int, name: str, tell: Tell) -> dic
 
 def _await_passes(remote: Remote, survey_id: int, recording_id: int, name: str, tell: Tell) -> int:
     """How many vehicles the recording has, once its passes were looked for (asked for, where nobody did)."""
-    job = _passes_job(remote, survey_id, recording_id)
+    jobs = remote.ask(f"/jobs?survey_id={survey_id}")
+    of_it = (one for one in jobs if (one["kind"], one["recording_id"]) == ("passes", recording_id))
+    job = next(of_it, None)
     if job is None:
         job = remote.write(f"/recordings/{recording_id}/find-passes")
     while job["state"] in ("queued", "running"):
@@ -181,17 +182,6 @@ def _await_passes(remote: Remote, survey_id: int, recording_id: int, name: str, 
             "import-passes-not-found", name=name, reason=str(job["error"] or job["state"]).rstrip(".")
         )
     return len(remote.ask(f"/surveys/{survey_id}/vehicles?recording_id={recording_id}"))
-
-
-def _passes_job(remote: Remote, survey_id: int, recording_id: int) -> dict[str, Any] | None:
-    jobs = remote.ask(f"/jobs?survey_id={survey_id}")
-    of_it = (one for one in jobs if (one["kind"], one["recording_id"]) == ("passes", recording_id))
-    return next(of_it, None)
-
-
-def _sha256(video: Path) -> str:
-    with video.open("rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 State = tuple[int, int]

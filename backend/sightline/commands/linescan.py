@@ -16,7 +16,7 @@ from typing import Any, get_args
 import click
 
 from sightline.commands.files import write_whole
-from sightline.commands.options import json_option
+from sightline.commands.options import FILE, json_option, number_option, output_option
 from sightline.commands.scanned import (
     COLUMNS,
     TIMES,
@@ -25,7 +25,6 @@ from sightline.commands.scanned import (
     cell_of,
     left_out,
     object_of,
-    rig_of,
     rig_options,
     row_of,
     start_of,
@@ -42,14 +41,14 @@ from sightline.messages.said import Said
 
 
 @click.command()
-@click.argument("first", type=click.Path(path_type=Path))
-@click.argument("second", type=click.Path(path_type=Path))
+@click.argument("first", type=FILE)
+@click.argument("second", type=FILE)
 @rig_options
 @click.option(
     "--start",
     help="Time of line 0 at camera 1 with its offset from UTC: 2026-05-04T06:00:00.000+02:00.",
 )
-@click.option("--u-start", "u_start_s", type=float, help="u of the start (k = 1), seconds.")
+@number_option("--u-start", "u_start_s", help="u of the start (k = 1), seconds.")
 @click.option(
     "--time-axis",
     type=click.Choice(get_args(TimeAxis)),
@@ -57,19 +56,12 @@ from sightline.messages.said import Said
     show_default=True,
     help="Axis of the images along which time runs.",
 )
-@click.option(
-    "-o", "--output", type=click.Path(path_type=Path), help="vehicles.csv to write (default: print it)."
-)
+@output_option("vehicles.csv to write (default: print it).", required=False)
 @json_option
 def linescan(
     first: Path,
     second: Path,
-    baseline: float | None,
-    rig_file: Path | None,
-    line_rate: float,
-    u_baseline: float,
-    u_line_rate: float,
-    shadow_share: float,
+    rig: Rig,
     start: str | None,
     u_start_s: float | None,
     time_axis: TimeAxis,
@@ -85,7 +77,6 @@ def linescan(
     time of day at which its front reached camera 1 (columns front_at, u_front_at_s).
     """
     begun = start_of(start, u_start_s)
-    rig = rig_of(baseline, rig_file, line_rate, u_baseline, u_line_rate, shadow_share)
     if output is not None and not output.parent.is_dir():
         raise BadInput("commands-cannot-written-folder-not-exist-choose", output=output)
     with closing(_opened(first, time_axis)) as one, closing(_opened(second, time_axis)) as two:

@@ -20,6 +20,24 @@ if TYPE_CHECKING:
     from sightline.settings import Settings
 
 Command = TypeVar("Command", bound=Callable[..., Any])
+FILE = click.Path(path_type=Path)
+
+
+def number_option(*names: str, default: float | None = None, **about: Any) -> Callable[[Command], Command]:
+    """An option with a number, called as the field of the record that it fills; a default but 0 is shown."""
+    if default is not None:
+        about |= {"default": default, "show_default": bool(default)}
+    return click.option(*names, type=float, **about)
+
+
+def output_option(what: str, *, required: bool = True) -> Callable[[Command], Command]:
+    """`-o`: the file or folder to write."""
+    return click.option("-o", "--output", type=FILE, required=required, help=what)
+
+
+def survey_option(command: Command) -> Command:
+    """`--survey`: which survey of the installation."""
+    return click.option("--survey", required=True, help="Name (or number) of the survey.")(command)
 
 
 def data_dir_option(command: Command) -> Command:

@@ -8,116 +8,76 @@ import click
 import numpy as np
 
 from sightline.commands.geometry import height_to_dict, parse_size, read_camera_file
-from sightline.commands.options import print_json
+from sightline.commands.options import FILE, json_option, number_option, print_json
 from sightline.enums import PlannedQuantity
 from sightline.errors import BadInput
 from sightline.geometry.camera import Camera
 from sightline.geometry.plan import Curve, Plan, plan_site
 from sightline.geometry.site import Site, plain_camera
-from sightline.linescan.planner import USUAL_LENGTH_M, USUAL_TIME_GAP_S, LinePlan, plan_lines
+from sightline.linescan.planner import LinePlan, plan_lines
+
+_OF_LINES = ("speed_mps", "error", "line_rate_hz", "u_baseline_m", "length_m", "time_gap_s")
 
 
 @click.command()
-@click.option("--camera", "camera_file", type=click.Path(path_type=Path), help="camera.json of the camera.")
+@click.option("--camera", "camera_file", type=FILE, help="camera.json of the camera.")
 @click.option("--size", "size_text", metavar="WxH", help="Image size, instead of --camera ...")
-@click.option(
-    "--field-of-view", type=float, metavar="DEGREES", help="... with the horizontal field of view, degrees."
+@number_option("--field-of-view", metavar="DEGREES", help="... with the horizontal field of view, degrees.")
+@number_option("--camera-height", "camera_height_m", help="Camera height above the road, metres.")
+@number_option("--distance", "distance_m", help="Distance across the road to the wheel path, metres.")
+@number_option(
+    "--board-distance", "board_distance_m", help="Distance to the board, metres (default: the wheel path)."
 )
-@click.option("--camera-height", type=float, help="Camera height above the road, metres.")
-@click.option("--distance", type=float, help="Distance across the road to the wheel path, metres.")
-@click.option("--board-distance", type=float, help="Distance to the board, metres (default: the wheel path).")
-@click.option(
-    "--sigma", type=float, default=1.0, show_default=True, help="u of each click coordinate, pixels."
+@number_option("--sigma", "sigma_px", default=1.0, help="u of each click coordinate, pixels.")
+@number_option("--direction", default=0.0, help="Yaw from the perpendicular to the road, degrees.")
+@number_option("--travel", "travel_m", default=2.0, help="Travel of a vehicle between two frames, metres.")
+@number_option("--baseline", "baseline_m", help="Plan a line scan instead: baseline, metres ...")
+@number_option("--speed", "speed_mps", help="... speed of the fastest vehicle, m/s ...")
+@number_option("--speed-error", "error", help="... allowed relative U95 of its speed (0.01: 1 %) ...")
+@number_option(
+    "--line-rate", "line_rate_hz", help="... line rate, Hz (default: lines 10 mm apart on the vehicle) ..."
 )
-@click.option(
-    "--direction",
-    type=float,
-    default=0.0,
-    show_default=True,
-    help="Yaw from the perpendicular to the road, degrees.",
+@number_option("--u-baseline", "u_baseline_m", help="... and u of the baseline, metres.")
+@number_option("--length", "length_m", help="Length of the vehicle of a line scan, metres (default 4.5) ...")
+@number_option(
+    "--time-gap", "time_gap_s", help="... and its time gap to the vehicle in front, seconds (default 1.5)."
 )
-@click.option(
-    "--travel",
-    type=float,
-    default=2.0,
-    show_default=True,
-    help="Travel of a vehicle between two frames, metres.",
-)
-@click.option("--baseline", type=float, help="Plan a line scan instead: baseline, metres ...")
-@click.option("--speed", type=float, help="... speed of the fastest vehicle, m/s ...")
-@click.option("--speed-error", type=float, help="... allowed relative U95 of its speed (0.01: 1 %) ...")
-@click.option(
-    "--line-rate", type=float, help="... line rate, Hz (default: lines 10 mm apart on the vehicle) ..."
-)
-@click.option("--u-baseline", type=float, help="... and u of the baseline, metres.")
-@click.option("--length", type=float, help="Length of the vehicle of a line scan, metres (default 4.5) ...")
-@click.option(
-    "--time-gap", type=float, help="... and its time gap to the vehicle in front, seconds (default 1.5)."
-)
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+@json_option
 def plan(
     camera_file: Path | None,
     size_text: str | None,
     field_of_view: float | None,
-    camera_height: float | None,
-    distance: float | None,
-    board_distance: float | None,
-    sigma: float,
     direction: float,
-    travel: float,
-    baseline: float | None,
-    speed: float | None,
-    speed_error: float | None,
-    line_rate: float | None,
-    u_baseline: float | None,
-    length: float | None,
-    time_gap: float | None,
+    baseline_m: float | None,
     as_json: bool,
+    **given: float | None,
 ) -> None:
     """Predict the uncertainty per target before you record; with --baseline, that of line-scan speeds."""
-    of_lines = (speed, speed_error, line_rate, u_baseline, length, time_gap)
-    of_site = (camera_file, size_text, field_of_view, camera_height, distance, board_distance)
-    if baseline is not None:
-        if any(one is not None for one in of_site):
+    of_lines = {name: value for name in _OF_LINES if (value := given.pop(name)) is not None}
+    named = (given["camera_height_m"], given["distance_m"], given["board_distance_m"])
+    if baseline_m is not None:
+        if any(one is not None for one in (camera_file, size_text, field_of_view, *named)):
             raise BadInput("commands-line-scan-planned-without-camera-place")
-        vehicle = (length or USUAL_LENGTH_M, time_gap or USUAL_TIME_GAP_S)
-        lines = _lines(baseline, speed, speed_error, line_rate, u_baseline or 0.0, vehicle)
+        lines = _lines({**of_lines, "baseline_m": baseline_m})
         print_json(_lines_to_dict(lines)) if as_json else click.echo(_lines_text(lines))
         return
-    if any(one is not None for one in of_lines):
+    if of_lines:
         raise BadInput("commands-speed-speed-error-line-rate-u")
-    if camera_height is None or distance is None:
+    if named[0] is None or named[1] is None:
         raise BadInput("commands-give-camera-height-distance-baseline-line")
     camera = _camera(camera_file, size_text, field_of_view)
-    site = Site(
-        camera_height_m=camera_height,
-        distance_m=distance,
-        board_distance_m=board_distance,
-        sigma_px=sigma,
-        direction_rad=float(np.deg2rad(direction)),
-        travel_m=travel,
-    )
-    planned = plan_site(camera, site)
+    site: dict[str, Any] = {**given, "direction_rad": float(np.deg2rad(direction))}
+    planned = plan_site(camera, Site(**site))
     print_json(_plan_to_dict(planned)) if as_json else click.echo(_plan_text(planned))
 
 
-def _lines(
-    baseline: float,
-    speed: float | None,
-    error: float | None,
-    rate: float | None,
-    u_baseline: float,
-    vehicle: tuple[float, float],
-) -> LinePlan:
-    if speed is None or error is None:
+def _lines(given: dict[str, float]) -> LinePlan:
+    if "speed_mps" not in given or "error" not in given:
         raise BadInput("commands-line-scans-plan-needs-speed-speed")
-    given = [one for one in (baseline, speed, error, rate, u_baseline, *vehicle) if one is not None]
-    if not np.all(np.isfinite(given)):
+    if not np.all(np.isfinite(list(given.values()))):
         raise BadInput("commands-numbers-plan-must-finite")
     try:
-        return plan_lines(
-            speed, baseline, error, rate, u_baseline, length_m=vehicle[0], time_gap_s=vehicle[1]
-        )
+        return plan_lines(**given)
     except (ValueError, OverflowError) as error_:
         raise BadInput("said", sentence=error_) from error_
 
@@ -162,14 +122,9 @@ def _camera(camera_file: Path | None, size_text: str | None, field_of_view: floa
 
 
 def _plan_to_dict(planned: Plan) -> dict[str, Any]:
-    site = planned.site
     return {
-        "camera_height_m": site.camera_height_m,
-        "distance_m": site.distance_m,
-        "board_distance_m": site.board_m,
-        "sigma_px": site.sigma_px,
-        "direction_rad": site.direction_rad,
-        "travel_m": site.travel_m,
+        **asdict(planned.site),
+        "board_distance_m": planned.site.board_m,
         "tilt_rad": planned.tilt_rad,
         "track_shown_m": planned.track_shown_m,
         "targets": [

@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 from dataclasses import asdict
 from pathlib import Path
+from typing import Any
 
 import click
 
-from sightline.commands.files import write_json
-from sightline.commands.options import json_option, print_json
+from sightline.commands.files import read_bytes, write_json
+from sightline.commands.options import FILE, json_option, number_option, output_option, print_json
+from sightline.commands.scanned import U_LINE_RATE
 from sightline.coverage import expanded
 from sightline.errors import BadInput
 from sightline.linescan.rig_calibration import (
@@ -21,8 +23,6 @@ from sightline.linescan.rig_calibration import (
 )
 from sightline.scans.rig.passes_csv import MOST_BYTES, GivenPasses, read_rig_passes
 
-_PATH = click.Path(path_type=Path)
-
 
 @click.group()
 def rig() -> None:
@@ -30,13 +30,13 @@ def rig() -> None:
 
 
 @rig.command()
-@click.argument("passes_csv", type=_PATH)
-@click.option(
-    "--line-rate", type=float, help="Line rate of each camera, Hz; needed for passes of known speed."
+@click.argument("passes_csv", type=FILE)
+@number_option(
+    "--line-rate", "line_rate_hz", help="Line rate of each camera, Hz; needed for passes of known speed."
 )
-@click.option("--u-line-rate", type=float, default=0.0, help="Relative u of the line rate (1e-4 is 0.01 %).")
-@click.option("--u-tape", type=float, default=0.0, help="Relative u of the scale of the tape.")
-@click.option("--u-speed", type=float, default=0.0, help="Relative u common to all known speeds.")
+@U_LINE_RATE
+@number_option("--u-tape", "u_tape_ratio", default=0.0, help="Relative u of the scale of the tape.")
+@number_option("--u-speed", "u_speed_ratio", default=0.0, help="Relative u common to all known speeds.")
 @click.option(
     "--distance",
     "lanes",
@@ -44,33 +44,22 @@ def rig() -> None:
     metavar="M[,U]",
     help="Distance of a lane from the cameras and its u, metres. May be repeated.",
 )
-@click.option("-o", "--output", type=_PATH, help="Also write the JSON object to this file.")
+@output_option("Also write the JSON object to this file.", required=False)
 @json_option
 def calibrate(
-    passes_csv: Path,
-    line_rate: float | None,
-    u_line_rate: float,
-    u_tape: float,
-    u_speed: float,
-    lanes: tuple[str, ...],
-    output: Path | None,
-    as_json: bool,
+    passes_csv: Path, lanes: tuple[str, ...], output: Path | None, as_json: bool, **shared: Any
 ) -> None:
     """Compute baseline and divergence from PASSES_CSV: passes of a staff or board at two distances or more.
 
     Each row is one pass: its distance, and positions on a tape, lines at a known speed, or the lines of a
     board of known width. Rows that cannot be used are skipped and listed.
     """
+    common = Common(**shared)
+    line_rate = common.line_rate_hz
     if line_rate is not None and not (math.isfinite(line_rate) and line_rate > 0):
         raise BadInput("commands-option-above-zero", option="--line-rate")
-    common = Common(
-        line_rate_hz=line_rate,
-        u_line_rate_ratio=u_line_rate,
-        u_tape_ratio=u_tape,
-        u_speed_ratio=u_speed,
-    )
     asked = [_lane(one) for one in lanes]
-    given = read_rig_passes(_bytes(passes_csv), str(passes_csv), common)
+    given = read_rig_passes(read_bytes(passes_csv, "a CSV table", MOST_BYTES + 1), str(passes_csv), common)
     try:
         found = calibrate_rig(given.passes, common)
     except BadInput as error:
@@ -90,16 +79,6 @@ def calibrate(
         print_json(document)
         return
     click.echo(_text(found, at, given))
-
-
-def _bytes(path: Path) -> bytes:
-    try:
-        with path.open("rb") as file:
-            return file.read(MOST_BYTES + 1)
-    except OSError as error:
-        raise BadInput(
-            "commands-cannot-read-give", path=path, strerror=error.strerror, what="a CSV table"
-        ) from None
 
 
 def _lane(text: str) -> tuple[float, float]:

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, fields
 from datetime import datetime, timedelta
 from pathlib import Path
-from typing import Any, TypeVar, get_args
+from typing import Any, get_args
 
 import click
 
 from sightline.commands.clicks import harmless, metres
 from sightline.commands.files import read_json
+from sightline.commands.options import FILE, number_option
 from sightline.enums import ScanDirection, ScanMethod
 from sightline.errors import BadInput
 from sightline.linescan.clock import u_passing_s
@@ -37,7 +39,6 @@ _OPTIONS = {
 }
 _OF_LANE = tuple(one.name for one in fields(Lane))
 _NUMBERS = frozenset(_OF_LANE) - {"name", "direction"}
-Command = TypeVar("Command", bound=Callable[..., Any])
 
 COLUMNS = (
     "id",
@@ -111,65 +112,55 @@ def instant_with_offset(option: str, text: str) -> datetime:
 _FIRST_YEAR, _LAST_YEAR = 1990, 2200
 
 
-def rig_options(command: Command) -> Command:
-    """Where the two cameras stand, how quick they are, and how their lines become motion."""
-    for option in (
-        click.option(
-            "--method",
-            type=click.Choice(get_args(ScanMethod)),
-            default="direct",
-            show_default=True,
-            help="Direct registration, or block matching as in the paper (Douxchamps et al.).",
-        ),
-        click.option(
-            "--shadow-share",
-            type=float,
-            default=USUAL_SHADOW_SHARE,
-            show_default=True,
-            help="Shadow zone: share of the rows, from the bottom, that is not searched.",
-        ),
-        click.option(
-            "--u-line-rate", type=float, default=0.0, help="Relative u of the line rate (1e-4 is 0.01 %)."
-        ),
-        click.option("--u-baseline", type=float, default=0.0, help="u of the baseline, metres."),
-        click.option("--line-rate", type=float, required=True, help="Line rate of each camera, Hz."),
-        click.option(
-            "--rig",
-            "rig_file",
-            type=click.Path(path_type=Path),
-            help="JSON of `sightline rig calibrate -o`, with the lanes of the rig, instead of --baseline.",
-        ),
-        click.option(
-            "--baseline", type=float, help="Baseline: distance between the scanning planes, metres."
-        ),
-    ):
-        command = option(command)
-    return command
+U_LINE_RATE = number_option(
+    "--u-line-rate", "u_line_rate_ratio", default=0.0, help="Relative u of the line rate (1e-4 is 0.01 %)."
+)
+_RIG = (
+    click.option(
+        "--method",
+        type=click.Choice(get_args(ScanMethod)),
+        default="direct",
+        show_default=True,
+        help="Direct registration, or block matching as in the paper (Douxchamps et al.).",
+    ),
+    number_option(
+        "--shadow-share",
+        default=USUAL_SHADOW_SHARE,
+        help="Shadow zone: share of the rows, from the bottom, that is not searched.",
+    ),
+    U_LINE_RATE,
+    number_option("--u-baseline", "u_baseline_m", default=0.0, help="u of the baseline, metres."),
+    number_option("--line-rate", "line_rate_hz", required=True, help="Line rate of each camera, Hz."),
+    click.option(
+        "--rig",
+        "rig_file",
+        type=FILE,
+        help="JSON of `sightline rig calibrate -o`, with the lanes of the rig, instead of --baseline.",
+    ),
+    number_option("--baseline", "baseline_m", help="Baseline: distance between the scanning planes, metres."),
+)
 
 
-def rig_of(
-    baseline: float | None,
-    rig_file: Path | None,
-    line_rate: float,
-    u_baseline: float,
-    u_line_rate: float,
-    shadow_share: float,
-) -> Rig:
+def rig_options(command: Callable[..., None]) -> Callable[..., None]:
+    """Where the two cameras stand, how quick they are, and how their lines become motion: what the command
+    is given of them are the `rig` and the `method`.
+    """
+
+    @functools.wraps(command)
+    def with_rig(*, rig_file: Path | None, baseline_m: float | None, **given: Any) -> None:
+        stated = {name: given.pop(name) for name in _OPTIONS if name != "baseline_m"}
+        command(rig=_rig_of(rig_file, baseline_m, stated), **given)
+
+    return functools.reduce(lambda made, option: option(made), _RIG, with_rig)
+
+
+def _rig_of(rig_file: Path | None, baseline_m: float | None, stated: dict[str, Any]) -> Rig:
     """The rig that the options give. Raises BadInput naming the option, or the file, that cannot be."""
-    if (baseline is None) == (rig_file is None) or (rig_file is not None and u_baseline):
+    if (baseline_m is None) == (rig_file is None) or (rig_file is not None and stated["u_baseline_m"]):
         raise BadInput("commands-baseline-or-rig")
+    rig = Rig(1.0 if baseline_m is None else baseline_m, **stated)
     if rig_file is not None:
-        return _rig_in(
-            rig_file, Rig(1.0, line_rate, u_line_rate_ratio=u_line_rate, shadow_share=shadow_share)
-        )
-    assert baseline is not None
-    rig = Rig(
-        baseline,
-        line_rate,
-        u_baseline_m=u_baseline,
-        u_line_rate_ratio=u_line_rate,
-        shadow_share=shadow_share,
-    )
+        return _rig_in(rig_file, rig)
     require_rig(rig, _OPTIONS)
     return rig
 

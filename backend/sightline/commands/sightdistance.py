@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, get_args
 
 import click
 
-from sightline.commands.options import json_option, print_json
+from sightline.commands.options import FILE, json_option, number_option, print_json
 from sightline.enums import CurveCase, SightKind
 from sightline.errors import BadInput
 
@@ -19,26 +19,14 @@ FOOT_M = 0.3048
 
 
 @click.command()
-@click.option("--eye", "eye_m", type=float, help="Height of the eye above the road, metres ...")
-@click.option(
-    "--eye-heights",
-    type=click.Path(path_type=Path),
-    help="... or heights.csv: one of its percentiles.",
-)
-@click.option(
-    "--eye-percentile", type=float, default=10.0, show_default=True, help="Percentile of --eye-heights."
-)
-@click.option("--object", "object_m", type=float, help="Height of the object, metres ...")
-@click.option(
-    "--object-heights", type=click.Path(path_type=Path), help="... or heights.csv: one of its percentiles."
-)
-@click.option(
-    "--object-percentile", type=float, default=5.0, show_default=True, help="Percentile of --object-heights."
-)
-@click.option("--distance", "distance_m", type=float, help="Sight distance, metres ...")
-@click.option(
-    "--speed", "speed_kmh", type=float, help="... or design speed, km/h, to use the sight distance of --kind."
-)
+@number_option("--eye", "eye_m", help="Height of the eye above the road, metres ...")
+@click.option("--eye-heights", type=FILE, help="... or heights.csv: one of its percentiles.")
+@number_option("--eye-percentile", default=10.0, help="Percentile of --eye-heights.")
+@number_option("--object", "object_m", help="Height of the object, metres ...")
+@click.option("--object-heights", type=FILE, help="... or heights.csv: one of its percentiles.")
+@number_option("--object-percentile", default=5.0, help="Percentile of --object-heights.")
+@number_option("--distance", "distance_m", help="Sight distance, metres ...")
+@number_option("--speed", "speed_kmh", help="... or design speed, km/h, to use the sight distance of --kind.")
 @click.option(
     "--kind",
     type=click.Choice(get_args(SightKind)),
@@ -46,16 +34,15 @@ FOOT_M = 0.3048
     show_default=True,
     help="Sight distance that --speed is converted into.",
 )
-@click.option("--u-eye", "u_eye_m", type=float, help="u of the eye height, metres.")
-@click.option("--u-object", "u_object_m", type=float, help="u of the object height, metres.")
-@click.option(
+@number_option("--u-eye", "u_eye_m", help="u of the eye height, metres.")
+@number_option("--u-object", "u_object_m", help="u of the object height, metres.")
+@number_option(
     "--grade-difference",
     "difference_percent",
-    type=float,
     help="Grade difference, percent: also computes the length of the crest.",
 )
-@click.option("--headlight", "headlight_m", type=float, help="Height of the headlight, metres: also a sag.")
-@click.option("--u-headlight", "u_headlight_m", type=float, help="u of the headlight's height, metres.")
+@number_option("--headlight", "headlight_m", help="Height of the headlight, metres: also a sag.")
+@number_option("--u-headlight", "u_headlight_m", help="u of the headlight's height, metres.")
 @json_option
 def sightdistance(
     eye_m: float | None,

@@ -16,7 +16,7 @@ from typing import Any
 import click
 
 from sightline.commands.options import data_dir_option, opened_services
-from sightline.commands.scanned import left_out, object_of, rig_of, rig_options
+from sightline.commands.scanned import left_out, object_of, rig_options
 from sightline.enums import ScanMethod
 from sightline.errors import BadInput
 from sightline.linescan.parts import Rig
@@ -72,12 +72,7 @@ from sightline.scans.live.run import LiveRun, Nowhere
 @data_dir_option
 def stream(
     rows: int,
-    baseline: float | None,
-    rig_file: Path | None,
-    line_rate: float,
-    u_baseline: float,
-    u_line_rate: float,
-    shadow_share: float,
+    rig: Rig,
     method: ScanMethod,
     follow: Path | None,
     until_idle: float | None,
@@ -96,14 +91,13 @@ def stream(
     that `sightline linescan --time-axis height` can read, and the same command resumes an interrupted stream.
     With --survey the vehicles appear on the Live page of the survey.
     """
-    rig = rig_of(baseline, rig_file, line_rate, u_baseline, u_line_rate, shadow_share)
     if cameras and (len(cameras) != 2 or follow or cameras[0] == cameras[1]):
         raise BadInput("commands-stream-two-cameras")
     name = " and ".join(cameras) or (str(follow.absolute()) if follow else "standard input")
     with until_told() as ending, keeping(survey, data_dir, rig, method, spool) as (keeper, folder):
 
         def source(begin: int) -> LineSource:
-            return _source(ending, rows, line_rate, begin, follow, until_idle, cameras, frame_lines)
+            return _source(ending, rows, rig.line_rate_hz, begin, follow, until_idle, cameras, frame_lines)
 
         run = LiveRun(
             source,
@@ -118,7 +112,7 @@ def stream(
             segment_s=60 * segment_minutes if folder else math.inf,
         )
         for one in run.vehicles():
-            click.echo(json.dumps(said_of(one, line_rate), allow_nan=False))
+            click.echo(json.dumps(said_of(one, rig.line_rate_hz), allow_nan=False))
             sys.stdout.flush()
             run.told(one)
     broken = run.source is not None and run.source.broken

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from sightline.commands.files import read_text
-from sightline.commands.options import json_option, print_json
+from sightline.commands.options import FILE, json_option, output_option, print_json
 from sightline.errors import BadInput
 
 if TYPE_CHECKING:
@@ -18,17 +18,11 @@ if TYPE_CHECKING:
 
 
 @click.command()
-@click.argument("packages", metavar="PACKAGE...", nargs=-1, required=True, type=click.Path(path_type=Path))
-@click.option(
-    "-o",
-    "--output",
-    required=True,
-    type=click.Path(path_type=Path),
-    help="Folder to write; an earlier study there is replaced.",
-)
+@click.argument("packages", metavar="PACKAGE...", nargs=-1, required=True, type=FILE)
+@output_option("Folder to write; an earlier study there is replaced.")
 @click.option(
     "--weights",
-    type=click.Path(path_type=Path),
+    type=FILE,
     help=(
         "Fleet by class (CSV): category,share or category,registrations; several "
         "variables: variable,class,share."
@@ -36,7 +30,7 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--sites",
-    type=click.Path(path_type=Path),
+    type=FILE,
     help="Sites (CSV): site,stratum and, if known, sites_there (in the stratum), traffic.",
 )
 @click.option("--goal", "goal_m", default=0.010, show_default=True, help="Target U95 of the plan, metres.")

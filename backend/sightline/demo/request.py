@@ -1,14 +1,12 @@
 """Asking for the demonstration survey; apart from its making, which a starting server does not load."""
 
-from sightline.enums import JobState
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.store import list_jobs
+from sightline.infra.jobs.store import jobs_under_way
 from sightline.surveys.store import demo_survey_id
 
 KIND, STUDY_KIND = "demonstration", "demonstration_study"
-_UNDER_WAY: tuple[JobState, ...] = ("queued", "running")
 
 
 def request_both(session: Session) -> Job | None:
@@ -22,8 +20,7 @@ def request_both(session: Session) -> Job | None:
 
 
 def _under_way(session: Session) -> Job | None:
-    found = (job for state in _UNDER_WAY for job in list_jobs(session, state=state) if job.kind == KIND)
-    return next(found, None)
+    return next(iter(jobs_under_way(session, KIND)), None)
 
 
 def ensure_requested(session: Session) -> Job | None:

@@ -16,11 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.errors import Damaged, SightlineError
-from sightline.infra.csv_package.columns import pixel
+from sightline.infra.csv_package.columns import integer, key, pixel, text
 from sightline.infra.csv_package.files import Staging, Tick, number
 from sightline.infra.csv_package.schema import Cell, Column, Table, sha256_hex
 from sightline.infra.services import Services
-from sightline.measurements.csv import TARGETS
+from sightline.measurements.csv import TARGETS, WAYS
 from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues
 from sightline.media.video.picture import Bgr
 from sightline.recordings.frames.stills import stills_of
@@ -42,8 +42,12 @@ _RECORD = np.dtype(
 Spots = NDArray[Any]
 
 
-def _in_crop(name: str, meaning: str) -> Column:
-    return pixel(name, meaning, of_what="crop's ", required=False)
+def _in_crop(name: str, meaning: str) -> tuple[Column, ...]:
+    """Where a point lies in the crop."""
+    return tuple(
+        pixel(f"{name}_{axis}_px", f"{meaning}, in the crop, {way}", of_what="crop's ", required=False)
+        for axis, way in WAYS
+    )
 
 
 CROPS = Table(
@@ -52,34 +56,20 @@ CROPS = Table(
     "unmarked, crops/mN-K.svg shows it with its points. Measurements that were withdrawn have none, nor have "
     "those of vehicles that the package is not of (selection.csv).",
     (
-        Column("measurement_id", "integer", "measurement", required=True),
-        Column("k", "integer", "which of the measurement's frames, from 1", required=True, minimum=1),
-        Column("recording_id", "integer", "recording", required=True),
-        Column("frame", "integer", "frame number: the n-th decoded frame, from 0", required=True, minimum=0),
-        Column("file", "string", "the crop in this package"),
-        Column("overlay", "string", "the same with its points, as SVG"),
-        Column("sha256", "string", "SHA-256 of the crop"),
-        Column("x_px", "integer", "column of the frame in which the crop begins", "px"),
-        Column("y_px", "integer", "row of the frame in which the crop begins", "px"),
-        Column("width_px", "integer", "width of the crop", "px"),
-        Column("height_px", "integer", "height of the crop", "px"),
-        pixel(
-            "contact_x_px",
-            "where the tyre meets the road, in the crop, x to the right",
-            of_what="crop's ",
-            required=False,
-        ),
-        pixel(
-            "contact_y_px",
-            "where the tyre meets the road, in the crop, y down",
-            of_what="crop's ",
-            required=False,
-        ),
-        pixel(
-            "target_x_px", "the target point, in the crop, x to the right", of_what="crop's ", required=False
-        ),
-        _in_crop("target_y_px", "the target point, in the crop, y down"),
-        Column("reason", "string", "why there is no crop"),
+        key("measurement_id", "measurement"),
+        integer("k", "which of the measurement's frames, from 1", required=True, minimum=1),
+        key("recording_id", "recording"),
+        integer("frame", "frame number: the n-th decoded frame, from 0", required=True, minimum=0),
+        text("file", "the crop in this package"),
+        text("overlay", "the same with its points, as SVG"),
+        text("sha256", "SHA-256 of the crop"),
+        integer("x_px", "column of the frame in which the crop begins", unit="px"),
+        integer("y_px", "row of the frame in which the crop begins", unit="px"),
+        integer("width_px", "width of the crop", unit="px"),
+        integer("height_px", "height of the crop", unit="px"),
+        *_in_crop("contact", "where the tyre meets the road"),
+        *_in_crop("target", "the target point"),
+        text("reason", "why there is no crop"),
     ),
     primary=("measurement_id", "k"),
     foreign=(

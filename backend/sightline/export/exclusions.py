@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from sightline.export.chosen import chosen_vehicles
-from sightline.infra.csv_package.columns import code_in, code_of
+from sightline.infra.csv_package.columns import code_in, code_of, key, text
 from sightline.infra.csv_package.files import Files, read_columns, unsafe
-from sightline.infra.csv_package.schema import Cell, Column, Table
+from sightline.infra.csv_package.schema import Cell, Table
 from sightline.measurements.csv import TARGETS
 from sightline.measurements.sheets.csv import counting_in
 from sightline.messages.said import Said
@@ -29,13 +29,13 @@ EXCLUSIONS = Table(
     "target, whose errors alone are stated (statistics/errors_by_target.csv), or of a vehicle out of the "
     "sample (sampling.csv).",
     (
-        Column("measurement_id", "integer", "excluded measurement", required=True),
-        Column("vehicle_id", "integer", "vehicle that was measured", required=True),
-        Column("vehicle_number", "integer", "its number within the survey", required=True),
-        Column("target", "string", "what was measured", required=True, enum=TARGETS),
-        Column("state", "string", "state for which it is excluded", required=True, enum=STATES),
-        Column("reason", "string", "the reason in words", required=True),
-        Column("reason_code", "string", "reason by code and values (JSON)"),
+        key("measurement_id", "excluded measurement"),
+        key("vehicle_id", "vehicle that was measured"),
+        key("vehicle_number", "its number within the survey"),
+        text("target", "what was measured", required=True, enum=TARGETS),
+        text("state", "state for which it is excluded", required=True, enum=STATES),
+        text("reason", "the reason in words", required=True),
+        text("reason_code", "reason by code and values (JSON)"),
     ),
     primary=("measurement_id",),
     foreign=((("measurement_id",), "measurements", ("id",)), (("vehicle_id",), "vehicles", ("id",))),
@@ -87,7 +87,7 @@ def _why(row: Mapping[str, str]) -> tuple[str, Said] | None:
     if row["withdrawn"] == "true":
         return "withdrawn", Said("excluded-withdrawn")
     if row["status"] != "ok":
-        return "not_measurable", _reason(row) or Said("excluded-no-height")
+        return "not_measurable", reason_in(row) or Said("excluded-no-height")
     if row["verdict"] == "rejected":
         return "rejected", _of_person(row) or Said("excluded-rejected")
     if row["verdict"] == "to_review":
@@ -97,8 +97,8 @@ def _why(row: Mapping[str, str]) -> tuple[str, Said] | None:
     return None
 
 
-def _reason(row: Mapping[str, str]) -> Said | None:
-    """Of a height that is missing; a package of an earlier program may have its words alone."""
+def reason_in(row: Mapping[str, str]) -> Said | None:
+    """Of what is missing; a package of an earlier program may have its words alone."""
     return code_in(unsafe(row["reason_code"])) or (
         Said.read(unsafe(row["reason"])) if row["reason"] else None
     )

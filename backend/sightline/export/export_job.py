@@ -51,8 +51,7 @@ def request_export(
     check_language(language)
     selection.require_sense()
     get_survey(session, survey_id)
-    payload = {"survey_id": survey_id, "crops": crops, "selection": selection.stored()}
-    payload["language"] = language
+    payload = {"survey_id": survey_id, "crops": crops, "selection": selection.stored(), "language": language}
     return registry.enqueue(session, KIND, payload, survey_id=survey_id, actor=actor)
 
 
@@ -67,12 +66,13 @@ def export(context: registry.JobContext) -> registry.Outcome:
     """Build the package, keep it in the media store, and note it with the head of the audit chain."""
     survey_id = int(context.payload["survey_id"])
     services = context.services
-    crops = bool(context.payload.get("crops", True))
-    selection = selection_of(context.payload.get("selection", {}))
-    language = str(context.payload.get("language", SOURCE))
+    asked: dict[str, Any] = {
+        "selection": selection_of(context.payload.get("selection", {})),
+        "language": str(context.payload.get("language", SOURCE)),
+    }
     context.progress(0.0, Said("job-export-reading"))
     with tempfile.TemporaryDirectory(prefix="export-", dir=services.scratch) as folder:
-        built, package = _package(context, survey_id, crops, selection, language, Path(folder))
+        built, package = _package(context, survey_id, asked, Path(folder))
         context.progress(_ZIPPED, Said("job-export-storing"))
         size, sha256 = package.stat().st_size, sha256_of(package)
         key = key_of(sha256, ".zip")
@@ -87,8 +87,7 @@ def export(context: registry.JobContext) -> registry.Outcome:
             size_bytes=size,
             sha256=sha256,
             head=built.head,
-            selection=selection,
-            language=language,
+            **asked,
             actor=context.actor,
         )
         return {"export_id": made.id, **result}
@@ -97,12 +96,7 @@ def export(context: registry.JobContext) -> registry.Outcome:
 
 
 def _package(
-    context: registry.JobContext,
-    survey_id: int,
-    crops: bool,
-    selection: Selection,
-    language: str,
-    folder: Path,
+    context: registry.JobContext, survey_id: int, asked: Mapping[str, Any], folder: Path
 ) -> tuple[Built, Path]:
     """Build and pack; the ZIP is written beside the files and takes their place.
 
@@ -120,9 +114,8 @@ def _package(
             survey_id,
             services,
             tell,
-            crops=crops,
-            selection=selection,
-            language=language,
+            crops=bool(context.payload.get("crops", True)),
+            **asked,
             actor=context.actor,
         )
     check_room(folder, 2 * sum(one.size for one in staging.written.values()), "this export")

@@ -8,36 +8,34 @@ from typing import cast, get_args
 
 from sightline.enums import AskedTarget, ClassSet, Lighting
 from sightline.export.chosen import chosen_vehicles
+from sightline.export.statistics_rows import statistics_table
 from sightline.infra.csv_package.columns import integer, number, text
 from sightline.infra.csv_package.files import Files, read_columns, read_rows
-from sightline.infra.csv_package.schema import Cell, Table
+from sightline.infra.csv_package.schema import Cell
 from sightline.statistics.sampling import PassAnswers, Response, response
 from sightline.surveys.csv import asked_in, class_sets_in
 from sightline.vehicles.records import NOT_VISIBLE
 
-RESPONSE: Table = Table(
+RESPONSE = statistics_table(
     "response",
     "What became of the passes of the survey. in_sample are those that the rule of sampling.csv takes, but "
     "for discarded ones; each is measured (all that is asked for is answered, something measured), not "
     "visible, or open.",
-    (
-        text("lighting", "all, daytime, low_light, or unknown", required=True),
-        text("class_set", "all, a set of classes (classes.csv), or none", required=True),
-        text("target", "what is asked for; empty: the vehicle as a whole", enum=get_args(AskedTarget)),
-        integer("passes", "passes found", required=True),
-        integer("discarded", "of them discarded (vehicles.csv says why)", required=True),
-        integer("out_of_sample", "of them out of the sample", required=True),
-        integer("in_sample", "of them in the sample", required=True),
-        integer("measured", "of the sample measured", required=True),
-        integer("not_visible", "of the sample not visible", required=True),
-        integer("open", "of the sample open", required=True),
-        integer("outside", "measured though out of the sample", required=True),
-        number("rate", "response rate: measured over in_sample"),
-        number("low", "lower end of its exact 95 % interval"),
-        number("high", "upper end of its exact 95 % interval"),
-    ),
+    text("lighting", "all, daytime, low_light, or unknown", required=True),
+    text("class_set", "all, a set of classes (classes.csv), or none", required=True),
+    text("target", "what is asked for; empty: the vehicle as a whole", enum=get_args(AskedTarget)),
+    integer("passes", "passes found", required=True),
+    integer("discarded", "of them discarded (vehicles.csv says why)", required=True),
+    integer("out_of_sample", "of them out of the sample", required=True),
+    integer("in_sample", "of them in the sample", required=True),
+    integer("measured", "of the sample measured", required=True),
+    integer("not_visible", "of the sample not visible", required=True),
+    integer("open", "of the sample open", required=True),
+    integer("outside", "measured though out of the sample", required=True),
+    number("rate", "response rate: measured over in_sample"),
+    number("low", "lower end of its exact 95 % interval"),
+    number("high", "upper end of its exact 95 % interval"),
     primary=("lighting", "class_set", "target"),
-    folder="statistics/",
 )
 
 

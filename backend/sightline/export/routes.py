@@ -1,9 +1,9 @@
 """Exports: the CSV package for a standards body."""
 
 import re
+from dataclasses import dataclass
 from datetime import date, datetime
 from typing import Annotated, get_args
-from urllib.parse import quote
 
 from fastapi import APIRouter
 from fastapi.responses import FileResponse
@@ -17,6 +17,7 @@ from sightline.export.report.conclusion import conclude
 from sightline.export.report.said import speaking
 from sightline.infra.audit.records import Who
 from sightline.infra.audit.signing import signing_key
+from sightline.infra.by_name import filled_from
 from sightline.infra.web.bodies import In, JobBody, Out, example
 from sightline.infra.web.deps import AskedIn, Exporter, PathId, Reading, SurveysSeen, Viewer, Wired, Writing
 from sightline.recordings.bodies import HourFrom, HourTo
@@ -48,43 +49,25 @@ class WantedBody(In):
     ] = None
 
 
-class ExportBody(Out):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ExportBody:
     id: int
     created_at: datetime
     created_by: Who | None
     size_bytes: int
     sha256: str
-    audit_count: int = Field(description="How many events the audit chain in it has.")
-    audit_head: str = Field(description="The last hash of that chain; keep it elsewhere.")
+    audit_count: Annotated[int, Field(description="How many events the audit chain in it has.")]
+    audit_head: Annotated[str, Field(description="The last hash of that chain; keep it elsewhere.")]
     selection: Annotated[Selection, Field(description="The vehicles that its statistics are of.")]
-    language: str = Field(description="That of its figures and its report.")
-    signing_key: str = Field(description="The installation's key in force, which signs packages.")
+    language: Annotated[str, Field(description="That of its figures and its report.")]
+    signing_key: Annotated[str, Field(description="The installation's key in force, which signs packages.")]
     url: str
-    filename: str = Field(description="What the downloaded file is called.")
+    filename: Annotated[str, Field(description="What the downloaded file is called.")]
     since: Annotated[ChangesSince, Field(description="Added or changed since: it is not in the package.")]
 
 
 class ConclusionBody(Out):
     sentences: Annotated[tuple[str, ...], Field(description="As the report and the package open.")]
-
-
-def body_of(made: Export, survey: str, signing_key: str, since: ChangesSince) -> ExportBody:
-    who = None if made.created_by is None else made.created_by
-    return ExportBody(
-        id=made.id,
-        created_at=made.created_at,
-        created_by=who,
-        size_bytes=made.size_bytes,
-        sha256=made.sha256,
-        audit_count=made.audit_count,
-        audit_head=made.audit_head,
-        selection=made.selection,
-        language=made.language,
-        signing_key=signing_key,
-        url=f"/api/exports/{made.id}.zip",
-        filename=filename_of(made, survey),
-        since=since,
-    )
 
 
 def filename_of(made: Export, survey: str) -> str:
@@ -136,7 +119,17 @@ def list_exports(survey_id: PathId, who: Viewer, services: Wired, session: Readi
     name, key = get_survey(session, survey_id).name, signing_key(services.settings).public
     packages = store.list_exports(session, survey_id)
     since = changes_since_packages(session, [made.id for made in packages])
-    return [body_of(made, name, key, since[made.id]) for made in packages]
+    return [
+        filled_from(
+            ExportBody,
+            made,
+            signing_key=key,
+            url=f"/api/exports/{made.id}.zip",
+            filename=filename_of(made, name),
+            since=since[made.id],
+        )
+        for made in packages
+    ]
 
 
 @router.get("/exports/{export_id}.zip", response_class=FileResponse)
@@ -146,7 +139,4 @@ def download_export(export_id: PathId, who: Exporter, services: Wired) -> FileRe
         made = store.get_export(session, export_id)
         name = get_survey(session, made.survey_id).name
     path = services.media.local_path(made.media_key)
-    headers = {
-        "Content-Disposition": f"attachment; filename={quote(filename_of(made, name))}",
-    }
-    return FileResponse(path, media_type="application/zip", headers=headers)
+    return FileResponse(path, media_type="application/zip", filename=filename_of(made, name))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import asdict
 from typing import cast, get_args
 
@@ -15,7 +15,9 @@ from sightline.enums import (
     Target,
 )
 from sightline.export.chosen import chosen_scanned
+from sightline.export.exclusions import reason_in
 from sightline.export.statistics_rows import (
+    BAND,
     INTERVAL,
     REASON,
     Cells,
@@ -23,12 +25,10 @@ from sightline.export.statistics_rows import (
     error_rows,
     statistics_table,
 )
-from sightline.infra.csv_package.columns import code_in, metres, number, words_of
+from sightline.infra.csv_package.columns import integer, metres, number, text, words_of
 from sightline.infra.csv_package.files import Files, read_columns, read_rows, unsafe
 from sightline.infra.csv_package.files import number as figure_of
-from sightline.infra.csv_package.schema import Column
 from sightline.linescan.rig import rig_from
-from sightline.messages.said import Said
 from sightline.results.csv import selection_in
 from sightline.scans.heights.csv import LINE_HEIGHTS
 from sightline.scans.records import state_of
@@ -47,25 +47,24 @@ from sightline.scans.store import RIG
 
 # of a motion's rig, whose distance is that of its lane
 _RIG = tuple(name for name in RIG if name != "lanes")
-_QUANTITY = Column(
+_QUANTITY = text(
     "quantity",
-    "string",
     "speed: when the front reaches camera 1; length; time_gap and distance_gap: from the rear before to this "
     "front; headway: front to front",
     required=True,
     enum=("speed", "length", "time_gap", "distance_gap", "headway"),
 )
-_SIZE = Column("size", "string", "which size of a vehicle", required=True, enum=get_args(KnownLength))
-_UNIT = Column("unit", "string", "unit of the figures of this row", required=True)
-_N = Column("n", "integer", "number of vehicles", required=True, minimum=0)
+_SIZE = text("size", "which size of a vehicle", required=True, enum=get_args(KnownLength))
+_UNIT = text("unit", "unit of the figures of this row", required=True)
+_N = integer("n", "number of vehicles", required=True, minimum=0)
 
 ERRORS = statistics_table(
     "scan_errors",
     "Errors (measured minus manufacturer's) of lengths and wheelbases of accepted scanned vehicles, not "
     "rounded, by lighting and overall; figures named _m are in metres, _m2 in square metres.",
     _SIZE,
-    Column("group", "string", "which group", required=True),
-    Column("figure", "string", "which figure", required=True),
+    text("group", "which group", required=True),
+    text("figure", "which figure", required=True),
     _N,
     number("value", "the figure"),
     *INTERVAL,
@@ -81,7 +80,7 @@ BASELINES = statistics_table(
     number("u_ratio", "standard uncertainty of the ratio (k = 1)"),
     number("spread", "standard deviation of a vehicle's ratio"),
     REASON,
-    Column("warning", "string", "warning"),
+    text("warning", "warning"),
     primary=("size",),
 )
 QUANTITIES = statistics_table(
@@ -112,17 +111,16 @@ ECDF = statistics_table(
     _QUANTITY,
     number("value", "the value, in m/s, m or s as scan_quantities says"),
     number("share", "share of the vehicles that are not above it"),
-    number("low", "lower edge of the 95 % band"),
-    number("high", "upper edge of the 95 % band"),
+    *BAND,
 )
 HEIGHTS = statistics_table(
     "scan_heights",
     "Heights clicked in the line scans, target by target: the figures are of the accepted ones; the heights "
     "that wait for a review or were rejected are counted.",
-    Column("target", "string", "what was measured", required=True, enum=get_args(Target)),
-    Column("n", "integer", "number of accepted heights", required=True, minimum=0),
-    Column("to_review", "integer", "number of heights to review", required=True, minimum=0),
-    Column("rejected", "integer", "number of rejected heights", required=True, minimum=0),
+    text("target", "what was measured", required=True, enum=get_args(Target)),
+    integer("n", "number of accepted heights", required=True, minimum=0),
+    integer("to_review", "number of heights to review", required=True, minimum=0),
+    integer("rejected", "number of rejected heights", required=True, minimum=0),
     metres("mean_m", "mean height"),
     metres("sd_m", "standard deviation (n - 1); empty for one height"),
     metres("median_m", "median height"),
@@ -132,14 +130,14 @@ HEIGHTS = statistics_table(
 REFERENCES = statistics_table(
     "scan_reference_errors",
     "Accepted scanned vehicles' own values minus reference values, by what measured those and all together.",
-    Column("quantity", "string", "which value", required=True, enum=get_args(ReferenceQuantity)),
-    Column("source", "string", "what measured the references; all: every source", required=True),
+    text("quantity", "which value", required=True, enum=get_args(ReferenceQuantity)),
+    text("source", "what measured the references; all: every source", required=True),
     _UNIT,
     _N,
     number("mean", "mean difference"),
     number("sd", "standard deviation of the differences (n - 1)"),
     number("rmse", "root mean square of the differences"),
-    Column("within", "integer", "how many are within their combined U95", required=True, minimum=0),
+    integer("within", "how many are within their combined U95", required=True, minimum=0),
     number("share_within", "that as a share: |E_n| <= 1"),
     number("low", "lower end of the share's exact 95 % interval"),
     number("high", "upper end of it"),
@@ -149,7 +147,7 @@ CARS = statistics_table(
     "scan_cars",
     "Runs of one car (scan_vehicles.run_of) among the accepted vehicles: a size does not change from run to "
     "run, so the runs must agree within their own uncertainty.",
-    Column("car", "string", "name of the car", required=True),
+    text("car", "name of the car", required=True),
     _SIZE,
     _N,
     metres("mean_m", "weighted mean of the runs (generalised least squares)"),
@@ -158,9 +156,9 @@ CARS = statistics_table(
     metres("sd_m", "standard deviation of the runs (n - 1)"),
     metres("u_stated_m", "root mean square of what each run states for itself (k = 1)"),
     number("chi_square", "of the runs about their mean"),
-    Column("degrees", "integer", "its degrees of freedom", required=True, minimum=0),
+    integer("degrees", "its degrees of freedom", required=True, minimum=0),
     number("p", "probability of a chi-square this large if the stated uncertainties are correct"),
-    Column("verdict", "string", "what follows", required=True, enum=get_args(RunsVerdict)),
+    text("verdict", "what follows", required=True, enum=get_args(RunsVerdict)),
     primary=("car", "size"),
 )
 TABLES = (ERRORS, BASELINES, QUANTITIES, PERCENTILES, ECDF, HEIGHTS, REFERENCES, CARS)
@@ -219,7 +217,7 @@ def scanned_motions(files: Files) -> Iterator[VehicleMotion]:
                 )
             },
             status=row["status"] or "not_measurable",
-            reason=_reason(row),
+            reason=reason_in(row),
             filmed_at=row["filmed_at"],
             u_filmed_at_s=figure_of(row["u_filmed_at_s"]),
             run_of=row["run_of"] or None,
@@ -231,12 +229,6 @@ def scanned_motions(files: Files) -> Iterator[VehicleMotion]:
                 {} if rig is None else when_passed(rig, float(row["front_line_1"]), float(row["rear_line_1"]))
             ),
         )
-
-
-def _reason(row: Mapping[str, str]) -> Said | None:
-    """Why there is no motion; a package of an earlier version has the words alone."""
-    told = code_in(row["reason_code"])
-    return Said.read(unsafe(row["reason"])) if row["reason"] and told is None else told
 
 
 def _standing(files: Files) -> dict[str, list[ReferenceValues]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from itertools import chain
 from typing import get_args
 
@@ -10,15 +11,17 @@ from sightline.enums import Category, Correction, Direction, Rounding, RuleVerdi
 from sightline.export import scans, traffic
 from sightline.export.measured import AS_PAPER, PackageStatistics
 from sightline.export.statistics_rows import (
+    BAND,
     INTERVAL,
     INTERVAL_M,
     REASON,
+    TOTAL_M,
     Cells,
     curve_rows,
     error_rows,
     statistics_table,
 )
-from sightline.infra.csv_package.columns import flag, metres, number
+from sightline.infra.csv_package.columns import flag, integer, metres, number, text
 from sightline.infra.csv_package.schema import Column, Row
 from sightline.messages.said import Said
 from sightline.results.survey_statistics import Statistics, standards_of
@@ -27,33 +30,28 @@ from sightline.statistics.known_errors import KnownErrors
 from sightline.statistics.summary import Distribution, Errors
 
 _PAPER = "as_in_the_paper"
-_HEIGHTS = Column(
+_HEIGHTS = text(
     "heights",
-    "string",
     "inset: heights corrected by each measurement's inset; as_in_the_paper: with an inset of 0, both heights "
     "of an error to whole centimetres",
     required=True,
     enum=("inset", _PAPER),
 )
-_ROUNDING = Column(
+_ROUNDING = text(
     "rounding",
-    "string",
     "cm: both heights to whole centimetres as the paper does; none: not rounded",
     required=True,
     enum=get_args(Rounding),
 )
-_CORRECTION = Column(
-    "correction",
-    "string",
-    "which correction of the heights (corrections.csv says what was done)",
-    required=True,
+_CORRECTION = text(
+    "correction", "which correction of the heights (corrections.csv says what was done)", required=True
 )
-_TARGET = Column("target", "string", "what was measured", required=True)
-_N = Column("n", "integer", "number of measurements", required=True, minimum=0)
-_GROUPING = Column("grouping", "string", "what divides the measurements; all: nothing", required=True)
-_GROUP = Column("group", "string", "group", required=True)
-_HOLDS = Column("holds", "string", "components of its interval, separated by spaces")
-_BAND = (number("low", "lower edge of the 95 % band"), number("high", "upper edge of the 95 % band"))
+_TARGET = text("target", "what was measured", required=True)
+_N = integer("n", "number of measurements", required=True, minimum=0)
+_GROUPING = text("grouping", "what divides the measurements; all: nothing", required=True)
+_GROUP = text("group", "group", required=True)
+_HOLDS = text("holds", "components of its interval, separated by spaces")
+_BAND_PER_M = tuple(replace(one, unit="1/m") for one in BAND)
 
 ERROR_TABLE = statistics_table(
     "error_table",
@@ -63,7 +61,7 @@ ERROR_TABLE = statistics_table(
     _HEIGHTS,
     _ROUNDING,
     _GROUP,
-    Column("figure", "string", "name of the value", required=True),
+    text("figure", "name of the value", required=True),
     _N,
     number("value", "value"),
     *INTERVAL,
@@ -82,7 +80,7 @@ ERRORS_BY_TARGET = statistics_table(
     flag("check_target", "true: of check targets, which count nowhere else", required=True),
     _GROUPING,
     _GROUP,
-    Column("figure", "string", "name of the value", required=True),
+    text("figure", "name of the value", required=True),
     _N,
     number("value", "value"),
     *INTERVAL,
@@ -97,7 +95,7 @@ AGREEMENT = statistics_table(
     "explain.",
     _HEIGHTS,
     _ROUNDING,
-    Column("figure", "string", "which figure; _m: metres", required=True),
+    text("figure", "which figure; _m: metres", required=True),
     number("value", "value"),
     *INTERVAL,
     REASON,
@@ -108,7 +106,7 @@ ERROR_TREND = statistics_table(
     "The regression lines of agreement.csv with their 95 % bands, at heights over the range of the data.",
     _HEIGHTS,
     _ROUNDING,
-    Column("of", "string", "signed or absolute error", required=True),
+    text("of", "signed or absolute error", required=True),
     metres("reference_m", "manufacturer's height"),
     metres("error_m", "error on the line"),
     metres("low_m", "lower edge of the line's 95 % band"),
@@ -120,11 +118,11 @@ ERROR_ECDF = statistics_table(
     "over the manufacturer's height, no unit); at most 600 points of each.",
     _HEIGHTS,
     _ROUNDING,
-    Column("of", "string", "absolute or relative error", required=True),
+    text("of", "absolute or relative error", required=True),
     _GROUP,
     number("value", "the error"),
     number("share", "share of the errors that are not larger"),
-    *_BAND,
+    *BAND,
 )
 ERROR_DENSITY = statistics_table(
     "error_density",
@@ -134,8 +132,7 @@ ERROR_DENSITY = statistics_table(
     _GROUP,
     metres("error_m", "signed error"),
     number("density", "density at that error", "1/m"),
-    number("low", "lower edge of the 95 % band", "1/m"),
-    number("high", "upper edge of the 95 % band", "1/m"),
+    *_BAND_PER_M,
 )
 CORRECTION_TABLE = statistics_table(
     "corrections",
@@ -145,8 +142,8 @@ CORRECTION_TABLE = statistics_table(
     _N,
     metres("mean_m", "mean of the corrected heights"),
     metres("sd_m", "standard deviation of the corrected heights (n - 1)"),
-    Column("words", "string", "description of the correction"),
-    Column("warning", "string", "warning"),
+    text("words", "description of the correction"),
+    text("warning", "warning"),
     REASON,
     primary=("target", "correction"),
 )
@@ -170,44 +167,32 @@ TOTAL_TABLE = statistics_table(
     "Figures of the true heights of each target, each corrected by its inset, random error taken out of "
     "their spread; 95 % intervals hold what `holds` says.",
     _TARGET,
-    Column(
-        "figure",
-        "string",
-        "name of the value",
-        required=True,
-        enum=("percentile", "mean", "sd", "share_below"),
-    ),
+    text("figure", "name of the value", required=True, enum=("percentile", "mean", "sd", "share_below")),
     number("percent", "of a percentile: which", "%"),
     metres("limit_m", "of a share: below which height"),
     _N,
     number("value", "the figure: a height or SD in metres, a share from 0 to 1"),
     *INTERVAL,
     metres("raw_m", "of a percentile: the plain one of the measured heights"),
-    Column(
-        "holds",
-        "string",
-        "components of the interval, separated by spaces",
-        required=True,
-    ),
+    text("holds", "components of the interval, separated by spaces", required=True),
     REASON,
 )
 RULE_TABLE = statistics_table(
     "same_rule",
     "The rule of each standard that states one (a percentile of a class of vehicles) on the survey's, "
     "and the verdict: lower or higher where the probability that it is not so is at most 2.5 % (JCGM 106).",
-    Column("what", "string", "what the standard's height is of", required=True),
-    Column("standard", "string", "name of the standard", required=True),
+    text("what", "what the standard's height is of", required=True),
+    text("standard", "name of the standard", required=True),
     metres("standard_m", "the standard's height"),
     number("percent", "the percentile of its rule", "%"),
-    Column("class", "string", "of which vehicles, as the standard says"),
-    Column("by_class", "boolean", "false: no class is known, all vehicles count", required=True),
+    text("class", "of which vehicles, as the standard says"),
+    flag("by_class", "false: no class is known, all vehicles count", required=True),
     _N,
     metres("height_m", "the same percentile today, of true heights"),
-    metres("low_m", "lower end of its total 95 % interval"),
-    metres("high_m", "upper end of its total 95 % interval"),
+    *TOTAL_M,
     metres("difference_m", "today's percentile minus the standard's height"),
     number("lower", "probability that today's percentile is below the standard's height"),
-    Column("verdict", "string", "verdict", required=True, enum=get_args(RuleVerdict)),
+    text("verdict", "verdict", required=True, enum=get_args(RuleVerdict)),
     number("risk", "probability that the verdict is wrong"),
     REASON,
 )
@@ -220,7 +205,7 @@ HEIGHT_ECDF = statistics_table(
     _GROUP,
     metres("height_m", "height"),
     number("share", "share of the heights that are not larger"),
-    *_BAND,
+    *BAND,
 )
 HEIGHT_DENSITY = statistics_table(
     "height_density",
@@ -229,8 +214,7 @@ HEIGHT_DENSITY = statistics_table(
     _CORRECTION,
     metres("height_m", "height"),
     number("density", "density at that height", "1/m"),
-    number("low", "lower edge of the 95 % band", "1/m"),
-    number("high", "upper edge of the 95 % band", "1/m"),
+    *_BAND_PER_M,
 )
 SHARES = statistics_table(
     "shares",
@@ -239,10 +223,10 @@ SHARES = statistics_table(
     _CORRECTION,
     _GROUPING,
     _GROUP,
-    Column("standard", "string", "name of the standard", required=True),
+    text("standard", "name of the standard", required=True),
     metres("limit_m", "the standard's height"),
-    Column("source", "string", "where the standard's value is from"),
-    Column("below", "integer", "number of heights below it", required=True),
+    text("source", "where the standard's value is from"),
+    integer("below", "number of heights below it", required=True),
     _N,
     number("share", "share of the heights below: below divided by n"),
     *INTERVAL,
@@ -251,9 +235,9 @@ LATERAL_TABLE = statistics_table(
     "lateral_positions",
     "Where vehicles drive: the distance of the tyre's contact from the camera across the road, one of each "
     "vehicle (the median of its contacts), by lane (the way it goes in the picture) and class.",
-    Column("lane", "string", "travel direction in the image; empty: all", enum=get_args(Direction)),
-    Column("class", "string", "body of the vehicles; empty: all", enum=get_args(Category)),
-    Column("figure", "string", "name of the value", required=True, enum=("percentile", "mean", "sd")),
+    text("lane", "travel direction in the image; empty: all", enum=get_args(Direction)),
+    text("class", "body of the vehicles; empty: all", enum=get_args(Category)),
+    text("figure", "name of the value", required=True, enum=("percentile", "mean", "sd")),
     number("percent", "of a percentile: which", "%"),
     _N,
     metres("value_m", "value"),

@@ -20,6 +20,12 @@ INTERVAL_M = (
     metres("low_m", "lower end of its 95 % interval"),
     metres("high_m", "upper end of its 95 % interval"),
 )
+#: Of the true heights, with all that makes them uncertain.
+TOTAL_M = (
+    metres("low_m", "lower end of its total 95 % interval"),
+    metres("high_m", "upper end of its total 95 % interval"),
+)
+BAND = (number("low", "lower edge of the 95 % band"), number("high", "upper edge of the 95 % band"))
 
 
 def statistics_table(name: str, meaning: str, *columns: Column, **keys: Any) -> Table:

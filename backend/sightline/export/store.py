@@ -3,15 +3,15 @@
 from collections.abc import Mapping
 from typing import Any
 
-from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from sightline.export.records import Export
 from sightline.export.seal import ACTION, ENTITY
 from sightline.infra.audit import trail
 from sightline.infra.audit.records import AuditHead
-from sightline.infra.database.people import people
-from sightline.infra.database.rows import add_row, get_row, missing, who
+from sightline.infra.audit.written import written_rows
+from sightline.infra.by_name import record_of
+from sightline.infra.database.rows import add_row, get_row, missing
 from sightline.infra.database.types import now
 from sightline.messages import SOURCE
 from sightline.results.selection import Selection, selection_of
@@ -63,17 +63,7 @@ def list_exports(session: Session, survey_id: int) -> tuple[Export, ...]:
 
 
 def _fetch(session: Session, condition: Any) -> tuple[Export, ...]:
-    query = (
-        select(exports, people.c.name.label("maker"))
-        .outerjoin(people, people.c.id == exports.c.created_by)
-        .where(condition)
-        .order_by(exports.c.id.desc())
-    )
     return tuple(
-        Export(
-            created_by=who(row["created_by"], row["maker"]),
-            selection=selection_of(row["selection"]),
-            **{key: value for key, value in row.items() if key not in ("created_by", "maker", "selection")},
-        )
-        for row in session.execute(query).mappings()
+        record_of(Export, row, selection=selection_of(row["selection"]))
+        for row in written_rows(session, exports, condition, newest_first=True)
     )

@@ -72,8 +72,8 @@ MoreFrames = Annotated[
 ]
 
 
-class ClicksIn(In):
-    """Two points on one frame, and on further ones."""
+class OnFrameIn(In):
+    """Two points on one frame."""
 
     frame: FrameNumber
     contact: Point
@@ -81,6 +81,11 @@ class ClicksIn(In):
     sigma_px: SigmaPx | None = None
     inset_m: InsetM | None = None
     u_inset_m: UInsetM | None = None
+
+
+class ClicksIn(OnFrameIn):
+    """Two points on one frame, and on further ones."""
+
     more_frames: MoreFrames = Field(default_factory=list)
 
 
@@ -93,19 +98,13 @@ class FollowIn(In):
     ] = None
 
 
-class FollowWanted(In):
+class FollowWanted(OnFrameIn):
     """The points on one frame from which a vehicle is to be followed."""
 
     model_config = example(target="driver_eye", frame=2, contact=[169.5, 194.5], target_point=[189.5, 134.5])
 
     target: Target
-    frame: FrameNumber
-    contact: Point
-    target_point: Point
     second_contact: Point | None = None
-    sigma_px: SigmaPx | None = None
-    inset_m: InsetM | None = None
-    u_inset_m: UInsetM | None = None
 
 
 Follow = Annotated[

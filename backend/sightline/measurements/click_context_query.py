@@ -9,7 +9,7 @@ from sqlalchemy import ScalarSelect, Select, and_, bindparam, exists, select
 from sqlalchemy.orm import Session
 
 from sightline.enums import Category
-from sightline.geometry.sides import FoundSide, driver_side
+from sightline.geometry.sides import FoundSide, TrafficFacts, driver_side
 from sightline.infra.database.rows import missing
 from sightline.measurements.tables import click_sigmas
 from sightline.poses.tables import road_poses
@@ -47,8 +47,8 @@ class ClickContext:
     side: FoundSide | None
     not_visible: frozenset[str]
     discarded: bool
-    own_sigma_px: float | None
-    category: Category | None = None
+    category: Category | None
+    own_sigma_px: float | None = None
     proposed: bool = False
     frames: Mapping[int, Frame] = field(default_factory=dict)
 
@@ -63,16 +63,15 @@ def click_context(
     session: Session,
     recording_id: int,
     person_id: int | None = None,
-    frame_numbers: Sequence[int] = (),
     *,
     vehicle_id: int | None = None,
 ) -> ClickContext:
-    """The context of a person's clicks on frames of a recording, on a vehicle of it.
+    """The context of a person's clicks in a recording, on a vehicle of it; without frames.
 
     Raises NotFound (also when the recording was deleted).
     """
     asked = {"of_recording": recording_id, "of_person": person_id, "of_vehicle": vehicle_id}
-    context = _context(session, _on_recording(), {**asked, "clicked": frame_numbers})
+    context = _context(session, _on_recording(), {**asked, "clicked": ()})
     if context is None:
         raise missing("recording", recording_id)
     return context
@@ -110,7 +109,7 @@ def _query() -> Select[Any]:
     )
     return (
         select(
-            recordings.c.id,
+            recordings.c.id.label("recording_id"),
             recordings.c.survey_id,
             recordings.c.name,
             recordings.c.pose_id,
@@ -137,19 +136,11 @@ def _context(session: Session, query: Select[Any], asked: Mapping[str, Any]) -> 
     if not rows:
         return None
     row = rows[0]
-    return ClickContext(
-        recording_id=row.id,
-        survey_id=row.survey_id,
-        name=row.name,
-        pose_id=row.pose_id,
-        calibration_id=row.calibration_id,
-        size_px=(row.width_px, row.height_px),
-        insets=insets_of(row.insets),
-        not_visible=said_not_visible(row),
-        discarded=row.discarded is not None,
-        side=driver_side(row.driver_side, row.direction, traffic_of_row(row._mapping)),
+    return context_of_row(
+        row,
+        insets_of(row.insets),
+        traffic_of_row(row._mapping),
         own_sigma_px=row.own_sigma_px,
-        category=row.category,
         proposed=bool(row.proposed),
         frames={
             of.n: Frame(n=of.n, pts=of.pts, time_s=of.time_s, key=of.key, crc32=of.crc32)
@@ -159,9 +150,24 @@ def _context(session: Session, query: Select[Any], asked: Mapping[str, Any]) -> 
     )
 
 
-def said_not_visible(row: Any) -> frozenset[str]:
-    """The targets that a vehicle's row says are not to be seen."""
-    return frozenset(target for target, name in NOT_VISIBLE.items() if row._mapping[name] is not None)
+def context_of_row(row: Any, insets: Mapping[str, Inset], traffic: TrafficFacts, **more: Any) -> ClickContext:
+    """The context of clicks on the vehicle of a row, with what the survey says and what is known besides."""
+    return ClickContext(
+        recording_id=row.recording_id,
+        survey_id=row.survey_id,
+        name=row.name,
+        pose_id=row.pose_id,
+        calibration_id=row.calibration_id,
+        size_px=(row.width_px, row.height_px),
+        insets=insets,
+        not_visible=frozenset(
+            target for target, name in NOT_VISIBLE.items() if row._mapping[name] is not None
+        ),
+        discarded=row.discarded is not None,
+        side=driver_side(row.driver_side, row.direction, traffic),
+        category=row.category,
+        **more,
+    )
 
 
 def frames_by_number(session: Session, recording_id: int, numbers: Sequence[int]) -> dict[int, Frame]:

@@ -5,10 +5,10 @@ from typing import Any
 from sqlalchemy import exists, select
 from sqlalchemy.orm import Session
 
-from sightline.infra.audit import trail
+from sightline.infra.audit.written import written_once
+from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people
-from sightline.infra.database.rows import add_row, get_row, stored_hash, who
-from sightline.infra.database.types import now
+from sightline.infra.database.rows import get_row, who
 from sightline.measurements.records import ClickSigma
 from sightline.measurements.tables import click_sigmas
 from sightline.surveys.tables import surveys
@@ -40,10 +40,8 @@ def choose_click_sigma(
     get_row(session, people, person_id, "person")
     before = of_person(session, survey_id, person_id)
     content = {"survey_id": survey_id, "person_id": person_id, "sigma_px": sigma_px, "pairs": pairs}
-    row_id = add_row(session, click_sigmas, {**content, "created_at": now(), "created_by": actor})
-    after = {**content, "content_sha256": stored_hash(session, click_sigmas, row_id)}
     then = None if before is None else {"sigma_px": before.sigma_px, "pairs": before.pairs}
-    trail.record(session, actor, "choose", "click_sigma", row_id, survey_id, then, after)
+    row_id = written_once(session, click_sigmas, content, "choose", before=then, actor=actor)
     return _fetch(session, click_sigmas.c.id == row_id)[0]
 
 
@@ -67,14 +65,11 @@ def _fetch(session: Session, *conditions: Any) -> tuple[ClickSigma, ...]:
         .order_by(click_sigmas.c.person_id)
     )
     return tuple(
-        ClickSigma(
-            id=row.id,
-            survey_id=row.survey_id,
+        record_of(
+            ClickSigma,
+            row._mapping,
             person=who(row.person_id, row.person),
-            sigma_px=row.sigma_px,
-            pairs=row.pairs,
             created_by=who(row.created_by, row.maker),
-            created_at=row.created_at,
         )
         for row in session.execute(query)
     )

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from operator import attrgetter
-from typing import get_args
+from typing import Any, get_args
 
 from typing_extensions import TypeVar
 
@@ -40,7 +40,7 @@ from sightline.infra.csv_package.columns import (
 from sightline.infra.csv_package.schema import Cell, Column, Table
 from sightline.measurements.again.csv import out_of_date
 from sightline.measurements.followed_text import frames_of_text
-from sightline.measurements.records import FurtherFrame, Measurement, ReviewState
+from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues, ReviewState
 from sightline.poses.csv import pose_path
 from sightline.vehicles.records import is_reference
 
@@ -111,15 +111,24 @@ _WHERE: Columns = (
         integer("frame_crc32", "CRC-32 of the decoded luma of that frame: proof of what was clicked on"),
     ),
 )
+#: Along a picture's two axes.
+WAYS = (("x", "x to the right"), ("y", "y down"))
+
+
+def _clicked(name: str, meaning: str, point: Callable[[MeasurementValues], Point]) -> Columns:
+    """A point on the first frame."""
+
+    def along(at: int) -> Callable[[Any], float]:
+        return lambda m: float(point(m.values)[at])
+
+    return tuple(
+        pixel(f"{name}_{axis}_px", f"{meaning}, {way}", along(at)) for at, (axis, way) in enumerate(WAYS)
+    )
+
+
 POINTS: Columns = (
-    pixel(
-        "contact_x_px",
-        "where the tyre meets the road, x to the right",
-        lambda m: float(m.values.contact[0]),
-    ),
-    pixel("contact_y_px", "where the tyre meets the road, y down", lambda m: float(m.values.contact[1])),
-    pixel("target_x_px", "the target point, x to the right", lambda m: float(m.values.target_point[0])),
-    pixel("target_y_px", "the target point, y down", lambda m: float(m.values.target_point[1])),
+    *_clicked("contact", "where the tyre meets the road", lambda values: values.contact),
+    *_clicked("target", "the target point", lambda values: values.target_point),
     number(
         "sigma_px",
         "standard uncertainty of each coordinate of each click",
@@ -130,16 +139,14 @@ POINTS: Columns = (
 )
 
 
+def _known(name: str, meaning: str, more: str = "") -> Columns:
+    """A point that may be told of, by both coordinates."""
+    return tuple(pixel(f"{name}_{axis}_px", f"{meaning}, {way}{more}", required=False) for axis, way in WAYS)
+
+
 def _proposed(which: str) -> Columns:
     """Where a point was proposed; of no height."""
-    return tuple(
-        pixel(
-            f"proposed_{which}_{axis}_px",
-            f"where the {which} was proposed, {way}; it counts for no height",
-            required=False,
-        )
-        for axis, way in (("x", "x to the right"), ("y", "y down"))
-    )
+    return _known(f"proposed_{which}", f"where the {which} was proposed", "; it counts for no height")
 
 
 _MADE: Columns = within(
@@ -153,16 +160,7 @@ _MADE: Columns = within(
         required=True,
         enum=get_args(Made),
     ),
-    pixel(
-        "snapped_from_x_px",
-        "where a person clicked before the contact went to the tyre found there, x to the right",
-        required=False,
-    ),
-    pixel(
-        "snapped_from_y_px",
-        "where a person clicked before the contact went to the tyre found there, y down",
-        required=False,
-    ),
+    *_known("snapped_from", "where a person clicked before the contact went to the tyre found there"),
     text(
         "proposal",
         "whether contact and target were proposed on `frame` when it was measured: shown, or withheld: "

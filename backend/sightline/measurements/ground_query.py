@@ -11,6 +11,7 @@ from sqlalchemy.orm import Session
 
 from sightline.cameras.calibrations.tables import calibrations
 from sightline.errors import BadInput, Conflict
+from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import missing
 from sightline.measurements.click_context_query import frames_by_number
@@ -120,18 +121,12 @@ def ground_of(
     if not rows:
         raise missing("vehicle", vehicle_id)
     row = rows[0]
-    return Ground(
-        survey_id=row.survey_id,
-        recording_id=row.recording_id,
+    return record_of(
+        Ground,
+        row._mapping,
         vehicle_deleted=row.deleted_at is not None,
-        known_id=row.known_id,
-        known_vehicle_id=row.known_vehicle_id,
-        standing_id=row.standing_id,
-        judged=row.judged,
-        pose_survey_id=row.pose_survey_id,
         has_calibration=row.calibration_id is not None,
         frames={of.n: (of.pts, of.crc32) for of in rows if of.n is not None},
-        actor_name=row.actor_name,
         telling=row._mapping,
     )
 

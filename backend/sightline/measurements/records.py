@@ -1,7 +1,7 @@
 """Measurements, their values and further frames, and the sheet of a vehicle that carries them."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Annotated, Generic
 
@@ -62,7 +62,7 @@ class ClickedFrames:
         return (self.target_point, *(further.target_point for further in self.more_frames))
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True)
 class Origin:
     """How the points on the first frame came about. `snapped_from_*`: where a person clicked before the
     contact went to the tyre that Sightline found there.
@@ -72,13 +72,16 @@ class Origin:
     """
 
     made: Made = "clicked"
-    snapped_from_x_px: float | None = None
+    snapped_from_x_px: Annotated[
+        float | None, Field(description="Where the contact was clicked before it went to the tyre found.")
+    ] = None
     snapped_from_y_px: float | None = None
-    proposal: ProposalKept | None = None
-    proposed_contact_x_px: float | None = None
-    proposed_contact_y_px: float | None = None
-    proposed_target_x_px: float | None = None
-    proposed_target_y_px: float | None = None
+    # in no answer: who clicks the next target of a vehicle measured free is not to see them
+    proposal: Annotated[ProposalKept | None, Field(exclude=True)] = None
+    proposed_contact_x_px: Annotated[float | None, Field(exclude=True)] = None
+    proposed_contact_y_px: Annotated[float | None, Field(exclude=True)] = None
+    proposed_target_x_px: Annotated[float | None, Field(exclude=True)] = None
+    proposed_target_y_px: Annotated[float | None, Field(exclude=True)] = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -214,7 +217,7 @@ class FurtherFrame(ClickedFrame):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class MeasurementValues(HeightOfClicks, ClickedFrames):
+class MeasurementValues(HeightOfClicks, Origin, ClickedFrames):
     """The content of one revision: what was clicked, on what, and the height computed from it.
 
     Points are (x, y) in pixels of the frame; `frame_crc32` is of its decoded luma. A name that ends in _m
@@ -237,7 +240,7 @@ class MeasurementValues(HeightOfClicks, ClickedFrames):
             "the target by hand; confirmed: both as proposed; moved: begun from proposed or found points, at "
             "least one of the two put by a person."
         ),
-    ]
+    ] = field()
     pose_id: int
     calibration_id: int
     code_version: str
@@ -252,16 +255,6 @@ class MeasurementValues(HeightOfClicks, ClickedFrames):
             "(docs/formats.md); then the inset is solved for."
         ),
     ] = None
-    snapped_from_x_px: Annotated[
-        float | None, Field(description="Where the contact was clicked before it went to the tyre found.")
-    ] = None
-    snapped_from_y_px: float | None = None
-    # in no answer: who clicks the next target of a vehicle measured free is not to see them
-    proposal: Annotated[ProposalKept | None, Field(exclude=True)] = None
-    proposed_contact_x_px: Annotated[float | None, Field(exclude=True)] = None
-    proposed_contact_y_px: Annotated[float | None, Field(exclude=True)] = None
-    proposed_target_x_px: Annotated[float | None, Field(exclude=True)] = None
-    proposed_target_y_px: Annotated[float | None, Field(exclude=True)] = None
 
     @property
     def first_clicks(self) -> tuple[int, Point, Point]:

@@ -23,60 +23,81 @@ from sightline.measurements.bodies import (
     FurtherClicks,
     MeasurementBody,
     NewMeasurement,
+    OnFrameIn,
     measurement_body,
 )
 from sightline.measurements.following.service import followed_text
 from sightline.measurements.records import ClickedFrame, Clicks, Measurement, Origin
 
 router = APIRouter()
+_Body = NewMeasurement | ChangedMeasurement
 
 
-async def _followed(vehicle_id: PathId, body: NewMeasurement, who: SignedIn, services: Wired) -> str | None:
-    """What is followed from the clicks, found before anything is written; not for what is stored already."""
-    return await run_in_threadpool(_follow, vehicle_id, body, who, services) if body.follow else None
+async def _found(
+    vehicle_id: PathId, body: NewMeasurement, who: SignedIn, services: Wired
+) -> tuple[Origin, str | None]:
+    """How the points came about, held against what Sightline finds, and what is followed from them: found
+    before anything is written, not for what is stored already.
+
+    Raises Conflict where the contact is not where Sightline takes the click.
+    """
+    if body.follow is None and body.snapped_from is None:
+        return Origin(made=body.made), None
+    return await run_in_threadpool(_find, vehicle_id, body, who, services)
 
 
-def _follow(vehicle_id: int, body: NewMeasurement, who: Person, services: Services) -> str | None:
-    if body.follow is None:
-        return None
+def _find(
+    vehicle_id: int, body: NewMeasurement, who: Person, services: Services
+) -> tuple[Origin, str | None]:
     with services.reading() as session:
         if store.is_stored_key(session, str(body.client_key)):
-            return None
-    clicks, second = clicks_of(body, body.target), body.follow.second_contact
+            return Origin(made=body.made), None
+    origin = _snapped(services, vehicle_id, body)
+    followed = _follow(services, vehicle_id, body, body.target, who)
+    return (origin if body.made == "clicked" else replace(origin, made=body.made)), followed
+
+
+async def _found_of_change(
+    measurement_id: PathId, body: ChangedMeasurement, who: SignedIn, services: Wired
+) -> tuple[Origin, str | None]:
+    """`_found` of a revision; a contact that stays is what it was."""
+    if body.follow is None and body.snapped_from is None:
+        return Origin(), None
+    return await run_in_threadpool(_find_of_change, measurement_id, body, who, services)
+
+
+def _find_of_change(
+    measurement_id: int, body: ChangedMeasurement, who: Person, services: Services
+) -> tuple[Origin, str | None]:
+    with services.reading() as session:
+        before = store.get_measurement(session, measurement_id)
+    same = (body.frame, body.contact) == (before.values.frame, before.values.contact)
+    origin = Origin() if same else _snapped(services, before.vehicle_id, body)
+    return origin, _follow(services, before.vehicle_id, body, body.target or before.values.target, who)
+
+
+def _follow(services: Services, vehicle_id: int, body: _Body, target: Target, who: Person) -> str | None:
+    if body.follow is None:
+        return None
+    clicks, second = clicks_of(body, target), body.follow.second_contact
     return followed_text(services, vehicle_id, clicks, second, actor=who.id)
 
 
-async def _followed_change(
-    measurement_id: PathId, body: ChangedMeasurement, who: SignedIn, services: Wired
-) -> str | None:
-    """`_followed` of a revision."""
-    if body.follow is None:
-        return None
-    return await run_in_threadpool(_follow_change, measurement_id, body, who, services)
+def _snapped(services: Services, vehicle_id: int, body: _Body) -> Origin:
+    click = body.snapped_from
+    if click is None:
+        return Origin()
+    if not is_from(services, vehicle_id, body.frame, click, body.contact):
+        raise Conflict("measurements-not-where-click-goes")
+    return Origin(made="snapped", snapped_from_x_px=click[0], snapped_from_y_px=click[1])
 
 
-def _follow_change(
-    measurement_id: int, body: ChangedMeasurement, who: Person, services: Services
-) -> str | None:
-    if body.follow is None:
-        return None
-    with services.reading() as session:
-        before = store.get_measurement(session, measurement_id)
-    clicks = clicks_of(body, body.target or before.values.target)
-    return followed_text(services, before.vehicle_id, clicks, body.follow.second_contact, actor=who.id)
-
-
-def clicks_of(body: ClicksIn, target: Target) -> Clicks:
+def clicks_of(body: OnFrameIn, target: Target) -> Clicks:
     """What the body says was clicked."""
     return Clicks(
         target=target,
-        frame=body.frame,
-        contact=body.contact,
-        target_point=body.target_point,
-        more_frames=clicked_frames(body.more_frames),
-        sigma_px=body.sigma_px,
-        inset_m=body.inset_m,
-        u_inset_m=body.u_inset_m,
+        more_frames=clicked_frames(body.more_frames) if isinstance(body, ClicksIn) else (),
+        **{name: getattr(body, name) for name in OnFrameIn.model_fields},
     )
 
 
@@ -87,53 +108,12 @@ def clicked_frames(more: Sequence[FurtherClicks]) -> tuple[ClickedFrame, ...]:
     )
 
 
-async def _origin(vehicle_id: PathId, body: NewMeasurement, services: Wired) -> Origin:
-    """How the points came about, held against what Sightline finds before anything is written.
-
-    Raises Conflict where the contact is not where Sightline takes the click; not for what is stored already.
-    """
-    if body.snapped_from is None:
-        return Origin(made=body.made)
-    return await run_in_threadpool(_origin_of_snapped, vehicle_id, body, services)
-
-
-def _origin_of_snapped(vehicle_id: int, body: NewMeasurement, services: Services) -> Origin:
-    with services.reading() as session:
-        known = store.is_stored_key(session, str(body.client_key))
-    snapped = Origin() if known else _snapped(services, vehicle_id, body)
-    return snapped if body.made == "clicked" else replace(snapped, made=body.made)
-
-
-async def _origin_of_change(measurement_id: PathId, body: ChangedMeasurement, services: Wired) -> Origin:
-    """`_origin` of a revision; a contact that stays is what it was."""
-    if body.snapped_from is None:
-        return Origin()
-    return await run_in_threadpool(_origin_of_snapped_change, measurement_id, body, services)
-
-
-def _origin_of_snapped_change(measurement_id: int, body: ChangedMeasurement, services: Services) -> Origin:
-    with services.reading() as session:
-        before = store.get_measurement(session, measurement_id)
-    same = (body.frame, body.contact) == (before.values.frame, before.values.contact)
-    return Origin() if same else _snapped(services, before.vehicle_id, body)
-
-
-def _snapped(services: Services, vehicle_id: int, body: NewMeasurement | ChangedMeasurement) -> Origin:
-    click = body.snapped_from
-    if click is None:
-        return Origin()
-    if not is_from(services, vehicle_id, body.frame, click, body.contact):
-        raise Conflict("measurements-not-where-click-goes")
-    return Origin(made="snapped", snapped_from_x_px=click[0], snapped_from_y_px=click[1])
-
-
 @router.post("/vehicles/{vehicle_id}/measurements", status_code=201)
 async def add_measurement(
     vehicle_id: PathId,
     body: NewMeasurement,
     who: Operator,
-    origin: Annotated[Origin, Depends(_origin)],
-    followed: Annotated[str | None, Depends(_followed)],
+    found: Annotated[tuple[Origin, str | None], Depends(_found)],
     writes: Writes,
 ) -> MeasurementBody:
     """Store one height; sending the same `client_key` again gives back the one that is stored.
@@ -141,7 +121,7 @@ async def add_measurement(
     A height that cannot be had is stored too, with its reason. Without a road pose this is a conflict. So is
     a target that stands measured: that conflict carries the measurement, as every other answer shows it.
     """
-    clicks = replace(clicks_of(body, body.target), **asdict(origin), followed=followed)
+    clicks = replace(clicks_of(body, body.target), **asdict(found[0]), followed=found[1])
 
     def work(session: Session) -> MeasurementBody:
         key, again = str(body.client_key), body.repeat_of
@@ -163,8 +143,7 @@ async def revise_measurement(
     measurement_id: PathId,
     body: ChangedMeasurement,
     who: Operator,
-    origin: Annotated[Origin, Depends(_origin_of_change)],
-    followed: Annotated[str | None, Depends(_followed_change)],
+    found: Annotated[tuple[Origin, str | None], Depends(_found_of_change)],
     writes: Writes,
 ) -> MeasurementBody:
     """A new revision; sigma and inset left out are the survey's, as while clicking.
@@ -175,7 +154,7 @@ async def revise_measurement(
     def work(session: Session) -> MeasurementBody:
         before = store.require_measurement_revision(session, measurement_id, body.revision)
         clicks = clicks_of(body, body.target or before.values.target)
-        clicks = replace(clicks, **asdict(origin), followed=followed)
+        clicks = replace(clicks, **asdict(found[0]), followed=found[1])
         return _answered(lambda: service.store_revision(session, before, clicks, actor=who.id))
 
     return await writes.to(SurveyOf("measurement_series", measurement_id), work)

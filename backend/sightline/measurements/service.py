@@ -122,7 +122,7 @@ def store_measurement(
         clicks = origin_of(session, vehicle_id, client_key, clicks)
     if repeat_of is not None and clicks.inset_m is None:
         first = get_measurement(session, repeat_of)
-        clicks = _with_inset_of(clicks, first.values)
+        clicks = replace(clicks, **_inset_of(first.values))
     values = values_of_clicks(session, context, clicks)
     made = add_measurement(
         session, vehicle_id, client_key=client_key, values=values, repeat_of=repeat_of, actor=actor
@@ -188,7 +188,7 @@ def gone_by_measuring(context: ClickContext, target: Target) -> VehicleChanges:
     """What was said of a vehicle and no longer holds once the target is measured."""
     gone = [f"{target}_not_visible"] if target in context.not_visible else []
     gone += ["discarded"] if context.discarded else []
-    return cast(VehicleChanges, dict.fromkeys(gone))
+    return dict.fromkeys(gone)
 
 
 def store_revision(session: Session, before: Measurement, clicks: Clicks, *, actor: int) -> Measurement:
@@ -197,7 +197,7 @@ def store_revision(session: Session, before: Measurement, clicks: Clicks, *, act
     """
     then = before.values
     if (clicks.target, clicks.inset_m, clicks.u_inset_m) == (then.target, then.inset_m, then.u_inset_m):
-        clicks = _with_inset_of(clicks, then)
+        clicks = replace(clicks, **_inset_of(then))
     if clicks.made != "snapped":
         clicks = replace(clicks, **origin_after(then, clicks.frame, clicks.contact, clicks.target_point))
     elif clicks.frame == then.frame and then.made in ("confirmed", "moved"):
@@ -206,16 +206,10 @@ def store_revision(session: Session, before: Measurement, clicks: Clicks, *, act
     return revise_measurement(session, before, values, actor=actor)
 
 
-def _with_inset_of(clicks: Clicks, then: MeasurementValues) -> Clicks:
-    """The inset stays what it was, and where it came from."""
-    return replace(
-        clicks,
-        inset_m=then.inset_m,
-        u_inset_m=then.u_inset_m,
-        inset_from=then.inset_from,
-        side=then.side,
-        side_from=then.side_from,
-    )
+def _inset_of(then: MeasurementValues) -> dict[str, Any]:
+    """The inset of a revision, and where it came from."""
+    names = ("inset_m", "u_inset_m", "inset_from", "side", "side_from")
+    return {name: getattr(then, name) for name in names}
 
 
 def values_of_vehicle(session: Session, vehicle_id: int, clicks: Clicks, *, actor: int) -> MeasurementValues:
@@ -261,14 +255,7 @@ def values_of_answer(context: ClickContext, clicks: Clicks, found: Answer) -> Me
 
 def _further(context: ClickContext, one: ClickedFrame) -> FurtherFrame:
     frame = context.frame(one.frame)
-    return FurtherFrame(
-        frame=one.frame,
-        pts=frame.pts,
-        time_s=frame.time_s,
-        frame_crc32=frame.crc32,
-        contact=one.contact,
-        target_point=one.target_point,
-    )
+    return filled_from(FurtherFrame, one, frame, frame_crc32=frame.crc32)
 
 
 def clicks_in_context(clicks: Clicks, context: ClickContext) -> Clicks:
@@ -339,10 +326,7 @@ def clicked_again(values: MeasurementValues, n: int, contact: Point, target_poin
 
     On another frame the further frames fall away: they were clicked to go with the frame before.
     """
-    more = tuple(
-        ClickedFrame(frame=other.frame, contact=other.contact, target_point=other.target_point)
-        for other in values.more_frames
-    )
+    more = tuple(filled_from(ClickedFrame, other) for other in values.more_frames)
     return Clicks(
         target=values.target,
         frame=n,
@@ -352,11 +336,7 @@ def clicked_again(values: MeasurementValues, n: int, contact: Point, target_poin
         # what was followed began at these very points
         followed=values.followed if (n, contact, target_point) == values.first_clicks else None,
         sigma_px=values.sigma_px,
-        inset_m=values.inset_m,
-        u_inset_m=values.u_inset_m,
-        inset_from=values.inset_from,
-        side=values.side,
-        side_from=values.side_from,
+        **_inset_of(values),
         **origin_after(values, n, contact, target_point),
     )
 

@@ -1,6 +1,6 @@
 """Measurements: append-only revisions of a series. Nothing changes a row; the database refuses it too."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from datetime import datetime
 from functools import cache, partial
@@ -94,18 +94,7 @@ def add_measurement(
     place: dict[str, Any] = {"survey_id": ground.survey_id, "recording_id": ground.recording_id}
     place |= {"vehicle_id": vehicle_id, "repeat_of": _repeated(session, vehicle_id, repeat_of, values.target)}
     series_id = add_row(session, measurement_series, {**place, "client_key": client_key})
-    to_come = Measurement(
-        id=series_id,
-        revision=1,
-        revision_id=0,
-        values=values,
-        created_by=None,
-        created_at=now(),
-        withdrawn=False,
-        review=ReviewState("to_review"),
-        **place,
-    )
-    known = partial(_known, to_come, ground, actor)
+    known = partial(_known, _first_revision(series_id, 0, values, place, now()), ground, actor)
     return append_revision(
         session, series_id, 1, values, before=None, action="create", actor=actor, made_of=known
     )
@@ -136,48 +125,44 @@ def _add_some(
         check_ground(ground, one.values)
         if ground.standing_id is not None:
             raise _already_measured(session, ground.standing_id)
-    places = [
+    places: list[dict[str, Any]] = [
         {
             "survey_id": survey_id,
             "recording_id": ground.recording_id,
             "vehicle_id": one.vehicle_id,
             "repeat_of": None,
-            "client_key": one.client_key,
         }
         for one, ground in zip(fresh, grounds, strict=True)
     ]
-    ids = add_rows(session, measurement_series, places)
+    keyed = [{**place, "client_key": one.client_key} for place, one in zip(places, fresh, strict=True)]
+    ids = add_rows(session, measurement_series, keyed)
     moment = now()
     stamps = {"revision": 1, "withdrawn": False, "created_at": moment, "created_by": actor}
     rows = [{**_row_of(one.values), "series_id": id_, **stamps} for id_, one in zip(ids, fresh, strict=True)]
     revision_ids = add_rows(session, measurements, rows)
     content_of = _contents(session, revision_ids)
     events = [
-        (
-            id_,
-            None,
-            _after(
-                Measurement(
-                    id=id_,
-                    revision=1,
-                    revision_id=revision_id,
-                    survey_id=survey_id,
-                    vehicle_id=one.vehicle_id,
-                    recording_id=ground.recording_id,
-                    repeat_of=None,
-                    values=one.values,
-                    created_by=None,
-                    created_at=moment,
-                    withdrawn=False,
-                    review=ReviewState("to_review"),
-                ),
-                content_of[revision_id],
-            ),
-        )
-        for id_, revision_id, one, ground in zip(ids, revision_ids, fresh, grounds, strict=True)
+        (id_, None, _after(_first_revision(id_, number, one.values, place, moment), content_of[number]))
+        for id_, number, one, place in zip(ids, revision_ids, fresh, places, strict=True)
     ]
     trail.record_many(session, actor, "create", "measurement", survey_id, events)
     return ids
+
+
+def _first_revision(
+    series_id: int, revision_id: int, values: MeasurementValues, place: Mapping[str, Any], moment: datetime
+) -> Measurement:
+    return Measurement(
+        id=series_id,
+        revision=1,
+        revision_id=revision_id,
+        values=values,
+        created_by=None,
+        created_at=moment,
+        withdrawn=False,
+        review=ReviewState("to_review"),
+        **place,
+    )
 
 
 def _contents(session: Session, revision_ids: Sequence[int]) -> dict[int, JsonObject]:
@@ -291,17 +276,12 @@ def list_measurements(
     session: Session,
     survey_id: int,
     *,
-    every_revision: bool = False,
-    include_withdrawn: bool = False,
     include_repeats: bool = False,
 ) -> tuple[Measurement, ...]:
-    """A survey's measurements of vehicles that were not deleted; current ones unless told otherwise."""
+    """A survey's standing measurements of vehicles that were not deleted."""
     query = measurement_revision_rows().join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
     query = query.where(measurement_series.c.survey_id == survey_id, vehicles.c.deleted_at.is_(None))
-    if not every_revision:
-        query = query.where(is_current)
-    if not include_withdrawn and not every_revision:
-        query = query.where(~measurements.c.withdrawn)
+    query = query.where(is_current, ~measurements.c.withdrawn)
     if not include_repeats:
         query = query.where(is_first)
     return fetch_measurements(session, query.order_by(measurements.c.series_id, measurements.c.revision))

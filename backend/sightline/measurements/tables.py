@@ -19,25 +19,22 @@ from sqlalchemy import (
 
 from sightline.enums import (
     ComputingKind,
-    DriverSide,
-    InsetSource,
     LotChoice,
-    Made,
-    MeasurementStatus,
-    ProposalKept,
     ReviewVerdict,
-    SideBasis,
     Target,
 )
 from sightline.infra.audit.vouched import WrittenOnce, WrittenOnceApart, vouched
 from sightline.infra.database.types import (
     HOLDS,
     CanonicalJson,
+    columns_for,
     enum_check,
     identity,
     made_columns,
     metadata,
 )
+from sightline.measurements.records import HeightOfClicks, Origin
+from sightline.statistics.acceptance import RiskPoints
 
 # What stays the same over all revisions of one measurement; append-only like them.
 measurement_series = Table(
@@ -103,48 +100,19 @@ measurements = Table(
     Column("target_x_px", Float, nullable=False),
     Column("target_y_px", Float, nullable=False),
     Column("sigma_px", Float, nullable=False),
-    # by hand, or from what Sightline proposed and a person confirmed or moved
-    Column("made", String(20), nullable=False),
-    # where a person clicked before the contact went to the tyre found there
-    Column("snapped_from_x_px", Float),
-    Column("snapped_from_y_px", Float),
-    # what was proposed on the frame, shown or not: only to know how far people lean on it
-    Column("proposal", String(20)),
-    Column("proposed_contact_x_px", Float),
-    Column("proposed_contact_y_px", Float),
-    Column("proposed_target_x_px", Float),
-    Column("proposed_target_y_px", Float),
+    *columns_for(Origin),
     Column("pose_id", ForeignKey("road_poses.id")),
     Column("calibration_id", ForeignKey("calibrations.id")),
     Column("line_pose_id", ForeignKey("line_poses.id")),
-    # empty for an eye of which nobody knows on which side the driver sits
-    Column("inset_m", Float),
-    Column("u_inset_m", Float),
-    Column("inset_from", String(20), nullable=False),
-    Column("side", String(20)),
-    Column("side_from", String(20)),
-    Column("height_m", Float),
-    Column("uncorrected_height_m", Float),
-    Column("u_height_m", Float),
-    Column("U95_height_m", Float),
-    Column("x_m", Float),
-    Column("y_m", Float),
-    Column("distance_m", Float),
+    *columns_for(HeightOfClicks, left_out=("reason", "flags")),
     Column("u_distance_m", Float),
-    Column("status", String(20), nullable=False),
     Column("reason", CanonicalJson),
     Column("flags", CanonicalJson, nullable=False),
-    Column("budget", CanonicalJson, nullable=False),
     Column("code_version", String(60), nullable=False),
     # the same two points in further frames: then the inset is solved for
     Column("more_frames", CanonicalJson, nullable=False, server_default="[]"),
     # of a whole pass: the points followed from these through its frames, as JSON (followed_text.py)
     Column("followed", Text),
-    Column("solved_inset_m", Float),
-    Column("u_solved_inset_m", Float),
-    # parts of u_height_m: clicks (no other height shares them), assumed inset; the rest is the pose's
-    Column("u_clicks_m", Float),
-    Column("u_by_inset_m", Float),
     Column("withdrawn", Boolean, nullable=False),
     # what computed it again, the clicks being those of the revision before; `created_by` is who clicked
     Column("computing_id", ForeignKey("computings.id"), index=True),
@@ -153,12 +121,6 @@ measurements = Table(
     *made_columns(),
     UniqueConstraint("series_id", "revision"),
     enum_check("target", Target),
-    enum_check("status", MeasurementStatus),
-    enum_check("made", Made),
-    enum_check("proposal", ProposalKept),
-    enum_check("inset_from", InsetSource),
-    enum_check("side", DriverSide),
-    enum_check("side_from", SideBasis),
     CheckConstraint("revision >= 1", name="revision_counts"),
     CheckConstraint("sigma_px > 0", name="sigma_positive"),
     CheckConstraint(
@@ -220,10 +182,7 @@ lots = Table(
     Column("size", Integer, nullable=False),
     Column("sample_size", Integer, nullable=False),
     Column("acceptance_number", Integer, nullable=False),
-    Column("producer_quality", Float, nullable=False),
-    Column("producer_risk", Float, nullable=False),
-    Column("consumer_quality", Float, nullable=False),
-    Column("consumer_risk", Float, nullable=False),
+    *columns_for(RiskPoints),
     Column("seed", String(64), nullable=False),
     *made_columns(),
     UniqueConstraint("survey_id", "number"),

@@ -22,16 +22,17 @@ def atomic_file(target: Path, *, lasting: bool = True) -> Iterator[Path]:
     try:
         yield part
         if lasting:
-            _sync(part)
+            sync_to_disk(part)
         os.replace(part, target)
         if lasting:
-            _sync(target.parent)
+            sync_to_disk(target.parent)
     finally:
         with suppress(OSError):
             part.unlink()
 
 
-def _sync(path: Path) -> None:
+def sync_to_disk(path: Path) -> None:
+    """Make a file's content, or the names in a folder, survive a power cut."""
     handle = os.open(path, os.O_RDONLY)
     try:
         os.fsync(handle)

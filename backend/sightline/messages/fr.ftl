@@ -32,8 +32,8 @@ side-far = côté éloigné
 inset-near-edge = bord proche
 inset-crown = sommet
 inset-roof_car = Toit, voitures
-inset-roof_van = Toit, camionnettes
-inset-roof_box = Toit, camions et autocars
+inset-roof_van = Toit, fourgons
+inset-roof_box = Toit, camions et bus
 inset-roof_unknown = Toit, sans classe
 inset-driver_eye_near = Œil du conducteur, côté proche
 inset-driver_eye_far = Œil du conducteur, côté éloigné
@@ -49,11 +49,11 @@ traffic-left = à gauche
 traffic-steering = Volant, en général
 wheel-left = à gauche
 wheel-right = à droite
-traffic-camera = Place de la caméra
+traffic-camera = Position de la caméra
 place-title = Lieu et route
 place-latitude = Latitude (WGS84)
 place-longitude = Longitude
-place-coordinates-problem = Les coordonnées sont en degrés décimaux, comme 49.44315 et 1.09932 ; sud et ouest sont négatifs.
+place-coordinates-problem = Saisissez des degrés décimaux, par exemple 49.44315 et 1.09932. Sud et ouest sont négatifs.
 place-road = Type de route
 place-roads = autoroute; route à chaussées séparées; route bidirectionnelle, rase campagne; artère urbaine; rue; voie de desserte
 place-lane = Voie mesurée
@@ -62,7 +62,7 @@ place-travel = Sens de circulation
 place-travel-example = vers Rouen, direction nord
 place-limit = Vitesse limite
 place-limit-is = limitée à { $limit }
-place-limit-problem = Une vitesse limite est un nombre de { $unit }.
+place-limit-problem = Saisissez la vitesse limite, un nombre de { $unit }.
 place-lamps = Éclairage public
 place-lamps-present = présent
 place-lamps-none = absent
@@ -72,7 +72,7 @@ place-lamps-are = { $lamps ->
 }
 place-not-said = Non indiqué
 place-zone = Fuseau horaire
-place-zone-hint = Celui des horloges du lieu, comme Europe/Paris ; proposé pour chaque enregistrement.
+place-zone-hint = Par exemple Europe/Paris. Proposé pour chaque enregistrement.
 camera-verge = sur l’accotement
 camera-median = sur le terre-plein central
 
@@ -154,19 +154,19 @@ sample-every = tous les passages
 sample-nth = un passage sur n
 sample-share = une part aléatoire, tirée avec une graine
 sample-step = n
-sample-step-problem = Un nombre entier de 2 à 1000.
+sample-step-problem = Saisissez un nombre entier de 2 à 1000.
 sample-start = Premier numéro
-sample-start-problem = Un nombre entier de 1 à n.
+sample-start-problem = Saisissez un nombre entier de 1 à n.
 sample-share-percent = Part
-sample-share-problem = Plus de 0 et au plus 100 %.
+sample-share-problem = Saisissez plus de 0 et au plus 100 %.
 sample-seed = Graine
-sample-seed-problem = Un nombre entier.
+sample-seed-problem = Saisissez un nombre entier.
 sample-free = Véhicules libres : temps intervéhiculaire minimal
-sample-free-help = Par sens, du début d’un passage au suivant ; vide : tous les véhicules. 5 s est usuel.
-sample-free-problem = En secondes, plus de 0 et au plus 60.
+sample-free-help = Par sens, du début d’un passage au début du suivant. Vide : tous les véhicules. 5 s est usuel.
+sample-free-problem = Saisissez des secondes, plus de 0 et au plus 60.
 sample-quotas = Quotas
-sample-quotas-help = Combien de véhicules vous voulez de chaque type ; vide : pas de quota. Leur avancement s’affiche à côté des passages pendant la mesure.
-sample-quota-problem = Un nombre entier à partir de 1.
+sample-quotas-help = Nombre de véhicules voulus de chaque type. Vide : pas de quota. L’avancement s’affiche à côté des passages pendant la mesure.
+sample-quota-problem = Saisissez un nombre entier, 1 ou plus.
 sample-quota = { NUMBER($measured) } sur { NUMBER($wanted) }
 sample-any-class = toutes classes
 sample-response = Bilan des passages
@@ -204,22 +204,22 @@ sample-rule = { $method ->
 }
 sample-rule-free = Seulement les véhicules dont le temps intervéhiculaire est d’au moins { $seconds } s.
 class-choice-any = toutes les classes
-class-choice-help = Groupes et classes de véhicules qui comptent ; sans choix : tous
+class-choice-help = Groupes et classes de véhicules à retenir. Aucun choix : tous.
 class-choice-sets = Groupes
 class-choice-classes = Classes
 checklist-all = Tout
 classes-open = Classes
 classes-title = Classes de véhicules
-classes-help = Les groupes qui peuvent limiter statistiques, quotas et archives, et les classes légales que nomme l’archive. Une modification vaut aussi pour tout ce qui est déjà mesuré : le groupe d’un véhicule découle de sa classe.
+classes-help = Les groupes servent à filtrer statistiques, quotas et archives ; l’archive nomme aussi les classes réglementaires. Une modification vaut aussi pour les mesures existantes, car le groupe d’un véhicule découle de sa classe.
 classes-class = Classe
 classes-set = Groupe
 classes-set-of = Groupe de la classe { $category }
 classes-eu = UE
 classes-eu-of = Classes UE de la classe { $category }
-classes-eu-problem = Classes de l’UE : L, M1 à M3, N1 à N3, O1 à O4 ou T.
+classes-eu-problem = Saisissez des classes de l’UE : L, M1 à M3, N1 à N3, O1 à O4 ou T.
 classes-fhwa = FHWA
 classes-fhwa-of = Classes FHWA de la classe { $category }
-classes-fhwa-problem = Numéros de 1 à 13, comme « 5 6 7 » ou « 8-13 ».
+classes-fhwa-problem = Saisissez des numéros de 1 à 13, par exemple « 5 6 7 » ou « 8-13 ».
 
 ## Rôles des personnes
 
@@ -243,7 +243,7 @@ page-checks = Contrôles
 page-review = Vérification
 page-lots = Lots
 page-repeats = Répétabilité
-page-click-again = Recliquer
+page-click-again = Repointer
 page-scans = Balayages
 page-scan-results = Mouvement
 page-scan = Balayage
@@ -276,11 +276,11 @@ command-frameFirst = Première image
 command-frameLast = Dernière image
 command-frameGo = Aller à une image
 command-play = Lire ou mettre en pause
-command-loupe = Loupe, touche tenue
+command-loupe = Loupe (maintenir la touche)
 command-loupeToggle = Afficher ou masquer la loupe
-command-linesToggle = Masquer ou afficher les lignes
-command-brightToggle = Éclaircir l’image, à l’affichage seulement
-command-cursor = Curseur au clavier : afficher ou masquer
+command-linesToggle = Afficher ou masquer les lignes
+command-brightToggle = Éclaircir l’image (affichage seulement)
+command-cursor = Afficher ou masquer le curseur au clavier
 command-place = Placer le point au curseur
 command-zoomIn = Agrandir
 command-zoomOut = Réduire
@@ -292,12 +292,12 @@ command-target2 = Cible : œil du conducteur
 command-target3 = Cible : feu arrière
 command-target4 = Cible : projecteur
 command-target5 = Cible : autre
-command-notVisible = Déclarer la cible non visible, et pourquoi
+command-notVisible = Déclarer la cible non visible
 command-newContact = Nouveau point de contact
 command-secondFrame = Ajouter une deuxième image
 command-followPass = Suivre sur le passage
 command-proposeContact = Proposer le contact du pneu sous le pointeur
-command-driverSide = Conducteur de l’autre côté, proche ou éloigné
+command-driverSide = Changer le côté du conducteur (proche ou éloigné)
 command-selectNext = Point suivant
 command-bestFrame = Meilleure image du passage
 command-record = Aller à la marque et au modèle
@@ -308,8 +308,8 @@ command-recentModel4 = Modèle récent 4
 command-whichModel = Aller aux modèles qui conviennent
 command-passBegin = Marquer la première image d’un passage ou de la mire
 command-passEnd = Marquer la dernière image d’un passage ou de la mire
-command-passSplit = Couper le passage avant cette image
-command-passJoin = Joindre le passage au suivant
+command-passSplit = Scinder le passage avant cette image
+command-passJoin = Fusionner le passage avec le suivant
 command-passDiscard = Écarter le passage
 command-confirmNext = Passage inachevé suivant
 command-undo = Annuler
@@ -328,9 +328,9 @@ command-nudgeLeftFine = Déplacer le point de 0,1 px à gauche
 command-nudgeRightFine = Déplacer le point de 0,1 px à droite
 command-nudgeUpFine = Déplacer le point de 0,1 px vers le haut
 command-nudgeDownFine = Déplacer le point de 0,1 px vers le bas
-command-scanFit = Remplir la fenêtre avec le véhicule
-command-scanTaller = Étirer la hauteur
-command-scanFlatter = Aplatir la hauteur
+command-scanFit = Ajuster le véhicule à la fenêtre
+command-scanTaller = Étirer verticalement
+command-scanFlatter = Comprimer verticalement
 command-scanWheels = Pointer les deux roues pour l’empattement
 command-scanNew = Ajouter un véhicule par son avant et son arrière
 command-scanHeight = Mesurer des hauteurs par contact et cible
@@ -378,9 +378,9 @@ table-actions = Actions
 time-just-now = à l’instant
 time-minutes-ago = il y a { $minutes } min
 time-today = aujourd’hui { $time }
-length-problem = Une longueur, par exemple { $example }.
+length-problem = Saisissez une longueur, par exemple { $example }.
 problem-server = Erreur du serveur (code { $status }). Réessayez. Si l’erreur persiste, prévenez votre administrateur.
-problem-refused = Le serveur a refusé (code { $status }).
+problem-refused = Le serveur a refusé cette demande (code { $status }).
 problem-stopped = L’opération a été arrêtée.
 problem-page = Un problème est survenu dans cette page. Rechargez-la ; s’il se reproduit, prévenez votre administrateur.
 problem-offline = Le serveur est injoignable.
@@ -439,7 +439,7 @@ jobs-again-on-its-page = Une tâche de ce type ({ $kind }) se relance sur la pag
 
 system-lead = L’état actuel de cette installation. Prometheus lit les mêmes valeurs sur un port à part.
 system-loading = état du système
-system-program = Programme et machine
+system-program = Logiciel et serveur
 system-version = Version
 system-database = Base de données
 system-database-of = { $kind ->
@@ -464,11 +464,11 @@ system-jobs = Tâches
 system-checkpoints = Points de contrôle
 system-checkpoints-sign = Signer un point de contrôle
 system-checkpoints-lead = Un point de contrôle signe la fin de chaque chaîne d’audit. Conservez les fichiers hors de ce serveur : ils révèlent une chaîne coupée ou réécrite plus tard. Chaque export en signe un aussi.
-system-checkpoints-loading = les points de contrôle
+system-checkpoints-loading = points de contrôle
 system-checkpoints-key = Clé actuelle
 system-checkpoints-keys-before = { $count ->
     [one] Elle remplace { $count } clé antérieure, qui l’a signée.
-   *[other] Elle remplace { $count } clés antérieures ; chacune a signé la suivante.
+   *[other] Elle remplace { $count } clés antérieures ; chacune a signé la suivante.
   }
 system-checkpoints-none = Aucun point de contrôle pour l’instant.
 system-checkpoints-chains = Chaînes
@@ -491,27 +491,27 @@ system-licences-none = non indiquée
 own-name-title = Quel est votre nom ?
 own-name-why = Il figure à côté de tout ce que vous mesurez, vérifiez et modifiez.
 own-name = Votre nom
-jobs-lead = Les travaux longs du serveur : ce qui attend, ce qui est en cours, ce qui en est résulté.
+jobs-lead = Les tâches longues du serveur : en attente, en cours et terminées.
 jobs-loading = tâches
 jobs-show = Afficher
 jobs-all = Toutes
 jobs-none-title = Aucune tâche ici
-jobs-none = Lecture de vidéos, détection de passages, poses, étalonnages et archives apparaissent ici.
+jobs-none = Les imports de vidéos, détections de passages, poses, étalonnages et archives apparaissent ici.
 jobs-kind = { $kind ->
-    [ingest] Lecture d’une vidéo
+    [ingest] Import d’une vidéo
     [passes] Détection des passages
     [proposals] Proposition de points
     [pose] Pose de la caméra
     [calibrate] Étalonnage
-    [drift] Recherche de mouvement de la caméra
+    [drift] Contrôle de stabilité de la caméra
     [export] Archive
-    [scan_read] Lecture de bandes
+    [scan_read] Import de bandes
     [scan_find] Détection de véhicules dans les bandes
-    [scan_tidy] Rangement après les bandes
+    [scan_tidy] Nettoyage des bandes
     [demonstration] Relevé de démonstration
     [demonstration_study] Étude de démonstration (simulée)
     [study] Étude
-   *[other] Autre travail
+   *[other] Autre tâche
 }
 jobs-column-what = Tâche
 jobs-column-for = Pour
@@ -581,11 +581,11 @@ unsaved-take = Prendre l’autre
 unsaved-keep = Garder la mienne
 unsaved-again = Réessayer
 unsaved-drop = Abandonner
-unsaved-otherwise = Le serveur a enregistré une autre valeur ; vérifiez.
+unsaved-otherwise = Le serveur a enregistré une autre valeur ; vérifiez-la.
 
 ## Application : la liste des touches
 
-keys-how = Pour changer une touche, cliquez dessus puis appuyez sur la nouvelle ; elle est gardée dans ce navigateur.
+keys-how = Pour changer une touche, cliquez dessus puis appuyez sur la nouvelle. Les touches sont gardées dans ce navigateur.
 keys-usual = Touches par défaut
 keys-clash = { $chord } désigne à la fois « { $one } » et « { $other } » ; la première l’emporte.
 keys-elsewhere = Sur les autres écrans
@@ -618,8 +618,8 @@ drift-reason = Motif pour conserver la pose
 drift-decide = Conserver la pose
 drift-look = image { $frame } : { $moved_px } px, { $change }
 drift-figure = { $untold ->
-    [0] Images comparées à celle de la pose de la caméra : { $count } ; au pire { $worst } de hauteur pour une cible haute de { $target } à { $distance }. La bande : ce qui ne se distingue pas d’une caméra immobile.
-   *[other] Images comparées à celle de la pose de la caméra : { $count }, dont { $untold } sans résultat ; au pire { $worst } de hauteur pour une cible haute de { $target } à { $distance }. La bande : ce qui ne se distingue pas d’une caméra immobile.
+    [0] Images comparées à celles de la pose de la caméra : { $count } ; plus grande erreur de hauteur : { $worst } (cible à { $target } de haut, distance { $distance }). Bande grisée : seuil de détection.
+   *[other] Images comparées à celles de la pose de la caméra : { $count }, dont { $untold } sans résultat ; plus grande erreur de hauteur : { $worst } (cible à { $target } de haut, distance { $distance }). Bande grisée : seuil de détection.
 }
 
 ## Figures : téléchargements et repères
@@ -627,7 +627,7 @@ drift-figure = { $untold ->
 figure-as-svg = { $figure } en SVG
 figure-as-csv = { $figure } en CSV
 figure-read = Lire les valeurs : { $figure }
-figure-read-hint = Les flèches se déplacent le long de l’axe.
+figure-read-hint = Les touches fléchées déplacent le repère le long de l’axe.
 figure-read-value = { $what } : { $value }
 figure-no-band = n = { $n }. Aucune bande n’est tracée sous { $least } véhicules : elle couvrirait plus de la moitié de l’axe.
 figure-standard = { $standards } { $height } { $unit }
@@ -652,7 +652,7 @@ budget-of-baseline = base
 budget-of-clock = horloge
 budget-of-misalignment = désalignement
 budget-of-fit = ajustement
-budget-of-boundaries = limites
+budget-of-boundaries = bornes
 budget-of-regression = régression
 budget-of-following = suivi
 budget-of-frame-times = instants des images
@@ -668,7 +668,7 @@ revisions-title = Historique
 revisions-who = { $person }, { $time }
 revisions-review = { $person } – { $reason }
 catalogue-list = { $field } dans le catalogue
-catalogue-other-years = Le catalogue n’a { $model } que pour { $years } ; l’année est-elle juste ?
+catalogue-other-years = Le catalogue n’a { $model } que pour { $years }. Vérifiez l’année.
 passes-find = Détecter les passages
 passes-find-title = Détecter les passages de véhicules dans cette vidéo. Les passages existants ou écartés ne changent pas.
 passes-failed = La détection a échoué ; relancez-la.
@@ -696,14 +696,14 @@ passes-by-state = par état
 viewer-frame = image { $frame }
 viewer-frame-label = Image { $frame }
 viewer-frame-at = image { $frame }, { $time }
-viewer-stand-in = vignette de l’image { $thumbnail } ; l’image { $frame } arrive
+viewer-stand-in = vignette de l’image { $thumbnail } ; chargement de l’image { $frame }
 viewer-what = image
 viewer-layers = Axes et points sur l’image
-viewer-bright = affichage seulement : éclairci
+viewer-bright = éclaircie (affichage seulement)
 viewer-pointer = x { $x } y { $y }
 viewer-wrong-frame = Le serveur a envoyé l’image { $served } pour l’image { $frame } : elle n’est pas affichée ; importez à nouveau l’enregistrement.
-viewer-slid = Rien n’a été placé : le pointeur a bougé, bouton enfoncé. Pour déplacer l’image, glissez avec Espace.
-viewer-changed = Rien n’a été placé : l’image a changé, bouton enfoncé. Cliquez à nouveau.
+viewer-slid = Rien n’a été placé : le pointeur a bougé alors que le bouton était enfoncé. Pour déplacer l’image, maintenez Espace et faites glisser.
+viewer-changed = Rien n’a été placé : l’image a changé alors que le bouton était enfoncé. Cliquez à nouveau.
 viewer-first-corner = premier
 timeline-passes = { $count } passages, images { $first_frame } à { $last_frame }
 timeline-label = Position dans l’enregistrement
@@ -712,8 +712,8 @@ transport-play = Lire
 transport-stop = Pause
 transport-frame = image
 transport-of = sur { $last_frame }
-transport-vfr-title = La cadence d’images de cet enregistrement varie ; les temps viennent de l’horodatage de chaque image.
-blind-elsewhere = Ce n’est pas l’image où cliquer, qui est l’image { $frame }.
+transport-vfr-title = Cadence d’images variable : les temps viennent de l’horodatage de chaque image
+blind-elsewhere = Ce n’est pas l’image à pointer ; allez à l’image { $frame }.
 blind-contact = cliquez là où le pneu touche la chaussée
 blind-target = { $target ->
     [roof] cliquez sur { target-hint-roof }
@@ -722,7 +722,7 @@ blind-target = { $target ->
     [headlight] cliquez sur { target-hint-headlight }
    *[other] cliquez sur { target-hint-other }
 }
-blind-wrong-frame = Cliquez sur l’image { $frame }, où sont les premiers pointés.
+blind-wrong-frame = Pointez sur l’image { $frame }, celle des premiers pointés.
 
 ## Caméra : la page
 
@@ -755,8 +755,8 @@ camera-lens-words-hint = Marque et plage, telles que gravées : 24-70 mm f/2.8
 camera-zoom = Zoom
 camera-zoom-hint = Tel que réglé, et s’il est bloqué par un adhésif : 28 mm, bloqué.
 camera-focus = Mise au point
-camera-focus-hint = Manuelle, et à quelle distance. L’autofocus change l’objectif à chaque photo.
-camera-name-problem = Une caméra a besoin d’un nom.
+camera-focus-hint = Manuelle, et la distance. L’autofocus modifie l’objectif à chaque photo.
+camera-name-problem = Donnez un nom à la caméra.
 camera-notes-hint = Boîtier, taille d’image, stabilisation désactivée. Si l’un d’eux change, étalonnez à nouveau.
 
 ## Caméra : l’étalonnage
@@ -775,8 +775,8 @@ camera-found-in = { $count ->
 }
 camera-too-few = Il en faut au moins trois ; douze à vingt, prises sous divers angles, donnent un bon étalonnage.
 camera-more-better = Suffisant pour étalonner. Douze à vingt photos, la mire inclinée et dans chaque coin de l’image, donnent un meilleur résultat.
-camera-other-board = Une autre mire a été cherchée dans les images ; relancez la recherche pour { $columns } × { $rows } coins intérieurs.
-camera-other-board-markers = Une autre mire a été cherchée dans les images ; relancez la recherche pour { $columns } × { $rows } coins intérieurs et des marqueurs de { $dictionary }.
+camera-other-board = Ces photos ont été analysées pour une autre mire. Relancez la recherche pour { $columns } × { $rows } coins intérieurs.
+camera-other-board-markers = Ces photos ont été analysées pour une autre mire. Relancez la recherche pour { $columns } × { $rows } coins intérieurs et des marqueurs de { $dictionary }.
 camera-look-again = Relancer la recherche
 camera-to-go = { $count ->
     [one] encore { $count } image
@@ -784,7 +784,7 @@ camera-to-go = { $count ->
 }
 camera-import = Importer un fichier d’étalonnage
 camera-import-title = OpenCV YAML ou JSON, ROS camera_info, Kalibr, mrcal
-camera-imported = { $file } a été lu.
+camera-imported = { $file } importé.
 camera-failed = L’étalonnage a échoué ; réessayez.
 camera-recording-frames = { $count ->
     [one] { $recording } ({ $count } image)
@@ -795,7 +795,7 @@ camera-first-frame = Première image
 camera-last-frame = Dernière image
 camera-no-recording = Aucun enregistrement n’est prêt ; <link>ajoutez la vidéo</link> où la mire est déplacée.
 camera-every-problem = Saisissez un nombre entier, 1 ou plus.
-camera-frames-problem = Donnez la première et la dernière image en nombres entiers.
+camera-frames-problem = Saisissez la première et la dernière image en nombres entiers.
 camera-frames-order = La dernière image est avant la première.
 camera-frames-end = L’enregistrement finit à l’image { $last_frame }.
 camera-lens = Objectif
@@ -820,25 +820,25 @@ camera-found-all = { $columns } × { $rows } trouvés
 ## Caméra : la mire
 
 camera-inner-corners = Comptez les <strong>coins intérieurs</strong> : les points où quatre cases se touchent. Une mire de 10 sur 7 cases en a 9 sur 6.
-camera-charuco-corners = Les fabricants de mires ChArUco indiquent souvent les cases : un de moins dans chaque sens. Une partie de la mire dans l’image suffit.
+camera-charuco-corners = Les fabricants de mires ChArUco indiquent souvent les cases : retranchez un dans chaque sens. Une partie de la mire dans l’image suffit.
 camera-columns = Colonnes
 camera-rows = Rangées
 camera-square = Côté d’une case
-camera-square-hint = Mesurez dix cases à la règle et divisez par dix : les imprimantes gardent rarement la taille.
+camera-square-hint = Mesurez dix cases à la règle et divisez par dix : les imprimantes respectent rarement les dimensions.
 camera-square-problem = { $unit ->
-    [ft] Donnez le côté d’une case en pouces, par exemple { $example }.
-   *[m] Donnez le côté d’une case en millimètres, par exemple { $example }.
+    [ft] Saisissez le côté d’une case en pouces, par exemple { $example }.
+   *[m] Saisissez le côté d’une case en millimètres, par exemple { $example }.
 }
 camera-count-problem = { $what ->
-    [rows] Donnez le nombre de rangées, entier.
-   *[columns] Donnez le nombre de colonnes, entier.
+    [rows] Saisissez le nombre de rangées, un nombre entier.
+   *[columns] Saisissez le nombre de colonnes, un nombre entier.
 }
 camera-count-range = { $what ->
-    [rows] De 3 à 50 rangées peuvent être trouvées ; recomptez les coins intérieurs.
-   *[columns] De 3 à 50 colonnes peuvent être trouvées ; recomptez les coins intérieurs.
+    [rows] De 3 à 50 rangées peuvent être détectées ; recomptez les coins intérieurs.
+   *[columns] De 3 à 50 colonnes peuvent être détectées ; recomptez les coins intérieurs.
 }
 camera-print = Imprimer cette mire (PDF)
-camera-print-hint = En vraie grandeur, sur la plus petite feuille qui la contient, avec une barre pour contrôler l’impression. Collez-la sur un support plan.
+camera-print-hint = En vraie grandeur, sur la plus petite feuille qui la contient, avec une échelle pour contrôler l’impression. Collez-la sur un support plan.
 camera-drawing = { $kind ->
     [charuco] Une mire ChArUco, aux marqueurs dans les cases blanches, avec { $columns } coins intérieurs en largeur et { $rows } en hauteur : les points où quatre cases se touchent. Le bord extérieur ne compte pas.
    *[checkerboard] Une mire avec { $columns } coins intérieurs en largeur et { $rows } en hauteur : les points où quatre cases se touchent. Le bord extérieur ne compte pas.
@@ -869,7 +869,7 @@ camera-made-by = { $source ->
     [clip] D’un enregistrement, { $time }, { $person }
    *[images] De photos, { $time }, { $person }
 }
-camera-use = Utiliser celui-ci
+camera-use = Utiliser cet étalonnage
 camera-residual = Erreur de reprojection RMS
 camera-not-told = Non indiquée
 camera-download = camera.json
@@ -898,7 +898,7 @@ camera-coverage-cell = { $count ->
 }
 camera-covered = Toutes les parties de l’image sont assez couvertes.
 camera-reshoot = Vues à ajouter
-camera-residuals = Résidu de chaque vue
+camera-residuals = Résidus par vue
 camera-left-out = { $count ->
     [one] { $count } vue exclue
    *[other] { $count } vues exclues
@@ -907,9 +907,9 @@ camera-no-reason = motif non indiqué
 camera-residuals-label = Résidus de { $file }, le plus long de { $longest_px } pixels
 camera-worst-view = Pire vue.
 camera-residuals-drawn = { $file } : résidus dessinés { $times } fois plus longs ; le plus long est de { $longest_px } px.
-camera-history-made = Fait
+camera-history-made = Établi
 camera-history-by = Par
-camera-history-from = Depuis
+camera-history-from = Origine
 camera-history-verdict = Conclusion
 camera-history-summary = Résumé
 camera-history-show = Afficher
@@ -935,8 +935,8 @@ camera-expected = u attendue (k = 1)
 camera-not-in-picture = hors de l’image
 camera-halves-note = Hauteur d’un œil à { $eye } calculée avec chaque moitié (caméra horizontale à { $camera }, mire à { $board }, mêmes pointés). « Attendue » : l’écart dû au seul bruit des coins.
 camera-flatness = Défaut de planéité de la mire
-camera-board-solved = Forme estimée : flèche de la mire { $bow } ; résidu { $flat } si elle est supposée plane, { $bent } avec sa forme estimée.
-camera-board-taken-flat = Supposée plane. D’après les photos, flèche de la mire { $bow } ; résidu { $flat } si elle est supposée plane, { $bent } avec sa forme estimée.
+camera-board-solved = Forme estimée : flèche de la mire { $bow }. Erreur de reprojection RMS { $flat } si elle est supposée plane, { $bent } avec sa forme estimée.
+camera-board-taken-flat = Supposée plane. D’après les photos, flèche de la mire { $bow }. Erreur de reprojection RMS { $flat } si elle est supposée plane, { $bent } avec sa forme estimée.
 
 ## Pose de la caméra : la page
 
@@ -979,7 +979,7 @@ pose-ends-title = La dernière image
 pose-span-offer = La mire est immobile de l’image { $first_frame } à { $last_frame }.
 pose-span-take = Utiliser ces images
 pose-not-marked = non marquées
-pose-end-not-marked = dès { $first_frame }, fin non marquée
+pose-end-not-marked = à partir de { $first_frame }, fin non marquée
 pose-marked = { $count ->
     [one] { $first_frame } à { $last_frame }, { $count } image
    *[other] { $first_frame } à { $last_frame }, { $count } images
@@ -992,7 +992,7 @@ pose-reference-height = { $reference ->
     [top] De la chaussée à la rangée de coins intérieurs la plus haute
    *[bottom] De la chaussée à la rangée de coins intérieurs la plus basse
 }
-pose-reference-height-hint = À mesurer de nouveau pour cet enregistrement : elle n’est jamais reprise d’un autre.
+pose-reference-height-hint = À mesurer pour chaque enregistrement : elle n’est jamais reprise d’un autre.
 pose-drawing = { $reference ->
     [top] Le mètre ruban va de la chaussée à la rangée de coins intérieurs la plus haute.
    *[bottom] Le mètre ruban va de la chaussée à la rangée de coins intérieurs la plus basse.
@@ -1010,10 +1010,10 @@ pose-find-again = Recalculer la pose de la caméra
 pose-stopped = Arrêté ; rien n’a changé.
 pose-look-only = Lecture seule. Un opérateur calcule la pose.
 pose-problem-calibration = Étalonnez d’abord la caméra. La pose exige les paramètres de l’objectif.
-pose-problem-board = Une mire a au moins 2 sur 2 coins intérieurs.
-pose-problem-square = Mesurez plusieurs cases d’un coup et indiquez le côté d’une case.
+pose-problem-board = Il faut une mire d’au moins 2 sur 2 coins intérieurs.
+pose-problem-square = Indiquez le côté d’une case : mesurez plusieurs cases d’un coup et divisez.
 pose-problem-height = Indiquez la hauteur mesurée au mètre ruban.
-pose-problem-u = Chacune est un nombre positif ou nul.
+pose-problem-u = Chacune doit être un nombre positif ou nul.
 pose-problem-span = Marquez les images où la mire est immobile.
 
 ## Pose de la caméra : le résultat
@@ -1028,7 +1028,7 @@ pose-expected-distance = Distance
 pose-expected-good = U95 de la hauteur
 pose-expected-U95 = ± { $U95 }
 pose-expected-reason = À { $distance } : { $reason }
-pose-facts = Images { $first_frame } à { $last_frame } ; coins ajustés à { $fit } près ; mire à { $distance }.
+pose-facts = Images { $first_frame } à { $last_frame } ; résidu des coins { $fit } ; mire à { $distance }.
 pose-other-recording = autre enregistrement
 pose-poses = { $count ->
     [one] { $count } pose dans ce relevé
@@ -1072,7 +1072,7 @@ recordings-filming-rate-action = Importer à cette cadence
 recordings-find-road = Calculer la pose
 recordings-measure = Mesurer
 recordings-read-again = Importer à nouveau
-recordings-unreadable = Cet enregistrement n’a pas pu être lu.
+recordings-unreadable = Cet enregistrement n’a pas pu être importé.
 recordings-no-picture = pas d’image
 recordings-no-picture-yet = pas encore d’image
 recordings-rename = Renommer
@@ -1113,7 +1113,7 @@ filmed-confirm-of = Confirmer le début de { $recording }
 filmed-enter-of = Saisir le début de { $recording }
 filmed-confirm-action = Confirmer
 filmed-title = Début et météo de { $recording }
-filmed-started = Première image, à l’heure du lieu
+filmed-started = Première image, heure locale
 filmed-unsay = Inconnu
 filmed-from-file = Proposé d’après le fichier : { $time }. L’horloge d’une caméra est souvent fausse de quelques minutes, ou d’une heure (heure d’été) : comparez avec une montre filmée ou avec vos notes.
 filmed-from-file-none = Le fichier n’indique pas d’heure : prenez-la d’une montre filmée ou de vos notes.
@@ -1152,7 +1152,7 @@ upload-cancel = Annuler l’envoi de { $file }
 upload-empty = { $file } est vide ; vérifiez la copie, puis choisissez à nouveau le fichier.
 upload-not-loaded = La page n’a pas été chargée en entier ; rechargez-la et choisissez à nouveau le fichier.
 upload-broken = La connexion a été coupée pendant l’envoi de { $file } ; ce qui est arrivé est gardé : appuyez sur « Reprendre » quand la connexion sera rétablie.
-upload-unfinished = { $file } : inachevé ; déposez à nouveau le même fichier et l’envoi continue
+upload-unfinished = { $file } : inachevé ; déposez à nouveau le même fichier pour reprendre l’envoi
 upload-discard-title = Supprimer l’envoi partiel ?
 upload-discard-body = { $arrived } de { $file } sont sur le serveur.
 upload-discard = Supprimer
@@ -1204,7 +1204,7 @@ unit-mrad = mrad
 
 ## Contrôles : la page
 
-adjust-lead = Comparez la pose de la caméra à des véhicules d’empattement et de hauteur connus. Rien ne change tant que vous n’appliquez pas la pose ajustée ; les hauteurs sont alors recalculées, et le tout peut être annulé ensemble.
+adjust-lead = Comparez la pose de la caméra à des véhicules d’empattement et de hauteur connus. Rien ne change tant que vous n’appliquez pas la pose ajustée ; les hauteurs sont alors recalculées, et le tout peut être annulé en une fois.
 adjust-tab = Ajustement
 adjust-loading = ajustement
 adjust-no-pose = Aucun enregistrement n’a encore de pose de la caméra.
@@ -1213,7 +1213,7 @@ adjust-seen = Véhicules avec les deux pneus et un empattement connu : { $tyres
 adjust-u-wheelbase = u par défaut d’un empattement ({ $unit })
 adjust-u-wheelbase-common = u commune à tous les empattements ({ $unit })
 adjust-u-roof-common = u commune à tous les toits ({ $unit })
-adjust-u-problem = Une longueur de 0 à 1 m, par exemple { $example }.
+adjust-u-problem = Saisissez une longueur de 0 à 1 m, par exemple { $example }.
 adjust-used = Observations utilisées : { $used } sur { $passes }.
 adjust-global-holds = Le test global est satisfait : khi-deux { $chi2 } à { $freedom } degrés de liberté, sous la limite { $limit }.
 adjust-global-fails = Le test global échoue : khi-deux { $chi2 } à { $freedom } degrés de liberté, au-dessus de la limite { $limit } ; les incertitudes indiquées ne sont pas compatibles entre elles.
@@ -1235,8 +1235,8 @@ adjust-road_lean_rad = rotation de la chaussée autour de son axe longitudinal (
 adjust-road_roll_rad = rotation de la chaussée autour de l’axe transversal (roulis)
 adjust-board_lean_rad = inclinaison de la mire
 adjust-board_roll_rad = roulis de la mire
-adjust-board_height_m = hauteur de la rangée de la mire
-adjust-square_m = case de la mire
+adjust-board_height_m = hauteur de la rangée de référence de la mire
+adjust-square_m = côté d’une case de la mire
 adjust-bow_along_rows_m = flèche de la mire le long des rangées
 adjust-bow_down_columns_m = flèche de la mire le long des colonnes
 adjust-wheelbase_common_m = erreur commune à tous les empattements
@@ -1245,7 +1245,7 @@ adjust-left-title = Non utilisées
 adjust-left-none = Toutes les observations sont utilisées.
 adjust-of-tyres = pneus
 adjust-of-roof = toit
-adjust-models-title = Sans un modèle à la fois
+adjust-models-title = Un modèle exclu à la fois
 adjust-models-note = Variation de la hauteur de la caméra quand tous les véhicules d’un modèle sont exclus. Un modèle qui domine le résultat se voit ici.
 adjust-model = Modèle
 adjust-vehicles = Véhicules
@@ -1253,7 +1253,7 @@ adjust-camera = Hauteur de la caméra
 adjust-heights-title = Effet sur chaque hauteur
 adjust-now = Actuelle
 adjust-then = Ajustée
-computing-lead = Les hauteurs dépendent de la pose de la caméra (dans les balayages : de l’étalonnage au jalon), du retrait, du côté du conducteur et de la version de Sightline. Quand l’un d’eux change, les hauteurs enregistrées restent inchangées jusqu’à leur recalcul ici : en nouvelles révisions, comparées aux anciennes, annulables ensemble.
+computing-lead = Les hauteurs dépendent de la pose de la caméra (dans les balayages : de l’étalonnage au jalon), du retrait, du côté du conducteur et de la version de Sightline. Quand l’un d’eux change, les hauteurs enregistrées restent inchangées jusqu’à leur recalcul ici : en nouvelles révisions, comparées aux anciennes, annulables en une fois.
 computing-loading = hauteurs périmées
 computing-fine = Toutes les hauteurs sont à jour.
 computing-stale = { $count ->
@@ -1272,9 +1272,9 @@ computing-other-program = { $count ->
     [one] { $count } hauteur a été calculée par une autre version de Sightline. Le recalcul peut donner la même valeur.
    *[other] { $count } hauteurs ont été calculées par une autre version de Sightline. Le recalcul peut donner les mêmes valeurs.
 }
-computing-cause-pose = { $count } par une autre pose ou un autre étalonnage de la caméra
-computing-cause-inset = { $count } par un autre retrait
-computing-cause-side = { $count } par un autre côté du conducteur
+computing-cause-pose = { $count } avec une autre pose ou un autre étalonnage de la caméra
+computing-cause-inset = { $count } avec un autre retrait
+computing-cause-side = { $count } avec un autre côté du conducteur
 computing-cause-program = { $count } par une autre version de Sightline
 computing-start = Recalculer
 computing-look = Vérifier et recalculer
@@ -1289,7 +1289,7 @@ computing-done = { $count ->
    *[other] { $count } hauteurs recalculées.
 }
 computing-runs = Calculs précédents
-computing-runs-none = Rien n’a été recalculé dans ce relevé.
+computing-runs-none = Aucune hauteur n’a été recalculée dans ce relevé.
 computing-when = Quand
 computing-who = Par
 computing-kind = Motif
@@ -1309,8 +1309,8 @@ computing-summary = { $count ->
    *[other] { $count } hauteurs : { $causes } ; variation moyenne { $mean }, la plus grande { $largest }.
 }
 computing-summary-undo = { $count ->
-    [one] { $count } hauteur a été remise comme avant.
-   *[other] { $count } hauteurs ont été remises comme avant.
+    [one] { $count } hauteur a retrouvé sa valeur précédente.
+   *[other] { $count } hauteurs ont retrouvé leur valeur précédente.
 }
 computing-kept = { $count ->
     [one] { $count } a été modifiée depuis et reste inchangée.
@@ -1324,12 +1324,12 @@ computing-sent = { $count ->
 computing-undo = Tout annuler
 computing-undo-text = Rétablit la valeur précédente de chaque hauteur de ce calcul, en nouvelle révision. Les hauteurs modifiées depuis restent inchangées.
 computing-figure = Variation de chaque hauteur
-computing-figure-says = Variation de { $count } hauteurs selon leur distance en travers de la route, en { $small }.
+computing-figure-says = Variation de { $count } hauteurs selon la position latérale de leur contact, en { $small }.
 computing-figure-lines = Variation de chaque hauteur dans les balayages
 computing-figure-says-lines = Variation de { $count } hauteurs dans les balayages selon la distance du contact à la caméra, en { $small }.
 computing-figure-x-lines = distance du contact à la caméra ({ $unit })
 computing-line-scan = balayage
-computing-figure-x = contact en travers de la route ({ $unit })
+computing-figure-x = position latérale du contact ({ $unit })
 computing-figure-y = nouvelle − ancienne ({ $small })
 computing-figure-note = Plein : variation supérieure à l’incertitude-type d’avant. Une variation qui croît avec la distance vient de la pose de la caméra ; une variation égale pour toute une cible, de son retrait.
 computing-figure-none = Aucune hauteur n’existe à la fois avant et après.
@@ -1384,8 +1384,8 @@ checks-left-out-help = Valeurs aberrantes : contrôlez leurs pointés et leurs 
 checks-spread = { $spread } entre véhicules
 checks-use = { $target ->
     [roof] Utiliser { $inset } (u = { $u_inset }) pour les toits de voitures
-    [roof_van] Utiliser { $inset } (u = { $u_inset }) pour les toits de camionnettes
-    [roof_box] Utiliser { $inset } (u = { $u_inset }) pour les toits de camions et d’autocars
+    [roof_van] Utiliser { $inset } (u = { $u_inset }) pour les toits de fourgons
+    [roof_box] Utiliser { $inset } (u = { $u_inset }) pour les toits de camions et de bus
     [roof_unknown] Utiliser { $inset } (u = { $u_inset }) pour les toits sans classe
     [driver_eye_near] Utiliser { $inset } (u = { $u_inset }) pour les yeux de conducteur côté proche
     [driver_eye_far] Utiliser { $inset } (u = { $u_inset }) pour les yeux de conducteur côté éloigné
@@ -1395,8 +1395,8 @@ checks-use = { $target ->
 }
 checks-used = { $target ->
     [roof] Les nouvelles mesures de toits de voitures utilisent le nouveau retrait ; les mesures existantes gardent le leur.
-    [roof_van] Les nouvelles mesures de toits de camionnettes utilisent le nouveau retrait ; les mesures existantes gardent le leur.
-    [roof_box] Les nouvelles mesures de toits de camions et d’autocars utilisent le nouveau retrait ; les mesures existantes gardent le leur.
+    [roof_van] Les nouvelles mesures de toits de fourgons utilisent le nouveau retrait ; les mesures existantes gardent le leur.
+    [roof_box] Les nouvelles mesures de toits de camions et de bus utilisent le nouveau retrait ; les mesures existantes gardent le leur.
     [roof_unknown] Les nouvelles mesures de toits sans classe utilisent le nouveau retrait ; les mesures existantes gardent le leur.
     [driver_eye_near] Les nouvelles mesures d’yeux de conducteur côté proche utilisent le nouveau retrait ; les mesures existantes gardent le leur.
     [driver_eye_far] Les nouvelles mesures d’yeux de conducteur côté éloigné utilisent le nouveau retrait ; les mesures existantes gardent le leur.
@@ -1412,7 +1412,7 @@ checks-inset-title = Ce qu’est le retrait, et pourquoi il compte
 checks-inset-plane = Une hauteur se lit là où la ligne de visée coupe le <strong>plan latéral</strong> : le plan vertical qui passe par le contact du pneu avec la chaussée, parallèle au trafic. Un bord de toit ou un œil de conducteur est derrière ce plan, de son <strong>retrait</strong>. Lue sur le plan, une cible plus basse que la caméra semble trop haute, et une cible plus haute, trop basse.
 checks-inset-formula = lue − vraie = (H<sub>c</sub> − h) · retrait / (D + retrait)
 checks-inset-symbols = H<sub>c</sub> est la hauteur de la caméra, h celle de la cible, D la distance de la caméra au plan latéral. Si caméra et cible sont à la même hauteur, le retrait est sans effet. Chaque hauteur enregistrée en est corrigée ; la hauteur non corrigée est gardée à côté.
-checks-missing-inset = Erreur sans le retrait
+checks-missing-inset = Erreur sans correction du retrait
 checks-missing-inset-caption = Erreur de hauteur sans correction du retrait, pour une caméra à { $camera_height }
 checks-height = Hauteur
 checks-inset = Retrait
@@ -1431,7 +1431,7 @@ checks-drawing-too-high =
 
 checks-vehicles-loading = véhicules
 checks-no-vehicles-title = Pas encore de véhicules
-checks-no-vehicles = La direction du trafic vient des pneus des véhicules dont les passages sont marqués.
+checks-no-vehicles = La direction du trafic est calculée d’après les pneus des véhicules. Marquez d’abord leurs passages.
 checks-mark-passes = Marquer les passages
 checks-withdraw = Retirer les pneus
 checks-previous = Précédent
@@ -1442,7 +1442,7 @@ checks-turned-road = Aperçu de la pose pivotée.
 checks-replace = Cliquez à nouveau pour le remplacer.
 checks-choose-vehicle = Choisissez un véhicule.
 checks-first-tyre = Cliquez là où le premier pneu du côté proche touche la chaussée.
-checks-second-tyre = Maintenant l’autre pneu du même côté.
+checks-second-tyre = Cliquez là où l’autre pneu du même côté touche la chaussée.
 checks-verdict = Conclusion
 checks-mean = Moyenne
 checks-spread-of-vehicles = Entre véhicules
@@ -1457,10 +1457,10 @@ checks-turn-by = Pivoter les axes de la route de { $turn }…
 checks-use-before = Utiliser la pose précédente
 checks-turned-pose = Pose pivotée
 checks-turned-by = Pivotée de { $turn }
-checks-turn-no-heights = Aucune hauteur enregistrée n’est mesurée avec cette pose.
+checks-turn-no-heights = Aucune hauteur enregistrée n’utilise cette pose.
 checks-turn-heights = { $count ->
-    [one] { $count } hauteur enregistrée différerait d’au plus { $largest } si elle était repointée ; rien d’enregistré ne change.
-   *[other] { $count } hauteurs enregistrées différeraient d’au plus { $largest } si elles étaient repointées ; rien d’enregistré ne change.
+    [one] { $count } hauteur enregistrée différerait d’au plus { $largest } si elle était repointée. Les valeurs enregistrées ne changent pas.
+   *[other] { $count } hauteurs enregistrées différeraient d’au plus { $largest } si elles étaient repointées. Les valeurs enregistrées ne changent pas.
 }
 checks-differences = Écarts de hauteur
 checks-vehicle = Véhicule
@@ -1481,7 +1481,7 @@ checks-tyres-at = image { $frame }, à { $first } et { $second } px
 
 measure-loading = image
 measure-none-title = Pas encore d’enregistrement à mesurer
-measure-none = Les hauteurs se mesurent sur les images d’un enregistrement. Ajoutez d’abord les vidéos du jour ; elles sont mesurables dès qu’elles sont lues.
+measure-none = Les hauteurs se mesurent sur les images d’un enregistrement. Ajoutez d’abord les vidéos du jour ; elles sont mesurables dès qu’elles sont importées.
 measure-add-recordings = Ajouter des enregistrements
 measure-last-pass = C’est le dernier passage de la liste.
 measure-first-pass = C’est le premier passage de la liste.
@@ -1508,7 +1508,7 @@ measure-pass-begins = Le passage commence à cette image
 measure-pass-begin = Ajouter un passage ici
 measure-pass-ends = Le passage finit à cette image
 measure-pass-end = …finit ici
-measure-pass-drop = Ne pas ajouter de passage
+measure-pass-drop = Annuler le nouveau passage
 measure-pass-frames = { $count ->
     [one] { $count } image
    *[other] { $count } images
@@ -1526,26 +1526,26 @@ measure-unconfirmed-way = { $way ->
     [right] vers la droite, trouvé par Sightline, non confirmé
    *[left] vers la gauche, trouvé par Sightline, non confirmé
 }
-measure-pass-menu = Véhicule { $vehicle } : couper, joindre, écarter
+measure-pass-menu = Véhicule { $vehicle } : scinder, fusionner, écarter
 measure-pass-confirm = { $lighting ->
     [daytime] Confirmer : de jour
    *[low_light] Confirmer : faible luminosité
 }
-measure-pass-split = Couper avant cette image
-measure-pass-join = Joindre au passage suivant
-measure-pass-splitted = Le véhicule { $vehicle } a été coupé à l’image { $frame } ; l’autre partie est le véhicule { $other }.
-measure-pass-joined = Le véhicule { $gone } a été joint au véhicule { $kept }.
-measure-pass-no-next = Aucun passage de cet enregistrement ne commence après celui-ci : il n’y en a pas à joindre.
+measure-pass-split = Scinder avant cette image
+measure-pass-join = Fusionner avec le passage suivant
+measure-pass-splitted = Le véhicule { $vehicle } a été scindé à l’image { $frame } ; l’autre partie est le véhicule { $other }.
+measure-pass-joined = Le véhicule { $gone } a été fusionné avec le véhicule { $kept }.
+measure-pass-no-next = Aucun passage de cet enregistrement ne commence après celui-ci : il n’y a rien à fusionner.
 measure-pass-delete-of = Supprimer le passage du véhicule { $vehicle }
 measure-pass-delete-title = Supprimer le véhicule { $vehicle } ?
 measure-pass-delete-body = { $count ->
-    [0] Le véhicule { $vehicle } sera supprimé. Vous pourrez l’annuler.
-    [one] Le véhicule { $vehicle } et sa mesure seront supprimés. Vous pourrez l’annuler.
-   *[other] Le véhicule { $vehicle } et ses { $count } mesures seront supprimés. Vous pourrez l’annuler.
+    [0] Le véhicule { $vehicle } sera supprimé. Vous pourrez annuler cette suppression.
+    [one] Le véhicule { $vehicle } et sa mesure seront supprimés. Vous pourrez annuler cette suppression.
+   *[other] Le véhicule { $vehicle } et ses { $count } mesures seront supprimés. Vous pourrez annuler cette suppression.
 }
 measure-pass-delete = Supprimer le passage
-measure-pass-bring-back = Reprendre le passage
-measure-pass-kept = Gardé dans ce navigateur ; sera envoyé au retour de la connexion.
+measure-pass-bring-back = Rétablir le passage
+measure-pass-kept = Gardé dans ce navigateur ; il sera envoyé au retour de la connexion.
 measure-pass-new-frames = images { $first_frame } à { $last_frame }
 
 ## Mesure : ce que nomment annuler et rétablir
@@ -1554,8 +1554,8 @@ measure-step-of = { $step }, véhicule { $vehicle }
 measure-step-vehicle = données du véhicule { $vehicle }
 measure-step-new-pass = nouveau passage { $vehicle }
 measure-step-deletion = suppression du véhicule { $vehicle }
-measure-step-split = coupure du véhicule { $vehicle }
-measure-step-joining = jonction des véhicules { $vehicle } et { $next }
+measure-step-split = scission du véhicule { $vehicle }
+measure-step-joining = fusion des véhicules { $vehicle } et { $next }
 measure-step-contact = point de contact
 measure-step-snap = accrochage au pneu
 measure-snapped = accroché au pneu, u = { $expected_px } px ; { $key } : revenir à votre pointé
@@ -1601,7 +1601,7 @@ measure-find-pose = Calculer la pose de la caméra
 measure-no-pose = Pas de pose de la caméra. Calculez-la avant de mesurer.
 measure-choose-pass = Choisissez un passage à gauche, ou marquez-en un nouveau avec [ et ].
 measure-look-only = Lecture seule. Demandez le rôle d’opérateur à un administrateur.
-measure-vehicle-done = Terminé : plus rien à mesurer. 1 à 5 pour mesurer à nouveau.
+measure-vehicle-done = Terminé. Touches 1 à 5 : mesurer à nouveau.
 measure-next-pass = Passage suivant
 measure-choose-target = Choisissez une cible : 1 à 5.
 measure-drift = La caméra a bougé de { $moved_px } px après le calcul de la pose. <link>Calculez une nouvelle pose ou décidez</link>
@@ -1609,7 +1609,7 @@ measure-drift-off = La caméra a bougé de { $moved_px } px après le calcul de 
 measure-proposal-looking = Recherche de la roue…
 measure-proposal-take = { $proposal }. Entrée ou un clic pour l’accepter.
 measure-proposal-no-pass = Choisissez d’abord un passage ; un contact pourra alors être proposé.
-measure-axes-awaited = axes en cours de calcul…
+measure-axes-awaited = chargement des axes…
 measure-proposal-no-contact = Commencez d’abord un nouveau point de contact.
 measure-proposal-no-pointer = Pointez là où le pneu touche la chaussée, puis demandez une proposition.
 
@@ -1622,7 +1622,7 @@ measure-propose-cancelled = Le calcul des propositions pour { $recording } a ét
 measure-propose-over = { $recording } : les propositions sont prêtes.
 measure-proposed = Proposé, non mesuré : Entrée confirme, la touche d’un point y mène.
 measure-proposed-awaited = Proposé, non mesuré : calcul des hauteurs…
-measure-proposed-selected = Glissez le point ou utilisez les flèches. Entrée confirme tout ; sa touche à nouveau le rejette.
+measure-proposed-selected = Faites glisser le point ou utilisez les flèches. Entrée confirme tout ; sa touche à nouveau le rejette.
 measure-proposed-mark = { $what }, proposé
 measure-proposed-title = Propositions
 measure-proposed-contact = Contact
@@ -1677,34 +1677,34 @@ measure-details-hide = { $target ->
 }
 measure-discard = Abandonner
 measure-doubt = { $kind ->
-    [above_roof] C’est plus haut que le toit ({ $low }) : le point est-il au bon endroit de ce véhicule ?
-    [below_lamp] Le projecteur est plus haut ({ $low }) : le point est-il sur l’œil du conducteur ?
-    [far_from_maker] Le constructeur indique { $low } : les points, la marque et le modèle sont-ils ceux de ce véhicule ?
-   *[outside_class] Les véhicules de ce type sont entre { $low } et { $high } : les points et la catégorie sont-ils justes ?
+    [above_roof] C’est plus haut que le toit ({ $low }) : vérifiez que le point est sur le bon élément.
+    [below_lamp] Le projecteur est plus haut ({ $low }) : vérifiez que le point est sur l’œil du conducteur.
+    [far_from_maker] La hauteur du constructeur est { $low } : vérifiez les points, la marque et le modèle.
+   *[outside_class] Les véhicules de cette catégorie sont entre { $low } et { $high } : vérifiez les points et la catégorie.
 }
 measure-not-yet-saved = pas encore enregistré…
 measure-not-stored = non enregistré
 measure-click-again = Repointez-la.
 measure-click-again-key = Repointez-la ({ $key }).
-measure-no-way-back = Impossible de l’annuler.
+measure-no-way-back = Impossible d’annuler cette action.
 measure-clicked-on = pointé sur l’image { $frame }
 measure-contact = Contact
 measure-point = Cible
 measure-distance = Distance
-measure-lateral = Pneu en travers de la route, depuis la mire
-measure-along = Pneu le long de la route, depuis la mire
+measure-lateral = Position latérale du pneu, depuis la mire
+measure-along = Position longitudinale du pneu, depuis la mire
 measure-without-inset = Hauteur non corrigée (retrait = 0)
 measure-withdraw = Retirer
 measure-px = { $across_px }, { $down_px } px
 measure-inset = Retrait
 measure-inset-u = u
 measure-estimate = estimation
-measure-inset-solved = Non utilisé : résolu sur plusieurs images
+measure-inset-solved = Non utilisé : calculé d’après plusieurs images
 measure-inset-what = distance latérale du plan latéral du véhicule à la cible
 measure-inset-as-survey = Revenir à la valeur du relevé ({ $inset }, u = { $u_inset })
 measure-inset-side = Côté du conducteur
 measure-unseen = Non visible : { $why }.
-measure-unseen-back = Marquer comme visible
+measure-unseen-back = Déclarer visible
 measure-unseen-ask = Non visible…
 measure-unseen-why = { $target ->
     [roof] Pourquoi le toit n’est-il pas visible ?
@@ -1724,8 +1724,8 @@ measure-side-from = { $from ->
        *[left] à gauche
     }
     [place] sens inconnu : vus du terre-plein central, tous vont dans le même sens
-    [undirected] sens inconnu, l’œil n’a donc pas de hauteur : indiquez ici le côté, proche ou éloigné, ou le sens du véhicule
-   *[unknown] pas encore connu, l’œil n’a donc pas de hauteur : indiquez-le ici pour ce véhicule, ou sous <link>Paramètres</link> pour tous
+    [undirected] sens inconnu : la hauteur de l’œil ne peut pas être calculée ; indiquez ici le côté, proche ou éloigné, ou le sens du véhicule
+   *[unknown] inconnu : la hauteur de l’œil ne peut pas être calculée ; indiquez-le ici pour ce véhicule, ou sous <link>Paramètres</link> pour tous
 }
 measure-inset-roof = Point du toit
 measure-inset-needs-class = Choisissez la classe : le retrait d’un toit en dépend.
@@ -1768,7 +1768,7 @@ measure-frames-said-inset = { $count ->
    *[other] D’après { $count } images ; retrait { $inset } (u = { $u_inset })
 }
 measure-whole-nothing-yet = Mesurez d’abord une cible. Elle peut ensuite être suivie sur le passage.
-measure-whole-looking = Suivi des points sur le passage …
+measure-whole-looking = Suivi des points sur le passage…
 measure-whole-heading = Passage entier : pas encore enregistré
 measure-whole-height = Hauteur
 measure-whole-frames = Images
@@ -1780,8 +1780,8 @@ measure-whole-dropped = { $count ->
    *[other] { $count } points exclus : { $reason }
 }
 measure-whole-look = { $count ->
-    [one] { $count } point suivi. Parcourez les images et regardez s’il reste en place.
-   *[other] { $count } points suivis. Parcourez les images et regardez s’ils restent en place.
+    [one] { $count } point suivi. Parcourez les images et vérifiez qu’il reste en place.
+   *[other] { $count } points suivis. Parcourez les images et vérifiez qu’ils restent en place.
 }
 measure-whole-keep = Enregistrer cette hauteur
 measure-whole-leave = Annuler
@@ -1835,13 +1835,13 @@ recent-models-gone = { $model } n’est plus dans le catalogue.
 which-model-title = Modèles qui conviennent
 which-model-cannot = { $model } ne convient pas : { $differences } (mesuré moins catalogue). Si le modèle était le bon, de tels écarts auraient une probabilité de { $p } ; la limite est { $limit }.
 which-model-ranked = Classés par { $sizes }. Les hauteurs mesurées ne servent pas au classement : elles seront comparées au modèle.
-which-model-by-name = Aucune longueur de ce véhicule n’est mesurée : les modèles de sa catégorie viennent d’abord, puis l’ordre alphabétique. Cliquez les deux pneus (Contrôles, Direction) pour classer par empattement.
+which-model-by-name = Aucune longueur de ce véhicule n’est mesurée : les modèles de sa catégorie viennent d’abord, puis l’ordre alphabétique. Pointez les deux pneus (Contrôles, Direction) pour classer par empattement.
 which-model-shown = Les { $shown } premiers sur { $count } sont affichés.
 which-model-left-out = { $count ->
     [one] 1 modèle qui ne convient pas aux dimensions mesurées n’est pas affiché.
    *[other] { $count } modèles qui ne conviennent pas aux dimensions mesurées ne sont pas affichés.
 }
-model-chosen-by-size = Le modèle a été choisi d’après ses dimensions ({ $sizes }). Ses hauteurs ne servent pas de référence tant que personne n’a confirmé le modèle sur le véhicule.
+model-chosen-by-size = Le modèle a été choisi d’après ses dimensions ({ $sizes }). Ses hauteurs ne servent pas de références tant que personne n’a confirmé le modèle sur le véhicule.
 model-chosen-see = Confirmer le modèle
 model-chosen-seen = Le modèle a été choisi d’après ses dimensions ({ $sizes }), puis confirmé sur le véhicule.
 model-chosen-word-size = d’après ses dimensions
@@ -1863,7 +1863,7 @@ measure-span-first-here = Première ici
 measure-span-best-here = Meilleure ici
 measure-span-last-here = Dernière ici
 measure-span-elsewhere = Un autre enregistrement est ouvert.
-measure-span-frame-problem = Donnez un numéro d’image.
+measure-span-frame-problem = Saisissez un numéro d’image.
 measure-span-order = { $first_frame } est après { $last_frame }.
 measure-span-choose = Choisissez de { $first_frame } à { $last_frame }.
 measure-span-move-best = Déplacez d’abord la meilleure ({ $best_frame }).
@@ -1907,8 +1907,8 @@ measure-known-some = { $count ->
 measure-known-u = u
 measure-known-source = Source
 measure-known-mark = Repère
-measure-check-target-help = Une mire graduée, ou une voiture aux hauteurs mesurées, qui passe pour contrôler la mesure ; sur une mire, mettez le retrait de chaque hauteur à 0. Elle a sa propre ligne dans les tableaux d’erreurs et est exclue des distributions, des quotas et du taux de réponse.
-measure-check-target-empty = Une cible de contrôle a besoin d’une hauteur connue : donnez celle du toit au-dessus, ou une autre ici.
+measure-check-target-help = Un jalon à repères, ou une voiture aux hauteurs mesurées au mètre ruban, qui passe pour contrôler la mesure ; sur un jalon, mettez le retrait de chaque hauteur à 0. Elle a sa propre ligne dans les tableaux d’erreurs et est exclue des distributions, des quotas et du taux de réponse.
+measure-check-target-empty = Une cible de contrôle a besoin d’une hauteur connue. Saisissez celle du toit au-dessus, ou une autre ici.
 measure-field-lighting = Luminosité
 measure-field-direction = Sens
 measure-field-driver_side = Côté du conducteur
@@ -1928,7 +1928,7 @@ measure-fact = { $field ->
     [model] modèle { $value }
     [year] année { $value }
     [model_chosen_by] choix du modèle : { $value }
-    [model_sizes] modèle choisi par : { $value }
+    [model_sizes] modèle choisi d’après : { $value }
     [category] catégorie { $value }
     [manufacturer_height_m] hauteur du constructeur { $value }
     [u_manufacturer_height_m] u de la hauteur du constructeur { $value }
@@ -1987,8 +1987,8 @@ review-none-title = Rien à vérifier pour l’instant
 review-none = Les mesures apparaissent ici dès qu’un opérateur les a pointées.
 review-to-measure = Aller à la mesure
 review-other-point = Choisir l’autre point
-review-other-frame = Ce n’est pas l’image mesurée
-review-fix-hint = Glissez un point, ou appuyez sur { $key } et déplacez-le avec les flèches. Entrée enregistre, Échap abandonne.
+review-other-frame = Pas l’image mesurée
+review-fix-hint = Faites glisser un point, ou appuyez sur { $key } et déplacez-le avec les flèches. Entrée enregistre, Échap abandonne.
 
 ## Vérification : la file
 
@@ -2015,12 +2015,12 @@ review-verdict-kept = La décision est gardée dans ce navigateur et sera envoy�
 ## Vérification : repointer avant de voir les points
 
 review-plan = { $one_in ->
-    [0] désactivé
-    [1] chaque mesure
-   *[other] 1 sur { $one_in }
-}
+    [0] Contrôle en aveugle : désactivé.
+    [1] Contrôle en aveugle : chaque mesure est pointée avant d’être montrée.
+   *[other] Contrôle en aveugle : 1 mesure sur { $one_in } est pointée avant d’être montrée.
+ }
 review-plan-name = Contrôle en aveugle
-review-plan-choose = Contrôle en aveugle, pour tous ceux qui vérifient ce relevé
+review-plan-choose = Contrôle en aveugle, pour tous les vérificateurs de ce relevé
 review-plan-choice = { $one_in ->
     [0] désactivé
     [1] toutes
@@ -2074,7 +2074,7 @@ review-made-by = { $made ->
 ## Vérification : la décision
 
 review-look-only = Lecture seule. Les vérificateurs décident.
-review-own = Vous avez fait cette mesure : quelqu’un d’autre la vérifie.
+review-own = Vous avez fait cette mesure : une autre personne la vérifie.
 review-pose-changed = L’enregistrement a une autre pose de la caméra depuis cette mesure ; la correction est calculée avec la nouvelle.
 review-fix-save = Enregistrer la correction
 review-fix-nothing = Rien n’a changé. Déplacez d’abord un point, ou validez la mesure.
@@ -2082,7 +2082,7 @@ review-fix-leave = Annuler
 review-fix-mine = Utiliser mes points
 review-reopen = Rouvrir
 review-reject-why = Pourquoi est-elle rejetée ?
-review-reject-words = En vos propres mots
+review-reject-words = En vos propres termes
 review-reason-contact = Le contact n’est pas là où le pneu touche la chaussée.
 review-reason-point = Le point de la cible est à côté de l’élément visé.
 review-reason-frame = Une autre image le montre mieux.
@@ -2118,7 +2118,7 @@ repeats-not-compared = { $count ->
    *[other] { $count } répétitions sont exclues
 } : la pose de la caméra ou le retrait a changé, ou aucune hauteur n’a pu être calculée.
 repeats-click-mine = Répéter 10 de mes mesures
-repeats-click-anybodys = Répéter 10 mesures de tous
+repeats-click-anybodys = Répéter 10 mesures, tous opérateurs
 repeats-none-title = Pas encore de mesures répétées
 repeats-none = { $one_in ->
     [0] Répétez ici dix mesures tirées au hasard, ou activez les contrôles en aveugle sous Vérification.
@@ -2136,7 +2136,7 @@ repeats-items = { $count ->
 ## Répétitions : le tableau des cibles
 
 repeats-targets-title = Hauteurs, par cible
-repeats-targets-note = Écarts-types avec leurs intervalles à 95 %
+repeats-targets-note = Écarts-types avec leurs intervalles de confiance à 95 %
 repeats-targets-help = Les valeurs regroupent toutes les distances ; la dispersion en millimètres croît avec la distance. Les répétitions sur la même image partagent les erreurs d’objectif, de pose, de mire et de retrait : seule la composante de pointé du bilan d’incertitude est comparée. Pour inclure les autres composantes, répétez sur une autre image.
 repeats-clicked-again = Mesures répétées
 repeats-same-person = Répétabilité (s)
@@ -2162,7 +2162,7 @@ repeats-height = Hauteur
 repeats-against-others = Écart moyen aux autres opérateurs
 repeats-sigma = Incertitude de pointé utilisée
 repeats-sigma-usual = 1 px (par défaut)
-repeats-sigma-own = { $sigma_px } px (d’après répétitions)
+repeats-sigma-own = { $sigma_px } px (d’après les répétitions)
 repeats-sigma-from = { $count ->
     [one] d’après { $count } répétition, choix de { $person }
    *[other] d’après { $count } répétitions, choix de { $person }
@@ -2172,7 +2172,7 @@ repeats-sigma-use-title = { $count ->
     [one] D’après { $count } répétition ; les mesures existantes gardent la valeur précédente
    *[other] D’après { $count } répétitions ; les mesures existantes gardent la valeur précédente
 }
-repeats-sigma-needs = Il faut répéter 10 de ses mesures
+repeats-sigma-needs = Il faut 10 répétitions de ses mesures
 repeats-sigma-back = Revenir à 1 px
 
 ## Répétitions : la figure des écarts
@@ -2196,10 +2196,10 @@ anchoring-plan = { $one_in ->
    *[other] propositions masquées pour 1 véhicule sur { $one_in }
 }
 anchoring-plan-choose = Part des véhicules aux propositions masquées, tirés au sort par le serveur
-anchoring-help = Pour chaque véhicule : hauteur enregistrée moins hauteur des points proposés, sur la même image. Le serveur tire au sort les véhicules dont les propositions sont masquées : les deux groupes ne diffèrent que par l’affichage des propositions. Le décalage est l’écart moyen des hauteurs enregistrées quand les propositions sont affichées (IC à 95 %, Welch). Les hauteurs mesurées par une même personne ne sont pas indépendantes : le résultat vaut pour les opérateurs qui ont mesuré ici. Il ne dit pas si les propositions sont exactes.
+anchoring-help = Pour chaque véhicule : hauteur enregistrée moins hauteur des points proposés, sur la même image. Le serveur tire au sort les véhicules dont les propositions sont masquées : les deux groupes ne diffèrent que par l’affichage des propositions. Le décalage est l’augmentation moyenne des hauteurs enregistrées quand les propositions sont affichées (IC à 95 %, Welch). Les hauteurs mesurées par une même personne ne sont pas indépendantes : le résultat vaut pour les opérateurs qui ont mesuré ici. Il ne dit pas si les propositions sont exactes.
 anchoring-counts = Propositions affichées : { $confirmed } hauteurs confirmées, { $moved } déplacées et { $afresh } pointées à la main ; toutes sont comprises.
 repeats-differences-title = Seconde hauteur moins la première, selon leur moyenne
-repeats-differences-note = Les barres sont l’incertitude élargie de l’écart (U95). Environ 95 % des barres devraient contenir zéro.
+repeats-differences-note = Les barres représentent l’incertitude élargie de l’écart (U95). Environ 95 % des barres devraient contenir zéro.
 repeats-differences-label = { $count ->
     [one] Seconde hauteur moins la première en { $small } selon leur moyenne en { $unit }, { $count } répétition
    *[other] Seconde hauteur moins la première en { $small } selon leur moyenne en { $unit }, { $count } répétitions
@@ -2218,37 +2218,37 @@ again-stored = { $count ->
 again-stop = Arrêter
 again-undo = Annuler la dernière répétition
 again-undo-clicks = seconds pointés
-again-undo-skip = saut
+again-undo-skip = mesure passée
 again-skip = Passer
 again-results = Voir les résultats
 again-back-to-frame = Revenir à l’image { $frame }
-again-last-title = C’était la dernière
+again-last-title = Plus de mesures à répéter
 again-last = Chacune est enregistrée comme répétition : les répétitions sont gardées à part et ne changent pas les résultats.
-again-none-own-title = Pas encore de mesures de vous
-again-none-title = Rien n’est encore mesuré
+again-none-own-title = Vous n’avez pas encore de mesures
+again-none-title = Pas encore de mesures
 again-none-own = Mesurez d’abord quelques véhicules de ce relevé. Vous pourrez ensuite répéter vos propres mesures.
-again-none = Mesurez d’abord quelques véhicules. Ils pourront ensuite être répétés.
+again-none = Mesurez d’abord quelques véhicules. Leurs mesures pourront ensuite être répétées.
 again-to-measure = Aller à la mesure
-scans-lane-needs-boundaries = Le véhicule n’a pas encore été mesuré, il n’a donc pas de voie ; placez d’abord ses limites.
+scans-lane-needs-boundaries = Le véhicule n’a pas encore été mesuré, il n’a donc pas de voie ; placez d’abord ses bornes.
 
 ## Balayages : la page
 
-scans-lead = Deux caméras linéaires distantes d’une base connue : vitesse, longueur, accélération et intervalles entre véhicules, avec l’image pour contrôler chacun.
+scans-lead = Deux caméras linéaires séparées d’une base connue donnent vitesse, longueur, accélération et intervalles, avec l’image de chaque véhicule.
 scans-loading = balayages
-scan-live = Cette partie du flux est encore en cours d’enregistrement ; son image viendra à la fin.
-live-lead = Les véhicules tels que les caméras linéaires les voient, et l’état des caméras.
+scan-live = Cette partie du flux est encore en cours d’enregistrement ; son image sera disponible à la fin.
+live-lead = Les véhicules vus par les caméras linéaires, et l’état des caméras.
 live-loading = flux en direct
 live-none-title = Pas encore de flux
-live-none-pipe = Sur l’ordinateur des caméras, donnez les lignes de l’enregistreur à la commande :
-live-none-file = ou faites-lui suivre un fichier que l’enregistreur écrit :
-live-none-cameras = ou prenez-les de deux caméras GigE Vision (avec Aravis) :
+live-none-pipe = Sur l’ordinateur des caméras, envoyez les lignes de l’enregistreur à la commande :
+live-none-file = ou suivez un fichier écrit par l’enregistreur :
+live-none-cameras = ou lisez deux caméras GigE Vision (avec Aravis) :
 live-since = Depuis { $time }
-live-running = enregistre
+live-running = en cours
 live-silent-state = sans signal
 live-ended = terminé
 live-stopped-state = interrompu
-live-stopped = Le flux s’est interrompu sans se terminer ; dernier signe de vie le { $time }. Les véhicules jusque-là sont enregistrés, ses lignes sont encore sur son ordinateur : la même commande y reprend le travail.
-live-silent = Dernier signe du flux : { $ago }. Voyez son ordinateur ; la même commande reprend ce qui a été gardé.
+live-stopped = Le flux s’est interrompu sans se terminer. Dernier contact : { $time }. Les véhicules vus jusque-là sont enregistrés. Les lignes déjà prises sont sur son ordinateur : relancez-y la même commande pour reprendre.
+live-silent = Dernier contact : { $ago }. Vérifiez son ordinateur ; la même commande reprend le flux.
 live-earlier = Parties antérieures :
 live-time = Enregistré
 live-lines = Lignes
@@ -2269,12 +2269,12 @@ live-flow-part = { $time } : { $vehicles ->
     [one] { $vehicles } véhicule
    *[other] { $vehicles } véhicules
 }, minute observée en partie
-live-vehicles = Les derniers véhicules
-live-no-vehicles = Pas encore de véhicule.
-live-picture-later = L’image d’un véhicule est visible quand cette partie du flux est finie et lue.
+live-vehicles = Derniers véhicules
+live-no-vehicles = Pas encore de véhicules
+live-picture-later = Les images des véhicules sont disponibles quand cette partie du flux est terminée et importée.
 scans-add = Ajouter un balayage
 scans-all = Tous les balayages
-scans-no-such-lane = Le dispositif n’a pas de voie { $lane } ; choisissez une de ses voies.
+scans-no-such-lane = Le dispositif n’a pas de voie { $lane } ; choisissez une de ses voies.
 scans-none-title = Pas encore de balayages
 scans-none = Un opérateur peut envoyer ici les bandes des deux caméras.
 scans-delete-title = Supprimer { $scan } ?
@@ -2283,7 +2283,7 @@ scans-delete = Supprimer le balayage
 scans-delete-one = Supprimer { $scan }
 scans-deleted = { $scan } a été supprimé.
 scans-read-again = Importer à nouveau
-scans-not-read = Les bandes n’ont pas pu être lues.
+scans-not-read = Les bandes n’ont pas pu être importées.
 scans-rig = Dispositif, et estimations d’après le trafic
 scans-rig-change = Modifier le dispositif…
 scans-open = Ouvrir
@@ -2294,14 +2294,14 @@ scans-fact-lines = { $lines ->
 scans-start-words = { $start } (u = { $u_s } s)
 scans-start-unknown = Début inconnu : aucun véhicule n’a d’heure.
 scans-start-edit-of = Modifier le début de { $recording }
-scans-start-line = Première ligne, à l’heure du lieu
+scans-start-line = Première ligne, heure locale
 scans-start-hint = D’après l’horloge de l’enregistreur, ou une montre tenue devant la caméra 1 et vos notes.
-scans-start-from-video = La vidéo dont il est extrait commence { $time } : début confirmé, sinon celui qu’indique le fichier.
+scans-start-from-video = La vidéo source commence { $time } (début confirmé, sinon celui qu’indique son fichier).
 scans-start-u = Incertitude-type u
-scans-start-u-hint = Incertitude-type du début, commune à tous les véhicules : environ 1 pour une montre lue à l’œil, 0,001 pour des lignes horodatées par GPS ou PTP.
-scans-start-u-problem = Donnez l’incertitude-type du début en secondes, plus de 0.
+scans-start-u-hint = Commune à tous les véhicules. Par exemple 1 pour une montre lue à l’œil, 0,001 pour des lignes horodatées par GPS ou PTP.
+scans-start-u-problem = Saisissez l’incertitude-type du début en secondes, plus de 0.
 scans-fact-baseline = base { $baseline }
-scans-fact-rate = { $rate_hz } lignes par seconde
+scans-fact-rate = { $rate_hz } lignes/s
 scans-fact-video = extrait d’une vidéo aux { $along ->
     [columns] colonnes
    *[rows] rangées
@@ -2344,9 +2344,9 @@ scans-new = Nouveau balayage
 scans-new-from = Source
 scans-new-strips = Deux bandes
 scans-new-columns = Deux colonnes ou rangées d’une vidéo
-scans-new-name-hint = Laissé vide : le nom du fichier.
-scans-new-read = Lire et détecter les véhicules
-scans-new-no-strip = aucune bande ici
+scans-new-name-hint = Vide : le nom du fichier.
+scans-new-read = Importer et détecter les véhicules
+scans-new-no-strip = aucune bande envoyée
 scans-new-choose-strip = choisissez une bande
 scans-new-strip = { $file } ({ $size })
 scans-new-choose-both = Choisir les deux bandes
@@ -2355,9 +2355,9 @@ scans-new-drop-hint = PNG, TIFF ou BigTIFF, niveaux de gris sur 8 ou 16 bits, de
 scans-new-camera-1 = Caméra 1, qu’un véhicule atteint d’abord
 scans-new-camera-2 = Caméra 2
 scans-new-same-strip = Les deux caméras ne peuvent pas avoir la même bande.
-scans-new-time-axis = Le temps court selon
-scans-new-time-width = la largeur, comme d’usage
-scans-new-time-height = la hauteur
+scans-new-time-axis = Axe du temps
+scans-new-time-width = largeur de l’image (cas usuel)
+scans-new-time-height = hauteur de l’image
 scans-new-no-recording = aucun enregistrement prêt
 scans-new-choose-recording = choisissez un enregistrement
 scans-new-recording-hint = La cadence d’images devient la cadence de lignes : utilisez une cadence constante et élevée.
@@ -2380,7 +2380,7 @@ scans-new-cut-2 = { $along ->
 
 scans-rig-title = Le dispositif
 scans-rig-store = Enregistrer
-scans-rig-traffic = Le dispositif d’après le trafic
+scans-rig-traffic = Dispositif d’après le trafic
 scans-rig-traffic-title = D’après le trafic
 scans-rig-note = Les résultats existants gardent les anciennes valeurs et sont marqués périmés jusqu’à une nouvelle mesure.
 scans-rig-undo = dispositif
@@ -2392,8 +2392,8 @@ scans-rig-u = Incertitude-type
 scans-rig-baseline-u-hint = Limite l’exactitude de chaque vitesse.
 scans-rig-rate = Cadence de lignes
 scans-rig-clock = u relative de la cadence de lignes
-scans-rig-clock-hint = Un quartz tient environ 50 ppm.
-scans-rig-more = Plus : désalignement, divergence, distance à la voie
+scans-rig-clock-hint = Quartz courant : 50 ppm.
+scans-rig-more = Plus : désalignement, divergence, distance à la voie, zone d’ombre
 scans-rig-misalignment = Désalignement
 scans-rig-from-traffic = d’après le trafic
 scans-rig-misalignment-hint = Rangée d’un point dans la bande 2 moins sa rangée dans la bande 1. Vide : estimé d’après le trafic, véhicule par véhicule.
@@ -2412,31 +2412,31 @@ scans-lane-way = { $way ->
    *[either] les deux
 }
 scans-lane-distance = Distance de ses véhicules (côté proche)
-scans-lane-from = Pneus de la rangée
+scans-lane-from = Pneus à partir de la rangée
 scans-lane-to = Pneus jusqu’à la rangée
 scans-lane-rows-hint = Laissez les deux vides si le sens suffit à reconnaître la voie.
 scans-lane-shadow-rig = celle du dispositif
 scans-lane-add = Ajouter une voie
 scans-lane-remove = Retirer cette voie
-scans-lane-problem-name = Entrez un nom de 40 caractères au plus.
-scans-lane-problem-twice = Une autre voie porte ce nom ; entrez-en un autre.
-scans-lane-problem-distance = Entrez une longueur supérieure à 0.
-scans-lane-problem-rows = Entrez les deux rangées, d’abord la plus haute (le plus petit numéro), ou laissez les deux vides.
+scans-lane-problem-name = Saisissez un nom de 40 caractères au plus.
+scans-lane-problem-twice = Une autre voie porte ce nom ; saisissez-en un autre.
+scans-lane-problem-distance = Saisissez une longueur supérieure à 0.
+scans-lane-problem-rows = Saisissez les deux rangées, d’abord la plus haute (le plus petit numéro), ou laissez les deux vides.
 scans-rig-shadow = Zone d’ombre
 scans-rig-shadow-hint = Partie basse de l’image, où il n’y a que chaussée et ombres : aucun véhicule n’y est cherché. Une caméra haute près de la voie en demande plus.
 scans-rig-problem-shadow = Saisissez une part de 0 à 60 %.
-scans-rig-problem-number = Donnez un nombre de 0 ou plus, ou laissez vide.
-scans-rig-problem-length = Donnez une longueur, ou laissez vide.
-scans-rig-problem-angle = Donnez un angle d’au plus 200 mrad, ou laissez vide.
-scans-rig-problem-baseline = Donnez la distance entre les deux plans de balayage.
-scans-rig-problem-rate = Donnez le nombre de lignes par seconde des caméras.
-scans-rig-problem-misalignment = Donnez des pixels, ou laissez vide.
-scans-rig-problem-distance = Donnez la distance de la voie, ou laissez la divergence vide : elle agit sur cette distance.
-scans-rig-problem-misalignment-u = Donnez aussi le désalignement, ou laissez son incertitude vide.
+scans-rig-problem-number = Saisissez un nombre positif ou nul, ou laissez vide.
+scans-rig-problem-length = Saisissez une longueur, ou laissez vide.
+scans-rig-problem-angle = Saisissez un angle d’au plus 200 mrad, ou laissez vide.
+scans-rig-problem-baseline = Saisissez la distance entre les deux plans de balayage.
+scans-rig-problem-rate = Saisissez la cadence de lignes des caméras.
+scans-rig-problem-misalignment = Saisissez un nombre de pixels, ou laissez vide.
+scans-rig-problem-distance = Saisissez la distance à la voie, ou laissez la divergence vide.
+scans-rig-problem-misalignment-u = Saisissez aussi le désalignement, ou laissez son incertitude vide.
 scans-rig-distance-u-hint = Dispersion latérale des véhicules ; compte si les plans divergent.
 scans-rig-correlation = Corrélation de la base et de la divergence
-scans-rig-correlation-hint = D’un étalonnage ; effacée dès que vous tapez une autre base ou divergence.
-scans-rig-problem-correlation = Indiquez un nombre de −1 à 1, ou laissez vide.
+scans-rig-correlation-hint = Issue d’un étalonnage ; effacée dès que vous saisissez une autre base ou divergence.
+scans-rig-problem-correlation = Saisissez un nombre de −1 à 1, ou laissez vide.
 scans-calibrate = Étalonner le dispositif…
 scans-calibrate-why = Base et divergence d’après un jalon ou un panneau qui passe devant les deux caméras à deux distances.
 scans-calibrate-title = Étalonner le dispositif
@@ -2450,8 +2450,8 @@ scans-calibrate-hint-positions = Déplacez un jalon vertical le long d’un mèt
 scans-calibrate-hint-speed = Indiquez la vitesse du jalon et sa ligne dans chaque bande ; il faut la cadence de lignes des caméras.
 scans-calibrate-tape = Incertitude de l’échelle du mètre ruban
 scans-calibrate-tape-hint = Incertitude-type commune à toutes les longueurs mesurées au mètre ruban. Vide : aucune.
-scans-calibrate-tape-problem = Indiquez une part de 0 à 10 %.
-scans-calibrate-distance-problem = Indiquez à quelle distance sont les véhicules : une vitesse utilise la base à cette distance.
+scans-calibrate-tape-problem = Saisissez une part de 0 à 10 %.
+scans-calibrate-distance-problem = Saisissez la distance aux véhicules : les vitesses utilisent la base à cette distance.
 scans-calibrate-compute = Calculer
 scans-calibrate-busy = étalonnage
 scans-calibrate-store = Appliquer
@@ -2477,7 +2477,7 @@ scans-passes-add = Ajouter un passage
 scans-passes-choose = CSV de passages
 scans-passes-drop = Ou déposez un CSV de passages
 scans-passes-drop-hint = Un passage par ligne ; les colonnes sont celles de « sightline rig calibrate ».
-scans-passes-refused = La ligne { $row } est laissée de côté.
+scans-passes-refused = La ligne { $row } est ignorée.
 scans-passes-distance-shown = Distance
 scans-passes-distance = Distance, m
 scans-passes-u = u
@@ -2504,7 +2504,7 @@ scans-traffic-value = Estimation (u)
 scans-traffic-from = Véhicules
 scans-traffic-in-force = En vigueur
 scans-traffic-take = Utiliser
-scans-traffic-gain = Lumière, caméra 2 sur 1
+scans-traffic-gain = Lumière, rapport caméra 2 / caméra 1
 scans-traffic-gain-own = par véhicule
 scans-traffic-baseline = { $of ->
     [length] Base d’après les longueurs
@@ -2524,7 +2524,7 @@ scan-rig = Dispositif…
 scan-find = Détecter les véhicules…
 scan-nothing-found-title = Aucun véhicule trouvé
 scan-nothing-yet-title = Pas encore de véhicules
-scan-nothing-found = Regardez les bandes. Là où vous voyez un véhicule, ajoutez-le en deux clics : son avant et son arrière.
+scan-nothing-found = Vérifiez les bandes. Ajoutez un véhicule manqué en deux clics : son avant et son arrière.
 scan-nothing-yet = Détectez les véhicules pour mesurer automatiquement avant, arrière, vitesse, longueur et intervalles.
 scan-find-now = Détecter les véhicules
 scan-none-choose = En choisir un
@@ -2551,7 +2551,7 @@ scan-find-direct = Recalage direct
 scan-find-paper = Appariement de blocs (Douxchamps et al.)
 scan-find-direct-what = Recale les deux bandes d’un véhicule dans leur ensemble : vitesse, accélération et désalignement des caméras en un seul ajustement. Par défaut.
 scan-find-paper-what = Appariement de blocs et régression linéaire, tels que publiés par Douxchamps, Macq et Chihara ; pour comparaison.
-scan-find-what = Portée
+scan-find-what = Étendue
 scan-find-all = Chercher dans tout l’enregistrement
 scan-find-known = Mesurer à nouveau les véhicules connus
 scan-find-note = Les bornes placées à la main et les véhicules retirés sont gardés. Les résultats validés qui changent retournent en vérification.
@@ -2629,7 +2629,7 @@ scan-step-axles = essieux du véhicule { $vehicle }
 scan-passed = Passé
 scan-passed-at = { $day }, { $time }
 scan-passed-within = { $time } ± { $U95_s } s
-scan-passed-unknown = heure inconnue : le début de l’enregistrement n’est pas confirmé
+scan-passed-unknown = Heure inconnue : le début de l’enregistrement n’est pas confirmé
 scan-lane = Voie
 scan-lane-unknown = voie inconnue
 scan-lane-of = { $lane }, { $by ->
@@ -2670,7 +2670,7 @@ scan-heights-measure = Mesurer les hauteurs
 scan-heights-title = Cliquer sur le contact d’un pneu, puis toit, œil et feu
 scan-evidence = Dossier de preuve
 scan-evidence-title = Dossier de preuve du véhicule { $vehicle }
-scan-evidence-what = Une page avec les deux images, temps, dispositif, mouvement, bilan, décision et signature. Elle s’ouvre sans serveur, permet à chacun de poser ses propres bornes, et se vérifie elle-même.
+scan-evidence-what = Une page avec les deux images, instants, dispositif, mouvement, bilan d’incertitude, décision et signature. Elle s’ouvre sans serveur, permet à chacun de poser ses propres bornes, et se vérifie elle-même.
 scan-evidence-make = Créer le dossier
 scan-evidence-limit-of = Limite portant sur
 scan-evidence-none = Sans limite
@@ -2683,7 +2683,7 @@ scan-evidence-risk = Risque de décision erronée
 scan-evidence-risk-hint = Un risque plus faible élargit la bande de garde, dans laquelle rien n’est décidé. Seules les mesures validées font l’objet d’une décision.
 scan-evidence-source = Source de la limite
 scan-evidence-source-hint = Telle qu’elle doit figurer dans le dossier : le panneau, l’arrêté, la règle.
-scan-evidence-problem = Donnez une limite et un risque supérieurs à 0.
+scan-evidence-problem = Saisissez une limite et un risque supérieurs à 0.
 scan-take-out = Retirer
 scan-take-out-title = Retirer le véhicule
 
@@ -2694,23 +2694,23 @@ scan-known-make = Marque
 scan-known-model = Modèle
 scan-known-length = Longueur de référence
 scan-known-wheelbase = Empattement de référence
-scan-known-problem = Donnez une longueur.
+scan-known-problem = Saisissez une longueur.
 scan-shadow-zone = zone d’ombre : non examinée
 scan-known-off = mesuré : { $difference }
 scan-references = Mesures de référence
-scan-references-none = Aucune pour l’instant. Saisissez ce qu’indique un radar, un GPS ou le compteur du véhicule.
+scan-references-none = Aucune pour l’instant. Saisissez une valeur d’un radar, d’un GPS ou du compteur du véhicule.
 scan-reference-speed = Vitesse
 scan-reference-length = Longueur
 scan-reference-wheelbase = Empattement
 scan-reference-counter = compteur du véhicule
 scan-reference-radar = radar
-scan-reference-laser = pistolet laser
+scan-reference-laser = cinémomètre laser
 scan-reference-gps = GPS
 scan-reference-loop = boucle
 scan-reference-tape = mètre ruban
 scan-reference-other = autre
 scan-reference-says = { $quantity }, { $source } : { $value }
-scan-reference-nothing = Aucune valeur mesurée ici à comparer.
+scan-reference-nothing = Aucune valeur mesurée à comparer.
 scan-reference-within = Écart { $difference }, dans les ± { $U95 }.
 scan-reference-outside = Écart { $difference }, hors des ± { $U95 }.
 scan-reference-add = Ajouter une référence
@@ -2729,15 +2729,15 @@ scan-reference-device = Instrument (facultatif)
 scan-reference-value-problem = Saisissez un nombre supérieur à 0.
 scan-reference-u-problem = Saisissez une incertitude supérieure à 0.
 scan-reference-note-speed = Comparée à la vitesse à laquelle l’avant atteint la caméra 1. Une référence prise ailleurs demande une incertitude plus grande.
-scan-reference-note-length = Comparé à la longueur ou à l’empattement mesuré ici, les deux incertitudes étant composées.
+scan-reference-note-length = Comparée à la longueur ou à l’empattement mesuré ici, les deux incertitudes étant composées.
 scan-run-of = Passage du véhicule
-scan-run-of-hint = Le même nom sur plusieurs véhicules les désigne comme passages d’un seul.
-scan-run-of-problem = 100 caractères au plus.
+scan-run-of-hint = Le même nom sur plusieurs véhicules les désigne comme passages d’un même véhicule.
+scan-run-of-problem = Saisissez 100 caractères au plus.
 scan-references-import-title = Importer des mesures de référence
 scan-references-choose = Choisir un CSV
 scan-references-drop = Déposez un CSV ici
 scan-references-hint = Colonnes : number (ou time : 14:05:32.4), source, speed_kmh, u_speed_kmh ; ou encore length_m, u_length_m, wheelbase_m, device, run_of
-scan-references-looking = le fichier
+scan-references-looking = fichier
 scan-references-store = { $count ->
     [one] Importer { $count } ligne
    *[other] Importer { $count } lignes
@@ -2764,7 +2764,7 @@ scan-references-time = Heure indiquée
 scan-references-apart = Écart
 scan-references-by-time = { $number } (par l’heure)
 scan-references-tolerance = Tolérance des heures
-scan-references-tolerance-hint = Une ligne sans numéro est du seul véhicule passé à moins de cette durée.
+scan-references-tolerance-hint = Une ligne sans numéro est attribuée au seul véhicule passé à moins de cette durée.
 scan-references-tolerance-problem = Saisissez un nombre de secondes supérieur à 0, jusqu’à 60.
 scan-references-one = { $quantity } { $value }, u = { $u }
 scan-budget-note = incertitudes-types
@@ -2805,7 +2805,7 @@ scan-profile-beyond = { $count ->
     [one] { $count } bloc est hors de cette figure ; le CSV les contient tous.
    *[other] { $count } blocs sont hors de cette figure ; le CSV les contient tous.
 }
-scan-profile-x = Temps depuis l’avant à la caméra 1 (s)
+scan-profile-x = Temps depuis le passage de l’avant à la caméra 1 (s)
 scan-match-title = Recalage : bande 2 sur bande 1
 scan-match-picture = Image du recalage
 scan-match-1 = 1
@@ -2822,7 +2822,7 @@ scan-match-note = La bande 2 est déplacée selon la vitesse et l’accélérati
 scan-reason-boundary = Une borne n’est pas à l’avant ou à l’arrière du véhicule.
 scan-reason-not-one = Ce n’est pas un véhicule unique.
 scan-reason-match = Les bandes ne concordent pas.
-scan-verdict-mine = Vous avez placé ces bornes : quelqu’un d’autre les vérifie.
+scan-verdict-mine = Vous avez placé ces bornes : une autre personne les vérifie.
 scan-verdict-given = { $verdict ->
     [accepted] Validé par { $person }
    *[rejected] Rejeté par { $person }
@@ -2851,7 +2851,7 @@ scan-heights-older = { $count ->
     [one] { $count } hauteur de ce balayage est périmée : l’étalonnage ou un retrait a changé.
    *[other] { $count } hauteurs de ce balayage sont périmées : l’étalonnage ou un retrait a changé.
 }
-scan-heights-no-pose = Les hauteurs exigent la pose de la caméra 1. Filmez un jalon gradué, ou un damier, tenu vertical à deux distances dans son plan ; pointez ensuite les repères.
+scan-heights-no-pose = Les hauteurs exigent la pose de la caméra 1. Filmez un jalon à repères, ou un damier, tenu vertical à deux distances dans son plan ; pointez ensuite les repères.
 scan-heights-calibrate = Étalonner la hauteur
 scan-heights-calibrate-first = Les hauteurs exigent la pose de la caméra linéaire ; étalonnez d’abord la hauteur avec un jalon.
 scan-height-hide = { $target ->
@@ -2905,7 +2905,7 @@ scan-rod-title = Étalonner la hauteur
 scan-rod-label = Étalonnage de la hauteur
 scan-rod-body = Repères du jalon
 scan-rod-none-title = Pas encore de repères
-scan-rod-none = Indiquez la distance du jalon à la caméra 1, puis pointez ses repères à partir du pied. Répétez à une autre distance.
+scan-rod-none = Saisissez la distance du jalon à la caméra 1, puis pointez ses repères à partir du pied. Répétez à une autre distance.
 scan-rod-next = Repère suivant
 scan-rod-distance = Distance du jalon
 scan-rod-height = Hauteur du repère
@@ -2924,13 +2924,13 @@ scan-rod-residuals = Résidus
 scan-rod-rms = { $rms_px } px RMS
 scan-rod-store = Enregistrer l’étalonnage
 scan-rod-clear = Retirer tous les repères
-scan-rod-reset = Revenir à l’enregistré
+scan-rod-reset = Revenir aux valeurs enregistrées
 scan-rod-u = Incertitudes-types
 scan-rod-u-row = u de la rangée d’un repère
 scan-rod-u-distance = u d’une distance
 scan-rod-u-lean = u de l’inclinaison du jalon
-scan-rod-at-least = Donnez un nombre à partir de { $least }.
-scan-rod-distance-first = Indiquez d’abord la distance du jalon à la caméra, puis pointez ses repères.
+scan-rod-at-least = Saisissez un nombre d’au moins { $least }.
+scan-rod-distance-first = Saisissez d’abord la distance du jalon, puis pointez ses repères.
 scan-rod-stored = Étalonnage enregistré. Choisissez un véhicule et mesurez ses hauteurs.
 scan-rod-stored-older = Étalonnage enregistré. Les hauteurs existantes gardent le précédent jusqu’au recalcul.
 
@@ -2985,12 +2985,12 @@ motion-lead = Vitesses, intervalles et longueurs de tous les balayages de ce rel
 motion-loading = statistiques
 motion-which = Véhicules pris en compte
 motion-which-accepted = Validés
-motion-which-all = Avec les non vérifiés
-motion-none-accepted-title = Aucun véhicule n’est encore validé
+motion-which-all = Inclure les non vérifiés
+motion-none-accepted-title = Pas encore de véhicules validés
 motion-none-accepted = Vérifiez-en sous Balayages, ou incluez les véhicules non vérifiés.
-motion-none-title = Aucun véhicule n’est encore mesuré
+motion-none-title = Pas encore de véhicules mesurés
 motion-none = Ajoutez un balayage et détectez ses véhicules.
-motion-filter = Heure du tournage
+motion-filter = Heure de prise de vue
 motion-without-time = { $count ->
     [one] { NUMBER($count) } véhicule est exclu, car le début de son balayage n’est pas confirmé. <link>Confirmez-le dans Balayages</link>
    *[other] { NUMBER($count) } véhicules sont exclus, car les débuts de leurs balayages ne sont pas confirmés. <link>Confirmez-les dans Balayages</link>
@@ -3021,7 +3021,7 @@ motion-by-wheelbases = D’après les empattements
 
 motion-errors-title = Erreur par rapport aux longueurs et empattements du constructeur
 motion-errors-note = avec intervalles à 95 %
-motion-errors-scatter = Les intervalles ne disent que la dispersion de ces erreurs. Les roues sont pointées, et sur peu de véhicules les erreurs de pointé ne se compensent pas : elles peuvent décaler un biais hors de son intervalle.
+motion-errors-scatter = Les intervalles ne reflètent que la dispersion de ces erreurs. Les roues sont pointées, et sur peu de véhicules les erreurs de pointé ne se compensent pas : elles peuvent décaler un biais hors de son intervalle.
 motion-errors-table = Erreurs des longueurs et des empattements
 motion-errors-of = Grandeur
 motion-errors-n = n
@@ -3046,7 +3046,7 @@ motion-references-by = { $quantity }, { $source }
 motion-references-all = toutes sources
 motion-references-within = { $within } sur { $n }
 motion-references-percent = { $percent } %
-motion-references-shared = Environ 95 % devraient être dans leur U95 composée. Les véhicules d’un même dispositif partagent l’erreur de sa base : plusieurs peuvent être dehors ensemble.
+motion-references-shared = Environ 95 % devraient être dans leur U95 composée. Les véhicules d’un même dispositif partagent l’erreur de sa base : plusieurs peuvent en sortir ensemble.
 motion-cars-title = Passages d’un même véhicule
 motion-cars-note = longueur et empattement doivent concorder d’un passage à l’autre
 motion-cars-runs = { $count ->
@@ -3082,7 +3082,7 @@ motion-spread-says = { $count ->
 }
 motion-spread-note = Centiles en { $unit }, avec intervalles à 95 % : { $percentiles }.
 
-## Mouvement : le tableau de l'article
+## Mouvement : le tableau de l’article
 
 flows-title = Trafic par tranche horaire
 flows-note = Le débit, les temps intervéhiculaires et le taux d’occupation comprennent tous les véhicules trouvés ; les vitesses et longueurs, les véhicules mesurés choisis ci-dessus.
@@ -3129,7 +3129,7 @@ flows-speed-note = Trait épais : vitesse moyenne spatiale ; trait fin : du 
 flows-speed-none = Aucune tranche n’a de vitesse validée.
 flows-flow-by-density-of = Débit selon la concentration, { $scan }
 flows-speed-by-flow-of = Vitesse selon le débit, { $scan }
-flows-fundamental-says = Diagramme fondamental : tranches avec une vitesse : { $count }.
+flows-fundamental-says = Diagramme fondamental ; tranches avec une vitesse : { $count }.
 flows-fundamental-note = Chaque point est une tranche ; point vide : tranche observée en partie seulement. La concentration est le débit divisé par la vitesse moyenne spatiale.
 unit-per-hour = 1/h
 unit-per-km = 1/km
@@ -3188,7 +3188,7 @@ statistics-left-out-state = { $state ->
     [out_of_sample] hors échantillon ({ NUMBER($count) })
    *[fixed] corrigées ({ NUMBER($count) })
 }
-statistics-none-accepted-title = Aucune mesure validée
+statistics-none-accepted-title = Pas encore de mesures validées
 statistics-none-title = Aucune mesure ici
 statistics-to-review = Aller à la vérification
 statistics-show-to-review = Inclure les non vérifiées
@@ -3239,10 +3239,10 @@ statistics-filter-surveys-none = tous les relevés
 statistics-filter-surveys-help = Relevés pris en compte ; aucun choix : tous
 statistics-reference-u = u d’une hauteur de référence
 statistics-reference-u-hint = Pour les hauteurs sans u propre. Loi uniforme, demi-étendue { $limit }
-statistics-reference-u-inches = Indiquez un nombre de pouces.
-statistics-reference-u-millimetres = Indiquez un nombre de millimètres.
+statistics-reference-u-inches = Saisissez un nombre de pouces.
+statistics-reference-u-millimetres = Saisissez un nombre de millimètres.
 
-## Statistiques : le tableau d'erreurs
+## Statistiques : le tableau d’erreurs
 
 stat-trend-needs = Une tendance demande au moins { $least } véhicules ; { stat-there-are }.
 stat-heights-alike = Toutes les hauteurs sont égales ; il n’y a pas de tendance.
@@ -3254,7 +3254,7 @@ stat-reference-explains = L’incertitude des hauteurs de référence explique {
 stat-shifted = L’erreur signée moyenne de { $count } véhicules de hauteur connue, { SMALL($mean_m, digits: 1) }, a été retranchée de chaque hauteur (comme dans Dupuis et al.).
 stat-by-inset = Chaque hauteur est corrigée du retrait de sa mesure ; aucune autre correction n’est faite.
 stat-correction-needs = Cette correction demande au moins { $least } véhicules à hauteur de référence ; { stat-there-are }.
-stat-known-alike = Les véhicules de hauteur connue ont tous la même hauteur ; leur erreur n’a pas de tendance.
+stat-known-alike = Les véhicules de hauteur connue ont tous la même hauteur : leur erreur n’a pas de tendance avec elle.
 stat-variance-unknown = Les hauteurs de référence expliquent à elles seules la variance des erreurs : celle de la mesure est inconnue et ne peut être retirée.
 stat-variance-needs = Une variance demande au moins 2 hauteurs.
 stat-variance-too-large = La variance de la mesure dépasse celle des hauteurs ; elle ne peut être retirée.
@@ -3263,8 +3263,8 @@ stat-deconvolved = Après le décalage de { SMALL($mean_m, digits: 1) }, l’éc
 stat-percentile-needs = P{ $percent } exige { $needed } véhicules ; { stat-there-are }
 stat-percentile-needs-alike = P{ $percent } exige { $needed } véhicules ; { stat-there-are }, équivalant à { $like } de même poids
 stat-density-needs = Une densité demande au moins { $least } véhicules ; { stat-there-are }.
-stat-values-alike = Toutes les valeurs sont égales ; une densité en demande de différentes.
-stat-no-reference = aucune hauteur comptée de ce groupe n’a de référence
+stat-values-alike = Toutes les valeurs sont égales ; une densité demande des valeurs différentes.
+stat-no-reference = aucune hauteur retenue de ce groupe n’a de hauteur de référence
 stat-none-of-class = aucune hauteur validée de sa classe
 stat-vehicles-give = { $vehicles } véhicules donnent au centile { $percent } un intervalle à 95 % d’environ { SMALL($width_m, digits: 0) }, pour des hauteurs de loi normale et d’écart-type { SMALL($sd_m, digits: 0) }.
 stat-heights-needed = demande { $needed } hauteurs ; { stat-there-are }
@@ -3273,7 +3273,7 @@ stat-shared-errors = les erreurs communes aux hauteurs
 stat-random-error-removed = l’erreur aléatoire (retirée des valeurs)
 stat-random-errors = les erreurs aléatoires des hauteurs
 stat-known-heights = les erreurs des hauteurs connues (les deux restent dans les valeurs)
-stat-known-without-u = aucune hauteur connue n’a d’incertitude à comparer
+stat-known-without-u = aucune hauteur connue n’a d’incertitude à laquelle comparer
 stat-true-heights-alike = les hauteurs sont toutes égales
 stat-sampling = l’échantillonnage
 stat-alone = { $part } seulement
@@ -3281,18 +3281,18 @@ stat-too-few-errors = trop peu d’erreurs différentes pour un intervalle par b
 stat-no-value = Aucun véhicule n’a cette valeur.
 stat-group-empty = aucun véhicule dans ce groupe
 stat-regressed = La régression de l’erreur sur la hauteur mesurée de { $count } véhicules ({ SMALL($intercept_m, digits: 1) } à la hauteur 0 et { $slope } mm de plus par m) a été retranchée de chaque hauteur.
-stat-extrapolated = { $outside } % des hauteurs sont hors des { NUMBER($low_m, minimumFractionDigits: 2) } à { NUMBER($high_m, minimumFractionDigits: 2) } m sur lesquels s’appuie la régression : elle y extrapole et peut nuire.
+stat-extrapolated = { $outside } % des hauteurs sont hors des { NUMBER($low_m, minimumFractionDigits: 2) } à { NUMBER($high_m, minimumFractionDigits: 2) } m sur lesquels s’appuie la régression : la correction y extrapole et n’est pas fiable.
 stat-there-are = { $count ->
     [0] il n’y en a aucun
    *[other] il y en a { $count }
 }
 stat-too-few = { $count ->
-    [one] { $count } véhicule est trop peu pour un intervalle ; il en faut { $needed }
-   *[other] { $count } véhicules sont trop peu pour un intervalle ; il en faut { $needed }
+    [one] { $count } véhicule ne suffit pas pour un intervalle ; il en faut { $needed }
+   *[other] { $count } véhicules ne suffisent pas pour un intervalle ; il en faut { $needed }
 }
 stat-too-few-of-spread = { $count ->
-    [one] { $count } véhicule est trop peu pour un intervalle de MAE, RMSE et SD ; il en faut { $needed }
-   *[other] { $count } véhicules sont trop peu pour un intervalle de MAE, RMSE et SD ; il en faut { $needed }
+    [one] { $count } véhicule ne suffit pas pour un intervalle de MAE, RMSE et écart-type ; il en faut { $needed }
+   *[other] { $count } véhicules ne suffisent pas pour un intervalle de MAE, RMSE et écart-type ; il en faut { $needed }
 }
 stat-holding-sites = { $parts } ; ils valent pour des routes comme celles de ces sites
 stat-holding-place = { $parts } ; ils valent pour le seul site du relevé
@@ -3313,15 +3313,15 @@ statistics-mse = MSE
 statistics-sd = Écart-type
 statistics-correlation = r(erreur, hauteur)
 statistics-correlation-absolute = r(|erreur|, hauteur)
-statistics-errors-note = Intervalles à 95 % sous chaque valeur. L’écart-type est celui de l’erreur signée, n − 1. Rien n’est agrégé à partir d’autres valeurs.
+statistics-errors-note = Sous chaque valeur : son intervalle de confiance à 95 %. L’écart-type est celui de l’erreur signée, n − 1. Aucune valeur n’est agrégée à partir d’autres.
 statistics-errors-holds = Les intervalles comprennent { $words }. Ceux des corrélations et de l’asymétrie ne comprennent que l’échantillonnage.
 statistics-shares-title = Parts des erreurs en pour cent, avec intervalles exacts à 95 %, et asymétrie
 statistics-skewness = Asymétrie
 statistics-within = À { $within } près
-paper-day = Le SD est celui de l’erreur signée et diffère du RMSE ; il y avait donc un biais de 7 à 13 mm, qui n’est pas imprimé. Le « moins de 10 % sous 2 cm » du texte est possible ici : MAE et MSE permettent 0 à 3 % si des erreurs atteignent 7 cm.
-paper-low-light = Un opérateur parfait (à 1 px près, hauteurs de référence à 3 cm près) obtient MAE 0,016 m, RMSE 0,019 m : cette colonne borne la référence, non la méthode. Le SD imprimé de 0,059 ft devrait être 0,062 ft. « Moins de 10 % sous 2 cm » est impossible ici : MAE et MSE imposent au moins 26,5 %.
-paper-overall = Ce n’est pas la réunion des 400 et 250 véhicules : leur MAE réunie vaut 0,0198 m, leur RMSE 0,0249 m. Le « MAE < 1,8 cm » du résumé n’est pas dans le tableau ; le MSE en pieds a un facteur et un exposant faux. « Moins de 10 % sous 2 cm » demande ici une erreur de plus de 10 cm.
-paper-sizes = Les tailles imprimées dépassent de 3,1 à 9,1 % les longueurs vraies (5,6 % en moyenne), ce que le texte attribue à l’ombre, alors qu’il annonce moins de 1 % ; le freinage « à 1 % près » s’écarte jusqu’à 1,5 % des autres passages de la même voiture. La vitesse n’a jamais été comparée à la vérité, seulement au compteur de la voiture.
+paper-day = L’écart-type (SD) est celui de l’erreur signée et diffère de la RMSE ; il y avait donc un biais de 7 à 13 mm, qui n’est pas imprimé. Le « moins de 10 % sous 2 cm » du texte est possible ici : MAE et MSE permettent 0 à 3 % si des erreurs atteignent 7 cm.
+paper-low-light = Un opérateur parfait (à 1 px près, hauteurs de référence à 3 cm près) obtient MAE 0,016 m, RMSE 0,019 m : cette colonne borne la référence, non la méthode. L’écart-type imprimé de 0,059 ft devrait être 0,062 ft. « Moins de 10 % sous 2 cm » est impossible ici : MAE et MSE imposent au moins 26,5 %.
+paper-overall = Ce n’est pas la réunion des 400 et 250 véhicules : leur MAE réunie vaut 0,0198 m, leur RMSE 0,0249 m. Le « MAE < 1,8 cm » du résumé n’est pas dans le tableau ; la MSE en pieds a un facteur et un exposant faux. « Moins de 10 % sous 2 cm » demande ici une erreur de plus de 10 cm.
+paper-sizes = Les longueurs imprimées dépassent de 3,1 à 9,1 % les longueurs vraies (5,6 % en moyenne), ce que le texte attribue à l’ombre, alors qu’il annonce moins de 1 % ; le freinage « à 1 % près » s’écarte jusqu’à 1,5 % des autres passages de la même voiture. La vitesse n’a jamais été comparée à la vérité, seulement au compteur de la voiture.
 statistics-paper-inconsistent = Incohérences du tableau 1 de Dupuis et al.
 statistics-paper-note = <strong>{ $group } :</strong> { $note }
 statistics-paper-printed = Dupuis et al., tel qu’imprimé
@@ -3339,7 +3339,7 @@ samples-catalogue = Pour essayer : un catalogue de modèles inventés
 ## Statistiques : erreurs par rapport aux hauteurs connues, par cible
 
 statistics-known-title = Erreurs par cible
-statistics-known-help = Hauteur mesurée moins hauteur connue, pour les hauteurs validées dont la valeur est connue (celle du constructeur, ou mesurée au mètre ruban). Les hauteurs ne sont pas arrondies. Les intervalles sont totaux ; le pointeur sur l’un d’eux dit ce qu’il comprend. Un modèle choisi d’après sa taille n’est pas une référence. Les cibles de contrôle ont leurs propres lignes et sont exclues des distributions.
+statistics-known-help = Hauteur mesurée moins hauteur connue, pour les hauteurs validées dont la valeur est connue (celle du constructeur, ou mesurée au mètre ruban). Les hauteurs ne sont pas arrondies. Les intervalles sont totaux ; placez le pointeur sur l’un d’eux pour voir ce qu’il comprend. Un modèle choisi d’après ses dimensions ne sert pas de référence. Les cibles de contrôle ont leurs propres lignes et sont exclues des distributions.
 statistics-known-target = Cible
 statistics-known-check = { $target }, cibles de contrôle
 statistics-known-holds = Comprend { $words }.
@@ -3347,7 +3347,7 @@ statistics-known-inside = Dans leur U95
 statistics-known-inside-of = { $inside } sur { $n }
 statistics-known-none = Pas encore de hauteurs connues. Saisissez les hauteurs des constructeurs, des feux, ou une cible de contrôle dans les fiches des véhicules.
 
-## Statistiques : les figures de l'erreur
+## Statistiques : les figures de l’erreur
 
 statistics-group-daytime = De jour
 statistics-group-low_light = Faible luminosité
@@ -3408,7 +3408,7 @@ statistics-target-ecdf-away = { $count ->
     [one] { $count } norme hors échelle.
    *[other] { $count } normes hors échelle.
 }
-statistics-target-nothing = Rien à tracer : le filtre ne laisse aucune hauteur de cette cible.
+statistics-target-nothing = Rien à tracer : aucune hauteur de cette cible ne correspond au filtre.
 statistics-height-x = Hauteur au-dessus de la chaussée ({ $unit })
 statistics-target-density-title = { $target }, densité
 statistics-target-density-says = Densité des hauteurs corrigées, { $target }
@@ -3418,7 +3418,7 @@ statistics-share = { $standard }, { $height } : <strong>{ $share }</strong> des
     [taillight] feux arrière
    *[headlight] projecteurs
 } sont en dessous <muted>({ $low } à { $high } ; { NUMBER($below) } sur { NUMBER($n) })</muted>
-statistics-compared-title = { $second } et { $first } comparés
+statistics-compared-title = { $second } comparé à { $first }
 statistics-compared-figure = Grandeur
 statistics-compared-mean = Moyenne
 statistics-compared-heights = Hauteurs
@@ -3466,11 +3466,11 @@ statistics-percentiles-reason = { $percentiles } : { $reason }.
 ## Statistiques : hauteurs par groupe
 
 statistics-lateral-title = Position latérale
-statistics-lateral-note = Distance du contact du pneu à la caméra, mesurée en travers de la route ; une valeur par véhicule, la médiane de ses contacts. Une voie est tout le trafic qui va dans un même sens à l’image.
+statistics-lateral-note = Distance du contact du pneu à la caméra, mesurée en travers de la route ; une valeur par véhicule, la médiane de ses contacts. Une voie regroupe tout le trafic qui va dans un même sens à l’image.
 statistics-lateral-figure = Position latérale par voie
 statistics-lateral-says = Fonctions de répartition de la distance à la caméra en travers de la route, pour { $count } voies.
 statistics-lateral-x = Distance à la caméra en travers de la route ({ $unit })
-statistics-lateral-none = Aucun véhicule n’a encore de sens, donc il n’y a pas de voies ; la recherche des passages le renseigne, ou le panneau du véhicule.
+statistics-lateral-none = Aucun véhicule n’a encore de sens : il n’y a donc pas de voies. La détection des passages le renseigne, ou indiquez-le dans le panneau du véhicule.
 statistics-lateral-vehicles = Véhicules
 statistics-lateral-all = Tous
 statistics-lane-right = Vers la droite
@@ -3510,8 +3510,8 @@ statistics-groups-says = Fonctions de répartition des hauteurs, { $target }, pa
 statistics-groups-note = Les { NUMBER($count) } plus grands groupes sur { NUMBER($all) } ; le tableau les donne tous.
 statistics-groups-nothing = { $grouping ->
     [category] Rien à tracer : aucun véhicule n’a de catégorie.
-    [class_set] Rien à tracer : aucun véhicule n’est d’un groupe.
-    [lighting] Rien à tracer : aucun véhicule n’a de luminosité.
+    [class_set] Rien à tracer : aucun véhicule n’est dans un groupe.
+    [lighting] Rien à tracer : aucun véhicule n’a de luminosité indiquée.
     [site] Rien à tracer : aucun véhicule n’a de site.
    *[operator] Rien à tracer : aucun véhicule n’a d’opérateur.
 }
@@ -3551,7 +3551,7 @@ statistics-standards-source = Source
 statistics-standards-remove = Retirer
 statistics-standard-draw = Tracer { $standard }, { $what }, { $height }
 statistics-standard-remove = Retirer { $standard }
-statistics-standard-own-problem = Indiquez une hauteur supérieure à 0 et inférieure à 10 m, par exemple { $example }.
+statistics-standard-own-problem = Saisissez une hauteur supérieure à 0 et inférieure à 10 m, par exemple { $example }.
 statistics-standard-own = Valeur propre pour
 statistics-standard-height = Hauteur
 statistics-standard-name = Norme
@@ -3559,8 +3559,8 @@ statistics-standard-for = Pour
 statistics-standard-source = Source
 statistics-standard-new = Nouvelle norme
 statistics-standard-new-remove = Retirer la nouvelle norme
-statistics-standard-problem = Indiquez la hauteur de { $standard }, par exemple { $example }.
-statistics-standard-new-problem = Indiquez la hauteur de la nouvelle norme, par exemple { $example }.
+statistics-standard-problem = Saisissez la hauteur de { $standard }, par exemple { $example }.
+statistics-standard-new-problem = Saisissez la hauteur de la nouvelle norme, par exemple { $example }.
 statistics-standards-add = Ajouter une norme
 statistics-standards-save = Enregistrer pour ce relevé
 
@@ -3570,26 +3570,26 @@ statistics-plan-title = Nombre de véhicules à mesurer
 statistics-plan-percentile = Centile
 statistics-plan-width = Largeur de son intervalle à 95 %
 statistics-plan-sd = Dispersion des hauteurs (écart-type)
-statistics-plan-incomplete = Indiquez trois nombres.
+statistics-plan-incomplete = Saisissez trois nombres.
 
 ## Planification : la page
 
 planning-lead-heights = Estimez l’incertitude des hauteurs sur ce site avant d’enregistrer.
 planning-lead-lines = Estimez l’incertitude des vitesses de deux caméras linéaires avant d’enregistrer.
 planning-nothing-stored = Rien n’est enregistré. Pour partager ce plan, copiez l’adresse de la page.
-planning-what = Objet du plan
+planning-what = Objet de la planification
 planning-what-heights = Hauteurs (vidéo)
 planning-what-lines = Vitesses (balayage linéaire)
 planning-loading-cameras = caméras
 planning-loading-rig = dispositif du relevé
 planning-loading = plan
-plan-board-square = Placez la mire perpendiculaire à la route, pas à la verticale : avec un dévers de { $crossfall } %, une mire verticale fausse les hauteurs de { SMALL($here_m, digits: 0) } à { $distance_m } m et de { SMALL($further_m, digits: 0) } à 1 m de plus.
-plan-out-of-sight = La route ou la cible est hors de l’image pour : { $targets } ; reculez ou prenez un objectif plus large.
-plan-oblique = Une mire vue en biais fixe mieux la direction de la caméra qu’une mire vue de face, mais les pointés valent un peu moins : caméra tournée de 30 degrés le long de la route, un œil a ±{ SMALL($U95_turned_m, digits: 0) } au lieu de ±{ SMALL($U95_square_m, digits: 0) }.
-plan-second-frame = Pointez l’œil et le contact sur une deuxième image quand la vitesse le permet : avec { $travel_m } m parcourus, le retrait est calculé au lieu d’être supposé, et ±{ SMALL($U95_one_m, digits: 0) } deviennent ±{ SMALL($U95_two_m, digits: 0) }. À 50 km/h et 25 images par seconde, c’est { $frames } images plus loin.
+plan-board-square = Placez la mire perpendiculaire à la chaussée, et non à la verticale : avec un dévers de { $crossfall } %, une mire verticale fausse les hauteurs de { SMALL($here_m, digits: 0) } à { $distance_m } m et de { SMALL($further_m, digits: 0) } 1 m plus loin.
+plan-out-of-sight = La route ou la cible est hors de l’image pour : { $targets } ; reculez ou prenez un objectif de plus courte focale.
+plan-oblique = Une mire vue en biais détermine mieux l’orientation de la caméra qu’une mire vue de face, mais les pointés sont un peu moins précis : caméra tournée de 30 degrés le long de la route, la hauteur d’un œil est à ±{ SMALL($U95_turned_m, digits: 0) } au lieu de ±{ SMALL($U95_square_m, digits: 0) }.
+plan-second-frame = Pointez l’œil et le contact sur une deuxième image quand la vitesse le permet : avec { $travel_m } m parcourus, le retrait est calculé au lieu d’être supposé, et ±{ SMALL($U95_one_m, digits: 0) } deviennent ±{ SMALL($U95_two_m, digits: 0) }. À 50 km/h et 25 images/s, cela fait { $frames } images plus loin.
 plan-board-at-wheel-path = Placez la mire à la trace de roues, à { $distance_m } m, et non à { $board_m } m : les erreurs de pose, d’inclinaison et de focale s’annulent à la distance de la mire et croissent en s’en éloignant.
 plan-lane-close = La voie est très proche ; reculez à 2 m au moins.
-plan-board-unseen = L’image ne montrerait pas une mire à { $board_m } m dont la rangée du haut est à { $board_top_m } m au-dessus de la route ; placez-la à la trace de roues, reculez ou prenez un objectif plus large.
+plan-board-unseen = L’image ne montrerait pas une mire à { $board_m } m dont la rangée du haut est à { $board_top_m } m au-dessus de la route ; placez-la à la trace de roues, reculez ou prenez un objectif de plus courte focale.
 plan-camera-at-eye = La caméra est à peu près à la hauteur de l’œil du conducteur ({ $height_m } m), où le retrait ne compte guère ; pour les toits ou les feux, placez-la à leur hauteur.
 plan-second-frame-no-gain = Une deuxième image { $travel_m } m plus loin ne réduit pas l’incertitude ici (±{ SMALL($U95_two_m, digits: 0) } pour un œil) ; prenez des images plus éloignées.
 plan-camera-height = Placez la caméra à la hauteur à mesurer, où le retrait ne compte pas : { $height_m } m pour l’œil du conducteur. À { $camera_height_m } m, ignorer le retrait fausse la hauteur de { SMALL($near_m, digits: 0) } pour un conducteur côté proche et { SMALL($far_m, digits: 0) } côté éloigné.
@@ -3600,15 +3600,15 @@ plan-target = { $target ->
     [headlight] projecteur
    *[roof] toit
 }
-plan-lines-expected = Attendu de la méthode par défaut, d’après des véhicules simulés qui remplissent l’image ; peu de texture, un bruit fort ou la pluie l’aggravent, et l’incertitude de chaque véhicule dit ce qui est atteint.
+plan-lines-expected = Valeurs attendues de la méthode par défaut, d’après des véhicules simulés qui remplissent l’image ; peu de texture, un bruit fort ou la pluie les dégradent, et l’incertitude propre à chaque véhicule indique ce qui est atteint.
 plan-lines-few = Seules { $lines } lignes séparent les caméras ; prenez une cadence plus élevée ou une base plus longue, sinon ce véhicule est à peine mesurable.
 plan-lines-coarse = Le véhicule avance de { SMALL($line_m, digits: 1) } d’une ligne à la suivante ; au-delà de { SMALL($coarse_m, digits: 0) } la plupart des véhicules sont refusés. Prenez { $rate_hz } Hz ou plus.
 plan-lines-apart = Le véhicule avance de { SMALL($line_m, digits: 1) } d’une ligne à la suivante, ce qui se mesure ; { $rate_hz } Hz ramènent ce pas à { SMALL($good_m, digits: 0) }.
-plan-lines-U95 = L’U95 de la vitesse est de { $reached } %, plus que les { $allowed } % admis ; prenez une base { $times } fois plus longue, mesurée aussi bien.
+plan-lines-U95 = L’U95 de la vitesse est de { $reached } %, plus que les { $allowed } % admis ; prenez une base { $times } fois plus longue, mesurée avec la même exactitude.
 plan-lines-baseline-exact = La base est tenue pour exacte ; saisissez son incertitude, car elle entre dans toute vitesse.
-plan-lines-baseline-limits = La base est la limite, non la cadence : elle est connue à { $baseline } % (incertitude-type), la superposition des bandes ajoute { $strips } %. Mesurez d’abord mieux la base.
-plan-lines-strips-limit = La superposition des bandes est la limite, non la base : elle ajoute { $strips } % (incertitude-type), la base { $baseline } %. Prenez une base plus longue.
-plan-lines-no-share = L’erreur doit être une part entre 0 et 1 ; vitesse et base, supérieures à 0.
+plan-lines-baseline-limits = C’est la base qui limite, non la cadence de lignes : son incertitude-type est de { $baseline } %, le recalage des bandes ajoute { $strips } %. Mesurez d’abord la base plus exactement.
+plan-lines-strips-limit = C’est le recalage des bandes qui limite, non la base : il ajoute { $strips } % (incertitude-type), la base { $baseline } %. Prenez une base plus longue.
+plan-lines-no-share = L’erreur doit être une part entre 0 et 1 ; vitesse et base doivent être supérieures à 0.
 plan-lines-above-zero = Vitesse, base et cadence de lignes doivent être supérieures à 0.
 plan-lines-vehicle = Le véhicule a au plus 100 m de long, l’intervalle au plus 3600 s ; tous deux supérieurs à 0.
 plan-lines-u-baseline = L’incertitude de la base doit être d’au moins 0 et inférieure à la base.
@@ -3639,7 +3639,7 @@ planning-calibration = { $camera }, étalonnage { $id } du { $day }
 planning-calibration-in-use = { $camera }, étalonnage { $id } du { $day } (en vigueur)
 planning-calibration-unknown = étalonnage { $id }
 planning-camera-plain = Une caméra sans étalonnage
-planning-number-problem = Indiquez un nombre.
+planning-number-problem = Saisissez un nombre.
 planning-speed = Vitesse maximale
 planning-error = Erreur admise (U95)
 planning-baseline = Base
@@ -3680,11 +3680,11 @@ planning-passing-exposure = Temps de pose maximal
 planning-passing-blur = Flou à 1/1000 s
 planning-passing-frames-30 = Images à 30/s
 planning-passing-frames-60 = Images à 60/s
-planning-passing-note = Temps de pose maximal : le véhicule s’y déplace de 2 px au milieu de l’image ; au-delà, les pointés sont moins sûrs. Images : celles où la chaussée et l’œil d’un conducteur sont visibles ; il en faut deux, dix suffisent à un passage entier.
+planning-passing-note = Temps de pose maximal : le véhicule s’y déplace de 2 px au milieu de l’image ; au-delà, les pointés sont moins précis. Images : celles où la chaussée et l’œil d’un conducteur sont visibles ; il en faut deux, dix suffisent à un passage entier.
 planning-passing-px = { $blur } px
 planning-passing-fraction = 1/{ $part } s
-no-such-language = Il n’y a pas de rapport dans la langue « { $language } » ; choisissez l’une de : { $known }.
-planning-no-language = Il n’y a pas de fiche dans la langue « { $language } » ; choisissez l’une de : { $known }.
+no-such-language = Il n’y a pas de rapport dans la langue « { $language } » ; choisissez parmi : { $known }.
+planning-no-language = Il n’y a pas de fiche dans la langue « { $language } » ; choisissez parmi : { $known }.
 planning-sheet = Fiche d’installation (PDF)
 
 ## La fiche d’installation : une page à emporter
@@ -3707,12 +3707,12 @@ sheet-row = Rangée de référence de la mire au-dessus de la chaussée (mesuré
 sheet-zoom = Zoom et mise au point (bloqués)
 sheet-exposure = Temps de pose, gain, balance des blancs (fixes)
 sheet-start = Début de l’enregistrement, fuseau horaire
-sheet-traffic = Sens de circulation ; volant ; caméra sur l’accotement ou le terre-plein
+sheet-traffic = Circulation à droite ou à gauche ; volant ; caméra sur l’accotement ou le terre-plein
 sheet-weather = Météo, éclairage public, vitesse limite
 sheet-checks = Liste de contrôle
-sheet-check-calibrated = Caméra étalonnée en laboratoire à ce zoom et cette mise au point ; les deux bloqués
-sheet-check-board = Mire mesurée : dix cases divisées par dix ; plane contre une règle
-sheet-check-place = Chaussée droite et plane ; contact des pneus dans l’image ; trépied lesté
+sheet-check-calibrated = Caméra étalonnée à ce zoom et à cette mise au point ; les deux bloqués
+sheet-check-board = Case mesurée sur dix cases ; mire plane contre une règle
+sheet-check-place = Alignement droit, chaussée plane ; contact des pneus dans l’image ; trépied lesté
 sheet-check-exposure = Temps de pose, gain, mise au point et balance des blancs fixes ; flou sous 2 px
 sheet-check-stood = Mire sur la trace de roues, perpendiculaire à la chaussée, tournée de 20 à 30 degrés
 sheet-check-row = Rangée de référence mesurée deux fois, au millimètre
@@ -3752,7 +3752,7 @@ planning-board = mire { $distance }
 
 planning-speed-title = Incertitude attendue de la vitesse
 planning-lines = À { $speed }, un véhicule met <strong>{ $lines } lignes</strong> de la caméra 1 à la caméra 2 à { $line_rate_hz } lignes par seconde, soit { $one_line } de route par ligne.
-planning-speed-u = Incertitude-type : { $u_strips } due à la superposition des bandes, { $u_baseline } due à la base. Résultat : <strong>{ $speed }</strong> (95 %).
+planning-speed-u = Incertitude-type : { $u_strips } due au recalage des bandes, { $u_baseline } due à la base. Résultat : <strong>{ $speed }</strong> (95 %).
 planning-values-title = Incertitudes attendues
 planning-values-note = pour un véhicule à cette vitesse derrière un autre aussi rapide, mesuré par la méthode par défaut
 planning-values-quantity = Grandeur
@@ -3768,12 +3768,12 @@ planning-seconds = { $value } ± { $U95 } s
 planning-ms = { $value } ms
 planning-exposure-title = Pixels et temps de pose
 planning-exposure-blur = Avec un temps de pose de { $exposure_us } µs, chaque ligne est floue sur <strong>{ $blur }</strong> de chaussée ; le véhicule parcourt { $line } d’une ligne à l’autre. Un pixel couvre { $width } le long de la chaussée et { $height } en hauteur : une arête verticale s’étale sur <strong>{ $smear }</strong>.
-planning-exposure-shape = Un pixel est <strong>{ $shape }</strong> fois aussi haut qu’une ligne est distante de la suivante. Une rangée de désalignement fausse la vitesse jusqu’à { $row_error } là où un détail est incliné à 45°.
+planning-exposure-shape = La hauteur d’un pixel est <strong>{ $shape }</strong> fois l’espacement des lignes. Une rangée de désalignement fausse la vitesse jusqu’à { $row_error } là où un détail est incliné à 45°.
 planning-exposure-light = Une ligne reçoit <strong>{ $light }</strong> fois la lumière d’un pixel de 5 µm sur 5 µm exposé 1 ms derrière la même ouverture.
-planning-exposure-dark = Peu de lumière : ouvrez le diaphragme, prenez des pixels plus grands ou un regroupement de pixels, ou moins de lignes par seconde.
+planning-exposure-dark = Peu de lumière : ouvrez le diaphragme, prenez des pixels plus grands ou un regroupement de pixels, ou une cadence de lignes plus basse.
 planning-exposure-wide = Les pixels sont plus larges que deux espacements de lignes : une cadence plus élevée apporte peu. Prenez une focale plus longue.
-planning-exposure-tall = Les pixels sont bien plus hauts que l’écart des lignes : alignez les deux caméras à une fraction de rangée, ou prenez plus de rangées.
-planning-exposure-too-long = Un temps de pose de { $exposure_us } µs dépasse une ligne, { $line_us } µs ; indiquez-en un plus court ou moins de lignes par seconde.
+planning-exposure-tall = Les pixels sont bien plus hauts que l’espacement des lignes : alignez les deux caméras à une fraction de rangée près, ou prenez plus de rangées.
+planning-exposure-too-long = Un temps de pose de { $exposure_us } µs dépasse une ligne, { $line_us } µs ; saisissez-en un plus court ou une cadence de lignes plus basse.
 planning-camera-cannot-be = { $name } de { $value } est hors plage. Saisissez une valeur supérieure à 0 et d’au plus { $most }.
 planning-forms-title = Équation (2) de Douxchamps et al., imprimée et corrigée
 planning-forms-label = Les deux formes de l’équation (2)
@@ -3788,9 +3788,9 @@ planning-forms-line-rate = Cadence pour { $error }
 planning-forms-line-rate-value = { $line_rate_hz } Hz
 planning-forms-error-at = Erreur à { $line_rate_hz } Hz
 planning-forms-error-value = { $error }, { $speed }
-planning-forms-note = n = b f / s : les lignes de la caméra 1 à la caméra 2, pour la base b, la cadence de lignes f et la vitesse s. L’équation (2) est le cas extrême de passages lus en lignes entières. Sightline superpose les bandes à une fraction de ligne près et n’a pas besoin de ces cadences.
+planning-forms-note = n = b f / s : les lignes de la caméra 1 à la caméra 2, pour la base b, la cadence de lignes f et la vitesse s. L’équation (2) est le cas le plus défavorable de passages lus à la ligne entière. Sightline recale les bandes à une fraction de ligne près et n’a pas besoin de ces cadences.
 
-## Relevé : la vue d'ensemble
+## Relevé : la vue d’ensemble
 
 survey-loading = relevé
 survey-demonstration = démonstration
@@ -3800,11 +3800,11 @@ settings-site = Site, trafic, cibles et retraits
 settings-traffic-unsaid = Le trafic n’est pas encore décrit.
 settings-inset = { $inset } (u = { $u })
 settings-members = Membres
-settings-members-lead = Personnes qui voient ce relevé, et leurs rôles.
+settings-members-lead = Personnes qui peuvent voir ce relevé, et leurs rôles.
 settings-classes = Classes de véhicules
 settings-classes-lead = Classes comptées comme voitures particulières, utilitaires légers et poids lourds.
 settings-standards-open = Ouvrir dans Résultats
-settings-standards-lead = Hauteurs de projet montrées dans les figures.
+settings-standards-lead = Hauteurs de projet affichées dans les figures.
 members-open = Membres
 members-invite = Inviter un nouvel utilisateur
 members-title = Membres du relevé
@@ -3826,10 +3826,10 @@ members-add-role = Rôle
 members-choose = Choisir une personne
 members-everybody = Toutes les personnes ayant un compte sont membres.
 members-does-viewer = tout voir, exporter les archives
-members-does-operator = importer des enregistrements, étalonner, mesurer
+members-does-operator = ajouter des enregistrements, étalonner, mesurer
 members-does-reviewer = ce que fait un opérateur, et vérifier le travail des autres
-members-does-manager = ce que fait un vérificateur, et décider qui est membre du relevé et comment il est vérifié
-members-admin = Administrateur : peut tout faire ici, quel que soit le rôle choisi.
+members-does-manager = ce que fait un vérificateur, et gérer les membres et le plan de vérification
+members-admin = Un administrateur a tous les droits ici, quel que soit le rôle choisi.
 members-loading = membres
 survey-camera-go = Étalonner
 survey-recordings-go = Ajouter
@@ -3850,7 +3850,7 @@ survey-traffic = La circulation est à { $traffic ->
    *[median] sur le terre-plein central
 }.
 survey-asked = Cibles de jour : { $daytime } ; en faible luminosité : { $low_light }.
-survey-traffic-unsaid = Le côté de circulation et la place de la caméra ne sont pas définis. Les hauteurs d’œil seront calculées dès qu’ils le seront, aussi pour les pointés existants.
+survey-traffic-unsaid = Le côté de circulation et la position de la caméra ne sont pas définis. Les hauteurs d’œil seront calculées dès qu’ils le seront, aussi pour les pointés existants.
 survey-traffic-say = Définir
 overview-calibrated = { $count ->
     [one] Une caméra étalonnée.
@@ -3863,16 +3863,16 @@ overview-confirm = { $count ->
     [one] Confirmez la luminosité et le début de 1 enregistrement.
    *[other] Confirmez la luminosité et le début de { $count } enregistrements.
 }
-overview-not-imported = Un enregistrement n’a pu être lu ; voyez pourquoi et envoyez-en un autre.
-overview-importing = Attendez que l’enregistrement ait été lu.
+overview-not-imported = Un enregistrement n’a pas pu être importé ; voyez le motif et envoyez-en un autre.
+overview-importing = Attendez que l’enregistrement soit importé.
 overview-drop-video = Déposez ici la vidéo du jour.
 overview-posed = Chaque enregistrement a sa pose de la caméra.
 overview-mark-board = { $count ->
-    [one] Marquez où la mire est immobile dans un enregistrement.
-   *[other] Marquez où la mire est immobile dans { $count } enregistrements.
+    [one] Marquez les images où la mire est immobile dans un enregistrement.
+   *[other] Marquez les images où la mire est immobile dans { $count } enregistrements.
 }
-overview-mark-board-later = Marquez où la mire est immobile, dès qu’un enregistrement est prêt.
-overview-find-vehicles = Ajoutez les véhicules qui passent et mesurez de chacun ce que le relevé demande.
+overview-mark-board-later = Marquez les images où la mire est immobile, dès qu’un enregistrement est prêt.
+overview-find-vehicles = Détectez les véhicules et mesurez sur chacun les cibles du relevé.
 overview-measured = { $count ->
     [one] Le véhicule est mesuré.
    *[other] Les { $count } véhicules sont mesurés.
@@ -3900,22 +3900,22 @@ overview-reviewed = { $count ->
 }
 overview-nothing-to-review = Rien à vérifier pour l’instant.
 overview-packages = { $count ->
-    [one] Une archive constituée.
-   *[other] { $count } archives constituées.
+    [one] Une archive créée.
+   *[other] { $count } archives créées.
 }
-overview-build-package = Constituez l’archive des résultats.
-overview-no-scans = Aucun ici. Deux caméras linéaires à une base connue donnent la vitesse, la longueur et les intervalles.
+overview-build-package = Créez l’archive des résultats.
+overview-no-scans = Aucun ici. Deux caméras linéaires séparées d’une base connue donnent la vitesse, la longueur et les intervalles.
 overview-scans-not-imported = { $count ->
-    [one] Un balayage n’a pu être lu ; voyez pourquoi et réessayez.
-   *[other] { $count } balayages n’ont pu être lus ; voyez pourquoi et réessayez.
+    [one] Un balayage n’a pas pu être importé ; voyez le motif et réessayez.
+   *[other] { $count } balayages n’ont pas pu être importés ; voyez le motif et réessayez.
 }
 overview-scans-importing = { $count ->
-    [one] Importation en cours : un balayage.
-   *[other] Importation en cours : { $count } balayages.
+    [one] Import en cours : un balayage.
+   *[other] Import en cours : { $count } balayages.
 }
 overview-scans-find = { $count ->
-    [one] Trouvez les véhicules d’un balayage.
-   *[other] Trouvez les véhicules de { $count } balayages.
+    [one] Détectez les véhicules d’un balayage.
+   *[other] Détectez les véhicules de { $count } balayages.
 }
 overview-scans-review = { $count ->
     [one] Vérifiez { $open } véhicule sur 1.
@@ -3929,7 +3929,7 @@ overview-scans-accepted = { $all ->
     [one] Véhicules validés : { $count } sur 1 détecté.
    *[other] Véhicules validés : { $count } sur { $all } détectés.
 }
-overview-scans-not-measurable = Non mesurables : { $count } ; chacun dit pourquoi.
+overview-scans-not-measurable = Non mesurables : { $count } ; voyez les motifs.
 overview-line-heights-accepted = Hauteurs validées : { $count } sur { $all }.
 survey-scans-none = <link>Balayages</link> : { $summary }
 survey-scans-label = Balayages linéaires, à part de ces étapes
@@ -3968,11 +3968,11 @@ survey-count-measurements = { $count ->
 
 survey-edit-title = Modifier le relevé
 survey-name = Nom
-survey-name-problem = Un relevé doit avoir un nom.
+survey-name-problem = Donnez un nom au relevé.
 survey-site = Site
 survey-description = Description
 survey-insets = Retraits
-survey-insets-help = Distance de chaque cible derrière le plan des flancs extérieurs des pneus, à l’opposé de la caméra. Utilisés pour toute nouvelle mesure ; la seconde valeur est leur incertitude-type.
+survey-insets-help = Distance de chaque cible derrière le plan des flancs extérieurs des pneus, à l’opposé de la caméra. Sert aux nouvelles mesures ; la seconde valeur est son incertitude-type.
 survey-insets-target = Cible
 survey-insets-inset = Retrait ({ $unit })
 survey-insets-u = u ({ $unit })
@@ -3984,18 +3984,18 @@ survey-inset-u-label = { $target } : incertitude en { $unit ->
     [ft] pieds
    *[m] mètres
 }
-survey-inset-problem = { $target } : indiquez le retrait et son incertitude en { $unit ->
+survey-inset-problem = { $target } : saisissez le retrait et son incertitude en { $unit ->
     [ft] pieds
    *[m] mètres
 }, par exemple { $inset } et { $u_inset }.
 
-## Relevé : photos de l'installation
+## Relevé : photos de l’installation
 
 photographs-title = Photos de l’installation
-photographs-help = Le dispositif, la route, la mire en place. Le rapport et l’archive les montrent.
+photographs-help = Le dispositif, la route, la mire en place. Affichées dans le rapport et l’archive.
 photographs-choose = Choisir des photos à ajouter
 photographs-drop = Déposez des photos ici, ou choisissez-les
-photographs-adding = Ajout de { $count } …
+photographs-adding = Ajout de { $count }…
 photographs-hint = JPEG, PNG, WebP ou TIFF. Réduites à 1600 px ; données de localisation retirées.
 photographs-open = Ouvrir { $photograph }
 photographs-what = Ce qu’elle montre
@@ -4019,7 +4019,7 @@ surveys-new-site-example = D938, km 12,4, vers le sud
 surveys-new-description = Description
 surveys-new-description-hint = Notes pour qui ouvrira ce relevé plus tard.
 surveys-choose-password = Choisir un mot de passe
-surveys-link-used = Définissez un mot de passe pour pouvoir vous reconnecter. Votre lien a servi.
+surveys-link-used = Définissez un mot de passe pour pouvoir vous reconnecter. Votre lien a déjà servi.
 surveys-demo-failed = Le relevé de démonstration n’a pas pu être créé.
 surveys-demo-first = Le relevé de démonstration est le rendu d’une scène connue : chaque hauteur peut être comparée à sa valeur vraie. Essayez-y d’abord Sightline, puis créez votre propre relevé.
 surveys-demo-open = Ouvrir le relevé de démonstration
@@ -4048,13 +4048,13 @@ study-versions = Les archives viennent de { $count } versions aux tables identiq
 study-one-site = Un seul site : les intervalles ne valent que pour lui.
 study-outside-sample = { $count } hauteurs validées sont de véhicules hors de l’échantillon de leur relevé ; elles ne comptent pas.
 study-without-class = { $count } hauteurs ({ $target }) n’ont pas de classe du parc ; elles ne comptent pas.
-study-all-simulated = Simulé : aucune valeur ne décrit des routes réelles.
-study-some-simulated = { $count } relevés sur { $surveys } sont simulés : aucun de ses chiffres ne dit rien de routes réelles.
+study-all-simulated = Simulée : aucune valeur ne décrit des routes réelles.
+study-some-simulated = { $count } relevés sur { $surveys } sont simulés : aucun chiffre de l’étude ne dit rien de routes réelles.
 study-heights-needed = ses chiffres demandent au moins { $least } hauteurs
 study-no-weights = aucun poids ne satisfait à la fois toutes les parts du parc
-study-one-site-of-stratum = { $stratum } n’a qu’un site : réunissez-la à une autre strate, pour que des sites puissent différer
-study-class-not-counted = aucune hauteur de { $variable } { $name } ne compte, que le parc contient
-study-class-at-one-site = une strate n’a sa classe que sur un site ; des sites ne peuvent différer
+study-one-site-of-stratum = { $stratum } n’a qu’un site : réunissez-la à une autre strate, pour que l’écart entre sites puisse être estimé
+study-class-not-counted = le parc contient { $variable } { $name }, dont aucune hauteur ne compte
+study-class-at-one-site = une strate n’a sa classe que sur un site : l’écart entre sites ne peut pas être estimé
 study-simulated-note = Simulée : rien n’a été filmé. Les véhicules ont été tirés de parcs connus ; aucune valeur ne décrit des routes réelles.
 study-name = Nom
 study-description = Description
@@ -4079,11 +4079,11 @@ study-remove = Retirer l’étude
 study-remove-now = Retirer
 study-remove-words = { $name } est retirée de la liste des études. Ses relevés ne changent pas, et ses résultats restent conservés.
 study-members = Membres de cette étude
-study-members-note = Les membres voient l’étude, son archive et son rapport tant qu’ils voient chacun de ses relevés. Une personne qui gère tous ces relevés peut montrer l’étude à toute personne connectée. Les administrateurs voient toutes les études.
-study-members-open = Toute personne connectée la voit
+study-members-note = Les membres voient l’étude, son archive et son rapport tant qu’ils voient chacun de ses relevés. Une personne qui gère tous ces relevés peut la rendre visible à toute personne connectée. Les administrateurs voient toutes les études.
+study-members-open = Visible pour toute personne connectée
 study-members-add = Ajouter un membre
 study-members-choose = Choisir une personne
-study-members-nobody = Tout le monde est membre
+study-members-nobody = Tout le monde est déjà membre
 study-members-remove = Retirer { $name }
 study-survey = Relevé
 study-site = Site
@@ -4102,7 +4102,7 @@ study-sites = Sites (CSV)
 study-sites-hint = Colonnes site et stratum ; sites_there et traffic s’ils sont connus. Vide : strates indiquées avec les relevés.
 study-goal = U95 visée pour P10
 study-goal-unit = mm
-study-goal-hint = Pour le plan d’une étude ultérieure.
+study-goal-hint = Pour planifier une étude ultérieure.
 study-take-out = Retirer { $name }
 study-add-survey = Ajouter un relevé
 study-choose-survey = Choisir un relevé
@@ -4228,20 +4228,20 @@ account-token-once = Copiez-le maintenant dans le programme ; il ne sera plus 
 account-token = Jeton
 account-token-copied = Le jeton est dans le presse-papiers.
 account-token-name-field = Nom
-account-token-name-hint = Quel programme, sur quelle machine.
+account-token-name-hint = Le programme et l’ordinateur où il s’exécute.
 account-token-name-problem = Saisissez un nom qui dit à quoi sert le jeton.
 account-token-scopes-field = Droits
 account-token-scopes-problem = Choisissez-en au moins un.
-account-token-days = Il expire après
+account-token-days = Expire après
 account-token-days-count = { $days ->
     [one] { $days } jour
     [366] un an
    *[other] { $days } jours
 }
 token-scope-read = lire
-token-scope-read-hint = Voir ce que vous voyez, et demander des hauteurs sans les enregistrer.
+token-scope-read-hint = Voir ce que vous voyez, et calculer des hauteurs sans les enregistrer.
 token-scope-upload = envoyer
-token-scope-upload-hint = Importer des enregistrements et trouver leurs passages.
+token-scope-upload-hint = Ajouter des enregistrements et détecter leurs passages.
 token-scope-measure = mesurer
 token-scope-measure-hint = Le reste de ce que fait un opérateur : relevés, caméras, poses, mesures.
 token-scope-review = vérifier
@@ -4276,9 +4276,9 @@ people-role-change = Changer le rôle
 people-switch-off-title = Désactiver le compte de { $person } ?
 people-switch-off-body = Cette personne est déconnectée et ne pourra plus se connecter ; ses mesures et vérifications restent à son nom.
 people-does-viewer = voir les relevés ouverts à tous et ceux dont la personne est membre, exporter les archives
-people-does-operator = importer des enregistrements, étalonner, mesurer
+people-does-operator = ajouter des enregistrements, étalonner, mesurer
 people-does-reviewer = ce que fait un opérateur, et vérifier le travail des autres
-people-does-admin = tout, y compris gérer les personnes
+people-does-admin = tout, y compris gérer les comptes
 
 ## Personnes : en ajouter une
 
@@ -4329,7 +4329,7 @@ audit-chains-not-signed = Les chaînes d’audit ne sont pas celles signées le 
 audit-chain-not-in-export = La chaîne d’audit n’est pas celle de l’export { $id } ; restaurez une sauvegarde.
 audit-row-not-events = { audit-thing } { $id } diffère de ses événements ; restaurez une sauvegarde.
 audit-row-not-first = { audit-thing } { $id } diffère de ce qui a été écrit à l’origine ; restaurez une sauvegarde.
-audit-row-removed = { audit-thing } { $id } a disparu sans événement ; restaurez une sauvegarde.
+audit-row-removed = { audit-thing } { $id } a disparu sans événement d’audit ; restaurez une sauvegarde.
 audit-thing = { $entity ->
     [calibration] L’étalonnage
     [click_sigma] L’incertitude de pointé
@@ -4343,17 +4343,17 @@ audit-thing = { $entity ->
     [photograph] La photo de l’installation
     [pose] La pose de la caméra
     [review] La vérification
-    [rig_calibration] L’étalonnage du banc
+    [rig_calibration] L’étalonnage du dispositif
     [scan] Le balayage
     [scan_measurement] La mesure d’un véhicule balayé
     [scan_reference] La valeur de référence d’un véhicule balayé
     [scan_review] La vérification d’un véhicule balayé
-    [scan_run] La recherche dans un balayage
+    [scan_run] La détection dans un balayage
     [scan_vehicle] Le véhicule balayé
     [series] La mesure
     [study] L’étude
     [study_result] Le résultat d’une étude
-    [wheel_pair] La paire de contacts du pneu
+    [wheel_pair] La paire de contacts de pneus
    *[vehicle] Le véhicule
 }
 audit-broken-title = La chaîne est rompue
@@ -4385,7 +4385,7 @@ audit-action-recorded = enregistrement
 audit-action-reading_failed = échec de la lecture
 audit-action-release = remise en file
 audit-action-requeue = remise en file
-audit-action-request = demande de chiffres
+audit-action-request = demande de statistiques
 audit-action-restart_ingest = reprise de l’import
 audit-action-restart_reading = reprise de l’import
 audit-action-restore = restauration
@@ -4438,7 +4438,7 @@ audit-entity-scan_vehicle = véhicule du balayage
 audit-entity-scan_measurement = mesure du balayage
 audit-entity-scan_review = vérification du balayage
 audit-entity-scan_reference = valeur de référence
-audit-entity-line_pose = pose de ligne
+audit-entity-line_pose = pose de la caméra linéaire
 audit-entity-rig_calibration = étalonnage du dispositif
 audit-entity-export = export
 audit-entity-evidence = dossier de preuve
@@ -4466,19 +4466,19 @@ audit-person = Personne
 audit-person-all = Toutes
 audit-day = Jour (UTC)
 audit-vehicle = Numéro du véhicule
-audit-vehicle-problem = Le numéro d’un véhicule est un nombre entier.
+audit-vehicle-problem = Saisissez un nombre entier.
 audit-row = ligne { $id } de la base de données
 
 ## Export : la page
 
 excluded-withdrawn = La mesure a été retirée.
 excluded-not-reviewed = Elle n’est pas encore vérifiée.
-excluded-not-selected = Elle n’est pas des véhicules de cette archive.
+excluded-not-selected = Elle ne fait pas partie des véhicules de cette archive.
 excluded-no-height = Il n’y a pas de hauteur.
 excluded-rejected = Elle a été rejetée par un vérificateur.
 excluded-reopened = Elle a été rouverte et attend une nouvelle vérification.
 excluded-check-target = Elle contrôle la mesure : ses erreurs sont dans statistics/errors_by_target.csv.
-excluded-without-time = Cette archive est de certains jours ou heures de prise de vue, et le début de son enregistrement n’est pas confirmé.
+excluded-without-time = Cette archive porte sur certains jours ou heures de prise de vue, et le début de son enregistrement n’est pas confirmé.
 excluded-out-of-sample = Son véhicule est hors de l’échantillon du relevé.
 export-lead = Téléchargez les données, le rapport et le journal d’audit.
 export-crops = avec les images des pointés
@@ -4487,7 +4487,7 @@ export-of-lighting = Luminosité
 export-of-filmed-from = filmés à partir du { $day }
 export-of-filmed-to = filmés jusqu’au { $day }
 export-of-hours = filmés entre { $begins } et { $ends }
-export-of-help = Les statistiques, les figures et le rapport portent sur ces véhicules, et la première page du rapport le dit. Les tableaux sont complets, pour que le journal d’audit les couvre ; exclusions.csv nomme ce qui est exclu.
+export-of-help = Les statistiques, les figures et le rapport ne portent que sur ces véhicules, comme l’indique la première page du rapport. Les tableaux sont complets, pour que le journal d’audit les couvre ; exclusions.csv nomme ce qui est exclu.
 export-of = Véhicules
 export-of-all = tous les véhicules
 export-build = Créer l’archive
@@ -4528,7 +4528,7 @@ export-none-title = Aucune archive
 export-none = Appuyez sur « Créer l’archive ». Cela prend de quelques secondes à quelques minutes, selon le nombre d’images. Vous pouvez continuer à travailler.
 export-made = Créée
 export-by = Par
-export-language = Rapport en
+export-language = Langue du rapport
 export-size = Taille
 export-sha256 = SHA-256
 export-audit-head = Tête d’audit
@@ -4539,11 +4539,11 @@ export-sha256-copied = Le SHA-256 est dans le presse-papiers.
 export-audit-head-copy = Copier la tête d’audit
 export-audit-head-copied = La tête d’audit est dans le presse-papiers.
 export-checking = Vérifier une archive
-export-checking-help = Ceci contrôle chaque fichier, la chaîne d’audit, sa signature et chaque ligne par rapport à elle, et recalcule chaque hauteur et chaque statistique. Transmettez la clé de cette installation (ou le SHA-256) séparément de l’archive. Elle révèle une archive remplacée et signée avec une autre clé. Une signature prouve ce que le détenteur de la clé a signé, non que c’est vrai.
+export-checking-help = Contrôle chaque fichier, la chaîne d’audit, sa signature et chaque ligne par rapport à elle, et recalcule chaque hauteur et chaque statistique. Transmettez la clé de cette installation (ou le SHA-256) séparément de l’archive. Elle révèle une archive remplacée et signée avec une autre clé. Une signature prouve ce que le détenteur de la clé a signé, non que cela est vrai.
 export-command-copy = Copier la commande
 export-command-copied = La commande est dans le presse-papiers.
 
-## Export : contenu d'une archive
+## Export : contenu d’une archive
 
 export-contents = Contenu d’une archive
 export-contents-report = installation, étalonnage, méthode, erreurs, figures et exclusions en quelques pages
@@ -4562,7 +4562,7 @@ export-contents-reviews = décisions et motifs, et répétitions en aveugle
 export-contents-audit = chaque modification avec son empreinte ; la chaîne peut être contrôlée
 export-contents-datapackage = nom, unité et signification de chaque colonne (Frictionless Data)
 
-## Propositions : pourquoi un point d'un véhicule qui passe n'est pas proposé (conservées par clé)
+## Propositions : pourquoi un point d’un véhicule qui passe n’est pas proposé (conservées par clé)
 
 proposals-not-across = Le véhicule monte ou descend dans l’image. Les propositions demandent un véhicule qui la traverse.
 proposals-no-empty-road = Trop peu d’images avant et après le véhicule pour reconnaître la route vide.
@@ -4574,7 +4574,7 @@ proposals-no-wheel = Aucune roue ne se détache de l’ombre et de la caisse sur
 proposals-no-height = Aucune hauteur ne résulte de ce point ; pointez-le vous-même.
 proposals-roof-not-seen = Le bord proche du toit n’a été détecté que sur trop peu d’images ; pointez-le vous-même.
 proposals-taillight-not-seen = Le feu arrière n’a été détecté que sur trop peu d’images ; pointez vous-même son bord inférieur.
-proposals-headlight-by-hand = Le milieu d’un projecteur n’est pas encore assez bien trouvé ; pointez-le vous-même.
+proposals-headlight-by-hand = Le milieu d’un projecteur n’est pas encore détecté de façon fiable ; pointez-le vous-même.
 proposals-eye-not-seen = L’œil du conducteur n’a été détecté que sur trop peu d’images ; si vous le voyez, pointez-le vous-même.
 proposals-hidden-here = N’est pas visible sur la meilleure image.
 proposals-no-contact = Aucun contact de pneu n’est proposé sur cette image, donc aucune hauteur n’en résulterait ; pointez les deux vous-même.
@@ -4586,9 +4586,9 @@ proposals-looking = Recherche de points à proposer.
 proposals-made = Propositions pour { $some } passages sur { $passes }, points en tout : { $points }.
 proposals-cancelled = La proposition de points a été annulée ; les propositions antérieures restent. Vous pouvez la relancer.
 proposals-being-made-already = Les propositions pour { $name } sont déjà en cours ; attendez la fin.
-proposals-no-found-passes = { $name } n’a pas de passages trouvés par Sightline ; faites d’abord chercher les passages.
+proposals-no-found-passes = { $name } n’a pas de passages trouvés par Sightline ; détectez d’abord les passages.
 second-frame-followed = Le véhicule a été suivi pendant son passage.
-second-frame-measured = Sa vitesse est celle des points cliqués sur deux images.
+second-frame-measured = Sa vitesse est celle des points pointés sur deux images.
 second-frame-assumed = Le véhicule n’a pu être suivi ; sa vitesse est supposée : cherchez les points autour des repères.
 snap-measured-free = Ce véhicule a été tiré au sort pour être mesuré sans propositions.
 anchoring-too-few = Trop peu : il faut cinq véhicules de chaque groupe.
@@ -4603,13 +4603,13 @@ measurements-proposals-not-these = Ces points sont périmés : les propositions
 
 ## Erreurs : caméras
 
-## Heights: why there is none, and what to know of one; what is followed and suggested (kept by code)
+## Hauteurs : pourquoi il n’y en a pas, et ce qu’il faut en savoir ; ce qui est suivi et proposé (conservés par code)
 
 height-click-not-finite = Une coordonnée de pointé n’est pas un nombre fini.
 height-contact-outside-picture = Le contact est hors de l’image.
 height-target-outside-picture = La cible est hors de l’image.
-height-contact-outside-lens = Le contact est hors du rayon valable du modèle d’objectif ; sa direction est inconnue.
-height-target-outside-lens = La cible est hors du rayon valable du modèle d’objectif ; sa direction est inconnue.
+height-contact-outside-lens = Le contact est hors du rayon de validité du modèle d’objectif ; sa direction est inconnue.
+height-target-outside-lens = La cible est hors du rayon de validité du modèle d’objectif ; sa direction est inconnue.
 height-camera-below-road = La pose place la caméra sur la chaussée ou dessous ; recalculez la pose de la caméra.
 height-contact-above-horizon = Le contact est sur l’horizon ou au-dessus, où il n’y a pas de route.
 height-contact-behind-camera = Le contact est derrière le plan de la caméra, vu en travers de la route.
@@ -4621,7 +4621,7 @@ height-side-unknown = Le côté du conducteur (proche ou éloigné) n’est pas 
 line-height-extrapolated = Un pointé est hors des rangées couvertes par les repères ; la pose est extrapolée.
 line-height-click-no-number = Un pointé n’est pas un nombre.
 line-height-contact-above-horizon = Le contact est sur l’horizon ou au-dessus, où il n’y a pas de chaussée ; pointez le contact du pneu.
-line-height-target-below-contact = La cible n’est pas au-dessus du contact ; cliquez d’abord sur le contact, puis sur la cible.
+line-height-target-below-contact = La cible n’est pas au-dessus du contact ; pointez d’abord le contact, puis la cible.
 line-height-target-behind-camera = Le retrait place la cible derrière la caméra.
 line-height-beside-vehicle = Un pointé est hors de l’avant et de l’arrière du véhicule ; il appartient peut-être à un autre.
 height-inset-implausible = Le retrait calculé de { NUMBER($inset_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m n’est pas plausible pour un véhicule routier ({ $low_m } à { $high_m } m) : le contact et la cible doivent être les mêmes points sur chaque image.
@@ -4653,11 +4653,11 @@ height-pass-disagrees = Les points suivis ne correspondent pas à un même véhi
 height-pass-inset-undetermined = Les images ne déterminent pas le retrait ; suivez les points sur une plus longue distance.
 height-pass-most-excluded = { $dropped } points suivis sur { $points } ont été exclus ; suivez-les à nouveau à partir d’une image plus nette.
 height-flag-plane-oblique = Le plan latéral est vu sous moins de 10 degrés.
-height-flag-lens-edge = Un pointé est près du bord du rayon valable du modèle d’objectif.
+height-flag-lens-edge = Un pointé est près du bord du rayon de validité du modèle d’objectif.
 height-flag-far-from-board = La distance du véhicule est très différente de celle de la mire.
 height-flag-u-large = L’intervalle à 95 % est approché : u dépasse 30 mm.
 height-flag-no-u-of-lens-and-pose = L’incertitude de l’objectif et de la pose est inconnue et n’est pas comprise.
-height-flag-no-u-of-lens = L’incertitude de l’objectif est inconnue ; seul ce que dit le fichier de pose est compté.
+height-flag-no-u-of-lens = L’incertitude de l’objectif est inconnue ; seul ce qu’indique le fichier de pose est compris.
 height-flag-no-board = La mire est inconnue ; son inclinaison, sa hauteur, le côté de ses cases et sa flèche ne sont pas compris dans l’incertitude.
 height-flag-no-square-size = La pose n’indique pas le côté des cases de la mire ; non compris dans l’incertitude.
 height-flag-no-bow = La pose n’indique pas la flèche de la mire ; non comprise dans l’incertitude.
@@ -4665,9 +4665,9 @@ height-flag-no-square-size-and-bow = La pose n’indique ni le côté des cases 
 height-flag-clicks-misfit = Les pointés ne suivent pas une trajectoire droite et horizontale ; vérifiez que les mêmes points sont pointés sur chaque image.
 height-flag-inset-weak = Les images sont trop rapprochées pour bien déterminer le retrait.
 height-flag-pass-misfit = Les points suivis s’écartent d’une trajectoire droite et horizontale de plus que leur incertitude.
-height-flag-side-from-place = Le passage n’a pas de sens ; le côté du conducteur se déduit de la place de la caméra sur le terre-plein central, le long duquel tous vont dans le même sens.
-height-flag-camera-moved = La caméra avait bougé de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px depuis sa pose ; prenez une nouvelle pose pour cette partie, ou décidez que l’ancienne convient encore.
-height-flag-camera-moved-by = La caméra avait bougé de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px depuis sa pose (erreur de hauteur jusqu’à { SMALL($error_m, digits: 0) }) ; prenez une nouvelle pose pour cette partie, ou décidez que l’ancienne convient encore.
+height-flag-side-from-place = Le passage n’a pas de sens ; le côté du conducteur se déduit de la position de la caméra sur le terre-plein central, le long duquel tous vont dans le même sens.
+height-flag-camera-moved = La caméra a bougé de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px après le calcul de la pose ; calculez une nouvelle pose pour cette partie, ou décidez de conserver l’ancienne.
+height-flag-camera-moved-by = La caméra a bougé de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px après le calcul de la pose (erreur de hauteur jusqu’à { SMALL($error_m, digits: 0) }) ; calculez une nouvelle pose pour cette partie, ou décidez de conserver l’ancienne.
 height-flag-inset-zero = retrait pris égal à 0
 height-flag-u-inset-zero = incertitude du retrait prise égale à 0
 height-flag-usual-inset = retrait usuel de { $target }
@@ -4676,11 +4676,11 @@ height-target-unknown = La cible { $target } n’est pas l’une de { $known }.
 height-side-not-known = Le côté { $side } n’est pas l’un de { $known }.
 second-frame-no-height = Il n’y a pas encore de hauteur ; pointez d’abord contact et cible.
 second-frame-no-other = Le passage n’a pas d’autre image ; prolongez-le par sa première ou sa dernière image.
-second-frame-not-shown = Sur aucune autre image du passage les deux points ne sont dans l’image ; une image suffira.
-second-frame-no-gain = Une autre image n’aiderait pas ici : { SMALL($now_m, digits: 0) } actuellement, { SMALL($then_m, digits: 0) } avec elle.
+second-frame-not-shown = Aucune autre image du passage ne montre les deux points ; utilisez une seule image.
+second-frame-no-gain = Une deuxième image n’apporte rien : { SMALL($now_m, digits: 0) } actuellement, { SMALL($then_m, digits: 0) } avec elle.
 followed-off = Il est à { NUMBER($off_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px de la position donnée par les autres images, { NUMBER($times, minimumFractionDigits: 1, maximumFractionDigits: 1) } fois son incertitude.
 followed-outside-picture = Il est hors de l’image.
-followed-outside-lens = Il est hors du rayon valable du modèle d’objectif.
+followed-outside-lens = Il est hors du rayon de validité du modèle d’objectif.
 followed-above-horizon = Il est sur l’horizon ou au-dessus, où il n’y a pas de route.
 followed-left-picture = Il est sorti de l’image.
 followed-lost = Il a été perdu : rien ne se trouve à l’endroit donné par la vitesse et la pose de la caméra.
@@ -4692,13 +4692,13 @@ follow-outline = Cette cible est un contour devant un arrière-plan mobile et ne
 follow-frame-not-of-pass = Les points confirmés sont sur une image hors du passage.
 follow-not-from-here = Le véhicule ne peut pas être suivi à partir de cette image ; confirmez les points sur une autre.
 follow-points-needed = Le suivi part d’une image avec le contact et la cible ; pointez les deux sur celle-ci.
-contact-wrong-distance = La route est ici trop proche ou trop lointaine pour distinguer une roue.
+contact-wrong-distance = La route est ici trop proche ou trop lointaine pour détecter une roue.
 contact-oblique = La roue est vue ici trop en biais ; sa bande de roulement cache le contact.
 contact-no-rim = Aucune jante entière n’est visible ici ; le pneu ne peut être séparé de l’ombre et de la carrosserie.
 contact-no-edge = Le bord inférieur du pneu ne se détache pas ici de la route.
 contact-radius = La roue détectée ici aurait un rayon de { NUMBER($radius_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m.
 contact-far-from-pointer = La roue détectée est trop loin du pointeur ; pointez plus près de son contact.
-contact-none = Pas de proposition. { $reason } Cliquez vous-même sur le contact.
+contact-none = Pas de proposition. { $reason } Pointez vous-même le contact.
 contact-found = contact proposé, u = { NUMBER($expected_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px
 contact-found-rough = contact proposé, u = { NUMBER($expected_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px, moins précis qu’un pointé soigneux
 heading-of-contact = { $which ->
@@ -4718,12 +4718,12 @@ drift-still-of-height = Aucun mouvement de la caméra détecté, à { NUMBER($fl
 drift-moved = { $how ->
     [bumped] La caméra a bougé
     [before] La caméra avait déjà bougé
-   *[drifted] La caméra a glissé
+   *[drifted] La caméra a dérivé
  } à { $clock } (image { $frame }) de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px, images { $first } à { $last }.
 drift-moved-height = { $how ->
     [bumped] La caméra a bougé
     [before] La caméra avait déjà bougé
-   *[drifted] La caméra a glissé
+   *[drifted] La caméra a dérivé
  } à { $clock } (image { $frame }) de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (erreur de hauteur jusqu’à { SMALL($error_m, digits: 0) }), images { $first } à { $last }.
 drift-more = { $count ->
     [one] { $count } autre mouvement.
@@ -4741,16 +4741,16 @@ cameras-plain-checkerboard-no-markers-choose-charuco = Un damier simple n’a pa
 cameras-frames-not-recording-frames-0 = Les images { $first } à { $last } ne sont pas dans l’enregistrement ; il a les images 0 à { $frame_count }.
 cameras-every-th-frame-would-views-take = Une image sur { $every } donnerait { $count } vues ; prenez une image sur { $least } ou moins.
 cameras-not-text-file-choose-calibration-yaml = { $file_name } n’est pas un fichier texte ; choisissez un étalonnage en YAML, JSON ou cameramodel.
-cameras-not-file-give-picture-files-clip = { $path } n’est pas un fichier ; indiquez des fichiers de photos ou un clip.
+cameras-not-file-give-picture-files-clip = { $path } n’est pas un fichier ; indiquez des fichiers de photos ou une vidéo.
 cameras-still-has-no-tracks = { $path } est une photo, pas une vidéo à plusieurs pistes ; retirez --stream.
 cameras-choose-calibration-give-pictures-width-height = Choisissez un étalonnage, ou indiquez la largeur et la hauteur de l’image en pixels et son champ horizontal en degrés.
 cameras-calibration-belongs-another-survey-choose-one = L’étalonnage { $calibration_id } appartient à un autre relevé ; choisissez-en un des caméras de ce relevé.
 cameras-calibration-of-another-camera = calibrations.csv : { $id } nomme une autre caméra que les événements d’audit ; le tableau a été modifié.
 cameras-taken-without-calibration = La caméra { $camera } n’a pas encore d’étalonnage : il n’y a rien à reprendre ; étalonnez-la dans son propre relevé, ou ajoutez-la ici comme nouvelle caméra.
-cameras-taken-from-itself = La caméra { $camera } est celle de ce relevé ; choisissez-en une d’un autre relevé.
-cameras-camera-needs-name-fill = Une caméra doit avoir un nom ; indiquez-le.
+cameras-taken-from-itself = La caméra { $camera } appartient déjà à ce relevé ; choisissez-en une d’un autre relevé.
+cameras-camera-needs-name-fill = Une caméra doit avoir un nom ; donnez-lui-en un.
 cameras-calibration-belongs-another-camera-choose-one = L’étalonnage { $calibration_id } appartient à une autre caméra ; choisissez-en un de cette caméra.
-cameras-image-without-board-needs-reason-why = Une photo sans mire demande un motif ; dites ce qui a été cherché.
+cameras-image-without-board-needs-reason-why = Une photo sans mire demande un motif ; indiquez ce qui a été cherché.
 commands-baseline-or-rig = Donnez soit --baseline (avec --u-baseline), soit --rig.
 
 ## Erreurs : commandes
@@ -4784,7 +4784,7 @@ commands-problem = { $names } : { $message }
 measurements-followed-not-readable = Les points suivis d’une mesure sont illisibles ; ils ont été modifiés.
 measurements-followed-and-clicked = Un passage se suit à partir des points d’une seule image ; retirez d’abord les autres images.
 measurements-not-followed = Le véhicule ne peut pas être suivi : { $reason }
-commands-follow-none = Le véhicule n’est pas suivi : { $reason }
+commands-follow-none = Le véhicule ne peut pas être suivi : { $reason }
 commands-tracks-alone = Indiquez soit --tracks, soit --contact et --target, soit --clicks, pas deux d’entre eux.
 commands-tracks-point = Ligne { $row } de { $path } : le point { $point } n’est pas l’un de { $points } ; corrigez la cellule.
 commands-tracks-frame = Ligne { $row } de { $path } : le numéro d’image n’est pas un nombre entier ; corrigez la cellule.
@@ -4796,7 +4796,7 @@ commands-time-cannot-read = { $option } { $text } n’est pas une heure utilisab
 commands-u-start-needs-start = --u-start demande --start.
 commands-flow-other-minutes = --interval { $text } est inutilisable ; indiquez une ou plusieurs valeurs parmi 1, 5, 15 et 60, comme 5,60.
 commands-flow-not-there = { $place } n’existe pas ; indiquez une archive, des résultats de sightline linescan ou un dossier qui en contient.
-commands-flow-nothing-in-folder = { $place } ne contient aucun véhicule scanné ; indiquez une archive, des résultats de sightline linescan ou un dossier qui en contient.
+commands-flow-nothing-in-folder = { $place } ne contient aucun véhicule balayé ; indiquez une archive, des résultats de sightline linescan ou un dossier qui en contient.
 commands-flow-no-start = { $path } n’indique pas quand ses véhicules sont passés (front_at ou start avec un décalage par rapport à UTC) ; refaites-le avec sightline linescan --start.
 commands-flow-no-vehicles = { $path } ne contient aucun véhicule ; indiquez le JSON de sightline linescan, qui donne la durée enregistrée.
 commands-flow-no-rate = { $path } contient un seul véhicule sans mouvement, dont la cadence de lignes ne se déduit pas ; indiquez le JSON de sightline linescan.
@@ -4804,7 +4804,7 @@ commands-u-start-cannot-be = --u-start { $u_s } n’est pas une incertitude-type
 commands-given-twice-give-strips-both-cameras = { $first } est indiqué deux fois ; indiquez les bandes des deux caméras.
 backup-none-here = { $folder } ne contient pas de sauvegarde complète (pas de manifest.json) ; relancez sightline backup vers ce dossier, ou nommez-en un autre.
 backup-other-format = { $folder } contient une sauvegarde d’un autre format ; utilisez la version de Sightline qui l’a faite.
-backup-manifest-damaged = { $path } n’est pas ce que la sauvegarde a écrit ; utilisez une autre sauvegarde.
+backup-manifest-damaged = { $path } a été modifié après la sauvegarde ; utilisez une autre sauvegarde.
 backup-file-missing = { $name } manque dans la sauvegarde ; utilisez une autre sauvegarde, ou relancez sightline backup vers celle-ci.
 backup-file-changed = { $name } de la sauvegarde n’est pas le fichier qui a été sauvegardé ; utilisez une autre sauvegarde.
 backup-folder-holds-other-things = { $folder } contient autre chose qu’une sauvegarde ; choisissez un dossier vide ou une sauvegarde antérieure.
@@ -4817,7 +4817,7 @@ backup-rows-do-not-fit = Les lignes de { $name } dans la sauvegarde ne convienne
 backup-older-crosses-later = La sauvegarde provient d’une version plus ancienne du programme ; restaurez-la dans PostgreSQL, sauvegardez celle-ci avec cette version, puis restaurez ici la nouvelle sauvegarde.
 backup-place-not-empty = { $place } n’est pas vide ; restaurez dans un emplacement nouveau ou vide.
 backup-database-not-empty = La base PostgreSQL a déjà des tables ; restaurez dans une base vide.
-backup-chains-end-elsewhere = Les chaînes d’audit de la base sauvegardée ne finissent pas là où le dit son manifeste ; utilisez une autre sauvegarde.
+backup-chains-end-elsewhere = Les chaînes d’audit de la base sauvegardée ne finissent pas là où l’indique son manifeste ; utilisez une autre sauvegarde.
 backup-chain-broken = La base sauvegardée échoue au contrôle : { $problem }
 backup-damaged-kept = { $problem } Aucune nouvelle sauvegarde n’a été faite ; la dernière bonne, du { $at } UTC, est toujours dans { $folder }.
 backup-damaged-none-before = { $problem } Aucune sauvegarde n’a été faite ; { $folder } n’en contient pas d’antérieure, seulement des copies des fichiers médias.
@@ -4857,7 +4857,7 @@ commands-not-exist-name-database-data-folder = { $place } n’existe pas ; nom
 export-crop-could-not-encoded-export-survey = Une vue n’a pas pu être encodée ; exportez à nouveau le relevé.
 export-frame-stored-video-not-one-clicked = L’image { $frame } de la vidéo stockée n’est pas celle qui a été pointée.
 export-format-not-known = L’archive a le format { $format }, que cette version de Sightline ne connaît pas ; vérifiez-la avec { $program } ou une version ultérieure.
-export-made-by-another-version = Fait par la version { $program } ; celle-ci est { $mine }.
+export-made-by-another-version = Faite par la version { $program } ; celle-ci est { $mine }.
 export-described-otherwise = datapackage.json énumère chaque fichier avec sa taille et son empreinte ; ses descriptions { $count ->
     [one] d’un fichier
    *[other] de { $count } fichiers
@@ -4887,14 +4887,14 @@ export-too-rows-changed = { $path } a { $value ->
 export-not-one-these-rows-statistics-give = { $path } n’est pas celui que donnent ces lignes et statistiques ; il a été remplacé.
 export-line-says-rows-give-one-wrong = { $path }, ligne { $at } : { $name } vaut { $told }, les lignes donnent { $found } ; l’un des deux est faux.
 export-missing-named-twice-crops-csv-take = { $path } manque ou est nommé deux fois dans crops.csv ; reprenez l’export complet.
-export-first-characters-head-prove-little-give = Les { $count } premiers caractères d’une tête prouvent peu ; indiquez-en au moins { $least_of_head }.
-export-audit-csv-ends-not-head-kept = audit.csv finit par { $head }, non par la tête conservée : il a été réécrit, ou c’est un autre export.
+export-first-characters-head-prove-little-give = La tête d’audit est trop courte ({ $count } caractères). Indiquez-en au moins { $least_of_head }.
+export-audit-csv-ends-not-head-kept = audit.csv finit par { $head }, non par la tête d’audit indiquée : il a été réécrit, ou c’est un autre export.
 export-no-no-whole-export-export-survey = { $checksums } manque : ce n’est pas un export complet ; exportez à nouveau le relevé.
 export-package-is-inside = L’archive est un niveau plus bas, dans { $inner } ; indiquez ce dossier.
 export-read-only = { $folder } est en lecture seule. Chaque export est inscrit au journal d’audit ; copiez le dossier sur un disque inscriptible et exportez de là.
 export-stray-files = { $count ->
-    [one] Le système a ajouté un fichier à ceux de l’archive : { $names }
-   *[other] Le système a ajouté { $count } fichiers à ceux de l’archive : { $names }
+    [one] Le système a ajouté un fichier à ceux de l’archive : { $names }
+   *[other] Le système a ajouté { $count } fichiers à ceux de l’archive : { $names }
  }. Supprimez ce qui est nommé ici et relancez le contrôle ; aucun fichier de l’archive n’a encore été examiné.
 export-zip-in-zip = { $place } contient { $inner } ; décompressez-le et indiquez celui-là.
 export-checksums-no-list = { $checksums } n’est pas une liste d’empreintes : il a été modifié ou coupé après l’export ; reprenez l’export complet.
@@ -4906,7 +4906,7 @@ export-checkpoint-signature = checkpoint.json porte une autre signature que cell
 export-checkpoint-other-chain = checkpoint.json ne garantit pas la fin d’audit.csv ; l’un des deux a été modifié.
 export-checkpoint-keys = checkpoint.json ne dit pas comment sa clé découle des précédentes ; il a été modifié.
 export-checkpoint-other-key = L’archive a été signée avec la clé { $key } et non avec la clé indiquée ; elle vient d’une autre installation ou est falsifiée.
-export-key-too-short = Les premiers caractères d’une clé prouvent peu ; indiquez-en { $least } ou plus.
+export-key-too-short = La clé est trop courte. Indiquez au moins ses { $least } premiers caractères.
 export-no-seal = audit.csv ne finit pas par l’événement qui scelle l’archive : il a été tronqué ou modifié ; reprenez l’export complet.
 export-page-not-described = { $path } n’est pas décrit par datapackage.json, ou manque bien qu’il le soit ; reprenez l’export complet.
 export-page-another-program = { $path } n’est pas la page que nomme datapackage.json ; reprenez l’export complet.
@@ -4919,13 +4919,13 @@ export-event-of-another-survey-or-time = audit.csv : l’événement { $number 
 geometry-too-few-pictures = Photos utilisables : { $used } sur { $given }, il en faut au moins { $least } ; prenez d’autres photos de la mire entière, sous des angles différents.
 geometry-too-few-pictures-why = Photos utilisables : { $used } sur { $given }, il en faut au moins { $least } ; prenez d’autres photos de la mire entière, sous des angles différents. { $file } : { $reason }
 geometry-board-x-inner-corners-cannot-used = Une mire de { $columns }x{ $rows } coins intérieurs est inutilisable ; comptez les coins intérieurs (où quatre cases se touchent), de 3 à 60 dans chaque direction.
-geometry-square-m-cannot-right-give-side = Une case de { $square_m } m est impossible ; indiquez le côté d’une case en mètres.
+geometry-square-m-cannot-right-give-side = Une case de { $square_m } m n’est pas plausible ; indiquez le côté d’une case en mètres.
 geometry-model-could-not-fitted-these-views = Le modèle { $model } n’a pas pu être ajusté à ces vues ; ajoutez des vues de différents côtés ou utilisez l’autre modèle.
 geometry-x-px-camera-calibrated-x-px = { $what } fait { $width_px }x{ $height_px } px, mais la caméra a été étalonnée à { $width_px_2 }x{ $height_px_2 } px ; utilisez un étalonnage fait à la taille de l’enregistrement.
 geometry-no-dictionary-markers-one-maker-board = { $dictionary } n’est pas un dictionnaire de marqueurs ; c’est l’un de { $dictionaries }, selon les indications du fabricant de la mire.
 geometry-markers-m-not-go-squares-m = Des marqueurs de { $marker_m } m ne vont pas avec des cases de { $square_m } m ; indiquez le côté du marqueur noir, plus petit que sa case.
 geometry-board-x-inner-corners-markers-holds = Une mire de { $columns }x{ $rows } coins intérieurs a { $needed } marqueurs et { $dictionary } en contient { $held } ; choisissez le dictionnaire avec lequel la mire a été faite.
-adjustment-nothing-uncertain = la pose n’indique aucune incertitude propre ni de mire : la circulation ne pourrait rien y changer ; créez-la avec sightline pose.
+adjustment-nothing-uncertain = la pose n’indique aucune incertitude propre ni de mire : le trafic ne peut donc rien y changer ; créez-la avec sightline pose.
 adjustment-contradictory = passages en contradiction avec les autres : { $out } sur { $passes } ; vérifiez les longueurs connues, leurs incertitudes et les points suivis.
 adjustment-does-not-settle = les passages ne convergent pas vers une seule pose ; vérifiez que chaque point suit le même endroit de son véhicule.
 geometry-must-correct-key-make-file-again = { $what } : « { $key } » doit être { $wanted } ; corrigez cette clé ou refaites le fichier.
@@ -4937,37 +4937,37 @@ geometry-opencv-xml-save-as-yaml = { $file_name } est du XML d’OpenCV, que Sig
 geometry-states-no-distortion = { $file_name } n’indique pas la distorsion de l’objectif ; ajoutez distortion_coefficients, ou cinq zéros si l’objectif n’en a pas.
 geometry-holds-no-camera-give-opencv-yaml = { $file_name } ne contient pas de caméra ; indiquez un YAML ou JSON OpenCV, un camera_info ROS, un camchain Kalibr ou un .cameramodel mrcal.
 geometry-holds-values-not-finite-calibrate-again = { $file_name } : { $what } contient des valeurs non finies ; refaites l’étalonnage.
-geometry-image-size-must-two-whole-numbers = { $file_name } : la taille d’image doit être deux nombres entiers de pixels.
+geometry-image-size-must-two-whole-numbers = { $file_name } : la taille d’image doit comporter deux nombres entiers de pixels.
 geometry-holds-no-camera-matrix-camera-matrix = { $file_name } ne contient pas de matrice de caméra (camera_matrix ou K) ; exportez les paramètres intrinsèques avec leurs coefficients de distorsion.
 geometry-camera-matrix-must-3x3-0-0 = { $file_name } : la matrice de caméra doit être de 3x3, avec 0 0 1 comme dernière ligne.
 geometry-camera-matrix-skew-which-not-supported = { $file_name } : la matrice de caméra a une obliquité, non prise en charge ; étalonnez sans elle.
 geometry-holds-no-camera-holds = { $file_name } ne contient pas de caméra « { $which } » ; il contient { $cameras }.
 geometry-key-written-twice = { $file_name } contient deux fois la clé « { $key } » ; ne laissez que celle qui vaut.
 geometry-rows-and-columns-contradict = { $file_name } : { $what } annonce { $rows } lignes et { $columns } colonnes mais contient { $count } nombres ; exportez à nouveau le fichier.
-geometry-camera-not-calibrated = { $file_name } : la matrice de la caméra ne contient que des 0, par quoi un pilote dit que la caméra n’est pas étalonnée ; étalonnez-la d’abord.
+geometry-camera-not-calibrated = { $file_name } : la matrice de la caméra ne contient que des 0, ce par quoi un pilote indique que la caméra n’est pas étalonnée ; étalonnez-la d’abord.
 geometry-roi-contradicts-size = { $file_name } : la partie de l’image (roi) ne tient pas dans la taille de l’image ; indiquez le camera_info d’images entières.
 geometry-focal-length-not-of-these-pixels = { $file_name } : une distance focale de { $focal } n’est pas plausible pour des images larges de { $width } px ; elle doit être en pixels.
 geometry-lens-turns-back-early = { $file_name } : avec ces coefficients de distorsion, l’objectif se replie près du milieu de l’image ; vérifiez leur ordre et le modèle d’objectif.
 geometry-camera-model-not-supported-calibrate-pinhole = { $file_name } : le modèle de caméra « { $camera_model } » n’est pas pris en charge ; étalonnez en sténopé.
-geometry-intrinsics-must-four-numbers-fu-fv = { $file_name } : intrinsics doit être quatre nombres, fu fv pu pv.
+geometry-intrinsics-must-four-numbers-fu-fv = { $file_name } : intrinsics doit contenir quatre nombres, fu fv pu pv.
 geometry-lens-model-not-supported-convert-mrcal = { $file_name } : le modèle d’objectif { $word } n’est pas pris en charge ; convertissez-le avec mrcal-convert-lensmodel en LENSMODEL_OPENCV8.
 geometry-needs-intrinsics-file = { $file_name } : { $word } demande { $value } paramètres intrinsèques, le fichier en a { $count }.
-geometry-not-say-how-large-pictures-add = { $file_name } ne dit pas la taille des images ; ajoutez-y image_width et image_height.
+geometry-not-say-how-large-pictures-add = { $file_name } n’indique pas la taille des images ; ajoutez-y image_width et image_height.
 geometry-focal-lengths-must-positive-numbers-pixels = { $file_name } : les focales doivent être des nombres positifs de pixels.
 geometry-principal-point-lies-far-outside-picture = { $file_name } : le point principal est très en dehors de l’image ; corrigez la taille d’image.
 geometry-thin-prism-tilt-coefficients-not-supported = { $file_name } : les coefficients de prisme mince et d’inclinaison ne sont pas pris en charge ; étalonnez avec huit au plus.
 geometry-distortion-coefficients-4-5-8-supported = { $file_name } : { $count } coefficients de distorsion ; 4, 5 ou 8 sont pris en charge.
 geometry-no-readable-camera-file-give-opencv = { $file_name } n’est pas un fichier de caméra lisible ; indiquez un YAML ou JSON OpenCV, un camera_info ROS, un camchain Kalibr ou un .cameramodel mrcal.
 geometry-not-list-numbers-export-file-again = { $file_name } : { $what } n’est pas une liste de nombres ; exportez à nouveau le fichier.
-geometry-image-size-must-two-numbers-width = { $file_name } : la taille d’image doit être deux nombres, largeur et hauteur.
+geometry-image-size-must-two-numbers-width = { $file_name } : la taille d’image doit comporter deux nombres, largeur et hauteur.
 geometry-give-camera-info-unbinned-pictures = { $file_name } : { $key } vaut { $data } ; indiquez le camera_info d’images sans regroupement de pixels.
 geometry-fisheye-model-needs-four-coefficients-file = { $file_name } : un modèle fisheye demande quatre coefficients, le fichier en a { $count }.
 geometry-board-found-none-frames = La mire n’a été trouvée dans aucune des { $count } images. { $reason }
-geometry-no-pose-fits-corners-check-camera = Aucune pose ne convient aux coins ; vérifiez que le fichier de caméra est celui de cet enregistrement et que toute la mire est dans le rayon valide de l’objectif.
+geometry-no-pose-fits-corners-check-camera = Aucune pose ne convient aux coins ; vérifiez que le fichier de caméra est celui de cet enregistrement et que toute la mire est dans le rayon de validité de l’objectif.
 geometry-reference-height-boards-uncertainties-must-numbers = La hauteur de référence et les incertitudes de la mire doivent être des nombres, en mètres et radians, les incertitudes non négatives.
-geometry-reference-row-m-above-road-cannot = Une rangée de référence à { $height_m } m au-dessus de la chaussée est impossible ; indiquez en mètres la hauteur au-dessus de la chaussée de la rangée de coins intérieurs « { $side } ».
+geometry-reference-row-m-above-road-cannot = Une rangée de référence à { $height_m } m au-dessus de la chaussée n’est pas plausible ; indiquez en mètres la hauteur au-dessus de la chaussée de la rangée de coins intérieurs « { $side } ».
 geometry-board-camera-moves-during-these-frames = La mire ou la caméra bouge pendant ces images (jusqu’à { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px) ; choisissez une plage, ou une seule image, où toutes deux sont immobiles.
-geometry-corners-not-fit-camera-model-residual = Les coins ne conviennent pas au modèle de caméra (résidu { NUMBER($rms, minimumFractionDigits: 1, maximumFractionDigits: 1) } px) ; le fichier est d’une autre caméra ou d’un autre zoom, ou la mire est déformée.
+geometry-corners-not-fit-camera-model-residual = Les coins ne conviennent pas au modèle de caméra (résidu { NUMBER($rms, minimumFractionDigits: 1, maximumFractionDigits: 1) } px) ; le fichier est d’une autre caméra ou d’un autre zoom, ou la mire est courbée.
 geometry-board-seen-edge-turn-towards-camera = La mire est vue par la tranche ; tournez-la vers la caméra, d’au moins 10 degrés.
 geometry-board-lies-on-road = La mire semble posée à plat sur la chaussée ; dressez-la à angle droit avec la chaussée, rangées horizontales, ou mesurez la hauteur de la rangée de coins que vous avez nommée.
 geometry-reference-height-m-puts-camera-below = La hauteur de référence de { $height_m } m place la caméra sous la chaussée ; indiquez en mètres la hauteur au-dessus de la chaussée de la rangée de coins intérieurs « { $side } ».
@@ -5033,8 +5033,8 @@ database-database-busy-another-writer-try-again = La base de données est occup�
 database-database-file-cannot-opened-writing-check = Le fichier de la base de données ne peut pas être ouvert en écriture ; vérifiez les droits du dossier.
 database-database-address-cannot-read-use-sqlite = L’adresse de la base de données est illisible ; utilisez sqlite:///FILE ou postgresql+psycopg://.
 database-no-database-check-name = Il n’y a pas de base de données { $path } ; vérifiez son nom.
-database-file-not-database-program-give-right = Ce fichier n’est pas une base de données de Sightline, ou son début est endommagé ; indiquez la bonne, ou restaurez une sauvegarde.
-database-damaged = La base de données est endommagée : des parties de son fichier contiennent autre chose. Arrêtez le serveur, gardez une copie du dossier de données et restaurez la dernière sauvegarde (sightline restore).
+database-file-not-database-program-give-right = Ce fichier n’est pas une base de données de Sightline, ou son début est endommagé ; indiquez le bon fichier, ou restaurez une sauvegarde.
+database-damaged = La base de données est endommagée : des parties de son fichier contiennent autre chose. Arrêtez le serveur, gardez une copie du dossier de données et restaurez la dernière sauvegarde (sightline restore).
 database-read-only-with-log = { $path } est en lecture seule, et ses derniers changements sont encore dans le fichier voisin qui finit par -wal ; copiez le dossier sur un disque inscriptible et indiquez celui-là.
 database-damaged-tables = La base de données est endommagée dans { $tables } ; ses { $whole } autres tables sont lisibles. Arrêtez le serveur, gardez une copie du dossier de données et restaurez la dernière sauvegarde (sightline restore).
 database-account-lacks-rights = Il manque au compte de la base de données un droit nécessaire ici ; exécutez `sightline migrate` avec le compte qui possède les tables.
@@ -5079,18 +5079,18 @@ jobs-job-given-another-worker-one-stops = La tâche { $id } a été confiée à 
 
 web-disk-not-writable = Le dossier des données ne peut pas être écrit ({ $why }) ; vérifiez le disque et ses droits.
 web-part-silent = Pas de réponse depuis { $seconds } s ; vérifiez que ce service est en marche et joignable.
-web-writer-stuck = Une modification est en cours depuis { $seconds } secondes et les autres l’attendent ; vérifiez la base de données.
+web-writer-stuck = Une modification est en cours depuis { $seconds } s et bloque les autres ; vérifiez la base de données.
 web-secret-weak = SIGHTLINE_SECRET peut être deviné ; utilisez au moins { $characters } caractères aléatoires qui ne sont publiés nulle part (openssl rand -hex 32).
 web-signing-key-missing = SIGHTLINE_SIGNING_KEY n’est pas défini, chaque machine signerait donc avec sa propre clé ; donnez à toutes les mêmes 64 chiffres hexadécimaux (openssl rand -hex 32).
 infra-setting-differs = { $name } diffère de la valeur des autres processus sur cette base de données ; donnez à tous la même, ou arrêtez d’abord les autres.
 infra-clocks-apart = L’horloge de cette machine et celle de la base de données diffèrent de { $minutes } minutes ; synchronisez-les avec un serveur de temps (NTP) et redémarrez.
 web-server-busy = Le serveur est occupé et rien n’a été fait ; réessayez dans quelques secondes.
 web-you-not-signed-sign-try-again = Vous n’êtes pas connecté ; connectez-vous et réessayez.
-web-token-does-not-hold = Ce jeton n’est pas valable : il est faux, expiré ou révoqué ; créez-en un nouveau dans Compte.
+web-token-does-not-hold = Ce jeton n’est pas valable : il est erroné, expiré ou révoqué ; créez-en un nouveau dans Compte.
 web-token-lacks-scope = Ce jeton permet { $scopes }, et ceci demande { $needed } ; créez un jeton avec ce droit dans Compte.
 web-token-never = Aucun jeton ne permet ceci ; connectez-vous dans le navigateur et faites-le là.
 web-token-too-many-requests = Plus de { NUMBER($most) } requêtes en une minute avec ce jeton ; attendez une minute et continuez.
-members-last-manager = Un relevé garde un gestionnaire ; nommez-en d’abord un autre.
+members-last-manager = Un relevé doit avoir un gestionnaire ; nommez-en d’abord un autre.
 audit-checkpoint-none = Ce point de contrôle n’existe pas : choisissez-en un dans la liste de la page Système.
 web-needs-role-you-ask-admin = Il faut pour cela le rôle { $needed ->
     [viewer] lecteur
@@ -5117,7 +5117,7 @@ linescan-cannot-used-give = { $name } de { $value } { $unit } est inutilisable�
 line-pose-mark-incomplete = Chaque repère a besoin d’une distance, d’une hauteur et d’une rangée.
 line-pose-not-numbers = Les distances, hauteurs et rangées des repères doivent être des nombres.
 line-pose-too-few = { $count } repères ne suffisent pas ; pointez-en au moins { $least }.
-line-pose-above-zero = Les distances des repères et l’u de leurs rangées doivent être supérieures à 0.
+line-pose-above-zero = Les distances des repères et la u de leurs rangées doivent être supérieures à 0.
 line-pose-upside-down = Les repères les plus hauts doivent avoir les rangées les plus petites ; contrôlez le sens du jalon.
 line-pose-open = Les repères ne déterminent pas la hauteur de la caméra : tenez le jalon vertical à deux distances, par exemple aux bords proche et éloigné de la voie.
 line-pose-below-road = Les repères placent la caméra sous la route ; contrôlez leurs distances, hauteurs et rangées.
@@ -5139,37 +5139,37 @@ rig-passes-outside = { NUMBER($distance_m, minimumFractionDigits: 2) } m est loi
 rig-pass-twice = Une autre ligne a le même nom ; nommez chaque passage une fois.
 linescan-rig-pass = Passage { $name } : { $sentence }
 linescan-rig-common = Les incertitudes de la cadence de lignes, du mètre ruban et de la vitesse sont des parts de 0 à 0,1 (1e-4 vaut 0,01 %) ; corrigez-les.
-linescan-lane-needs-name = Une voie n’a pas de nom ; donnez-lui-en un.
-linescan-lanes-same-name = Deux voies s’appellent { $name }, ou un nom commence ou finit par une espace ; donnez à chacune son nom.
-linescan-lane-rows-both = La voie { $name } n’a qu’une rangée pour ses pneus ; donnez les deux, ou aucune.
-linescan-lane-rows-order = Les rangées de la voie { $name } ne sont pas en ordre ; donnez d’abord la plus haute, 0 ou plus.
-linescan-rig-divergence-without-distance = Une divergence compte sur la distance aux véhicules, qui manque ; indiquez la distance, ou omettez la divergence et son incertitude.
+linescan-lane-needs-name = Une voie n’a pas de nom ; donnez-lui-en un.
+linescan-lanes-same-name = Deux voies s’appellent { $name }, ou un nom commence ou finit par une espace ; donnez à chacune son nom.
+linescan-lane-rows-both = La voie { $name } n’a qu’une rangée pour ses pneus ; donnez les deux, ou aucune.
+linescan-lane-rows-order = Les rangées de la voie { $name } ne sont pas en ordre ; donnez d’abord la plus haute, 0 ou plus.
+linescan-rig-divergence-without-distance = Une divergence exige la distance aux véhicules ; indiquez-la, ou omettez la divergence et son incertitude.
 linescan-rig-few-passes = { $count } passages utilisables ne suffisent pas pour la base et la divergence ; il en faut au moins { $least }, à deux distances ou plus.
-linescan-rig-distances-alike = Tous les passages sont entre { $nearest_m } et { $farthest_m } m, trop semblables pour distinguer la base de la divergence des plans ; ajoutez des passages à une autre distance, comme la voie proche et la voie éloignée.
+linescan-rig-distances-alike = Tous les passages sont entre { $nearest_m } et { $farthest_m } m, trop proches pour séparer la base de la divergence ; ajoutez des passages à une autre distance, comme la voie proche et la voie éloignée.
 linescan-rig-width-two-u = Le panneau de { $width_m } m a deux incertitudes de largeur différentes ; donnez la même à chaque ligne.
-linescan-rig-distance-two-u = La distance de { $distance_m } m a deux incertitudes différentes ; donnez la même à chaque ligne d’une même station.
-linescan-rig-contradict = Les passages se contredisent (khi carré { $chi2 } pour { $degrees } degrés de liberté) : le passage { $name } s’écarte des autres de { $residual_mm } mm là où { $expected_mm } mm (U95) étaient attendus. Mesurez-le à nouveau, écartez-le, ou donnez des incertitudes plus grandes.
+linescan-rig-distance-two-u = La distance de { $distance_m } m a deux incertitudes différentes ; donnez la même à chaque ligne de cette position.
+linescan-rig-contradict = Les passages se contredisent (khi-deux { $chi2 } pour { $degrees } degrés de liberté) : le passage { $name } s’écarte des autres de { $residual_mm } mm là où { $expected_mm } mm (U95) étaient attendus. Mesurez-le à nouveau, écartez-le, ou donnez des incertitudes plus grandes.
 rig-passes-too-many = { $name } a plus de { $most } lignes ; donnez les seuls passages d’un étalonnage.
-rig-passes-columns = Il manque des colonnes à { $name } ; donnez distance_m et toutes celles d’une façon : { $ways }.
+rig-passes-columns = Il manque des colonnes à { $name } ; donnez distance_m et toutes les colonnes d’une même méthode : { $ways }.
 rig-passes-problem = { $path } : { $message }{ $left }
-rig-no-lane = --distance { $text } n’est pas une voie ; donnez sa distance en mètres et, après une virgule, son u, comme 4.2 ou 4.2,0.1.
+rig-no-lane = --distance { $text } n’est pas une distance à la voie ; donnez-la en mètres et, après une virgule, son u, comme 4.2 ou 4.2,0.1.
 commands-option-above-zero = { $option } doit être un nombre fini supérieur à 0 ; corrigez-le.
 
 ## Erreurs : mesures
 
-measurements-vehicle-not-recording-choose-one-passes = Le véhicule n’est pas de cet enregistrement ; choisissez l’un de ses passages.
+measurements-vehicle-not-recording-choose-one-passes = Le véhicule n’appartient pas à cet enregistrement ; choisissez l’un de ses passages.
 measurements-frame-clicked-twice-click-two-points = L’image { $twice } est pointée deux fois ; pointez les deux points sur une autre image du passage.
 measurements-point-not-any-picture-click-again = Le point « { $word } » { $point }, { $point_2 } n’est dans aucune image ; repointez.
-measurements-no-road-pose-yet-make-choose = { $name } n’a pas encore de pose de la caméra ; créez-en ou choisissez-en une d’abord sur la page Route.
-measurements-road-pose-pictures-x-px-not = La pose de la caméra de { $name } vaut pour des images de { $size_px } x { $size_px_2 } px, non pour sa taille ; créez-en ou choisissez-en une autre sur la page Route.
-measurements-frame-not-part-vehicle-go-frame = L’image { $frame } ne coupe pas le véhicule { $number } ; allez à une image après sa première ({ $first_frame }) et jusqu’à sa dernière ({ $last_frame }).
-measurements-only-two-passes-same-recording-joined = Seuls deux passages du même enregistrement peuvent être joints ; choisissez-en un autre.
+measurements-no-road-pose-yet-make-choose = { $name } n’a pas encore de pose de la caméra ; calculez-en ou choisissez-en une d’abord sur la page Route.
+measurements-road-pose-pictures-x-px-not = La pose de la caméra de { $name } vaut pour des images de { $size_px } x { $size_px_2 } px, non pour sa taille ; calculez-en ou choisissez-en une autre sur la page Route.
+measurements-frame-not-part-vehicle-go-frame = L’image { $frame } ne peut pas scinder le véhicule { $number } ; allez à une image après sa première ({ $first_frame }) et jusqu’à sa dernière ({ $last_frame }).
+measurements-only-two-passes-same-recording-joined = Seuls deux passages du même enregistrement peuvent être fusionnés ; choisissez-en un autre.
 measurements-vehicles-both-measurements-measurement-stays-vehicle = Les véhicules { $number } et { $number_2 } ont tous deux des mesures, et une mesure reste avec son véhicule ; écartez plutôt l’un des passages.
-measurements-vehicle-measured-before-after-frame-measurement = Le véhicule { $number } a été mesuré avant et après l’image { $frame }, et une mesure reste avec son véhicule ; coupez à une autre image.
+measurements-vehicle-measured-before-after-frame-measurement = Le véhicule { $number } a été mesuré avant et après l’image { $frame }, et une mesure reste avec son véhicule ; scindez-le à une autre image.
 measurements-measurement-withdrawn-restore-before-you-change = Cette mesure est retirée ; restaurez-la avant de la modifier.
-measurements-repeat-stands-clicked-withdraw-click-again = Une répétition reste telle que pointée ; retirez-la et repointez.
+measurements-repeat-stands-clicked-withdraw-click-again = Une répétition ne peut pas être modifiée ; retirez-la et repointez.
 measurements-measurement-withdrawn-already-restore-use-again = Cette mesure est déjà retirée ; restaurez-la pour l’utiliser à nouveau.
-adjusting-says-something-else-now = La circulation donne maintenant autre chose que ce qui était affiché ; regardez à nouveau.
+adjusting-says-something-else-now = L’ajustement a changé depuis son affichage ; contrôlez-le à nouveau.
 adjusting-not-an-adjusted-pose-in-force = Ce n’est pas une pose ajustée en vigueur : il n’y a rien à annuler.
 computing-undo-cannot-be-undone = Une annulation ne s’annule pas ; recalculez plutôt les hauteurs.
 computing-undone-already = Ceci a déjà été annulé ; recalculez les hauteurs pour les retrouver.
@@ -5179,7 +5179,7 @@ computing-out-of-date-not-so = { $path } : la marque « périmé » de { $id 
 computing-verdict-went-over = revisions.csv : la révision { $revision } de la mesure { $name } a une décision rendue sur une autre hauteur ; reprenez l’export complet.
 measurements-measurement-not-withdrawn-nothing-restore = Cette mesure n’est pas retirée : il n’y a rien à restaurer.
 measurements-deleted-vehicle-restore-first = { $name } a supprimé le véhicule { $vehicle_number } le { $when } ; restaurez-le d’abord.
-measurements-changed-measurement-utc-look-again = { $name } a modifié cette mesure le { $created_at } UTC ; regardez à nouveau.
+measurements-changed-measurement-utc-look-again = { $name } a modifié cette mesure le { $created_at } UTC ; rechargez-la.
 measurements-repeat-needs-vehicle-target-measurement-repeats = Une répétition demande le véhicule et la cible de la mesure qu’elle répète.
 measurements-road-pose-belongs-another-survey-choose = La pose { $pose_id } de la caméra appartient à un autre relevé ; choisissez-en une de ce relevé.
 measurements-measurement-without-height-needs-reason-why = Une mesure sans hauteur demande un motif ; recalculez-la.
@@ -5199,7 +5199,7 @@ measurements-measurements-csv-another-last-revision = measurements.csv : { $id 
 measurements-another-measurements-csv-one-wrong = { $path } : { $id } a une autre valeur de { $name } que measurements.csv ; l’un des deux est faux.
 measurements-where-belongs-row-taken-out-put = { $path } { $found } là où { $name } a sa place ; une ligne a été retirée ou ajoutée.
 measurements-not-measurements-csv-put = { $path } : { $row } n’est pas dans measurements.csv ; ajout après coup.
-measurements-measurements-csv-u95-not-1-96 = measurements.csv : { $id } a un U95 qui n’est pas 1,96 u ; l’un des deux est faux.
+measurements-measurements-csv-u95-not-1-96 = measurements.csv : { $id } a une U95 qui n’est pas 1,96 u ; l’un des deux est faux.
 measurements-budget-csv-contributions-give-m-measurements = budget.csv : les contributions à { $id } donnent { NUMBER($total, minimumFractionDigits: 6, maximumFractionDigits: 6) } m, measurements.csv indique { NUMBER($told, minimumFractionDigits: 6, maximumFractionDigits: 6) } m ; l’un des deux est faux.
 measurements-budget-csv-not-what-audit-event = budget.csv : les contributions à { $id } diffèrent de son événement d’audit ; l’un des deux a été modifié.
 cameras-calibration-of-other-images = calibrations.csv : { $id } nomme d’autres photos que ses événements d’audit ; reprenez l’export complet.
@@ -5232,7 +5232,7 @@ store-storage-s3-needs-local-cache-folder = Le stockage sur S3 demande un dossie
 store-disk-full-not-stored-delete-recordings = Le disque est plein, { $what } n’a pas été enregistré ; supprimez des enregistrements devenus inutiles ou ajoutez de l’espace disque, puis réessayez.
 store-media-file-missing-store-restore-backup = Le fichier média { $key } manque dans le stockage ; restaurez-le depuis une sauvegarde.
 store-media-storage-did-not-answer-check = Le stockage des médias n’a pas répondu pour { $key } ({ $name }) ; vérifiez son adresse, ses identifiants et qu’il est en marche.
-store-names-no-bucket-write-s3-bucket = { $url } ne nomme pas de bucket ; écrivez s3://bucket/prefix.
+store-names-no-bucket-write-s3-bucket = { $url } ne nomme pas de compartiment ; écrivez s3://bucket/prefix.
 store-bucket-missing = Il n’y a pas de compartiment { $bucket }, et le stockage ne permet pas de le créer ({ $why }) ; créez-le, ou nommez-en un autre dans SIGHTLINE_MEDIA_URL.
 store-media-file-missing-store = Le fichier média { $key } manque dans le stockage.
 store-no-such-upload-finished-given-up = Cet envoi n’existe pas ; il a été terminé ou abandonné, recommencez-le.
@@ -5252,10 +5252,10 @@ strips-give-dropped-lines-no-list-line = { $what } donnent des dropped_lines qui
 strips-larger-mb-correct-remove-file = { $what } dépassent { $sidecar_bytes } Mo ; corrigez ou supprimez ce fichier.
 strips-not-readable-json-correct-remove-file = { $what } ne sont pas un JSON lisible ; corrigez ou supprimez ce fichier.
 strips-cut-off-header-copy-again-recorder = { $name } est tronqué dans son en-tête ; copiez-le à nouveau depuis l’enregistreur.
-strips-in-colour = { $name } est en couleur, alors qu’un balayage est en gris ; { strips-save-grey }.
+strips-in-colour = { $name } est en couleur, alors qu’un balayage est en niveaux de gris ; { strips-save-grey }.
 strips-transparency = { $name } a une couche de transparence, alors qu’un balayage n’en a pas ; { strips-save-grey }.
-strips-colour-with-transparency = { $name } est en couleur avec transparence, alors qu’un balayage est en gris ; { strips-save-grey }.
-strips-save-grey = enregistrez-la en niveaux de gris 8 ou 16 bits et réessayez
+strips-colour-with-transparency = { $name } est en couleur avec transparence, alors qu’un balayage est en niveaux de gris ; { strips-save-grey }.
+strips-save-grey = enregistrez le fichier en niveaux de gris 8 ou 16 bits et réessayez
 strips-copy-again = copiez de nouveau le fichier depuis l’enregistreur
 strips-give-one-strip = donnez la bande d’une caméra
 strips-say-time-axis = si le temps suit sa { $axis ->
@@ -5281,7 +5281,7 @@ strips-lines-pixels-time-along-which-shows = { $name } a { $lines } lignes de { 
     [width] largeur
    *[height] hauteur
 }, ce qui ne montre aucun véhicule ; indiquez un PNG ou TIFF de la caméra linéaire.
-strips-more-thousand-million-lines-cut-into = { $name } a plus de { $most_lines } milliards de lignes ; coupez-le en parties.
+strips-more-thousand-million-lines-cut-into = { $name } a plus de { $most_lines } milliards de lignes ; découpez-le en parties.
 strips-notes-say-lines-lost-record-again = { $name } : ses notes disent que { $lost } lignes sur { $lines } ont été perdues ; refaites l’enregistrement.
 strips-notes-name-lost-lines-ends-correct = { $name } : ses notes nomment des lignes perdues à { $line }, mais il finit à { $lines } ; corrigez-les.
 strips-cannot-read-give-png-tiff-line = { $name } est illisible ({ $strerror }) ; indiquez un PNG ou TIFF de la caméra linéaire.
@@ -5290,7 +5290,7 @@ strips-damaged-row-cannot-read-copy-again = { $name } est endommagé à la rang�
 strips-claims-picture-x-pixels-copy-again = { $name } annonce une image de { $width } x { $height } pixels ; copiez-le à nouveau depuis l’enregistreur.
 strips-claims-x-pixels-more-mb-file = { $name } annonce { $width } x { $height } pixels, plus que n’en contient un fichier de { $file_bytes } Mo ; il est endommagé ou n’est pas un enregistrement : copiez-le à nouveau depuis l’enregistreur.
 strips-rows-pixels-too-long-read-copy = { $name } a des rangées de { $width_px } pixels, trop longues pour être lues ; copiez-le à nouveau depuis l’enregistreur.
-strips-stored-strip-damaged-restore-backup-read = La bande stockée { $name } est endommagée ; restaurez-la depuis une sauvegarde ou relisez-la.
+strips-stored-strip-damaged-restore-backup-read = La bande stockée { $name } est endommagée ; restaurez-la depuis une sauvegarde ou importez-la à nouveau.
 strips-stored-strip-missing-restore-backup = La bande stockée { $name } manque ; restaurez-la depuis une sauvegarde.
 strips-spool-damaged = { $path } n’est pas une bande d’un flux, ou est endommagé ; laissez-le, et choisissez un autre --spool.
 strips-strip-no-level-only-0 = La bande { $name } n’a pas de niveau { $level }, seulement 0 à { $count }.
@@ -5298,8 +5298,8 @@ strips-gain-cannot-shown-choose-one-0 = Le gain { $gain } ne peut pas être affi
 strips-strip-no-tile-level = La bande { $name } n’a pas de tuile { $index } au niveau { $level }.
 strips-index-pixels-not-fit-size = a un index de pixels qui ne correspond pas à sa taille ; { strips-copy-again }
 strips-holds-several-pictures-give-each-strip = { $name } contient plusieurs images ; donnez chaque bande en une seule longue image.
-strips-palette-line-scan-grey = { $name } a une palette, et un balayage linéaire est en gris ; { strips-save-grey }.
-strips-colour-transparency-channel-line-scan-grey = { $name } est en couleur ou a un canal de transparence, un balayage linéaire est en gris ; { strips-save-grey }.
+strips-palette-line-scan-grey = { $name } a une palette, et un balayage linéaire est en niveaux de gris ; { strips-save-grey }.
+strips-colour-transparency-channel-line-scan-grey = { $name } est en couleur ou a un canal de transparence, un balayage linéaire est en niveaux de gris ; { strips-save-grey }.
 strips-holds-signed-floating-point-numbers = { $name } contient des nombres signés ou à virgule flottante ; { strips-save-grey }.
 strips-bits-pixel-2 = { $name } a { $bitspersample } bits par pixel ; { strips-save-grey }.
 strips-packed-which-not-read-here-save = { $name } est compressé ({ $kind_name }), illisible ici ; enregistrez-le avec une compression zstd, deflate ou LZW, ou sans.
@@ -5316,7 +5316,7 @@ strips-cuts-cannot-cut-choose-two-different = Les { $what ->
     [rows] rangées
    *[columns] colonnes
 } { $cut_1 } et { $cut_2 } ne peuvent pas être extraites de { $name } ; choisissez-en deux différentes de 0 à { $last_px }.
-strips-now-gives-frames-not-ingest-again = { $name } donne maintenant { $count } images, non { $count_2 } ; importez-le à nouveau.
+strips-now-gives-frames-not-ingest-again = { $name } a maintenant { $count } images, et non { $count_2 } ; importez-le à nouveau.
 
 ## Erreurs : vidéo
 
@@ -5333,7 +5333,7 @@ video-decoder-killed = a été arrêté plusieurs fois, même seul dans un nouve
 video-decoder-crashed = s’est arrêté sur une erreur
 video-decoder-ended = s’est arrêté
 video-decoder-silent = n’a pas avancé pendant { $seconds } s
-passes-camera-moves = La caméra bouge de { $far_px } px au plus ; la recherche en tient compte. Une pose de la caméra ne vaut que tant que la caméra est immobile.
+passes-camera-moves = La caméra bouge de { $far_px } px au plus ; la détection en tient compte. Une pose de la caméra ne vaut que tant que la caméra est immobile.
 passes-camera-moves-too-far = La caméra bouge (de { $far_px } px et plus) ; la chaussée et les véhicules ne peuvent être séparés ; marquez les passages à la main.
 passes-were-found = { $found ->
     [0] Aucun passage n’a été trouvé ; marquez-les à la main.
@@ -5371,15 +5371,15 @@ media-kind = { $kind ->
     [cut_in_index] est coupé au milieu de son index (moov)
    *[other] n’est pas d’un format d’image pris en charge
 }
-video-holds-no-moving-picture-only-sound = { $name } ne contient pas d’images animées, seulement du son ou des données ; choisissez un fichier vidéo.
+video-holds-no-moving-picture-only-sound = { $name } ne contient pas de vidéo, seulement du son ou des données ; choisissez un fichier vidéo.
 video-no-such-stream = { $name } n’a pas de piste vidéo { $number } ; il en contient { $count }, comptées à partir de 1.
 video-stream-is-a-still = La piste vidéo { $number } de { $name } est une image fixe ; choisissez une autre piste.
 video-stream-is-off = La piste vidéo { $number } de { $name } est désactivée dans le fichier ; choisissez une autre piste.
 video-slowed-in-part = Une partie seulement de { $name } est au ralenti : une seule cadence n’en donne pas les instants ; enregistrez-la avec les instants de prise de vue.
 video-uses-video-codec-cannot-decoded-here = { $name } utilise un codec vidéo qui ne peut pas être décodé ici ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
-video-not-say-how-large-picture-says = { $name } ne dit pas la taille de son image, ou la dit de façon absurde ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
+video-not-say-how-large-picture-says = { $name } n’indique pas la taille de ses images, ou en indique une impossible ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
 video-claims-picture-x-pixels-more-side = { $name } annonce une image de { $width } x { $height } pixels, plus de { $max_side_px } de côté ou { $max_pixels } millions en tout ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
-video-claims-pixels-width-height-which-not = { $name } annonce des pixels au rapport largeur sur hauteur de { $aspect }, ce qui n’est pas crédible ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
+video-claims-pixels-width-height-which-not = { $name } annonce des pixels au rapport largeur sur hauteur de { $aspect }, ce qui n’est pas plausible ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
 video-not-video-read-here-convert-mp4 = { $name } n’est pas une vidéo lisible ici ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
 video-no-times-follow = { $name } ne donne pas l’instant de ses images : un véhicule ne peut pas y être suivi ; convertissez-le en MP4.
 video-times-not-of-filming = Les instants de { $name } ne sont pas ceux de la prise de vue (ses remarques en donnent le motif) : aucun mouvement n’est mesuré. Saisissez sa cadence de prise de vue.
@@ -5392,8 +5392,8 @@ video-no-frame-recording-frames-0 = Il n’y a pas d’image { $n } ; cet enre
 video-crop-x-pixels-scale-out-bounds = Un recadrage de { $w } x { $h } pixels à l’échelle { $scale } est hors limites ; demandez-en un plus petit.
 video-holds-no-picture-decoded-copy-again = { $name } ne contient aucune image décodable ; copiez-le à nouveau ou convertissez-le en MP4.
 video-changes-picture-size-way-split-where = { $name } change de taille d’image en cours de route ; coupez-le là où la taille change.
-video-proposals-cancelled = La création de propositions pour { $name } a été annulée ; rien n’en a été conservé.
-video-search-passes-cancelled-nothing-kept = La recherche de passages dans { $name } a été annulée ; rien n’en a été conservé.
+video-proposals-cancelled = La proposition de points pour { $name } a été annulée ; rien n’en a été conservé.
+video-search-passes-cancelled-nothing-kept = La détection des passages dans { $name } a été annulée ; rien n’en a été conservé.
 video-cannot-made-addressable-frame-frame-convert = { $name } ne peut pas être rendu accessible image par image ; convertissez-le en MP4 avec H.264 et réessayez.
 video-disk-full-not-taken-make-room = Le disque est plein, { $name } n’a pas été importé ; libérez de la place et réessayez.
 video-frame-cannot-shown-stored-video-no = L’image { $n } ne peut pas être affichée : la vidéo stockée ne donne plus l’image dont la somme de contrôle a été notée à l’import ; restaurez le fichier depuis une sauvegarde ou importez-le comme nouvel enregistrement.
@@ -5406,7 +5406,7 @@ video-cannot-written-without-frames = { $name } ne peut pas être écrit sans im
 
 people-email-password-not-fit-together-check = E-mail ou mot de passe incorrect. Réessayez.
 people-password-characters-choose-another = Un mot de passe a de { $min_password } à { $max_password } caractères ; choisissez-en un autre.
-people-sign-ins-slowed-down = Beaucoup de connexions depuis votre réseau ont échoué ; réessayez dans { $seconds } s.
+people-sign-ins-slowed-down = Beaucoup de connexions depuis votre réseau ont échoué ; réessayez dans { $seconds } s.
 people-password-one-sign = Un mot de passe a au moins { $least } caractères différents, sans compter les espaces ; choisissez-en un autre.
 people-current-password-not-right-type-again = Le mot de passe actuel est incorrect ; saisissez-le à nouveau.
 people-no-active-account-check-address = Il n’y a pas de compte actif pour { $email } ; vérifiez l’adresse.
@@ -5430,10 +5430,10 @@ poses-calibration-belongs-another-survey-choose-one = L’étalonnage { $calibra
 
 ## Erreurs : qualité
 
-quality-no-recording-uses-road-pose-any = Plus aucun enregistrement n’utilise cette pose de la caméra ; regardez à nouveau les contrôles.
-quality-traffics-direction-now-not-what-you = La direction de la circulation est maintenant de { $turn_deg }°, non celle que vous avez vue ; regardez à nouveau.
-quality-frame-not-vehicle-which-passes-frames = L’image { $frame } n’est pas du véhicule { $number }, qui passe dans les images { $first_frame } à { $last_frame } ; allez à l’une d’elles.
-quality-clicked-their-own-measurements-again-needed = { $name } a repointé { $pairs } de ses propres mesures ; il en faut { $least_pairs } pour un sigma propre. Repointez-en d’autres.
+quality-no-recording-uses-road-pose-any = Plus aucun enregistrement n’utilise cette pose de la caméra ; rechargez la page Contrôles.
+quality-traffics-direction-now-not-what-you = La direction du trafic est maintenant de { $turn_deg }°, non la valeur affichée ; rechargez la page.
+quality-frame-not-vehicle-which-passes-frames = Le véhicule { $number } n’apparaît pas dans l’image { $frame } ; il passe dans les images { $first_frame } à { $last_frame }. Allez à l’une d’elles.
+quality-clicked-their-own-measurements-again-needed = { $name } a repointé { $pairs } de ses propres mesures ; il en faut { $least_pairs } pour une incertitude de pointé propre. Repointez-en d’autres.
 quality-repeats-csv-repeat-missing-though-audit = repeats.csv : la répétition { $left } manque, bien que son événement d’audit soit là.
 quality-repeats-csv-not-what-audit-event = repeats.csv : { $number } diffère de son événement d’audit ; il a été modifié.
 
@@ -5442,7 +5442,7 @@ quality-repeats-csv-not-what-audit-event = repeats.csv : { $number } diffère d
 recordings-images-add-least-three-better-15 = Photos de { $name } : { $images } ; ajoutez-en au moins trois, mieux 15 à 25.
 recordings-belongs-another-survey-choose-one-surveys = { $name } appartient à un autre relevé ; choisissez-en un de ce relevé.
 recordings-no-frames-yet-wait-until-ingest = { $name } n’a pas encore d’images ; attendez la fin de son import.
-recordings-no-road-pose-yet-nothing-says = { $name } n’a pas encore de pose de la caméra : rien ne dit où était sa caméra.
+recordings-no-road-pose-yet-nothing-says = { $name } n’a pas encore de pose de la caméra : la position de sa caméra est inconnue.
 recordings-still-being-ingested-wait-until-ready = { $name } est encore en cours d’import ; attendez qu’il soit prêt.
 recordings-could-not-ingested-no-frames-see = { $name } n’a pas pu être importé et n’a donc pas d’images ; voyez son erreur et réessayez.
 recordings-frame-table-not-whole-ingest-recording = La table des images de { $name } n’est pas complète ; importez à nouveau l’enregistrement.
@@ -5456,7 +5456,7 @@ recordings-rate-was-measured-with = Des mesures ou des balayages utilisent déj�
 recordings-picture-is-there = La piste vidéo { $number } est déjà dans ce relevé, sous le nom { $name }.
 recordings-recordings-cannot-changed-leave-out = { $unknown } d’un enregistrement n’est pas modifiable ; omettez-le.
 recordings-recording-needs-name-fill = Un enregistrement doit avoir un nom ; indiquez-le.
-recordings-street-lighting-on-or-off = Pendant le tournage, l’éclairage public était allumé ou éteint ; choisissez.
+recordings-street-lighting-on-or-off = L’éclairage public était allumé ou éteint ; choisissez.
 recordings-start-in-future = { $start }, fuseau { $zone }, n’est pas encore arrivé ; indiquez l’heure à laquelle l’enregistrement a commencé.
 recordings-start-too-early = Il n’y avait pas de vidéo numérique le { $start } ; indiquez le jour où l’enregistrement a commencé.
 recordings-misfit-size = Ses images font { $width } x { $height } px, mais l’étalonnage de sa caméra vaut pour { $lens_width } x { $lens_height } px : filmez à la taille étalonnée, ou étalonnez à celle-ci.
@@ -5470,9 +5470,9 @@ local-time-other-offset = À { $time }, les horloges du fuseau { $zone } sont à
 measurements-filmed-at-another-time = measurements.csv : { $id } a été filmé à une autre heure que ne le donne le début de son enregistrement ; l’un des deux a été modifié.
 measurements-vehicles-csv-other-time = vehicles.csv : { $id } a été filmé à une autre heure que ne le donne le début de son enregistrement ; l’un des deux a été modifié.
 recordings-lighting-daytime-low-light-choose-one = La luminosité est daytime ou low_light ; choisissez.
-recordings-recording-measurements-stays-audit-needs-frames = Cet enregistrement a des mesures et reste ; un audit a besoin de ses images.
-recordings-camera-not-found-moved-since-road = Aucun mouvement de la caméra n’a été trouvé depuis sa pose ; il n’y a rien à décider.
-recordings-say-why-road-pose-still-good = Dites pourquoi la pose de la caméra est encore bonne, pour qu’un audit puisse le suivre.
+recordings-recording-measurements-stays-audit-needs-frames = Cet enregistrement a des mesures et ne peut pas être supprimé : un audit a besoin de ses images.
+recordings-camera-not-found-moved-since-road = Aucun mouvement de la caméra n’a été détecté depuis sa pose ; il n’y a rien à décider.
+recordings-say-why-road-pose-still-good = Indiquez pourquoi la pose de la caméra vaut encore, pour qu’un audit puisse suivre la décision.
 recordings-nothing-decided-about-recordings-camera-nothing = Rien n’a été décidé sur la caméra de cet enregistrement : il n’y a rien à annuler.
 recordings-belongs-another-survey-choose-one-surveys-2 = { $word ->
     [camera] Caméra
@@ -5498,11 +5498,11 @@ recordings-upload-finished-delete-recording-instead = Cet envoi est terminé ;
 
 results-cannot-read-take-whole-export-again = { $path } : { $name } est illisible ; reprenez l’export complet.
 results-database-holds-which-version-not-know = La base de données contient { $name } « { $unknown } », que cette version ne connaît pas.
-results-reference-heights-u-must-least-0 = L’u des hauteurs de référence doit être d’au moins 0 et inférieur à 1 m, par exemple 0,0173.
-results-more-values-your-own-cannot-drawn = Plus de { $most_own } valeurs propres ne peuvent pas être tracées ; retirez-en.
+results-reference-heights-u-must-least-0 = La u des hauteurs de référence doit être d’au moins 0 et inférieure à 1 m, par exemple 0,0173.
+results-more-values-your-own-cannot-drawn = Au plus { $most_own } valeurs propres peuvent être tracées ; retirez-en.
 results-value-your-own-must-lie-between = Une valeur propre doit être entre 0 et 10 m, par exemple 1,08.
-results-somebody-changed-standards-meanwhile-load-them = Quelqu’un a modifié les normes entre-temps ; rechargez-les et refaites votre modification.
-results-table-standards-cannot-drawn-most = Un tableau de { $count } normes ne peut pas être tracé ; { $most } est le maximum.
+results-somebody-changed-standards-meanwhile-load-them = Les normes ont été modifiées entre-temps ; rechargez-les et refaites votre modification.
+results-table-standards-cannot-drawn-most = Un tableau de { $count } normes est trop long ; { $most } au plus.
 results-stands-table-twice-give-each-value = { $twice } figure deux fois dans le tableau ; donnez à chaque valeur un nom propre.
 results-standard-needs-name-such-aashto-usa = Une norme doit avoir un nom, par exemple AASHTO (USA).
 results-height-must-lie-between-0-10 = La hauteur de { $name } doit être entre 0 et 10 m, par exemple 1,08.
@@ -5518,40 +5518,40 @@ reviews-line-scan-not-fixed = Une hauteur de balayage ne se corrige pas à la v�
 reviews-only-fix-carries-points-leave-them = Seule une correction porte des points ; omettez-les ou choisissez la décision « corrigé ».
 reviews-measurement-withdrawn-nothing-review = Cette mesure est retirée ; il n’y a rien à vérifier.
 reviews-repeat-not-reviewed-review-measurement-repeats = Une répétition ne se vérifie pas ; vérifiez la mesure qu’elle répète.
-reviews-rejection-needs-reason-say-what-wrong = Un rejet demande un motif ; dites ce qui ne va pas pour que ce soit rectifié.
+reviews-rejection-needs-reason-say-what-wrong = Un rejet demande un motif ; indiquez ce qui ne va pas pour que ce soit corrigé.
 reviews-fix-needs-new-points-only-fix = Une correction demande les nouveaux points, et seule une correction en a ; pointez-les et joignez-les.
 reviews-somebody-changed-plan-meanwhile = Le plan a été modifié entre-temps ; rechargez-le et refaites votre modification.
-reviews-plan-one-in-between = « Une sur combien » est un nombre entre 0 (aucune) et { $most }.
-reviews-click-it-again-before = Le plan du relevé veut que celle-ci soit repointée avant d’être montrée ; pointez contact et cible, puis jugez-la.
+reviews-plan-one-in-between = Saisissez un nombre de 0 (aucun contrôle en aveugle) à { $most }.
+reviews-click-it-again-before = Le plan du relevé demande une répétition en aveugle de cette mesure ; pointez contact et cible, puis rendez votre décision.
 reviews-fix-changes-nothing-accept = Cette correction ne change rien ; déplacez un point, ou validez la mesure.
 reviews-waits-review-already = Ceci attend déjà une vérification.
-reviews-nobody-reviews-their-own-measurement-ask = Personne ne vérifie sa propre mesure ; demandez à un autre vérificateur.
+reviews-nobody-reviews-their-own-measurement-ask = Vous ne pouvez pas vérifier votre propre mesure ; demandez à un autre vérificateur.
 reviews-measurements-csv-verdict-not-newest-review = measurements.csv : la décision sur { $one } n’est pas celle de sa dernière vérification ; l’une des deux est fausse.
 
 ## Erreurs : balayages
 
-scans-calibrated-line-scan-meanwhile-look-calibration = { $name } a étalonné ce balayage entre-temps ; regardez d’abord cet étalonnage.
-scans-mark-row-line-lies-outside-strip = Une marque à la rangée { NUMBER($row_px, minimumFractionDigits: 1, maximumFractionDigits: 1) }, ligne { NUMBER($line, minimumFractionDigits: 0, maximumFractionDigits: 0) } est hors de la bande ; repointez-la.
+scans-calibrated-line-scan-meanwhile-look-calibration = { $name } a étalonné ce balayage entre-temps ; contrôlez d’abord cet étalonnage.
+scans-mark-row-line-lies-outside-strip = Un repère à la rangée { NUMBER($row_px, minimumFractionDigits: 1, maximumFractionDigits: 1) }, ligne { NUMBER($line, minimumFractionDigits: 0, maximumFractionDigits: 0) } est hors de la bande ; repointez-le.
 scans-heights-need-line-cameras-pose-calibrate = Les hauteurs demandent la pose de la caméra linéaire ; étalonnez d’abord la hauteur avec un jalon (Étalonner la hauteur).
-scans-eye-needs-side-say-which = On ne sait pas si le conducteur est assis du côté proche ou éloigné de ce véhicule ; choisissez d’abord.
+scans-eye-needs-side-say-which = Le côté du conducteur de ce véhicule n’est pas indiqué ; choisissez d’abord proche ou éloigné.
 scans-click-line-row-lies-outside-strip = Un pointé à la ligne { NUMBER($line, minimumFractionDigits: 0, maximumFractionDigits: 0) }, rangée { NUMBER($row, minimumFractionDigits: 1, maximumFractionDigits: 1) } est hors de la bande ; repointez.
 scans-target-no-height-needs-reason-why = Une cible qui n’a pas de hauteur demande un motif ; remesurez-la.
 scans-height-withdrawn-already-nothing-done = Cette hauteur est déjà retirée ; il n’y a rien à faire.
-scans-measured-target-meanwhile-look-height-first = { $name } a mesuré cette cible entre-temps ; regardez d’abord cette hauteur.
+scans-measured-target-meanwhile-look-height-first = { $name } a mesuré cette cible entre-temps ; contrôlez d’abord cette hauteur.
 scans-calibration-no-row = { $path } : l’étalonnage { $marks } n’est dans aucune ligne de { $path_2 }.
-scans-rig-needs-distance = Indiquez à quelle distance des caméras sont les véhicules : avec la divergence des plans, c’est la base à cette distance qui donne une vitesse.
-scans-rig-passes-without = { $path } : des passages de l’étalonnage { $id } sont là sans lui ; une ligne manque.
+scans-rig-needs-distance = Saisissez la distance des caméras aux véhicules : si les plans divergent, les vitesses utilisent la base à cette distance.
+scans-rig-passes-without = { $path } : des passages de l’étalonnage { $id } existent, mais pas l’étalonnage lui-même ; une ligne manque.
 scans-rig-passes-not-those = { $path } : les passages de l’étalonnage { $id } ne sont pas ceux de son événement d’audit.
 scans-rig-cannot-be-solved = { $path } : les passages de l’étalonnage { $id } ne donnent aucun étalonnage ; l’un d’eux est faux.
 scans-rig-not-what-passes-give = { $path } : { $name } de l’étalonnage { $id } n’est pas ce que donnent ses passages.
-scans-marks-calibration-not-those-event = { $path } : les marques de l’étalonnage { $id } ne sont pas celles de son événement.
+scans-marks-calibration-not-those-event = { $path } : les repères de l’étalonnage { $id } ne sont pas ceux de son événement.
 scans-row-marked-current-not-newest-revision = { $path } : une ligne marquée comme en vigueur n’est pas la dernière révision.
 scans-height-no-row = { $path } : la hauteur { $budget } n’est dans aucune ligne de { $path_2 }.
 scans-sources-height-not-those-clicks = { $path } : les sources de la hauteur { $id } ne sont pas celles de ses pointés.
-scans-marks-clicks-give = { $name } a { $column } { $told }, ses marques et pointés donnent { $computed }.
-scans-cannot-solved-marks-one-wrong = { $name } ne peut pas être calculé à partir de ses marques ; l’une est fausse.
-scans-vehicle-no-measured-motion-no-match = Ce véhicule n’a pas de mouvement mesuré : il n’y a pas de correspondance à regarder.
-scans-camera-2s-strip-ends-before-vehicle = La bande de la caméra 2 finit avant ce véhicule ; il n’y a pas de correspondance à regarder.
+scans-marks-clicks-give = { $name } a { $column } { $told }, ses repères et pointés donnent { $computed }.
+scans-cannot-solved-marks-one-wrong = { $name } ne peut pas être calculé à partir de ses repères ; l’un d’eux est faux.
+scans-vehicle-no-measured-motion-no-match = Ce véhicule n’a pas de mouvement mesuré : il n’y a pas de recalage à montrer.
+scans-camera-2s-strip-ends-before-vehicle = La bande de la caméra 2 finit avant ce véhicule : il n’y a pas de recalage à montrer.
 scans-both-cameras-name-same-upload-upload = Les deux caméras nomment le même envoi ; envoyez une bande pour chacune.
 scans-same-picture-give-strip-each-camera = { $name } et { $name_2 } sont la même image ; indiquez la bande de chaque caméra.
 scans-frames-uneven-times-line-scan-needs = { $name } a des images à intervalles irréguliers, et un balayage linéaire demande une cadence régulière ; enregistrez à cadence d’images constante.
@@ -5559,13 +5559,13 @@ scans-cuts-cannot-cut-choose-two-different = { $what ->
     [rows] Les rangées
    *[columns] Les colonnes
 } { $cut_1 } et { $cut_2 } ne peuvent pas être extraites ; choisissez-en deux différentes de 0 à { $last_px }.
-scans-read-already-nothing-done = { $name } a déjà été lu ; il n’y a rien à faire.
-scans-could-not-read-see-error-try = { $name } n’a pas pu être lu ; voyez son erreur et réessayez.
-scans-still-being-recorded = { $name } est encore en cours d’enregistrement ; son image arrive quand cette partie du flux se termine.
-scans-still-being-read-wait-until-ready = { $name } est encore en cours de lecture ; attendez qu’il soit prêt.
+scans-read-already-nothing-done = { $name } a déjà été importé ; il n’y a rien à faire.
+scans-could-not-read-see-error-try = { $name } n’a pas pu être importé ; voyez son erreur et réessayez.
+scans-still-being-recorded = { $name } est encore en cours d’enregistrement ; son image sera disponible quand cette partie du flux se terminera.
+scans-still-being-read-wait-until-ready = { $name } est encore en cours d’import ; attendez qu’il soit prêt.
 scans-already-wait-cancel = { $name } : { $what ->
-    [read] lecture
-   *[searched] recherche de véhicules
+    [read] import
+   *[searched] détection de véhicules
 } déjà en cours ; attendez ou annulez.
 scans-strip-uploaded-another-survey-upload-one = La { $word ->
     [first] première
@@ -5577,38 +5577,38 @@ scans-strip-not-arrived-whole-yet-finish = La { $word ->
     [first] première
    *[second] seconde
 } bande, { $filename }, n’est pas encore arrivée en entier ; terminez son envoi.
-scans-changed-look-again-redo-yours = { $name } a modifié { $name_2 } le { $when } ; rechargez et refaites votre modification.
+scans-changed-look-again-redo-yours = { $name } a modifié { $name_2 } le { $when } ; rechargez-le et refaites votre modification.
 scans-scans-cannot-changed-leave-out = { $unknown } d’un balayage n’est pas modifiable ; omettez-le.
-scans-start-u-cannot-be = Un début connu à { $u_s } s près est inutilisable ; indiquez une incertitude-type supérieure à 0 et d’au plus 3600 s.
+scans-start-u-cannot-be = Une incertitude du début de { $u_s } s est hors plage ; saisissez une incertitude-type supérieure à 0 et d’au plus 3600 s.
 scans-vehicle-passed-at-another-time = { $path } : le véhicule { $number } est passé à une autre heure que ne le donnent le début de son enregistrement et ses lignes ; l’un des deux a été modifié.
 scans-direction-not-of-lines = { $path } : la révision { $number } a un autre sens que ne le donnent ses lignes devant les deux caméras ; l’un des deux a été modifié.
-scans-axles-need-a-motion = On compte les essieux d’un véhicule dont le mouvement est mesuré ; celui-ci n’en a pas.
-scans-axle-outside-vehicle = Un essieu est hors du véhicule ; cliquez son moyeu entre l’avant et l’arrière.
+scans-axles-need-a-motion = Les essieux ne se comptent que sur un véhicule dont le mouvement est mesuré ; ce n’est pas le cas ici.
+scans-axle-outside-vehicle = Un essieu est hors du véhicule ; pointez son moyeu entre l’avant et l’arrière.
 scans-traffic-no-start = Le début de ce balayage n’est pas confirmé ; confirmez-le, et son trafic sera compté par tranche horaire.
 scans-traffic-other-minutes = Le trafic ne se compte pas en tranches de { $minutes } min ; choisissez 1, 5, 15 ou 60.
-scans-traffic-not-read = Ce balayage n’est pas lu : on ne sait rien de son trafic.
+scans-traffic-not-read = Ce balayage n’est pas importé : son trafic est inconnu.
 scans-scan-needs-name-fill = Un balayage doit avoir un nom ; indiquez-le.
-scans-people-worked-scans-vehicles-stays-audit = Des personnes ont travaillé sur les véhicules de ce balayage : il reste ; un audit a besoin de ses bandes.
+scans-people-worked-scans-vehicles-stays-audit = Des personnes ont travaillé sur les véhicules de ce balayage : il ne peut pas être supprimé, car un audit a besoin de ses bandes.
 scans-recording-belongs-another-survey-choose-one = L’enregistrement appartient à un autre relevé ; choisissez-en un de ce relevé.
-scans-changed-look-again = { $name_of } a modifié { $name } ; regardez à nouveau.
-scans-not-been-read-yet-wait-until = { $name } n’a pas encore été lu ; attendez qu’il soit prêt.
-scans-people-worked-cameras-stay-add-line = Des personnes ont travaillé sur { $name } : ses caméras restent ; ajoutez un balayage avec les bandes dans l’autre ordre.
+scans-changed-look-again = { $name_of } a modifié { $name } ; rechargez.
+scans-not-been-read-yet-wait-until = { $name } n’a pas encore été importé ; attendez qu’il soit prêt.
+scans-people-worked-cameras-stay-add-line = Des personnes ont travaillé sur { $name } : ses caméras ne peuvent pas être échangées ; ajoutez un balayage aux bandes échangées.
 scans-vehicle-not-measured-yet-no-wheelbase = Ce véhicule n’est pas encore mesuré et n’a donc pas d’empattement ; placez d’abord ses bornes.
 scans-wheel-lies-outside-strips-which-end = Une roue est hors des bandes, qui finissent à la ligne { $lines }.
 scans-camera-front-line-must-come-before = À la caméra { $camera }, l’avant (ligne { NUMBER($front, minimumFractionDigits: 1, maximumFractionDigits: 1) }) doit précéder l’arrière ({ NUMBER($rear, minimumFractionDigits: 1, maximumFractionDigits: 1) }) ; replacez-les.
 scans-boundaries-camera-lie-outside-strip-which = Les bornes à la caméra { $camera } sont hors de la bande, qui finit à la ligne { $lines } ; replacez-les.
 scans-front-rear-camera-lines-apart-more = L’avant et l’arrière à la caméra { $camera } sont à { NUMBER($rear, minimumFractionDigits: 0, maximumFractionDigits: 0) } lignes l’un de l’autre, plus qu’un véhicule n’en occupe ; replacez-les.
-scans-nothing-camera-2s-strip-looks-like = Rien dans la bande de la caméra 2 ne ressemble à ce véhicule ; placez-y son avant et son arrière à la main, ou écartez-le si ce n’en est pas un.
+scans-nothing-camera-2s-strip-looks-like = Rien dans la bande de la caméra 2 ne ressemble à ce véhicule ; placez-y son avant et son arrière à la main, ou retirez-le si ce n’en est pas un.
 scans-vehicle-no-speed-needs-reason-why = Un véhicule qui n’a pas de vitesse demande un motif ; remesurez-le.
-scans-vehicle-measured-again-meanwhile-look-newer = Ce véhicule a été remesuré entre-temps ; regardez le nouveau résultat.
-scans-nobody-reviews-boundaries-they-placed-themselves = Personne ne vérifie les bornes qu’il a placées ; demandez à un autre vérificateur.
+scans-vehicle-measured-again-meanwhile-look-newer = Ce véhicule a été remesuré entre-temps ; contrôlez le nouveau résultat.
+scans-nobody-reviews-boundaries-they-placed-themselves = Vous ne pouvez pas vérifier les bornes que vous avez placées ; demandez à un autre vérificateur.
 scans-camera-2-needs-both-lines-front = La caméra 2 demande les deux lignes, avant et arrière, ou aucune ; envoyez les deux ou omettez les deux.
 scans-wheelbase-needs-both-wheels-send-both = Un empattement demande les deux roues ; envoyez les deux lignes, ou aucune pour les retirer.
 scans-vehicle-not-deleted-nothing-restore = Ce véhicule n’a pas été supprimé : il n’y a rien à restaurer.
 scans-deleted-vehicle-restore-first = { $name } a supprimé le véhicule { $number } le { $when } ; restaurez-le d’abord.
-scans-changed-vehicle-look-again-redo-yours = { $name } a modifié le véhicule { $number } le { $when } ; regardez à nouveau et refaites votre modification.
+scans-changed-vehicle-look-again-redo-yours = { $name } a modifié le véhicule { $number } le { $when } ; rechargez-le et refaites votre modification.
 scans-scanned-vehicle-no-leave-out = Un véhicule balayé n’a pas de { $unknown } ; omettez-le.
-scans-m-cannot-used-give-metres-4 = { $name } de { $value } m : inutilisable ; indiquez-le en mètres, par exemple 4,447.
+scans-m-cannot-used-give-metres-4 = { $name } de { $value } m : hors plage ; indiquez cette dimension en mètres, par exemple 4,447.
 scans-vehicle-not-newest-revision-changed = { $path } : le véhicule { $number } n’est pas sa dernière révision ; il a été modifié.
 scans-verdict-went-over = { $path } : la ligne { $id } porte une décision rendue sur une autre mesure ; reprenez l’export complet.
 scans-verdict-row-not-one-given = { $path } : la décision de la ligne { $number } n’est pas celle qui a été rendue.
@@ -5622,26 +5622,26 @@ statistics-width-spread-must-lengths-above-0 = Largeur et dispersion doivent êt
 
 surveys-file-photograph-missing-changed-take-out = Le fichier de la photo « { $name } » manque ou a été modifié ; retirez-la du relevé et ajoutez-la à nouveau.
 surveys-survey-takes-photographs-take-one-out = Un relevé contient au plus { $most_photographs } photos ; retirez-en une avant d’en ajouter une autre.
-surveys-photographs-added-taken-out-meanwhile-look = Des photos ont été ajoutées ou retirées entre-temps ; regardez à nouveau et refaites l’ordre.
-surveys-changed-photograph-look-again-redo-yours = { $name } a modifié cette photo le { $when } ; regardez à nouveau et refaites votre modification.
+surveys-photographs-added-taken-out-meanwhile-look = Des photos ont été ajoutées ou retirées entre-temps ; rechargez et refaites l’ordre.
+surveys-changed-photograph-look-again-redo-yours = { $name } a modifié cette photo le { $when } ; rechargez-la et refaites votre modification.
 surveys-caption-most-characters-shorten = Une légende a au plus { $most_caption } caractères ; raccourcissez-la.
 surveys-no-row-put = { $strange } n’est dans aucune ligne de { $path } ; ajouté après coup.
 surveys-not-photograph-audit-event-names-exchanged = { $file } n’est pas la photo que nomme son événement d’audit ; elle a été échangée.
 surveys-no-survey-named-check-name-home = Il n’y a pas de relevé nommé « { $name } » ; vérifiez le nom sur la page d’accueil.
-surveys-changed-survey-look-again-redo = { $name } a modifié ce relevé le { $when } ; regardez à nouveau et refaites votre modification.
+surveys-changed-survey-look-again-redo = { $name } a modifié ce relevé le { $when } ; rechargez-le et refaites votre modification.
 surveys-place-half-coordinates = Des coordonnées sont une latitude et une longitude ; indiquez les deux ou aucune.
-surveys-place-latitude = Une latitude est entre -90 et 90 degrés, pas { $latitude } : latitude et longitude sont-elles inversées ?
+surveys-place-latitude = Une latitude est entre −90 et 90 degrés, pas { $latitude } : latitude et longitude sont-elles inversées ?
 surveys-place-longitude = Une longitude de { $longitude } est hors plage ; indiquez de −180 à 180 degrés.
-surveys-place-speed-limit = Une vitesse limite est supérieure à 0 et d’au plus { $fastest } km/h, pas { $kmh } km/h.
+surveys-place-speed-limit = Une vitesse limite de { $kmh } km/h est hors plage ; indiquez une valeur supérieure à 0 et d’au plus { $fastest } km/h.
 surveys-survey-needs-name-fill = Un relevé doit avoir un nom ; indiquez-le.
-surveys-inset-cannot-used-give-known-target = Le retrait de « { $target } » est inutilisable ; indiquez une cible connue et une incertitude >= 0.
+surveys-inset-cannot-used-give-known-target = Le retrait de « { $target } » est inutilisable ; indiquez une cible connue et une incertitude positive ou nulle.
 surveys-asks-nothing-choose-target = Un relevé demande au moins une cible de jour et une en faible luminosité ; choisissez-les.
 surveys-sampling-step = Un passage sur n : n est entre 1 et { $most_step }, le premier numéro entre 1 et n ; corrigez-les.
 surveys-sampling-share = Une part des passages est supérieure à 0 et d’au plus 100 % ; corrigez-la.
 surveys-sampling-headway = Le temps intervéhiculaire des véhicules libres doit être supérieur à 0 et d’au plus { $most_headway_s } s ; corrigez-le.
 surveys-sampling-quota-twice = Une luminosité et un groupe de classes ont deux quotas ; indiquez chacun une seule fois.
 surveys-class-twice = La classe { $category } figure deux fois dans le tableau ; indiquez chaque classe une seule fois.
-surveys-class-fhwa = Une classe FHWA de { $category } n’est aucune de 1 à 13 ; corrigez-la.
+surveys-class-fhwa = Une classe FHWA de { $category } n’est pas comprise entre 1 et 13 ; corrigez-la.
 
 ## Erreurs : véhicules
 
@@ -5652,24 +5652,24 @@ vehicles-not-category-use-one = « { $category } » n’est pas une catégorie
 vehicles-which-not-year-give-four-digits = { $column } vaut « { $cell } », qui n’est pas une année ; indiquez quatre chiffres.
 csv-empty = { $name } est vide ; sa première ligne doit nommer les colonnes { $needed }.
 csv-no-column = { $name } n’a pas de colonne { $missing } ; sa première ligne doit nommer les colonnes { $needed }.
-csv-column-twice = { $name }, ligne { $line } : la colonne { $column } est nommée deux fois ; gardez celle qui compte.
-csv-more-cells = { $name }, ligne { $line } : { $cells } cellules, mais l’en-tête en nomme { $columns } ; écrivez les décimales avec un point, non une virgule, et mettez entre guillemets les textes qui ont des virgules.
-csv-fewer-cells = { $name }, ligne { $line } : { $cells } cellules, alors que l’en-tête en nomme { $columns } ; complétez la ligne.
+csv-column-twice = { $name }, ligne { $line } : la colonne { $column } est nommée deux fois ; gardez celle qui compte.
+csv-more-cells = { $name }, ligne { $line } : { $cells } cellules, mais l’en-tête en nomme { $columns } ; écrivez les décimales avec un point, non une virgule, et mettez entre guillemets les textes qui ont des virgules.
+csv-fewer-cells = { $name }, ligne { $line } : { $cells } cellules, alors que l’en-tête en nomme { $columns } ; complétez la ligne.
 csv-header-again = { $name }, ligne { $line } : elle nomme à nouveau les colonnes, comme là où des tableaux ont été réunis ; ôtez cette ligne.
-csv-open-quote = { $name }, ligne { $line } : un guillemet n’est pas fermé sur sa ligne ; fermez-le ou ôtez-le, et ne mettez pas de saut de ligne dans une cellule.
-csv-after-a-quote = { $name }, ligne { $line } : du texte suit un guillemet fermant ; doublez un guillemet dans une cellule, ou ôtez-le.
-csv-rest-of-a-cell = { $name }, ligne { $line } : c’est peut-être la suite de la cellule que la ligne { $opened } ne ferme pas ; corrigez les deux lignes.
-csv-empty-cell = { $name }, ligne { $line } : { $column } est vide ; remplissez la cellule.
-csv-not-a-number = { $name }, ligne { $line } : { $column } vaut « { $cell } », qui n’est pas un nombre ; corrigez la cellule.
-csv-number-separated = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; écrivez les décimales avec un point et rien entre les milliers.
-csv-no-size-of-a-vehicle = { $name }, ligne { $line } : { $column } vaut « { $cell } », et aucun véhicule n’a plus de 20 m ; en { $unit }, ce serait { $metres } m. Indiquez des mètres.
+csv-open-quote = { $name }, ligne { $line } : un guillemet n’est pas fermé sur sa ligne ; fermez-le ou ôtez-le, et ne mettez pas de saut de ligne dans une cellule.
+csv-after-a-quote = { $name }, ligne { $line } : du texte suit un guillemet fermant ; doublez un guillemet dans une cellule, ou ôtez-le.
+csv-rest-of-a-cell = { $name }, ligne { $line } : c’est peut-être la suite de la cellule que la ligne { $opened } ne ferme pas ; corrigez les deux lignes.
+csv-empty-cell = { $name }, ligne { $line } : { $column } est vide ; remplissez la cellule.
+csv-not-a-number = { $name }, ligne { $line } : { $column } vaut « { $cell } », qui n’est pas un nombre ; corrigez la cellule.
+csv-number-separated = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; écrivez les décimales avec un point et rien entre les milliers.
+csv-no-size-of-a-vehicle = { $name }, ligne { $line } : { $column } vaut « { $cell } », et aucun véhicule n’a plus de 20 m ; en { $unit }, ce serait { $metres } m. Indiquez des mètres.
 csv-size-not-above-0 = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; une dimension est supérieure à 0. Corrigez la cellule.
 csv-uncertainty-below-0 = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; une incertitude n’est pas négative. Corrigez la cellule.
 csv-not-utf-8 = { $name } n’est pas un texte UTF-8 ; enregistrez-le en CSV UTF-8.
-vehicles-gives-frames-now-gave-when-read = { $name } donne maintenant { $count } images et en donnait { $count_2 } à la lecture ; relisez-le.
-vehicles-search-passes-cancelled-start-again-when = La recherche des passages a été annulée ; relancez-la quand vous voulez.
-vehicles-passes-being-looked-already-wait = Une recherche des passages de { $name } est déjà en cours ; attendez la fin.
-vehicles-vehicle-needs-first-last-frame-mark = Un véhicule demande sa première et sa dernière image ; marquez le passage sur la chronologie.
+vehicles-gives-frames-now-gave-when-read = { $name } a maintenant { $count } images et en avait { $count_2 } à l’import ; importez-le à nouveau.
+vehicles-search-passes-cancelled-start-again-when = La détection des passages a été annulée. Vous pouvez la relancer.
+vehicles-passes-being-looked-already-wait = Une détection des passages de { $name } est déjà en cours ; attendez la fin.
+vehicles-vehicle-needs-first-last-frame-mark = Un véhicule demande sa première et sa dernière image ; marquez le passage sur la frise.
 vehicles-year-to-come = Aucun modèle de { $year } n’a pu passer encore ; donnez une année jusqu’à { $most }.
 vehicles-vehicle-no-leave-out = Un véhicule n’a pas de { $unknown } ; omettez-le.
 vehicles-frames-not-span-recording-ends-frame = Les images { $first } à { $last } ne sont pas une plage de cet enregistrement ; il finit à l’image { $end }.
@@ -5682,7 +5682,7 @@ vehicles-known-height-of-none = { $target ->
     [roof] Aucun toit
     [driver_eye] Aucun œil de conducteur
     [taillight] Aucun feu arrière
-    [headlight] Aucun phare
+    [headlight] Aucun projecteur
    *[other] Aucun repère
 } n’est à { $height } m au-dessus de la route ; indiquez des mètres, de { $low } à { $high }.
 vehicles-uncertainty-m-cannot-used-give-metres = Une incertitude de { $u_height } m est inutilisable ; indiquez-la en mètres, par exemple 0,005.
@@ -5705,10 +5705,10 @@ request-text = doit être un texte
 request-list = doit être une liste
 request-object = doit être un objet
 request-above = doit être supérieur à { $gt }
-request-least = doit être au moins { $ge }
+request-least = doit être supérieur ou égal à { $ge }
 request-below = doit être inférieur à { $lt }
-request-most = doit être au plus { $le }
-request-text-long = le texte a au plus { $max_length } caractères
+request-most = doit être inférieur ou égal à { $le }
+request-text-long = le texte doit avoir au plus { $max_length } caractères
 request-pattern = le texte doit suivre le modèle { $pattern }
 request-nul = un texte ne peut pas contenir le caractère NUL
 request-date = doit être une date, comme 2026-05-04
@@ -5722,7 +5722,7 @@ request-list-long = la liste a { $actual_length } éléments, au plus { $max_len
     [one] { $max_length } est admis
    *[other] { $max_length } sont admis
 }
-request-text-short = le texte a au moins { $min_length ->
+request-text-short = le texte doit avoir au moins { $min_length ->
     [one] { $min_length } caractère
    *[other] { $min_length } caractères
 }
@@ -5733,40 +5733,40 @@ request-done-before = Cette requête a été enregistrée à son premier envoi, 
 request-key-malformed = Une Idempotency-Key a de 1 à 100 lettres, chiffres, points, deux-points ou tirets ; envoyez un nouvel UUID pour chaque écriture.
 request-key-of-another = L’Idempotency-Key { $key } a déjà été envoyée avec une autre requête ; faites une nouvelle clé pour chaque écriture.
 request-value-not-storable = Une valeur de la requête ne peut pas être stockée ; corrigez-la et renvoyez.
-server-something-went-wrong = Un problème est survenu sur le serveur et rien n’a été enregistré ; le journal du serveur dit quoi.
+server-something-went-wrong = Un problème est survenu sur le serveur et rien n’a été enregistré ; voyez le journal du serveur.
 
 ## Erreurs : une autre personne a été plus rapide
 
-quality-tyres-changed-meanwhile = { $name } a modifié les pneus de ce véhicule entre-temps ; regardez-les d’abord.
+quality-tyres-changed-meanwhile = { $name } a modifié les pneus de ce véhicule entre-temps ; contrôlez-les d’abord.
 measurements-discarded-but-measured-withdraw = Le véhicule { $number } est mesuré et ne peut donc pas être écarté ; retirez d’abord ses mesures.
 measurements-vehicles-csv-not-in-sample = vehicles.csv : l’appartenance du véhicule { $id } à l’échantillon, ou à ce qui compte, n’est pas ce que donnent sampling.csv et les passages ; il a été modifié.
 measurements-not-visible-but-measured-withdraw = { $target } : mesuré sur ce véhicule, donc visible ; retirez d’abord la mesure.
 measurements-already-measured = { $name } a déjà mesuré cette cible du véhicule ; gardez l’une des deux.
-lots-lead = Au lieu d’une à une, les hauteurs peuvent être vérifiées par lots : un échantillon est jugé, et le lot est accepté d’après lui ou contrôlé en entier. Le plan dit à quelle fréquence chaque décision serait une erreur.
+lots-lead = Les hauteurs peuvent être vérifiées par lots : un échantillon de chaque lot est vérifié, puis le lot est accepté ou contrôlé en entier. Le plan indique le risque de décision erronée dans chaque sens.
 lots-loading = lots
 lots-summary = Validées par décision individuelle : { $individual } ; par l’échantillon de leur lot : { $by_lot }.
 lots-outgoing = { $count ->
-    [one] Sur { $count } que personne n’a regardée, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
-   *[other] Sur les { $count } que personne n’a regardées, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
+    [one] Sur { $count } non vérifiée individuellement, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
+   *[other] Sur les { $count } non vérifiées individuellement, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
   }
 lots-held = { $count ->
     [one] { $count } hauteur attend l’échantillon de son lot.
    *[other] { $count } hauteurs attendent l’échantillon de leur lot.
   }
-lots-draw-title = Tirer des lots parmi ce qui attend
+lots-draw-title = Tirer des lots de la file
 lots-draw = Tirer
 lots-by = Point commun des hauteurs d’un lot
 lots-by-target = cible
 lots-by-lighting = luminosité
 lots-by-operator = auteur de la mesure
 lots-by-day = jour de la mesure
-lots-producer-quality = Un lot avec cette part fausse devrait passer
+lots-producer-quality = Part de hauteurs fausses à laquelle un lot devrait passer
 lots-producer-risk = Risque qu’il ne passe pas
-lots-consumer-quality = Un lot avec cette part fausse ne devrait pas passer
+lots-consumer-quality = Part de hauteurs fausses à laquelle un lot ne devrait pas passer
 lots-consumer-risk = Risque qu’il passe
-lots-nonconforming = Est fausse (non conforme) une hauteur que son vérificateur rejette, ou corrige de plus que son propre U95. L’échantillon est tiré avec une graine issue de la chaîne d’audit avant tout jugement. Le critère d’acceptation est celui de l’ISO 2859 ; ses tables ne sont pas utilisées : le plan est calculé pour l’effectif de chaque lot.
-lots-nothing-waits = Rien n’attend de décision en dehors des lots.
-lots-planned = Lots qui pourraient être tirés
+lots-nonconforming = Une hauteur est fausse (non conforme) si son vérificateur la rejette, ou la corrige de plus que son U95. L’échantillon est tiré avec une graine issue de la chaîne d’audit, avant toute vérification. Le critère d’acceptation est celui de l’ISO 2859 ; ses tables ne sont pas utilisées : le plan est calculé pour l’effectif de chaque lot.
+lots-nothing-waits = Aucune hauteur n’attend de vérification en dehors des lots.
+lots-planned = Lots possibles
 lots-lot = Lot
 lots-size = Hauteurs
 lots-sample = Échantillon
@@ -5776,11 +5776,11 @@ lots-saves = { $count ->
     [one] { $count } décision
    *[other] { $count } décisions
   }
-lots-saves-nothing = aucun : l’échantillon est tout le lot ; vérifiez une à une
-lots-everything = tout ce qui attendait
+lots-saves-nothing = aucun : l’échantillon est tout le lot ; vérifiez les hauteurs une à une
+lots-everything = toutes les hauteurs de la file
 lots-named = Lot { $number } : { $common }
 lots-of = { NUMBER($part) } sur { NUMBER($all) }
-lots-judged = Échantillon jugé
+lots-judged = Vérifiées
 lots-bad = Fausses
 lots-state = État
 lots-state-open = ouvert
@@ -5799,8 +5799,8 @@ lots-says-waits = { $count ->
    *[other] { $count } de l’échantillon attendent encore leur décision.
   }
 lots-says-accept = { $count ->
-    [one] L’échantillon est jugé : { $count } est fausse (admises : { $most }). Le lot peut être accepté.
-   *[other] L’échantillon est jugé : { $count } sont fausses (admises : { $most }). Le lot peut être accepté.
+    [one] Échantillon vérifié : { $count } est fausse (admises : { $most }). Le lot peut être accepté.
+   *[other] Échantillon vérifié : { $count } sont fausses (admises : { $most }). Le lot peut être accepté.
   }
 lots-says-refused = { $count ->
     [one] { $count } de l’échantillon est fausse (admises : { $most }) : le reste passe au contrôle complet.
@@ -5818,23 +5818,23 @@ lots-says-taken-back = { $count ->
     [one] Accepté, puis annulé : { $count } hauteur attend à nouveau.
    *[other] Accepté, puis annulé : { $count } hauteurs attendent à nouveau.
   }
-lots-says-dissolved = Dissous avant tout jugement.
-lots-judge = Juger l’échantillon
+lots-says-dissolved = Dissous avant le début de la vérification.
+lots-judge = Vérifier l’échantillon
 lots-accept = Accepter le lot
 lots-inspect = Contrôle complet
 lots-inspect-text = { $count ->
     [one] { $count } hauteur du reste passe à la file et n’entre dans aucun autre lot.
-   *[other] { $count } hauteurs du reste passent à la file, chacune pour soi, et n’entrent dans aucun autre lot.
+   *[other] { $count } hauteurs du reste passent à la file, individuellement, et n’entrent dans aucun autre lot.
   }
 lots-dissolve = Dissoudre
 lots-take-back = Annuler
 lots-own = { $count ->
-    [one] { $count } de l’échantillon est la vôtre ; quelqu’un d’autre la juge.
-   *[other] { $count } de l’échantillon sont les vôtres ; quelqu’un d’autre les juge.
+    [one] { $count } de l’échantillon est la vôtre ; une autre personne la vérifie.
+   *[other] { $count } de l’échantillon sont les vôtres ; une autre personne les vérifie.
   }
 lots-drawn = Tiré { $when } par { $person } ; graine { $seed }…
 lots-nobody = Sightline
-lots-curve = Fréquence d’acceptation d’un tel lot
+lots-curve = Probabilité d’acceptation
 lots-curve-says = La probabilité que le plan accepte un lot, décroissante avec la part de hauteurs fausses : avec { $good } de fausses il n’est pas accepté dans { $refused } des cas, avec { $bad } il est accepté dans { $passed }.
 lots-curve-note = Exact pour un lot de cet effectif (loi hypergéométrique). Avec { $good } de fausses, { $refused } de ces lots ne sont pas acceptés ; avec { $bad }, { $passed } le sont.
 lots-curve-x = hauteurs fausses du lot (%)
@@ -5843,27 +5843,27 @@ lots-producer = devrait passer
 lots-consumer = ne devrait pas passer
 lots-sample-of = échantillon du lot { $number }
 lots-badge = lot { $number }
-lots-sample-done = L’échantillon de ce lot est jugé. Il reste à décider du lot.
-lots-sample-done-title = L’échantillon est jugé
+lots-sample-done = L’échantillon de ce lot est vérifié. Il reste à décider du lot.
+lots-sample-done-title = L’échantillon est vérifié
 lots-decide = Décider du lot
 lots-show-all = Tout afficher
-lots-by-lot = Acceptée d’après l’échantillon de son lot ; personne n’a regardé celle-ci.
-lots-fraction-between = Une proportion de non conformes est un nombre de 0 à moins de 1, par exemple 0,01 pour 1 sur 100.
-lots-risk-between = Un risque est un nombre entre 0,001 et 0,5, par exemple 0,05 pour 1 sur 20.
+lots-by-lot = Acceptée d’après l’échantillon de son lot ; non vérifiée individuellement.
+lots-fraction-between = Saisissez une proportion de non conformes de 0 à moins de 1, par exemple 0,01 pour 1 sur 100.
+lots-risk-between = Saisissez un risque de 0,001 à 0,5, par exemple 0,05 pour 1 sur 20.
 lots-fractions-in-order = La proportion d’un lot qui devrait passer doit être plus petite que celle d’un lot qui ne devrait pas ; modifiez l’une d’elles.
-lots-nothing-to-draw = Aucun lot ne ferait gagner quoi que ce soit : ce qui attend est trop peu pour ces risques, ou déjà dans des lots. Divisez moins, ou vérifiez une à une.
+lots-nothing-to-draw = Aucun lot n’épargnerait de travail : trop peu de hauteurs attendent pour ces risques, ou elles sont déjà dans des lots. Divisez moins, ou vérifiez-les une à une.
 lots-sample-not-judged = { $count ->
-    [one] { $count } hauteur de l’échantillon attend encore sa décision ; jugez-la d’abord.
-   *[other] { $count } hauteurs de l’échantillon attendent encore leur décision ; jugez-les d’abord.
+    [one] { $count } hauteur de l’échantillon attend encore sa décision ; vérifiez-la d’abord.
+   *[other] { $count } hauteurs de l’échantillon attendent encore leur décision ; vérifiez-les d’abord.
   }
 lots-too-many = { $count ->
     [one] { $count } hauteur de l’échantillon est non conforme ; ce lot est accepté avec { $most } au plus : le reste passe au contrôle complet.
    *[other] { $count } hauteurs de l’échantillon sont non conformes ; ce lot est accepté avec { $most } au plus : le reste passe au contrôle complet.
   }
-lots-own-heights = Personne n’accepte ses propres hauteurs : le reste de ce lot en contient des vôtres. Demandez à un autre vérificateur.
-lots-judged-already = Une partie de cet échantillon est déjà jugée : le tirage reste ; acceptez le lot ou contrôlez-le en entier.
-lots-not-accepted = Seul un lot accepté peut être annulé ; regardez ce qu’est devenu celui-ci.
-lots-decided-already = Le lot { $number } a reçu une décision entre-temps ; regardez-la d’abord.
+lots-own-heights = Vous ne pouvez pas accepter vos propres hauteurs, et le reste de ce lot en contient. Demandez à un autre vérificateur.
+lots-judged-already = Une partie de cet échantillon est déjà vérifiée : le lot ne peut pas être dissous ; acceptez-le ou contrôlez-le en entier.
+lots-not-accepted = Seul un lot accepté peut être annulé ; contrôlez l’état de celui-ci.
+lots-decided-already = Le lot { $number } a reçu une décision entre-temps ; contrôlez-la d’abord.
 lots-event-another-row = audit.csv : l’événement { $number } contient un autre lot que celui qu’il a haché ; reprenez l’export complet.
 lots-verdict-of-no-lot = reviews.csv : une décision par le lot { $lot }, qui n’existe pas ; reprenez l’export complet.
 lots-seed-not-the-chains = lots.csv : la graine du lot { $id } ne découle pas de la chaîne d’audit ; le tirage a été choisi.
@@ -5872,18 +5872,18 @@ lots-plan-keeps-no-risk = lots.csv : le plan du lot { $id } ne respecte pas les
 lots-decided-otherwise = audit.csv : les décisions sur le lot { $id } ne découlent pas l’une de l’autre ; elles ont été modifiées.
 lots-sample-not-the-draws = audit.csv : l’échantillon du lot { $id } n’est pas le début de son tirage ; il a été modifié.
 lots-counts-not-those-of-verdicts = audit.csv : les nombres du lot { $id } ne sont pas ceux des décisions de son échantillon ; l’un des deux est faux.
-lots-accepted-beyond-its-plan = audit.csv : le lot { $id } a été accepté avec plus de hauteurs non conformes que son plan n’en admet, ou sans jugement.
+lots-accepted-beyond-its-plan = audit.csv : le lot { $id } a été accepté avec plus de hauteurs non conformes que son plan n’en admet, ou sans vérification.
 lots-verdicts-not-those-of-its-rest = reviews.csv : les décisions par le lot { $id } ne sont pas celles de son reste ; certaines ont été ajoutées ou retirées.
 lots-verdict-before-the-decision = audit.csv : une décision par le lot { $id } précède la décision sur le lot ; l’une des deux est fausse.
-reviews-verdict-given-meanwhile = { $name } a rendu entre-temps la décision « { $verdict } » ; regardez-la d’abord.
+reviews-verdict-given-meanwhile = { $name } a rendu entre-temps la décision « { $verdict } » ; contrôlez-la d’abord.
 
 ## Distance de visibilité : la page
 
-sight-lead = Ce que signifient les hauteurs mesurées pour une route : des angles saillants qui gardent une distance de visibilité, selon les hauteurs d’une norme et celles du relevé.
+sight-lead = Effet des hauteurs mesurées sur la conception des routes : angles saillants qui assurent une distance de visibilité, avec les hauteurs d’une norme et avec celles du relevé.
 sight-loading = angles saillants
-sight-form = Données du calcul des angles saillants
+sight-form = Données d’entrée
 sight-form-standard = Norme
-sight-form-survey = Relevé, lu selon la règle de la norme
+sight-form-survey = Relevé, aux centiles de la norme
 sight-form-road = Route
 sight-form-fleet = Autre parc : part de chaque classe
 sight-eye = Œil de la norme
@@ -5907,18 +5907,18 @@ sight-kind-intersection_left = Carrefour, tourne-à-gauche depuis un arrêt
 sight-kind-intersection_right = Carrefour, tourne-à-droite ou traversée
 sight-speed = Vitesse de référence
 sight-difference = Différence de déclivités
-sight-headlight = Projecteur (rentrant)
+sight-headlight = Projecteur (angle rentrant)
 sight-radius = Rayon (virage)
-sight-number-problem = Ce nombre est hors limites ; corrigez-le.
-sight-fleet-begin = Et si le parc était autre
-sight-fleet-hint = Parts des classes mesurées, à modifier.
+sight-number-problem = Ce nombre est hors plage ; corrigez-le.
+sight-fleet-begin = Essayer un autre parc
+sight-fleet-hint = Parts des classes mesurées ; modifiez-les au besoin.
 sight-fleet-end = Parc mesuré
 sight-fleet-measured = Yeux mesurés : { NUMBER($eyes) }, obstacles : { NUMBER($objects) }
 sight-case = Hauteurs de
 sight-case-standard = la norme
 sight-case-survey = le relevé
 sight-case-mix = l’autre parc
-sight-sentence = Signification
+sight-sentence = Résultat
 sight-missing = Aucune hauteur de cette cible ne correspond au filtre : { $targets }. Mesurez et validez-en, ou affichez tous les états.
 sight-too-few = Trop peu de hauteurs pour le centile : { $targets }.
 sight-too-few-of = { $target }, { $reason }
@@ -5933,20 +5933,20 @@ sight-verdict-shorter = { $case ->
     [mix] Avec les hauteurs de l’autre parc
     [study] Avec les hauteurs de l’étude
    *[survey] Avec les hauteurs du relevé
-} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, et K pour { $distance } est { $k } au lieu de { $k_standard }. Les angles saillants pourraient être plus courts de { $change } ; sur un angle saillant construit selon la norme, on voit à { $seen }.
+} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, et K pour { $distance } est { $k } au lieu de { $k_standard }. Les raccordements saillants pourraient être plus courts de { $change } ; sur un angle saillant construit selon la norme, la distance de visibilité est de { $seen }.
 sight-verdict-longer = { $case ->
     [mix] Avec les hauteurs de l’autre parc
     [study] Avec les hauteurs de l’étude
    *[survey] Avec les hauteurs du relevé
-} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, et K pour { $distance } est { $k } au lieu de { $k_standard }. Les angles saillants devraient être plus longs de { $change } ; sur un angle saillant construit selon la norme, on ne voit qu’à { $seen }.
+} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, et K pour { $distance } est { $k } au lieu de { $k_standard }. Les raccordements saillants devraient être plus longs de { $change } ; sur un angle saillant construit selon la norme, la distance de visibilité n’est que de { $seen }.
 sight-verdict-unknown = { $case ->
     [mix] Avec les hauteurs de l’autre parc
     [study] Avec les hauteurs de l’étude
    *[survey] Avec les hauteurs du relevé
-} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, soit K modifié de { $change }. Il n’y a pas d’intervalle ({ $reason }) : on ne peut dire si c’est plus que le hasard.
+} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, soit K modifié de { $change }. Il n’y a pas d’intervalle ({ $reason }) : on ne sait pas si cet écart est significatif.
 sight-cases-title = Angles saillants
 sight-cases-distance = { $speed } : { $formula } = { $distance }, arrondi par excès à { $design }
-sight-cases-note = Yeux : { NUMBER($eyes) }, obstacles : { NUMBER($objects) }, { $whose }. Les hauteurs sont les vraies. Sous chaque valeur, son intervalle total à 95 %, qui comprend l’échantillonnage, les erreurs que des hauteurs partagent (pose de la caméra, retrait moyen) et l’erreur aléatoire ; les erreurs de l’œil et de l’obstacle dues à la même pose de caméra comptent ensemble ; les hauteurs de la norme et les parts du parc sont supposées exactes. Les longueurs valent pour la différence de déclivités ; la dernière colonne est ce que l’on voit sur un angle saillant construit selon les hauteurs de la norme.
+sight-cases-note = Yeux : { NUMBER($eyes) }, obstacles : { NUMBER($objects) }, { $whose }. Les hauteurs sont les hauteurs vraies. Sous chaque valeur, son intervalle total à 95 %, qui comprend l’échantillonnage, les erreurs communes aux hauteurs (pose de la caméra, retrait moyen) et l’erreur aléatoire ; les erreurs de l’œil et de l’obstacle dues à la même pose de caméra comptent ensemble ; les hauteurs de la norme et les parts du parc sont supposées exactes. Les longueurs valent pour la différence de déclivités saisie ; la dernière colonne est la distance de visibilité sur un angle saillant construit selon la norme.
 sight-interval = { $low } à { $high }
 sight-no-interval = pas d’intervalle
 sight-column-eye = Œil ({ $unit })
@@ -5954,26 +5954,26 @@ sight-column-object = Obstacle ({ $unit })
 sight-column-constant = Constante ({ $unit })
 sight-column-k = K ({ $unit } par %)
 sight-column-length = Longueur minimale ({ $unit })
-sight-column-seen = Vu sur le saillant de la norme ({ $unit })
+sight-column-seen = Visibilité sur le saillant de la norme ({ $unit })
 sight-figure-title = K d’un angle saillant selon la vitesse de référence
 sight-figure-says = K d’un angle saillant selon la vitesse de référence, avec les hauteurs de la norme et celles du relevé
 sight-figure-note = K = S² / C à la distance de visibilité de chaque vitesse de référence, arrondie par excès comme dans les tables de conception (points). { $bands ->
     [0] Il n’y a pas d’intervalle, donc pas de bande.
-   *[other] Bande : intervalle à 95 % ; là où l’on n’en voit pas, il est plus étroit que le trait.
+   *[other] Bande : intervalle à 95 % ; là où l’on n’en voit pas, il est plus étroit que le trait.
 }
-sight-figure-x = vitesse de référence ({ $unit })
+sight-figure-x = Vitesse de référence ({ $unit })
 sight-figure-y = K ({ $unit } par %)
-sight-besides-title = Angle rentrant et virage, que les yeux ne changent pas
-sight-sag = Angle rentrant, aux projecteurs
+sight-besides-title = Angle rentrant et virage, indépendants de la hauteur des yeux
+sight-sag = Angle rentrant, à la lumière des projecteurs
 sight-sag-words = K { $k } { $unit } par % ; longueur minimale { $length } { $case ->
     [within] (la distance de visibilité est comprise dans le raccordement)
     [beyond] (la distance de visibilité dépasse le raccordement)
    *[none] (ces déclivités sont éclairées sans raccordement)
 }
 sight-curve = Dégagement en virage
-sight-curve-words = { $offset } de la trajectoire à ce qui masque la vue, au milieu du virage
-sight-curve-none = Le virage est trop serré pour cette distance : elle ferait plus d’un demi-cercle.
-sight-besides-note = Le faisceau d’un projecteur monte de 1 degré. Les hauteurs de ce qui borde un virage ne sont pas considérées.
+sight-curve-words = { $offset } de la trajectoire au masque, au milieu du virage
+sight-curve-none = Le virage est trop serré pour cette distance : elle couvrirait plus d’un demi-cercle.
+sight-besides-note = Le faisceau d’un projecteur monte de 1 degré. La hauteur des masques en bord de virage n’est pas prise en compte.
 
 ## Distance de visibilité : ce qui ne peut pas être calculé
 sightdistance-heights = Les hauteurs des yeux doivent être supérieures à 0, celles des obstacles d’au moins 0, toutes inférieures à 10 m ; indiquez-les en mètres.
@@ -5981,11 +5981,11 @@ sightdistance-uncertainty = Une incertitude-type doit être de 0 ou plus, et de 
 sightdistance-distance = Une distance de visibilité doit être supérieure à 0 et inférieure à 100 km, et une longueur d’au moins 0 ; indiquez des mètres.
 sightdistance-difference = La différence des deux déclivités doit être supérieure à 0 et d’au plus 100 pour cent ; corrigez-la.
 sightdistance-speed = { $speed_kmh } km/h n’est pas une vitesse de référence ; indiquez plus de 0 et au plus 300 km/h.
-sightdistance-gradient = On ne peut pas freiner sur une déclivité de { $gradient_percent } % ; indiquez au plus 25 %, et en descente moins que ce que le freinage retient.
+sightdistance-gradient = Un véhicule ne peut pas freiner sur une déclivité de { $gradient_percent } % ; indiquez au plus 25 %, et en descente moins que ne le permet la décélération.
 sightdistance-reaction-deceleration = Le temps de réaction doit être de 0 ou plus et la décélération supérieure à 0 ; corrigez-les.
 sightdistance-manoeuvre-time = La manœuvre { $manoeuvre } prend { $least } à { $most } s ; indiquez un temps compris entre les deux.
 sightdistance-passing-speed = Il n’y a pas de distance de visibilité de dépassement à { $speed_kmh } km/h ; la table va de 30 à 130 km/h.
-sightdistance-headlight = La hauteur du projecteur et la montée de son faisceau ne doivent être ni négatives, ni toutes deux 0 ; corrigez-les.
+sightdistance-headlight = La hauteur du projecteur et la montée de son faisceau ne doivent être ni négatives, ni toutes deux nulles ; corrigez-les.
 sightdistance-radius = Le rayon doit être supérieur à 0, et son virage contenir la distance et le dégagement ; corrigez-les.
 sightdistance-shares = Les parts d’un parc doivent totaliser 100 % ; celles-ci totalisent { $total_percent } %. Corrigez-les.
 sightdistance-share = « { $share } » n’est pas une part d’un parc ; écrivez la classe, deux-points et 0 à 100 pour cent (suv:40).
@@ -5993,14 +5993,14 @@ sightdistance-class-unseen = Le parc a une part de { $category }, dont le relev�
 
 ## Catalogue : la page
 
-catalogue-lead = Dimensions des modèles selon les constructeurs, chacune avec sa source : ce à quoi les hauteurs et longueurs mesurées sont comparées.
+catalogue-lead = Dimensions des modèles selon les constructeurs, chacune avec sa source, à comparer aux hauteurs et longueurs mesurées.
 catalogue-loading = catalogue
 catalogue-search = Rechercher par marque, modèle et année
 catalogue-which = Quels modèles
 catalogue-offered = proposés
 catalogue-retired = retirés
 catalogue-none = Aucun modèle
-catalogue-none-found = Aucun modèle ne commence par ces mots ; cherchez avec moins de lettres.
+catalogue-none-found = Aucun modèle ne correspond. Cherchez avec moins de lettres.
 catalogue-none-yet = Importez un CSV de modèles, ou ajoutez-en un à la main.
 catalogue-model = Modèle
 catalogue-years = Années
@@ -6034,8 +6034,8 @@ catalogue-model-name = Modèle
 catalogue-year-from = Première année-modèle
 catalogue-year-to = Dernière année-modèle
 catalogue-needed = Obligatoire.
-catalogue-year-problem = Quatre chiffres, comme 2019.
-catalogue-number-problem = Ce n’est pas un nombre.
+catalogue-year-problem = Saisissez quatre chiffres, par exemple 2019.
+catalogue-number-problem = Saisissez un nombre.
 catalogue-export = Exporter
 catalogue-import = Importer un CSV
 catalogue-import-title = Importer des modèles d’un CSV
@@ -6045,20 +6045,20 @@ catalogue-import-hint = Une ligne d’en-tête avec make et model ; dimensions
 catalogue-import-looking = fichier
 catalogue-import-unit = Unité des dimensions
 catalogue-import-unit-header = selon les en-têtes, sinon mètres
-catalogue-import-conflicts = Si le catalogue dit autre chose
-catalogue-import-keep = garder ce qu’il a
-catalogue-import-replace = mettre la valeur du fichier à la place
+catalogue-import-conflicts = Si le catalogue diffère
+catalogue-import-keep = garder la valeur du catalogue
+catalogue-import-replace = prendre la valeur du fichier
 catalogue-import-columns = Colonnes du fichier
 catalogue-import-in = en { $unit }
 catalogue-import-left-out = ignorée
 catalogue-import-some-left-out = { $count ->
-    [one] Colonne non importée : { $columns }. Choisissez ce que c’est, s’il s’agit d’une dimension, d’une année ou d’une incertitude.
-   *[other] Colonnes non importées : { $columns }. Choisissez ce que c’est, s’il s’agit de dimensions, d’années ou d’incertitudes.
+    [one] Colonne non importée : { $columns }. Choisissez sa signification s’il s’agit d’une dimension, d’une année ou d’une incertitude.
+   *[other] Colonnes non importées : { $columns }. Choisissez leur signification s’il s’agit de dimensions, d’années ou d’incertitudes.
 }
 catalogue-import-lines = Lignes à examiner
 catalogue-import-line = Ligne
-catalogue-import-what = Quoi
-catalogue-import-why = Pourquoi
+catalogue-import-what = Action
+catalogue-import-why = Motif
 catalogue-import-store = { $count ->
     [0] Rien à enregistrer
     [one] Enregistrer { NUMBER($count) } modèle
@@ -6070,50 +6070,50 @@ catalogue-change-update = complété
 catalogue-change-same = inchangé
 catalogue-change-conflict = en conflit
 catalogue-change-duplicate = en double dans le fichier
-catalogue-change-refused = inutilisable
+catalogue-change-refused = refusé
 catalogue-unit-m = mètres
 catalogue-unit-cm = centimètres
 catalogue-unit-mm = millimètres
 catalogue-unit-ft = pieds
 catalogue-unit-in = pouces
 
-## Catalogue : ce qu'un import dit d'une ligne, et ce qui ne peut pas être stocké
-catalogue-make-and-model = La marque et le modèle sont obligatoires ; remplissez les deux.
+## Catalogue : ce qu’un import dit d’une ligne, et ce qui ne peut pas être stocké
+catalogue-make-and-model = Saisissez la marque et le modèle.
 catalogue-too-long = Une marque a au plus { $most_make } caractères et un modèle { $most_model } ; raccourcissez.
 catalogue-years-reversed = La dernière année précède la première ; inversez-les.
-catalogue-sizes-contradict = { $column } vaut { $value } et { $other } vaut { $large }, ce qu’aucun véhicule n’a ; corrigez l’une des deux valeurs.
+catalogue-sizes-contradict = { $column } vaut { $value } et { $other } vaut { $large }, ce qui n’est pas plausible pour un véhicule ; corrigez l’une des deux valeurs.
 catalogue-control-characters = Une marque, un modèle ou une source contient un caractère qui ne peut être affiché ; saisissez-le à nouveau.
-catalogue-say-the-columns = { $name } n’a pas de colonne { $missing } ; indiquez laquelle de ses colonnes c’est, ou nommez-la ainsi en première ligne.
+catalogue-say-the-columns = { $name } n’a pas de colonne { $missing } ; attribuez-lui l’une de ses colonnes, ou nommez-la ainsi en première ligne.
 catalogue-no-rows = { $name } a un en-tête et aucune ligne de modèle en dessous ; ajoutez-en une.
 catalogue-column-twice = Les colonnes { $first } et { $second } sont toutes deux { $field } ; choisissez celle qui compte.
-catalogue-size-impossible = { $column } vaut { $value }, ce qu’aucun véhicule n’a ; indiquez-le en mètres, de { $low } à { $high }.
-catalogue-size-in-other-unit = { $column } vaut { $value }, ce qu’aucun véhicule n’a en mètres ; en { $unit } ce serait { $metres } m. Indiquez-le en mètres, ou dites l’unité.
-catalogue-u-impossible = { $column } vaut { $value }, qui n’est pas l’incertitude-type d’une dimension ; indiquez des mètres, de 0 à 1.
-catalogue-unit-doubtful = { $column } : la moitié de ses valeurs sont { $middle } ou plus, ce qu’aucune liste de véhicules n’a en { $unit } ; elles ressemblent à des { $other }. Rien n’est stocké ; dites que l’unité est { $sign }, ou convertissez le fichier.
+catalogue-size-impossible = { $column } vaut { $value }, ce qui n’est pas plausible pour un véhicule ; indiquez-le en mètres, de { $low } à { $high }.
+catalogue-size-in-other-unit = { $column } vaut { $value }, ce qui n’est pas plausible en mètres ; en { $unit } ce serait { $metres } m. Donnez des mètres, ou indiquez l’unité.
+catalogue-u-impossible = { $column } vaut { $value }, ce qui n’est pas plausible pour l’incertitude-type d’une dimension ; indiquez des mètres, de 0 à 1.
+catalogue-unit-doubtful = { $column } : la moitié de ses valeurs sont { $middle } ou plus, ce qui n’est pas plausible en { $unit } ; elles ressemblent à des { $other }. Rien n’a été enregistré. Indiquez l’unité { $sign }, ou convertissez le fichier.
 catalogue-there-already = { $make } { $model } ({ $year }) est déjà dans le catalogue ; corrigez plutôt cette ligne.
-catalogue-changed-meanwhile = Quelqu’un a modifié { $make } { $model } entre-temps ; regardez à nouveau et refaites votre modification.
+catalogue-changed-meanwhile = { $make } { $model } a été modifié entre-temps ; contrôlez-le et refaites votre modification.
 catalogue-no-such-field = Le catalogue n’a pas de champ « { $field } » ; utilisez l’un de { $known }.
-catalogue-column-choice = « { $column } » ne dit rien d’une colonne ; écrivez le champ, un signe égal et l’en-tête (height_m=Roof).
+catalogue-column-choice = « { $column } » n’attribue aucune colonne ; écrivez le champ, un signe égal et l’en-tête (height_m=Roof).
 catalogue-duplicate = Même modèle que la ligne { $line } ; ignorée.
 catalogue-duplicate-differs = Même modèle que la ligne { $line } avec d’autres valeurs ({ $differences }) ; ignorée. Gardez l’une des deux.
-catalogue-conflict-keep = { $differences } ; ce qu’a le catalogue reste.
-catalogue-conflict-replace = { $differences } ; cette ligne prend sa place.
+catalogue-conflict-keep = { $differences } ; la valeur du catalogue est gardée.
+catalogue-conflict-replace = { $differences } ; la valeur de cette ligne la remplace.
 catalogue-differs = { $here } ici, { $there } là-bas
 catalogue-fills-in = Complète { $columns }.
 
 studies-fleet-header = { $path } demande une colonne category (ou lighting, stratum, site), ou les deux colonnes variable et class, et une colonne share ou registrations ; ajoutez-les.
-studies-fleet-variable = { $path }, ligne { $row } : rien dans un parc ne se divise selon { $cell } ; utilisez l’un de { $known }.
+studies-fleet-variable = { $path }, ligne { $row } : un parc ne se divise pas selon { $cell } ; utilisez l’un de { $known }.
 studies-fleet-class-twice = { $path }, ligne { $row } : { $name } est là deux fois ; gardez une seule ligne.
 studies-fleet-empty = { $path } n’a pas de ligne ; donnez une ligne par classe.
 studies-shares-do-not-sum = { $path } : les parts de { $variable } totalisent { $total }, non 1 ; corrigez-les, ou donnez à la place registrations.
-studies-registrations-do-not-sum = { $path } : { $first } totalise { $first_sum } véhicules et { $other } { $other_sum } ; les deux doivent être le même parc.
+studies-registrations-do-not-sum = { $path } : { $first } totalise { $first_sum } véhicules et { $other } { $other_sum } ; les deux doivent décrire le même parc.
 studies-sites-header = { $path } demande les colonnes site et stratum ; ajoutez-les.
 studies-sites-there-differ = { $path }, ligne { $row } : la strate { $stratum } a un autre sites_there plus haut ; écrivez le même nombre, ou aucun, dans chacune de ses lignes.
 studies-traffic-of-some = { $path } : traffic n’est là que pour certains sites, ou vaut 0 ; donnez-le pour tous les sites ou pour aucun.
-studies-not-a-count = { $path }, ligne { $row } : { $name } vaut { $cell }, qui n’est pas un nombre entier de 1 ou plus ; corrigez-le ou laissez-le vide.
+studies-not-a-count = { $path }, ligne { $row } : { $name } vaut { $cell }, qui n’est pas un nombre entier de 1 ou plus ; corrigez-le ou laissez-le vide.
 studies-not-an-amount = { $path }, ligne { $row } : { $name } vaut { $cell }, qui n’est pas un nombre de 0 ou plus ; corrigez-le.
 studies-no-package-there = { $place } n’est pas une archive et n’en contient pas ; nommez des dossiers ou ZIP exportés, ou un dossier qui en contient.
-studies-package-does-not-verify = { $place } échoue au contrôle, aucune étude n’en est donc faite : { $problem }
+studies-package-does-not-verify = { $place } échoue au contrôle et ne peut pas servir à une étude : { $problem }
 studies-package-without-sample = { $place } ne dit pas lesquels de ses véhicules comptent, car faite par une version antérieure ; exportez à nouveau son relevé.
 studies-package-without-parquet = { $place } a été faite par une version antérieure, sans Parquet ; exportez à nouveau son relevé.
 studies-survey-without-poses = { $place } n’a pas de pose de la caméra, donc pas de hauteur ; omettez-le, ou calculez la pose de ses enregistrements (et exportez à nouveau une archive).
@@ -6121,29 +6121,29 @@ studies-same-survey-twice = { $first } et { $second } sont des archives du même
 studies-packages-of-two-versions = { $first } (version { $first_version }) et { $second } (version { $second_version }) ont d’autres colonnes dans { $table } ; exportez les deux avec une même version.
 studies-no-height-counts = Aucun des relevés n’a de hauteur validée qui compte ; vérifiez des mesures (et exportez à nouveau une archive).
 studies-class-unknown = Le parc a { $variable } { $name }, que Sightline ne connaît pas ; utilisez { $known }.
-studies-class-never-seen = Le parc a { $variable } { $name }, qu’aucun relevé n’a vu ; omettez-le et faites totaliser 1 aux autres parts, ou mesurez-en.
-studies-class-not-in-fleet = Les relevés ont vu { $count } véhicules de { $variable } { $name }, que le parc n’a pas ; ajoutez une ligne pour cela (0 s’ils ne doivent pas compter).
+studies-class-never-seen = Le parc a { $variable } { $name }, qu’aucun relevé ne contient ; omettez-le et faites totaliser 1 aux autres parts, ou mesurez-en.
+studies-class-not-in-fleet = Les relevés contiennent { $count } véhicules de { $variable } { $name }, que le parc n’a pas ; ajoutez-lui une ligne (0 pour les exclure).
 studies-site-not-in-sites = Le tableau des sites n’a pas de ligne pour { $site } ; ajoutez-la.
 studies-more-sites-than-there = La strate { $stratum } a { $count } sites ici, mais sites_there indique { $there } ; corrigez-le.
 studies-needs-a-name = Une étude doit avoir un nom ; indiquez-le.
 studies-needs-each-survey = Vous ne voyez pas actuellement chaque relevé de cette étude ; demandez à un gestionnaire de ces relevés de vous ajouter.
-studies-open-needs-managers = Vous ne gérez pas { $name } ; seul qui gère chaque relevé d’une étude peut la montrer à tous. Demandez à un gestionnaire de { $name }.
+studies-open-needs-managers = Vous ne gérez pas { $name } ; seule une personne qui gère chacun des relevés d’une étude peut la montrer à tous. Demandez à un gestionnaire de { $name }.
 studies-has-no-survey = L’étude n’a pas de relevé ; ajoutez-en au moins un.
-studies-goal-of-study = { $goal } m n’est pas un U95 entre 0 et 1 m ; 0,010 m font 10 mm.
+studies-goal-of-study = { $goal } m n’est pas une U95 entre 0 et 1 m ; 0,010 m font 10 mm.
 studies-survey-stands-twice = { $name } figure deux fois dans l’étude ; gardez-le une seule fois.
 studies-no-year = { $year } n’est pas une année possible pour { $name } ; corrigez-la, ou laissez vide.
-studies-site-in-two-strata = Le site { $site } est des strates { $first } et { $second } ; donnez-lui-en une seule, dans tous ses relevés et dans le tableau des sites.
+studies-site-in-two-strata = Le site { $site } est dans les strates { $first } et { $second } ; donnez-lui-en une seule, dans tous ses relevés et dans le tableau des sites.
 studies-site-without-stratum = Le site { $site } n’a pas de strate, alors que d’autres en ont ; donnez-en une à chaque site, ou à aucun.
 studies-changed-meanwhile = { $name } a modifié cette étude le { $when }. Rechargez-la et refaites votre modification.
-studies-goal-no-length = --goal { $goal } n’est pas un U95 en mètres entre 0 et 1 ; 0,010 fait 10 mm.
+studies-goal-no-length = --goal { $goal } n’est pas une U95 en mètres entre 0 et 1 ; 0,010 fait 10 mm.
 studies-compared-with-itself = { $name } ne peut pas être comparée à elle-même ; choisissez une autre étude.
 studies-compared-without-figures = { $name } n’a pas été calculée ; calculez-la d’abord.
 studies-fleet-two-amounts = { $path } a une colonne share et une colonne registrations ; gardez celle qui compte.
-studies-registrations-of-nobody = { $path } : la somme de { $variable } est de 0 véhicule ; indiquez combien il y en a.
+studies-registrations-of-nobody = { $path } : la somme de { $variable } est de 0 véhicule ; indiquez combien il y en a.
 studies-output-is-a-package = { $place } est l’archive d’un relevé, ou se trouve dans une archive ; nommez pour l’étude un dossier à elle.
 traffic-duration-twice = { $path } indique lui-même sa durée ; omettez --duration.
 traffic-no-duration-inside = { $path } n’indique pas sa durée ; écrivez-le à nouveau avec sightline linescan --json.
-traffic-lanes-of-its-own = Les véhicules de { $name } ont leurs propres voies ({ $lanes }) ; omettez --lane.
+traffic-lanes-of-its-own = Les véhicules de { $name } ont leurs propres voies ({ $lanes }) ; omettez --lane.
 traffic-no-duration = { $path } contient des lignes de sightline stream, qui n’indiquent pas la durée ; indiquez --duration en secondes.
 traffic-no-recording = { $path } n’est pas une sortie de sightline linescan --json ni de sightline stream ; indiquez l’une d’elles.
 traffic-file-too-large = { $path } dépasse { $most_gb } Go ; ajoutez l’enregistrement par parties.
@@ -6153,10 +6153,10 @@ traffic-number-twice = { $path } a deux fois le véhicule { $vehicle } ; donne
 traffic-outside-recording = Le véhicule { $vehicle } de { $path } est passé de { $front_s } s à { $rear_s } s, hors des { $duration_s } s de l’enregistrement ; corrigez --duration, ou écrivez à nouveau le fichier.
 import-videos-or-folder = Nommez des vidéos, ou un dossier avec --watch, pas les deux ; voyez sightline import --help.
 import-no-token = Il faut un jeton : créez-en un dans Compte avec lire et envoyer, et mettez-le dans SIGHTLINE_TOKEN.
-import-no-address = « { $url } » n’est pas l’adresse d’un Sightline ; écrivez-la http://name:8000.
+import-no-address = « { $url } » n’est pas une adresse de Sightline ; écrivez-la http://name:8000.
 import-no-answer = { $url } ne répond pas ; vérifiez l’adresse, et que le serveur est en marche.
-import-no-sightline = { $url } a répondu avec le statut { NUMBER($status, useGrouping: 0) } et non comme un Sightline ; vérifiez l’adresse.
-import-server-said = Le serveur dit : { $sentence }.
+import-no-sightline = { $url } a répondu avec le statut { NUMBER($status, useGrouping: 0) } mais pas comme Sightline ; vérifiez l’adresse.
+import-server-said = Le serveur a répondu : { $sentence }.
 import-no-such-survey = Il n’y a pas de relevé « { $survey } » visible pour vous ; les vôtres sont : { $names }.
 import-survey-name-twice = Plusieurs relevés s’appellent « { $survey } » ; donnez le numéro de l’un : { $numbers }.
 import-no-such-file = { $name } n’est pas un fichier ; vérifiez le nom.
@@ -6164,8 +6164,8 @@ import-no-such-folder = { $name } n’est pas un dossier ; nommez-en un qui ex
 import-not-a-video = { $name } n’est pas une vidéo d’après son nom ; les vidéos finissent par { $suffixes }.
 import-empty-file = { $name } est vide ; indiquez le fichier que la caméra a écrit.
 import-changed-meanwhile = { $name } a été modifié pendant son envoi ; supprimez son enregistrement, et importez-le à nouveau quand il est terminé.
-import-cannot-be-read = { $name } a été envoyé et est illisible : { $reason }.
-import-passes-not-found = { $name } a été lu, mais ses passages n’ont pas été trouvés : { $reason }.
+import-cannot-be-read = { $name } a été envoyé, mais il est illisible : { $reason }.
+import-passes-not-found = { $name } a été importé, mais ses passages n’ont pas été trouvés : { $reason }.
 traffic-recording-there = { $name } est déjà dans l’archive de trafic (site { $site }, { $day }) ; retirez-le d’abord avec : sightline traffic remove
 traffic-other-zone = Le site { $site } est à l’heure de { $there }, non de { $zone } ; indiquez ce fuseau, ou un autre site.
 traffic-overlap = { $name } et { $other }, qui est dans l’archive de trafic, ont tous deux observé cette voie de { $site } de { $start } à { $end } ; corrigez --start, ou nommez la voie avec --lane.
@@ -6182,8 +6182,8 @@ traffic-cannot-write = Impossible d’écrire { $path } ({ $strerror }) ; choi
 traffic-no-u-start = --u-start { $u_start_s } n’est pas une incertitude-type en secondes ; indiquez 0 ou plus.
 traffic-no-length-of-time = --duration { $duration_s } n’est pas un temps en secondes supérieur à 0 ; corrigez-le.
 traffic-no-minutes = --minutes { $minutes } ne divise pas un jour ; utilisez 1, 5, 15, 30, 60 ou un autre diviseur.
-traffic-no-percents = --percentile { $text } doit être des nombres différents supérieurs à 0 et inférieurs à 100, comme 15,50,85.
-traffic-no-limits = --lengths { $text } doit être des longueurs croissantes en mètres entre 0 et 100, comme 6,12.
+traffic-no-percents = --percentile { $text } doit donner des nombres différents, supérieurs à 0 et inférieurs à 100, comme 15,50,85.
+traffic-no-limits = --lengths { $text } doit donner des longueurs croissantes en mètres entre 0 et 100, comme 6,12.
 traffic-no-numbers = { $option } { $text } contient autre chose que des nombres ; séparez les nombres par des virgules.
 traffic-no-day = { $option } { $text } n’est pas un jour ; écrivez-le 2026-05-04.
 traffic-days-turned = --to { $last } précède --from { $first } ; inversez-les.
@@ -6193,7 +6193,7 @@ commands-errors-unknown-target = Ligne { $line } : la cible est « { $target }
 commands-compare-two-values = --compare { $text } demande --by et deux valeurs différentes de sa colonne, comme --by year --compare 2020,2026.
 commands-compare-no-such-value = Aucune ligne avec une hauteur n’a { $name } dans { $by } ; comparez deux valeurs parmi { $known }.
 
-## La page que porte une archive (index.html) : lue sans serveur ; elle n'a pas de code commun avec ce qui a mesuré
+## La page que porte une archive (index.html) : lue sans serveur ; elle n’a pas de code commun avec ce qui a mesuré
 
 opened-reading = Lecture de l’archive…
 opened-unreadable = Cette page ne peut pas lire l’archive qu’elle porte. Utilisez un navigateur de 2023 ou plus récent, ou lancez sightline verify.
@@ -6215,20 +6215,20 @@ opened-table = { $table ->
     [exclusions] mesures exclues des résultats, avec le motif
     [response] issue des passages
     [error_table] erreurs des toits validés (hauteur mesurée moins hauteur du constructeur)
-    [agreement] limites d’agrément, et régression de l’erreur sur la hauteur
+    [agreement] limites de concordance, et régression de l’erreur sur la hauteur
     [corrections] effet de chaque correction sur les hauteurs
     [percentiles] centiles des hauteurs, avec intervalles à 95 %
     [total_uncertainty] grandeurs des hauteurs vraies, avec intervalles totaux
-    [same_rule] verdict pour chaque norme
+    [same_rule] conclusion pour chaque norme
     [shares] part des hauteurs inférieures à la valeur de chaque norme
    *[lateral_positions] positions latérales des véhicules
 }
-opened-checks = Vérifications
+opened-checks = Contrôles
 opened-sizes = Tailles
 opened-checking = Contrôle de l’archive…
-opened-is-fine = Rien de ce que cette page peut contrôler ne se contredit.
-opened-is-wrong = Cette archive n’est pas telle qu’elle a été faite.
-opened-failed = L’archive ne peut pas être lue jusqu’au bout : { $words }.
+opened-is-fine = Les contrôles de cette page n’ont trouvé aucune contradiction.
+opened-is-wrong = Cette archive a été modifiée après sa création.
+opened-failed = L’archive n’a pas pu être lue en entier : { $words }.
 opened-heights-agree = { $count ->
     [one] { NUMBER($count) } hauteur a été recalculée à partir de ses pointés et concorde.
    *[other] { NUMBER($count) } hauteurs ont été recalculées à partir de leurs pointés et concordent.
@@ -6243,38 +6243,38 @@ opened-heights-differ = { $count ->
   }
 opened-chain-whole = { $count ->
     [one] La chaîne d’audit de { NUMBER($count) } événement est intacte.
-   *[other] La chaîne d’audit de { NUMBER($count) } événements est intacte : chacun contient ce qui a été haché et suit le précédent.
+   *[other] La chaîne d’audit de { NUMBER($count) } événements est intacte : chaque événement correspond à son empreinte et suit le précédent.
   }
 opened-chain-broken = La chaîne d’audit est rompue à l’événement { $number }.
 opened-chain-absent = La chaîne d’audit n’a pas été contrôlée : audit.js ne se trouve pas à côté de cette page, ou la chaîne est trop grande pour une page. Déposez ici le ZIP ou le dossier de l’archive, ou utilisez sightline verify.
 opened-seal-none = La chaîne d’audit ne finit pas par le sceau d’une archive.
 opened-seal-chain = La chaîne d’audit avant le sceau n’est pas celle que nomme le sceau.
-opened-seal-holds = Les { NUMBER($count) } fichiers que porte cette page sont ceux que nomme le sceau.
-opened-seal-wrong = Fichiers autres que ceux que nomme le sceau : { $named }.
-opened-rows-agree = Chaque mesure dit ce que dit son événement d’audit.
+opened-seal-holds = Les { NUMBER($count) } fichiers que porte cette page concordent avec le sceau.
+opened-seal-wrong = Fichiers qui ne concordent pas avec le sceau : { $named }.
+opened-rows-agree = Chaque mesure concorde avec son événement d’audit.
 opened-rows-differ = { $count ->
     [one] { NUMBER($count) } mesure diffère de son événement d’audit : { $named }.
-   *[other] { NUMBER($count) } mesures ne sont pas ce que disent leurs événements d’audit : { $named }.
+   *[other] { NUMBER($count) } mesures diffèrent de leurs événements d’audit : { $named }.
   }
-opened-poses-agree = Chaque pose de la caméra est celle que nomme son événement d’audit.
-opened-poses-differ = Poses de la caméra autres que celles que nomment leurs événements d’audit : { $named }.
+opened-poses-agree = Chaque pose de la caméra concorde avec son événement d’audit.
+opened-poses-differ = Poses de la caméra qui diffèrent de leurs événements d’audit : { $named }.
 opened-signature-holds = Signé le { $at } avec la clé { $key }… : comparez-la à celle qu’affiche l’installation.
 opened-signature-wrong = La signature ne vaut pas pour la fin de cette chaîne.
-opened-signature-unknown = La signature n’a pas été contrôlée, car ce navigateur n’a pas Ed25519. Utilisez sightline verify.
+opened-signature-unknown = La signature n’a pas été contrôlée, car ce navigateur ne prend pas en charge Ed25519. Utilisez sightline verify.
 opened-folder-choose = Contrôlez aussi les fichiers : déposez le ZIP ou le dossier de l’archive n’importe où sur cette page, ou choisissez-le ici. Rien ne quitte cet ordinateur.
 opened-folder-folder = Le dossier où se trouve cette page
 opened-folder-zip = Ou le ZIP de l’archive
 opened-folder-unreadable = Les fichiers n’ont pas été contrôlés : la sélection n’est pas une archive complète. Reprenez le ZIP, ou choisissez le dossier.
 opened-folder-checking = Contrôle des fichiers…
-opened-folder-fine = Les { NUMBER($count) } fichiers de l’archive ({ NUMBER($mb, maximumSignificantDigits: 2) } Mo) sont tous ceux que nomme le sceau.
+opened-folder-fine = Les { NUMBER($count) } fichiers de l’archive ({ NUMBER($mb, maximumSignificantDigits: 2) } Mo) concordent tous avec le sceau.
 opened-folder-changed = Modifiés après l’export : { $named }.
 opened-folder-missing = Manquent dans l’archive : { $named }.
 opened-folder-strange = Hors de l’archive : { $named }.
 opened-what-title = Ce qui est contrôlé, et où
 opened-what-here = Ici, d’après les copies des tableaux que porte cette page : chaque hauteur en vigueur à partir des pointés, de l’objectif et de la pose de la caméra, par un calcul propre à cette page ; U95 comme 1,96 u et u comme racine de la somme des carrés de son bilan ; la chaîne d’audit avec son sceau et sa signature ; chaque mesure et chaque pose de la caméra par rapport à son événement d’audit.
-opened-what-folder = Seulement une fois le dossier choisi ou le ZIP déposé : si les fichiers de l’archive (vues, figures, rapport, tableaux) sont ceux que nomme le sceau. Un navigateur ne laisse pas une page lire ses voisins sans demande.
+opened-what-folder = Seulement une fois le dossier choisi ou le ZIP déposé : si les fichiers de l’archive (vues, figures, rapport, tableaux) concordent avec le sceau. Un navigateur ne laisse pas une page lire d’autres fichiers sans le demander.
 opened-what-verify = Seulement par sightline verify : révisions antérieures et répétitions, composantes des bilans, décisions par rapport aux vérifications, véhicules, balayages, statistiques, figures et rapport refaits, Parquet par rapport au CSV.
-opened-what-page = Une page peut être falsifiée en entier, et dirait alors ce que veut le faussaire. Pour une conclusion qui compte, lancez sightline verify avec la clé qu’affiche l’installation.
+opened-what-page = Une page peut être falsifiée en entier, et dirait alors ce que veut le faussaire. Si l’enjeu le demande, lancez sightline verify avec la clé qu’affiche l’installation.
 opened-measurements-none = Aucune mesure dans cette archive.
 opened-figures-none = Aucune figure : trop peu de mesures validées.
 opened-left-out = Trop volumineux pour cette page, donc ni affichés ni contrôlés ici : { $named }. Utilisez sightline verify.
@@ -6320,12 +6320,12 @@ opened-height = { $height_m } ± { $U95_m } m
 opened-height-here = { $height_m } m
 opened-height-none = pas de hauteur
 opened-refused-pose = non calculée : sa pose de la caméra n’est pas dans l’archive
-opened-refused-form = non calculée : ses images ne sont pas toutes dans le tableau
+opened-refused-form = non calculée : il manque certaines de ses images dans le tableau
 opened-one = Mesure { $id } : { $target }
-opened-crops-none = Aucune vue de celle-ci dans cette archive.
+opened-crops-none = Aucune image de cette mesure dans cette archive.
 opened-crops-outside = Hors des limites de cette archive ({ $only }) : elle n’a pas d’image ici et est exclue des résultats.
 opened-crop = Image { $frame } avec les deux points
-opened-differs = Autre chose que ce que donnent les pointés : { $named }.
+opened-differs = Diffère de ce que donnent les pointés : { $named }.
 opened-pair-package = Hauteur dans l’archive, m
 opened-pair-here = Calculée dans cette page
 opened-pair-off = Différence
@@ -6340,14 +6340,14 @@ opened-pair-u = u de { $source }, m
 ## Ce que signifient les colonnes qu’explique la page d’une archive
 
 column-measurements-id = mesure (une suite de révisions)
-column-measurements-revision = numéro de la révision actuelle, à partir de 1
+column-measurements-revision = numéro de la révision en vigueur, à partir de 1
 column-measurements-vehicle-id = véhicule mesuré
-column-measurements-recording-id = enregistrement sur lequel les points ont été cliqués
+column-measurements-recording-id = enregistrement dans lequel les points ont été placés
 column-measurements-target = ce qui a été mesuré
 column-measurements-frame = numéro de l’image : la n-ième image décodée, à partir de 0
 column-measurements-pts = horodatage de présentation de cette image, dans la base de temps du flux
 column-measurements-time-s = instant de cette image depuis le début du flux
-column-measurements-frame-crc32 = CRC-32 de la luminance décodée de cette image : la preuve de ce qui a été cliqué
+column-measurements-frame-crc32 = CRC-32 de la luminance décodée de cette image : la preuve de ce qui a été pointé
 column-measurements-contact-x-px = contact du pneu avec la chaussée, x vers la droite ; (0, 0) est le centre du pixel en haut à gauche
 column-measurements-contact-y-px = contact du pneu avec la chaussée, y vers le bas ; (0, 0) est le centre du pixel en haut à gauche
 column-measurements-target-x-px = la cible, x vers la droite ; (0, 0) est le centre du pixel en haut à gauche
@@ -6368,8 +6368,8 @@ column-measurements-u-inset-m = incertitude-type du retrait (k = 1)
 column-measurements-side = d’un œil : côté du véhicule, vu de la caméra, où est assis le conducteur
 column-measurements-side-from = origine du côté : indiqué pour ce véhicule, son sens, ou la voie la plus proche de la caméra
 column-measurements-inset-from = si le retrait est celui du relevé ou propre à cette mesure
-column-measurements-frames = nombre d’images sur lesquelles les points ont été cliqués, ou suivis tout au long d’un passage
-column-measurements-frame-n = numéro de l’image { $frame } sur laquelle les points ont été cliqués
+column-measurements-frames = nombre d’images sur lesquelles les points ont été placés, ou suivis tout au long d’un passage
+column-measurements-frame-n = numéro de l’image { $frame } sur laquelle les points ont été placés
 column-measurements-contact-n-x-px = le même contact du pneu sur l’image { $frame } de la mesure, x
 column-measurements-contact-n-y-px = le même contact du pneu sur l’image { $frame } de la mesure, y
 column-measurements-target-n-x-px = la même cible sur l’image { $frame } de la mesure, x
@@ -6392,7 +6392,7 @@ column-measurements-reason-code = le motif par code et valeurs (JSON)
 column-measurements-flags = avertissements sur cette hauteur, séparés par des points-virgules
 column-measurements-flags-code = flags par code et valeurs (JSON)
 column-measurements-code-version = version du programme qui a calculé la hauteur
-column-measurements-created-by-id = qui a cliqué les points
+column-measurements-created-by-id = qui a placé les points
 column-measurements-created-at = quand la révision a été enregistrée (ISO 8601, UTC)
 column-measurements-withdrawn = true si la mesure a été retirée
 column-measurements-computing-id = le recalcul dont vient cette révision, avec les pointés de la précédente
@@ -6418,7 +6418,7 @@ column-survey-longitude-deg = longitude (WGS84), est positif
 column-survey-road-class = classe de la route, en toutes lettres
 column-survey-lane = voie mesurée, en toutes lettres
 column-survey-travel-direction = sens de circulation, en toutes lettres
-column-survey-speed-limit-mps = limitation de vitesse
+column-survey-speed-limit-mps = vitesse limite
 column-survey-street-lamps = si la route a un éclairage public
 column-survey-time-zone = fuseau horaire du site (IANA)
 column-vehicles-id = véhicule
@@ -6429,7 +6429,7 @@ column-vehicles-last-frame = dernière image du passage
 column-vehicles-best-frame = image proposée pour la mesure
 column-vehicles-make = constructeur
 column-vehicles-model = modèle
-column-vehicles-year = millésime
+column-vehicles-year = année-modèle
 column-vehicles-model-chosen-by = size : le modèle a été choisi parce qu’il correspond à ce qui a été mesuré, aucune hauteur connue du véhicule n’est donc une référence ; seen : il a ensuite été reconnu sur le véhicule ; vide : ni l’un ni l’autre
 column-vehicles-model-sizes = d’un modèle choisi par ses dimensions : lesquelles, séparées par des espaces
 column-vehicles-category = type de carrosserie
@@ -6438,8 +6438,8 @@ column-vehicles-u-manufacturer-height-m = incertitude-type de cette hauteur (k =
 column-vehicles-height-source = d’où vient cette hauteur
 column-vehicles-known-driver-eye-m = hauteur de l’œil de son conducteur connue avant la mesure
 column-vehicles-known-taillight-m = hauteur de son feu arrière connue avant la mesure
-column-vehicles-known-headlight-m = hauteur de son feu avant connue avant la mesure
-column-vehicles-known-other-m = hauteur de sa marque connue avant la mesure
+column-vehicles-known-headlight-m = hauteur de son projecteur connue avant la mesure
+column-vehicles-known-other-m = hauteur de son repère connue avant la mesure
 column-vehicles-check-target = présent pour contrôler la mesure : lignes propres dans errors_by_target.csv, aucun véhicule du trafic
 column-vehicles-lighting = luminosité lors du passage
 column-vehicles-direction = sens de circulation sur l’image
@@ -6447,7 +6447,7 @@ column-vehicles-driver-side = côté du conducteur tel qu’indiqué, vu de la c
 column-vehicles-roof-not-visible = pourquoi le toit de ce véhicule ne peut pas être mesuré ; vide s’il peut l’être
 column-vehicles-driver-eye-not-visible = pourquoi l’œil du conducteur de ce véhicule ne peut pas être mesuré ; vide s’il peut l’être
 column-vehicles-taillight-not-visible = pourquoi le feu arrière de ce véhicule ne peut pas être mesuré ; vide s’il peut l’être
-column-vehicles-headlight-not-visible = pourquoi le feu avant de ce véhicule ne peut pas être mesuré ; vide s’il peut l’être
+column-vehicles-headlight-not-visible = pourquoi le projecteur de ce véhicule ne peut pas être mesuré ; vide s’il peut l’être
 column-vehicles-filmed-at = quand sa première image a été filmée, à l’heure du lieu (ISO 8601 avec décalage) : started_at de son enregistrement et first_frame, à la durée moyenne d’une image ; vide tant que personne n’a confirmé ce début
 column-vehicles-in-sample = si la règle de sampling.csv le retient
 column-vehicles-counts = si ses hauteurs comptent dans les résultats : pas une cible de contrôle, et dans l’échantillon, sauf si sampling.csv en compte aussi d’autres
@@ -6466,14 +6466,14 @@ column-recordings-codec = codec du flux vidéo
 column-recordings-container = conteneur du fichier
 column-recordings-variable-rate = true si le temps entre les images varie
 column-recordings-stream-number = lequel des flux vidéo du fichier a été lu, s’il en a plusieurs
-column-recordings-filmed-hz = images par seconde au tournage, si une personne a dû l’indiquer
+column-recordings-filmed-hz = images par seconde à la prise de vue, si une personne a dû l’indiquer
 column-recordings-lighting = luminosité de l’enregistrement
 column-recordings-started-at = quand sa première image a été filmée, comme une personne l’a confirmé, à l’heure du lieu (ISO 8601 avec décalage)
 column-recordings-time-zone = fuseau horaire de ces heures (IANA)
 column-recordings-weather = météo, en toutes lettres
 column-recordings-street-lighting = si l’éclairage public était allumé
 column-recordings-camera-id = caméra qui l’a filmé
-column-recordings-pose-id = pose actuelle de la caméra
+column-recordings-pose-id = pose de la caméra en vigueur
 column-recordings-drift-state = si la caméra a bougé depuis cette pose
 column-recordings-drift-floor-px = limite de détection du mouvement de la caméra
 column-recordings-drift-moved-px = plus grand mouvement trouvé, si elle a bougé
@@ -6483,7 +6483,7 @@ column-recordings-drift-decision = pourquoi la pose a été gardée bien que la 
 column-recordings-drift-decided-by-id = qui en a décidé
 column-recordings-drift-decided-at = quand cela a été décidé (ISO 8601, UTC)
 column-poses-id = pose de la caméra
-column-poses-recording-id = enregistrement où la mire se tenait sur la chaussée
+column-poses-recording-id = enregistrement où la mire était posée sur la chaussée
 column-poses-calibration-id = étalonnage avec lequel elle a été calculée
 column-poses-first-frame = première image du segment où la mire est visible
 column-poses-last-frame = dernière image du segment où la mire est visible
@@ -6583,37 +6583,37 @@ column-shares-share = part des hauteurs inférieures : below divisé par n
 column-lateral-positions-lane = sens de circulation sur l’image ; vide : tous
 column-lateral-positions-class = carrosserie des véhicules ; vide : toutes
 
-## La page d'un dossier de preuve : ouverte sans serveur, par quelqu'un qui n'a rien d'autre
+## La page d’un dossier de preuve : ouverte sans serveur, par quelqu’un qui n’a rien d’autre
 
-opened-evidence-unreadable = Cette page ne peut pas lire ce qu’elle porte : le fichier a été tronqué ou modifié.
+opened-evidence-unreadable = Cette page ne peut pas lire ses données : le fichier a été tronqué ou modifié.
 opened-evidence-title = Véhicule { $number }, { $scan }
 opened-evidence-made = Dossier de preuve fait le { $at } UTC par { $by } avec Sightline { $version }.
 opened-evidence-nobody = personne de connecté
 opened-evidence-checking = Contrôle du fichier…
-opened-evidence-is-fine = Rien de ce que cette page peut contrôler ne se contredit.
-opened-evidence-is-wrong = Ce fichier n’est pas tel qu’il a été fait.
-opened-evidence-failed = Le fichier ne peut pas être contrôlé jusqu’au bout : { $words }.
-opened-evidence-text-fine = Les données sont ici dans la seule forme qui est signée (RFC 8785).
-opened-evidence-text-wrong = Les données ne sont pas ici dans la forme qui est signée.
-opened-evidence-pictures-fine = Les deux images sont celles que les données nomment par leur SHA-256.
-opened-evidence-pictures-wrong = Images autres que celles que nomment les données : { $named }.
+opened-evidence-is-fine = Les contrôles de cette page n’ont trouvé aucune contradiction.
+opened-evidence-is-wrong = Ce fichier a été modifié après sa création.
+opened-evidence-failed = Le fichier n’a pas pu être contrôlé en entier : { $words }.
+opened-evidence-text-fine = Les données sont exactement dans la forme qui est signée (RFC 8785).
+opened-evidence-text-wrong = Les données ne sont pas dans la forme qui est signée.
+opened-evidence-pictures-fine = Les deux images correspondent aux SHA-256 des données.
+opened-evidence-pictures-wrong = Images qui ne correspondent pas aux données : { $named }.
 opened-evidence-events-fine = { $count ->
-    [one] L’événement d’audit est celui qui a été haché.
-   *[other] Les { NUMBER($count) } événements d’audit sont ceux qui ont été hachés.
+    [one] L’événement d’audit correspond à son empreinte.
+   *[other] Les { NUMBER($count) } événements d’audit correspondent à leurs empreintes.
   }
-opened-evidence-events-wrong = Événements d’audit autres que ceux qui ont été hachés : { $named }.
-opened-evidence-event-fine = Le mouvement est celui que donne son événement d’audit.
-opened-evidence-event-wrong = Le mouvement n’est pas celui que donne son événement d’audit : { $named }.
+opened-evidence-events-wrong = Événements d’audit qui ne correspondent pas à leurs empreintes : { $named }.
+opened-evidence-event-fine = Le mouvement concorde avec son événement d’audit.
+opened-evidence-event-wrong = Le mouvement diffère de son événement d’audit : { $named }.
 opened-evidence-signature-holds = La signature est valable pour la clé { $key }…
 opened-evidence-signature-wrong = La signature n’est pas valable pour la clé { $key }…
-opened-evidence-signature-unknown = La signature n’a pas été contrôlée, car ce navigateur n’a pas Ed25519. Les empreintes l’ont été. Utilisez sightline verify, ou un navigateur plus récent.
-opened-evidence-proves = Une signature prouve que le détenteur de cette clé a signé ces données, et rien de plus : ni qui détient la clé, ni que les données sont vraies, ni quand elles ont été faites. Comparez la clé à celle qu’affiche l’installation.
-opened-evidence-what-here = Ici : les empreintes des deux images et des événements d’audit, le mouvement par rapport à son événement, et la signature avec les clés transmises.
-opened-evidence-what-verify = Seulement par sightline verify : longueur, bilan, intervalle, heure et décision refaits à partir des lignes des bornes et du dispositif, la décision de vérification par rapport à son événement, et le programme de cette page. Le mouvement lui-même vient des deux bandes entières, que l’installation garde.
-opened-evidence-what-page = Un fichier peut être falsifié en entier, et dirait alors ce que veut le faussaire. Si cela compte, lancez sightline verify avec la clé qu’affiche l’installation.
+opened-evidence-signature-unknown = La signature n’a pas été contrôlée, car ce navigateur ne prend pas en charge Ed25519 ; les empreintes l’ont été. Utilisez sightline verify, ou un navigateur plus récent.
+opened-evidence-proves = Une signature prouve seulement que le détenteur de cette clé a signé ces données, non qui détient la clé, ni que les données sont vraies, ni quand elles ont été établies. Comparez la clé à celle qu’affiche l’installation.
+opened-evidence-what-here = Ici : les empreintes des deux images et des événements d’audit, le mouvement par rapport à son événement, et la signature avec la chaîne des clés.
+opened-evidence-what-verify = Seulement par sightline verify : longueur, bilan d’incertitude, intervalle, heure et décision recalculés à partir des lignes des bornes et du dispositif, la décision de vérification par rapport à son événement, et le programme de cette page. Le mouvement lui-même vient des deux bandes entières, que l’installation garde.
+opened-evidence-what-page = Un fichier peut être falsifié en entier, et dirait alors ce que veut le faussaire. Si l’enjeu le demande, lancez sightline verify avec la clé qu’affiche l’installation.
 opened-evidence-data = Toutes les données de ce fichier
 opened-evidence-decision = Décision
-opened-evidence-decision-note = La règle : une réponse n’est donnée que si la valeur est au-delà de la limite, d’un côté ou de l’autre, de la bande de garde ou plus (JCGM 106:2012, 8.3), l’incertitude de ce fichier étant supposée normale.
+opened-evidence-decision-note = Règle : une décision n’est prise que si la valeur est au-delà de la limite, d’un côté ou de l’autre, d’au moins la bande de garde (JCGM 106:2012, 8.3), l’incertitude indiquée étant supposée de loi normale.
 opened-evidence-rule-source = La limite : { $source }
 opened-evidence-motion = Mouvement mesuré
 opened-evidence-with-u = { $value } { $unit } (u = { $u } { $unit })
@@ -6637,7 +6637,7 @@ opened-evidence-time-gap = Intervalle temporel avec le véhicule précédent
 opened-evidence-distance-gap = Distance au véhicule précédent
 opened-evidence-gap-none = aucun véhicule n’a été mesuré avant celui-ci
 opened-evidence-method = Mesuré
-opened-evidence-found = Bornes trouvées par le programme, { $method ->
+opened-evidence-found = Bornes trouvées par Sightline, { $method ->
     [paper] appariement de blocs
    *[direct] recalage direct
   } ; révision { $revision } du { $at } UTC, Sightline { $version }
@@ -6662,13 +6662,13 @@ opened-evidence-combined = composée
 opened-evidence-time = Heure
 opened-evidence-passed = Avant à la caméra 1
 opened-evidence-passed-u = { $at } (u = { $u_s } s)
-opened-evidence-start = Début de l’enregistrement, confirmé par une personne
+opened-evidence-start = Début confirmé de l’enregistrement
 opened-evidence-start-u = { $at }, fuseau { $zone } (u = { $u_s } s)
 opened-evidence-since = Depuis la première ligne
-opened-evidence-clock-none = Personne n’a confirmé quand cet enregistrement a commencé : il n’y a pas d’heure.
+opened-evidence-clock-none = Le début de cet enregistrement n’est pas confirmé : il n’y a pas d’heure.
 opened-evidence-rig = Dispositif et enregistrement
 opened-evidence-baseline = Base
-opened-evidence-baseline-there = Base au véhicule
+opened-evidence-baseline-there = Base au droit du véhicule
 opened-evidence-rate = Cadence de lignes
 opened-evidence-divergence = Divergence des plans de balayage
 opened-evidence-distance = Distance aux véhicules
@@ -6718,8 +6718,8 @@ opened-evidence-line = { $edge ->
   } à la caméra { $camera }, ligne
 opened-evidence-plain-front = Vitesse de l’avant
 opened-evidence-plain-rear = Vitesse de l’arrière
-opened-evidence-plain = Votre colonne est la formule simple de deux lignes : vitesse = base / temps entre les deux caméras ; longueur = moyenne des deux vitesses × temps à la caméra 1. Ce n’est pas le résultat du serveur, qui recale toutes les lignes intermédiaires, et elle ignore l’accélération : la vitesse du fichier vaut quand l’avant atteint la caméra 1.
-opened-evidence-no-speed = ces lignes ne sont pas un passage
+opened-evidence-plain = Votre colonne applique la formule simple à partir de deux lignes : vitesse = base / temps entre les deux caméras ; longueur = moyenne des deux vitesses × temps à la caméra 1. Elle diffère du résultat du serveur, qui recale toutes les lignes intermédiaires et tient compte de l’accélération : la vitesse du fichier vaut quand l’avant atteint la caméra 1.
+opened-evidence-no-speed = ces lignes ne donnent pas de vitesse
 opened-evidence-not-set = placez les quatre bornes
 opened-evidence-no-shift = pas de vitesse
 opened-evidence-speed-of = { $kmh } km/h ({ $mps } m/s)
@@ -6728,17 +6728,17 @@ opened-evidence-shift = Reculer la caméra 2 de (lignes)
 opened-evidence-opacity = Opacité de la caméra 2
 opened-evidence-difference = Afficher la différence
 opened-evidence-shift-hand = { $edge ->
-    [rear] Vos arrières ensemble
-   *[front] Vos avants ensemble
+    [rear] Aligner vos arrières
+   *[front] Aligner vos avants
   }
 opened-evidence-shift-file = { $edge ->
-    [rear] Les arrières du fichier ensemble
-   *[front] Les avants du fichier ensemble
+    [rear] Aligner les arrières du fichier
+   *[front] Aligner les avants du fichier
   }
-opened-evidence-shift-words = { $lines } lignes font { $ms } ms ; par base / temps, cela fait { $speed }.
+opened-evidence-shift-words = { $lines } lignes font { $ms } ms ; base / temps donne { $speed }.
 
-## Preuve d'un véhicule balayé : sa création, sa décision et son contrôle
-evidence-no-rule = Aucune limite n’a été indiquée, rien n’a donc été décidé.
+## Preuve d’un véhicule balayé : sa création, sa décision et son contrôle
+evidence-no-rule = Aucune limite n’a été indiquée : aucune décision n’a été prise.
 evidence-decided = { $answer ->
     [conforming] Conforme
     [not_conforming] Non conforme
@@ -6746,93 +6746,93 @@ evidence-decided = { $answer ->
   } : { $quantity ->
     [speed] la vitesse
     [time_gap] l’intervalle temporel
-   *[distance_gap] la distance inter-véhicules
+   *[distance_gap] la distance intervéhiculaire
   } est de { $value } { $unit } avec une incertitude-type de { $u } { $unit } ; { $side ->
     [upper] au plus
    *[lower] au moins
   } { $limit } { $unit } sont demandés. { $answer ->
-    [conforming] La limite est respectée de plus que la bande de garde de { $guard } { $unit } ({ $factor } u) ; la probabilité que cette réponse soit fausse est { $least ->
+    [conforming] La limite est respectée de plus que la bande de garde de { $guard } { $unit } ({ $factor } u) ; la probabilité que cette décision soit erronée est { $least ->
         [under] inférieure à
        *[about] d’environ
     } { $chance } %, et { $risk } % étaient admis.
-    [not_conforming] La limite est enfreinte de plus que la bande de garde de { $guard } { $unit } ({ $factor } u) ; la probabilité que cette réponse soit fausse est { $least ->
+    [not_conforming] La limite est enfreinte de plus que la bande de garde de { $guard } { $unit } ({ $factor } u) ; la probabilité que cette décision soit erronée est { $least ->
         [under] inférieure à
        *[about] d’environ
     } { $chance } %, et { $risk } % étaient admis.
-   *[undecided] L’écart à la limite ne dépasse pas la bande de garde de { $guard } { $unit } ({ $factor } u) ; la réponse la plus probable serait fausse avec une probabilité { $least ->
+   *[undecided] L’écart à la limite ne dépasse pas la bande de garde de { $guard } { $unit } ({ $factor } u) ; la décision la plus probable serait erronée avec une probabilité { $least ->
         [under] inférieure à
        *[about] d’environ
     } { $chance } %, et { $risk } % étaient admis.
   }
-evidence-none-refused = Rien n’a été décidé : le véhicule n’a pas de mouvement mesuré. { $reason }
-evidence-none-rig = Rien n’a été décidé : des valeurs du dispositif ont été modifiées après la mesure de ce véhicule, ou du précédent.
-evidence-none-review = Rien n’a été décidé : { $verdict ->
+evidence-none-refused = Pas de décision : le véhicule n’a pas de mouvement mesuré. { $reason }
+evidence-none-rig = Pas de décision : des valeurs du dispositif ont été modifiées après la mesure de ce véhicule, ou du précédent.
+evidence-none-review = Pas de décision : { $verdict ->
     [rejected] un vérificateur a rejeté la mesure.
     [reopened] un vérificateur a rouvert la mesure, et personne ne l’a validée depuis.
    *[other] aucun vérificateur n’a validé la mesure.
   }
-evidence-none-first = Rien n’a été décidé : aucun véhicule n’a été mesuré avant celui-ci, il n’y a donc pas d’intervalle.
-evidence-none-before = Rien n’a été décidé : le véhicule { $number }, qui précède celui-ci, n’a pas de mouvement mesuré avec le dispositif actuel.
-evidence-none-before-review = Rien n’a été décidé : { $verdict ->
+evidence-none-first = Pas de décision : aucun véhicule n’a été mesuré avant celui-ci, il n’y a donc pas d’intervalle.
+evidence-none-before = Pas de décision : le véhicule { $number }, qui précède celui-ci, n’a pas de mouvement mesuré avec le dispositif actuel.
+evidence-none-before-review = Pas de décision : { $verdict ->
     [rejected] un vérificateur a rejeté
     [reopened] personne n’a validé depuis sa réouverture
    *[other] aucun vérificateur n’a validé
   } la mesure du véhicule { $number }, qui précède celui-ci.
-evidence-none-value = Rien n’a été décidé : il n’y a pas de valeur avec une incertitude. { $reason }
-evidence-not-measured = Le véhicule { $number } n’a jamais été mesuré, il n’y a donc rien à montrer ; mesurez-le d’abord.
+evidence-none-value = Pas de décision : il n’y a pas de valeur avec une incertitude. { $reason }
+evidence-not-measured = Le véhicule { $number } n’est pas mesuré ; mesurez-le d’abord.
 evidence-no-picture = La bande de la caméra { $camera } finit avant le véhicule ; placez son avant et son arrière dans la bande.
 evidence-too-long = L’avant et l’arrière sont à { NUMBER($lines) } lignes l’un de l’autre, plus que n’en prend un véhicule ({ NUMBER($most) }) ; corrigez ses bornes.
 evidence-pages-not-built = La page des dossiers de preuve n’est pas construite ici ; lancez make setup et réessayez.
 evidence-one-limit = Indiquez une limite : --most-kmh, --least-time-gap-s ou --least-distance-gap-m, supérieure à 0 et inférieure à 10 000.
 evidence-no-scan = Le relevé n’a pas d’enregistrement de balayage linéaire { $scan } ; il a : { $names }.
-evidence-no-vehicle = Il n’y a pas de véhicule { $number } dans { $scan } ; voyez les numéros sur la page du balayage.
+evidence-no-vehicle = Il n’y a pas de véhicule { $number } dans { $scan } ; vérifiez le numéro sur la page du balayage.
 evidence-not-one = Ce n’est pas un dossier de preuve tel que ce programme les écrit, ou il a été tronqué ; reprenez le fichier.
 evidence-form = La partie « { $part } » est illisible ({ $words }) ; elle a été modifiée.
 evidence-another-page = Le programme de la page n’est pas celui que nomme le document ; il a été modifié.
-evidence-not-canonical = Le document n’est pas dans sa forme JSON canonique ; il a été modifié.
-evidence-signature = La signature ne vaut pas pour ce que dit le document.
-evidence-keys = Le document ne dit pas comment sa clé découle des précédentes.
-evidence-other-key = Le fichier a été signé avec la clé { $key } et ne sait rien de la clé indiquée ; il vient d’une autre installation ou est falsifié.
-evidence-pictures = Il n’y a pas deux images, de la caméra 1 et de la caméra 2.
+evidence-not-canonical = Le document n’est pas un JSON canonique ; il a été modifié.
+evidence-signature = La signature n’est pas valable pour le document.
+evidence-keys = Le document n’indique pas comment sa clé découle des précédentes.
+evidence-other-key = Le fichier a été signé avec la clé { $key }, qui n’est pas liée à la clé indiquée ; il vient d’une autre installation ou est falsifié.
+evidence-pictures = Les deux images, de la caméra 1 et de la caméra 2, ne sont pas toutes deux présentes.
 evidence-picture = L’image { $name } n’est pas celle que nomme le document.
 evidence-picture-size = L’image { $name } a une autre taille que ne le dit le document.
 evidence-event = L’événement d’audit { $number } n’est pas celui qui a été haché, ou il est d’une autre chaîne.
-evidence-no-event = Aucun événement d’audit ne parle { $part ->
+evidence-no-event = Il n’y a pas d’événement d’audit { $part ->
     [before] du véhicule précédent
    *[measurement] de la mesure
   }.
 evidence-not-as-event = { $part ->
     [before] Le véhicule précédent
    *[measurement] La mesure
-  } diffère de ce que disent ses événements d’audit : { $named }.
-evidence-made-again = Refait à partir du document, ceci donne autre chose : { $named }.
+  } diffère de ses événements d’audit : { $named }.
+evidence-made-again = Recalculé à partir du document, ceci diffère : { $named }.
 evidence-numbers = Pour { $part ->
     [before] le véhicule précédent
    *[measurement] la mesure
-  }, ceci ne découle pas des lignes, du dispositif et du bilan : { $named }.
+  }, ceci ne découle pas des lignes, du dispositif et du bilan d’incertitude : { $named }.
 evidence-page-other-version = La page a été faite par une autre version du programme : son empreinte est signée, mais n’a pas été comparée à une page de cette version.
-evidence-key-given = La signature prouve ce que le détenteur de cette clé a signé, non qui détenait la clé, ni que c’est vrai, ni quand c’était.
-evidence-key-not-given = Signé avec la clé { $key } : qui falsifie un fichier peut le signer avec sa propre clé. Comparez-la à celle qu’affiche l’installation, ou indiquez celle-ci avec --key.
-statistics-risk-cannot-be = Un risque de { $risk } est impossible ; indiquez-en un de { $least } à { $most }.
+evidence-key-given = La signature prouve ce que le détenteur de cette clé a signé, non qui détenait la clé, ni que cela est vrai, ni quand cela a été fait.
+evidence-key-not-given = Signé avec la clé { $key } : un faussaire peut signer avec sa propre clé. Comparez-la à celle qu’affiche l’installation, ou indiquez celle-ci avec --key.
+statistics-risk-cannot-be = Un risque de { $risk } est hors plage ; indiquez-en un de { $least } à { $most }.
 
 ## Une mire à imprimer
 
 print-board-title = Damier : { $columns } × { $rows } coins intérieurs, cases de { $square_mm } mm
 print-board-title-charuco = Mire ChArUco : { $columns } × { $rows } coins intérieurs, cases de { $square_mm } mm, marqueurs { $dictionary } de { $marker_mm } mm
 print-board-check = Imprimez sur { $paper } à taille réelle (100 %), sans ajustement à la page. Mesurez ensuite la barre ci-dessus : elle fait { $bar_mm } mm de long. Si l’impression diffère, mesurez une rangée entière de cases et indiquez la taille réelle d’une case.
-geometry-board-larger-than-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm avec son bord blanc, plus grande que A0 ; choisissez des cases plus petites, ou nommez un rouleau de papier, par exemple 1200x900.
-geometry-board-not-on-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm avec son bord blanc et ne tient pas sur { $paper } ; choisissez un papier plus grand ou des cases plus petites.
+geometry-board-larger-than-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm marge blanche comprise, plus grande que A0 ; choisissez des cases plus petites, ou nommez un rouleau de papier, par exemple 1200x900.
+geometry-board-not-on-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm marge blanche comprise et ne tient pas sur { $paper } ; choisissez un papier plus grand ou des cases plus petites.
 geometry-paper-not-known = Il n’y a pas de papier { $paper } ; utilisez l’un de { $papers }, ou sa largeur et sa hauteur en mm, par exemple 841x1500.
-reference-value-cannot-be = Une référence ({ $quantity }) de { $value } { $unit } est impossible ; indiquez une valeur supérieure à { $least } et d’au plus { $most } { $unit }.
-reference-u-cannot-be = Une incertitude de { $u } { $unit } pour { $quantity } de { $value } { $unit } est impossible ; indiquez une incertitude-type supérieure à 0 et non supérieure à la valeur elle-même.
+reference-value-cannot-be = Une référence ({ $quantity }) de { $value } { $unit } est hors plage ; indiquez une valeur supérieure à { $least } et d’au plus { $most } { $unit }.
+reference-u-cannot-be = Une incertitude de { $u } { $unit } pour { $quantity } de { $value } { $unit } est hors plage ; indiquez une incertitude-type supérieure à 0 et non supérieure à la valeur elle-même.
 reference-device-too-long = Le nom de l’instrument dépasse { $most } caractères ; raccourcissez-le.
-reference-withdrawn-already = Cette valeur de référence a déjà été supprimée ; rien n’a été fait.
-reference-changed-meanwhile = { $name } a modifié cette valeur de référence entre-temps ; regardez-la d’abord.
+reference-withdrawn-already = Cette valeur de référence a déjà été supprimée ; il n’y a rien à faire.
+reference-changed-meanwhile = { $name } a modifié cette valeur de référence entre-temps ; contrôlez-la d’abord.
 reference-columns-missing = { $name } demande une colonne « number » (numéro du véhicule dans son enregistrement) ou « time » (heure de son passage) et l’une de speed_kmh, length_m, wheelbase_m ou run_of ; sa première ligne nomme les colonnes.
-reference-column-unit = La colonne « { $column } » de { $name } ne dit pas son unité ; nommez-la de l’une de ces façons : { $names }, précédée de « u_ » pour l’incertitude.
+reference-column-unit = La colonne « { $column } » de { $name } n’indique pas son unité ; donnez-lui l’un de ces noms : { $names }, précédée de « u_ » pour l’incertitude.
 reference-columns-of-one = Les colonnes « { $first } » et « { $second } » de { $name } indiquent la même chose ; retirez-en une.
 reference-no-line-used = Aucune ligne de { $name } n’est utilisable ; ligne { $line } : { $reason }
-reference-line-no-number = Le numéro du véhicule est « { $number } » ; indiquez le nombre entier affiché à l’établi.
+reference-line-no-number = Le numéro du véhicule est « { $number } » ; indiquez le nombre entier affiché sur la page du balayage.
 reference-line-no-vehicle = Cet enregistrement n’a pas de véhicule { $number }.
 reference-line-no-u = Aucune incertitude pour { $quantity } ; indiquez u_{ $quantity } à côté.
 reference-line-no-value = Il y a une incertitude pour { $quantity }, mais pas de valeur.
@@ -6919,19 +6919,19 @@ scan-run-short-objects = La caméra { $camera } montre { $per_s } objets courts 
 scan-run-flicker = La lumière à la caméra { $camera } scintille de { $percent } %, comme un éclairage sur secteur ; changez d’éclairage, ou attendez-vous à des incertitudes plus grandes.
 scan-run-saturated = { $percent } % de l’image de la caméra { $camera } est saturée ; réduisez l’exposition.
 rig-misalignments-scatter = Le désalignement diffère d’un véhicule à l’autre de { NUMBER($sd_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px (écart-type) ; vérifiez si une caméra a bougé.
-rig-few-known = { $count } véhicules connus sont trop peu ; il en faut { $least }.
+rig-few-known = { $count } véhicules connus ne suffisent pas ; il en faut { $least }.
 rig-misalignment-given = Le désalignement a été saisi : les estimations des véhicules en dépendent ; laissez-le vide et mesurez à nouveau pour l’estimer.
-rig-baseline-off = { $count } { $of ->
+rig-baseline-off = D’après { $count } { $of ->
     [length] longueurs
    *[wheelbase] empattements
- } de véhicules connus ressortent de { NUMBER($percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % plus { $than ->
+ }, les véhicules connus ressortent de { NUMBER($percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % plus { $than ->
     [longer] longs
    *[shorter] courts
  } qu’ils ne sont (u = { NUMBER($u_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %) : une base plus { $than ->
     [longer] courte
    *[shorter] longue
- } leur conviendrait. Mesurez-la de nouveau.{ $of ->
-    [length] { " " }Une ombre allonge aussi un véhicule ; les empattements n’en portent pas.
+ } leur conviendrait. Contrôlez la base.{ $of ->
+    [length] { " " }Les ombres peuvent aussi allonger ; les empattements en sont exempts.
    *[wheelbase] { "" }
  }
 rig-baseline-agrees = { $count } { $of ->
@@ -6958,7 +6958,7 @@ scan-motion-not-finite = La { $what ->
    *[acceleration] accélération
  } calculée n’est pas un nombre : contrôlez les bornes, la base et la cadence.
 
-## Said: boards, calibrations, camera poses and the traffic's say on them
+## Said: boards, calibrations, camera poses and the traffic’s say on them
 
 board-not-found = Aucune mire n’a été trouvée.
 board-search-stopped = La recherche a été arrêtée.
@@ -6982,7 +6982,7 @@ board-no-frame = Aucune image n’a été donnée.
 board-corners-few = Au plus { $parts } de ses { $whole } coins ont été trouvés ; montrez la mire entière.
 board-order = Les coins sont numérotés depuis le haut à gauche tel que vu, le long des rangées vers la droite puis vers le bas.
 board-order-part = { $seen } de ses { $all } coins sont visibles ; cela suffit à un étalonnage, mais une pose de la caméra les demande tous.
-board-order-turned = La mire est posée dans l’autre sens qu’indiqué : { $columns } colonnes sur { $rows } rangées telle que vue.
+board-order-turned = La mire est tournée : { $columns } colonnes sur { $rows } rangées telles que vues, et non telles que saisies.
 pose-frames-without-board = La mire n’a pas été trouvée dans { $missed } des images ; celles-ci ne servent pas.
 pose-frames-moved = La mire ou la caméra a bougé dans certaines images ; seules servent les images au repos.
 pose-corners-miss-model = Les coins ne suivent le modèle qu’à { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px près ; la mire est peut-être courbée ou l’étalonnage mauvais.
@@ -7010,18 +7010,18 @@ calibration-imported = Importé de { $file_name } : modèle { $model }, focale 
 calibration-board-bent = La mire n’est pas plane : elle fléchit d’environ { NUMBER($bow_percent, minimumFractionDigits: 1, maximumFractionDigits: 1) } % d’une case ; avec sa forme estimée, le résidu passe de { NUMBER($flat_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } à { NUMBER($bent_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px. Fixez la mire sur une plaque rigide et plane et reprenez les photos, ou étalonnez en tenant compte de la flèche.
 calibration-board-bent-changes = La mire n’est pas plane : elle fléchit d’environ { NUMBER($bow_percent, minimumFractionDigits: 1, maximumFractionDigits: 1) } % d’une case ; avec sa forme estimée, le résidu passe de { NUMBER($flat_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } à { NUMBER($bent_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px et une hauteur à { $distance_m } m change de { SMALL($change_m) }. Fixez la mire sur une plaque rigide et plane et reprenez les photos, ou étalonnez en tenant compte de la flèche.
 calibration-halves-few = Deux moitiés demandent au moins { $least } vues utilisables{ $board ->
-    [bent] { " " }d’une mire gauchie
+    [bent] { " " }d’une mire courbée
    *[flat] { "" }
  } ; il y en a { $usable }. Prenez d’autres photos.
 calibration-halves-failed = Les deux moitiés n’ont pas pu être étalonnées séparément : { $message }
 calibration-halves-no-inverse = Une mire est là où le modèle d’objectif n’a pas d’inverse ; ajoutez des photos qui atteignent les coins.
-calibration-halves-differ = Deux moitiés des photos, étalonnées séparément, diffèrent de { SMALL($difference_m) } pour une hauteur à { $distance_m } m : plus que le bruit des coins ne l’explique. L’objectif demande peut-être l’autre modèle, la mire est peut-être gauchie, ou le zoom ou la mise au point a changé entre les photos.
-calibration-halves-differ-beyond = Deux moitiés des photos, étalonnées séparément, diffèrent de { SMALL($difference_m) } pour une hauteur à { $distance_m } m ({ SMALL($expected_m) } attendus) : plus que le bruit des coins ne l’explique. L’objectif demande peut-être l’autre modèle, la mire est peut-être gauchie, ou le zoom ou la mise au point a changé entre les photos.
+calibration-halves-differ = Deux moitiés des photos, étalonnées séparément, diffèrent de { SMALL($difference_m) } pour une hauteur à { $distance_m } m : plus que le bruit des coins ne l’explique. L’objectif demande peut-être l’autre modèle, la mire est peut-être courbée, ou le zoom ou la mise au point a changé entre les photos.
+calibration-halves-differ-beyond = Deux moitiés des photos, étalonnées séparément, diffèrent de { SMALL($difference_m) } pour une hauteur à { $distance_m } m ({ SMALL($expected_m) } attendus) : plus que le bruit des coins ne l’explique. L’objectif demande peut-être l’autre modèle, la mire est peut-être courbée, ou le zoom ou la mise au point a changé entre les photos.
 calibration-held-out-worse = Les photos hors ajustement s’accordent bien moins que les photos ajustées ({ NUMBER($held_out_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px contre { NUMBER($fit_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px) ; ajoutez des photos où la mire est inclinée, partout dans l’image.
-calibration-few-views = Seules { $count } vues ont servi ; sous { $few }, un petit résidu prouve peu ; prenez-en 15 à 25.
+calibration-few-views = Seules { $count } vues ont servi : sous { $few }, un petit résidu prouve peu ; prenez-en 15 à 25.
 calibration-views-alike = Seules { $different } des { $count } vues diffèrent, car la mire n’a guère bougé entre les autres ; déplacez-la et inclinez-la entre les photos, ou prenez des images plus éloignées.
 calibration-little-covered = Les mires couvrent { $percent } % de l’image ; ajoutez des vues qui atteignent ses bords et ses coins, où la distorsion est la plus forte.
-calibration-boards-parallel = Toutes les mires sont orientées de même ; focale et distance ne se distinguent pas ; inclinez la mire de 30 à 45 degrés dans plusieurs directions.
+calibration-boards-parallel = Toutes les mires sont orientées de même : focale et distance ne se distinguent pas ; inclinez la mire de 30 à 45 degrés dans plusieurs directions.
 calibration-residual-high = Le résidu de { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px est élevé ; la mire n’est peut-être pas plane, sa taille est peut-être fausse, ou l’objectif demande un autre modèle.
 calibration-other-model-better = Le modèle { $model } convient mieux ({ NUMBER($other_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px contre { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px) ; étalonnez avec lui.
 calibration-lens-undetermined = Les vues ne déterminent pas l’objectif ; son incertitude ne peut être indiquée.
@@ -7079,7 +7079,7 @@ adjustment-length-off = Sa longueur connue ({ $length ->
  } pour les points observés ; vérifiez le modèle.
 adjustment-crooked = Trop de ses points ne sont pas sur une même ligne droite.
 adjustment-point-outside = Un point est hors de l’image.
-adjustment-tyre-off-road = Un pneu est là où il n’y a pas de route : au-dessus de l’horizon, ou hors du rayon du modèle d’objectif.
+adjustment-tyre-off-road = Un pneu est là où il n’y a pas de route : au-dessus de l’horizon, ou hors du rayon de validité du modèle d’objectif.
 adjustment-part-excluded = Le trafic contredit ce terme : { $part ->
     [board_lean_rad] { adjust-board_lean_rad }
     [board_roll_rad] { adjust-board_roll_rad }
@@ -7126,10 +7126,10 @@ adjustment-no-pass = Aucun passage de longueur connue n’a pu servir.
 traffic-turned = L’axe X de la route est pivoté de { NUMBER($mean_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° (u = { NUMBER($u_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }°, { $count } véhicules) par rapport au trafic.
 traffic-agrees = L’axe X de la route s’accorde avec le trafic : rotation de { NUMBER($mean_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° (u = { NUMBER($u_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }°, { $count } véhicules), non significative.
 traffic-turn-changes = Cela change { $count } hauteurs enregistrées de { SMALL($largest_m) } au plus.
-traffic-turn-would-change = La pivoter changerait les hauteurs enregistrées de { SMALL($largest_m) } au plus.
+traffic-turn-would-change = Cette rotation changerait les hauteurs enregistrées de { SMALL($largest_m) } au plus.
 traffic-few-vehicles = Il faut les deux contacts de pneu d’au moins { $least } véhicules ; utilisables : { $usable }.
 adjustment-row-frame = Ligne { $row } : la cellule frame n’est pas un nombre entier.
-adjustment-row-point = Ligne { $row } : la cellule point n’est aucun de { $points }.
+adjustment-row-point = Ligne { $row } : la cellule point n’est pas l’un de { $points }.
 adjustment-row-another = Ligne { $row } : une autre valeur de { $column } est donnée pour le même passage.
 adjustment-u-lacking = { $given } est donné sans { $lacking }.
 
@@ -7138,15 +7138,15 @@ adjustment-u-lacking = { $given } est donné sans { $lacking }.
 inset-few-known = Il faut au moins { $least } véhicules de hauteur connue ; utilisables : { $usable }.
 inset-known-at-camera-height = Non concluant : les véhicules sont à peu près à la hauteur de la caméra, où le retrait a peu d’effet.
 inset-none-fits = Aucun retrait ne s’accorde aux hauteurs du constructeur ; contrôlez-les, ainsi que la hauteur de la caméra et les pointés.
-inset-known-vague = Cela ne dit presque rien : trop peu de véhicules pour des hauteurs si proches de la caméra ou si incertaines.
+inset-known-vague = Non concluant : trop peu de véhicules, ou hauteurs trop proches de celle de la caméra ou trop incertaines.
 inset-few-trend = Il faut au moins { $least } véhicules ; utilisables : { $usable }.
-inset-no-trend = Les hauteurs ne donnent pas de retrait : trop peu de véhicules, ou tous à peu près à la même distance.
-inset-trend-at-camera-height = Cela ne dit rien : cette cible est à peu près à la hauteur de la caméra, où le retrait ne compte guère.
-inset-trend-one-distance = Cela ne dit rien : tous sont passés à peu près à la même distance, { NUMBER($nearest_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } à { NUMBER($farthest_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } m.
+inset-no-trend = Le retrait ne peut pas être estimé : trop peu de véhicules, ou tous à peu près à la même distance.
+inset-trend-at-camera-height = Non concluant : cette cible est à peu près à la hauteur de la caméra, où le retrait a peu d’effet.
+inset-trend-one-distance = Non concluant : tous sont passés à peu près à la même distance, { NUMBER($nearest_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } à { NUMBER($farthest_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } m.
 inset-trend-few = Pas assez de données : il faut quelques centaines de véhicules pour u = 0,15 m.
 inset-few-solved = Il faut au moins { $least } véhicules mesurés sur deux images ; il y en a { $count }.
-inset-solved-close-frames = Cela ne dit presque rien : les images étaient trop rapprochées.
-inset-no-gain = S’accorde avec le retrait en vigueur ; l’adopter ne rendrait aucune hauteur plus sûre.
+inset-solved-close-frames = Non concluant : les images étaient trop rapprochées.
+inset-no-gain = S’accorde avec le retrait en vigueur ; l’adopter ne réduirait l’incertitude d’aucune hauteur.
 inset-no-known-roof = Aucun véhicule dont la hauteur du constructeur est connue n’a de toit mesuré.
 inset-nothing-measured = Aucune mesure de cette cible.
 repeat-first-no-height = Les premiers pointés ne donnent pas de hauteur : { $reason }
@@ -7157,11 +7157,11 @@ repeat-other-inset = Les retraits diffèrent : les pointés ne sont pas seuls �
 repeat-no-uncertainty = Une hauteur est sans incertitude.
 repeats-few-own = Répétitions propres de { $name } : { $pairs } ; il en faut { $least }.
 repeats-few-other-frame = Répétées sur une autre image par un même opérateur : { $count } ; il en faut { $least }.
-repeats-nothing-yet = Rien n’a encore été repointé.
+repeats-nothing-yet = Pas encore de mesures répétées.
 repeats-few = Trop peu de répétitions : { $freedom } degrés de liberté, il en faut au moins { $least }.
 repeats-few-to-compare = Trop peu de répétitions à comparer : { $freedom }, il en faut au moins { $least }.
 repeats-one-operator = Aucune cible n’a été répétée par un second opérateur ; demandez à un autre opérateur d’en répéter.
-repeats-no-difference = Les personnes diffèrent moins que leurs pointés ne se dispersent ; davantage de répétitions trancheraient.
+repeats-no-difference = Aucune différence entre opérateurs n’est détectable ; davantage de répétitions préciseraient l’estimation.
 models-none-in-catalogue = Le catalogue est vide.
 models-none-fits = Aucun modèle du catalogue ne convient à ce qui a été mesuré sur ce véhicule.
 models-nothing-measured = Aucune dimension du catalogue n’a encore été mesurée sur ce véhicule.
@@ -7169,12 +7169,12 @@ models-no-such-size = Aucun modèle du catalogue n’a de dimension mesurée sur
 
 ## Said: what an import notes of a video or of strips
 
-video-filmed-at = Filmé à { $filmed_hz } images par seconde, comme saisi ; le fichier en lit { $played_hz } par seconde. Les instants sont ceux du tournage.
+video-filmed-at = Filmé à { $filmed_hz } images par seconde, comme saisi ; le fichier est lu à { $played_hz } par seconde. Les instants sont ceux de la prise de vue.
 video-no-rate = Le fichier n’indique aucune cadence : { $played_hz } images par seconde sont supposées. Ses instants ne sont pas fiables ; aucun mouvement n’en est donc mesuré.
 video-impossible-rate-endless = Les horodatages donnent une infinité d’images par seconde, ce qu’aucune caméra ne filme. Ses instants ne sont pas fiables ; aucun mouvement n’en est donc mesuré.
 video-impossible-rate = Les horodatages donnent { $played_hz } images par seconde, ce qu’aucune caméra ne filme. Ses instants ne sont pas fiables ; aucun mouvement n’en est donc mesuré.
-video-slow-motion = Le fichier est marqué comme ralenti ; il lit { $played_hz } images par seconde. Les hauteurs d’une seule image sont valables, mais aucun mouvement n’est mesuré tant que vous n’avez pas saisi la cadence de tournage.
-video-slow-motion-at = Le fichier indique qu’il a été filmé à { $filmed_hz } images par seconde ; il lit { $played_hz } images par seconde. Les hauteurs d’une seule image sont valables, mais aucun mouvement n’est mesuré tant que vous n’avez pas saisi la cadence de tournage.
+video-slow-motion = Le fichier est marqué comme ralenti ; il est lu à { $played_hz } images par seconde. Les hauteurs d’une seule image sont valables, mais aucun mouvement n’est mesuré tant que vous n’avez pas saisi la cadence de prise de vue.
+video-slow-motion-at = Le fichier indique qu’il a été filmé à { $filmed_hz } images par seconde ; il est lu à { $played_hz } images par seconde. Les hauteurs d’une seule image sont valables, mais aucun mouvement n’est mesuré tant que vous n’avez pas saisi la cadence de prise de vue.
 video-gaps = Des images manquent : { $count ->
     [one] une lacune
    *[other] { $count } lacunes
@@ -7204,7 +7204,7 @@ video-not-later = { $count } { $count ->
 video-packets-damaged = { $count } { $count ->
     [one] paquet endommagé a été ignoré
    *[other] paquets endommagés ont été ignorés
- } ; des images manquent là.
+ } ; des images y manquent.
 video-frames-patched = { $count } { $count ->
     [one] image est endommagée et complétée
    *[other] images sont endommagées et complétées
@@ -7212,10 +7212,10 @@ video-frames-patched = { $count } { $count ->
 video-start-in-future = Le fichier indique un début à { $start } UTC, qui est dans le futur : l’horloge de la caméra est fausse ; aucun début n’est donc proposé.
 video-ends-early = L’en-tête annonce { NUMBER($duration_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s, les images s’arrêtent à { NUMBER($end_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s ; le fichier est peut-être tronqué.
 video-other-rate = L’en-tête annonce { $stated_hz } images par seconde, les horodatages { $rate_hz } ; les horodatages font foi.
-video-other-count = L’en-tête annonce { $claimed } images, { $count } ont pu être décodées ; leur numérotation suit celles-ci.
+video-other-count = L’en-tête annonce { $claimed } images, { $count } ont pu être décodées ; les numéros d’image se rapportent à celles-ci.
 video-shown-upright = Les images ont été { $done }, comme l’indique leur en-tête.
-video-stretched = étirée pour des pixels de { $aspect }
-video-turned = tournée de { $degrees } degrés dans le sens horaire
+video-stretched = étirées pour des pixels de { $aspect }
+video-turned = tournées de { $degrees } degrés dans le sens horaire
 video-mirrored = retournées en miroir
 video-interlaced = L’enregistrement est entrelacé : les bords mobiles sont dentelés, préférez un enregistrement progressif.
 video-working-copy = Les images viennent d’une copie de travail indexée ; elles sont identiques à celles de l’original.
@@ -7223,14 +7223,14 @@ video-other-size-skipped = { $count } images d’une autre taille ont été igno
 video-rate-varies = La cadence d’images varie : { NUMBER($least_s, minimumFractionDigits: 4, maximumFractionDigits: 4) } à { NUMBER($most_s, minimumFractionDigits: 4, maximumFractionDigits: 4) } s entre images ; les temps viennent des horodatages.
 video-unreadable-end = Le fichier n’a pu être lu jusqu’au bout ; { $count } images ont été trouvées avant.
 video-no-time-stamps = Le flux n’a pas d’horodatage utilisable : { $rate_hz } images par seconde sont supposées, ne vous fiez donc pas à ses temps.
-scan-pixels-saturated = { $percent } % des pixels de la caméra { $camera } sont saturés ; des bords y sont perdus ; réduisez la lumière ou l’exposition.
+scan-pixels-saturated = { $percent } % des pixels de la caméra { $camera } sont saturés : des bords y sont perdus ; réduisez la lumière ou l’exposition.
 scan-recorder-lost = L’enregistreur de { $name } a perdu { $count } lignes ; elles sont remplacées par des copies.
 scan-recorder-other-rate = { $name } annonce une cadence de { $told_hz } Hz, mais { $line_rate_hz } Hz ont été donnés et sont utilisés ; vérifiez laquelle est juste.
 
 ## Said: how far a job is
 
 job-begun-again = La tâche a été interrompue ; elle est relancée.
-job-tried-again = La base de données ou le stockage ne répond pas ; la tâche est réessayée d’elle-même.
+job-tried-again = La base de données ou le stockage ne répond pas ; la tâche est relancée automatiquement.
 job-waits-to-begin-again = En attente d’être relancée.
 job-video-reading = Lecture de la vidéo.
 job-drift-searching = Recherche de mouvements de la caméra.
@@ -7238,8 +7238,8 @@ job-drift-background = Recherche du fond dans l’image { $frame }.
 job-board-searching = Recherche de la mire.
 job-board-searching-frame = Recherche de la mire dans l’image { $frame }.
 job-board-searching-in = Recherche de la mire dans { $name }.
-job-pose-computing = Calcul de la position de la caméra.
-job-lens-fitting = Ajustement de l’objectif, et de ses deux moitiés séparément.
+job-pose-computing = Calcul de la pose de la caméra.
+job-lens-fitting = Ajustement de l’objectif, puis des deux moitiés séparément.
 job-export-vehicles = Écriture des véhicules, des vérifications et de la chaîne d’audit.
 job-export-measurements = Écriture des mesures.
 job-export-crops = Découpe des vues de chaque pointé.
@@ -7252,13 +7252,13 @@ job-heights-restoring = Rétablissement des anciennes hauteurs.
 job-heights-computing = Calcul des hauteurs.
 job-strips-reading = Lecture des bandes.
 job-strips-cutting = Découpe des bandes.
-job-vehicles-searching = Recherche de véhicules.
-job-vehicles-found = Recherche de véhicules. { $count } jusqu’ici.
+job-vehicles-searching = Détection des véhicules.
+job-vehicles-found = Détection des véhicules. { $count } jusqu’ici.
 job-vehicles-again = Nouvelle mesure des véhicules connus.
 job-study-package = Écriture de l’archive.
 job-study-report = Écriture du rapport.
-job-study-figures = Calcul des chiffres.
-job-passes-searching = Recherche des passages.
+job-study-figures = Calcul des valeurs.
+job-passes-searching = Détection des passages.
 job-demo-videos = Lecture des vidéos.
 job-demo-poses = Calcul des poses des caméras.
 job-demo-site = Simulation d’un site.
@@ -7274,9 +7274,9 @@ told-geometry-driver-on-the-side = conducteur du côté de la caméra (estimatio
 told-geometry-driver-on-the-side-away = conducteur du côté opposé à la caméra (estimation)
 told-geometry-not-known = retrait inconnu
 told-geometry-outer-edge-of-the = bord extérieur du feu (estimation)
-jobs-gave-up = Le processus s’est arrêté { $attempts } fois au milieu de la tâche ; contrôlez le fichier et la mémoire.
+jobs-gave-up = La tâche s’est arrêtée { $attempts } fois ; contrôlez les données d’entrée et la mémoire disponible.
 jobs-broke = Une erreur du programme a arrêté la tâche ({ $name }) ; réessayez, et signalez-la si elle revient.
-told-recordings-the-ingest-was-cancelled = La lecture de la vidéo a été annulée ; relancez-la ou supprimez l’enregistrement.
+told-recordings-the-ingest-was-cancelled = L’import a été annulé ; relancez-le ou supprimez l’enregistrement.
 told-scans-the-lines-of-this = Les lignes de ce flux n’ont pas été enregistrées : il n’y a pas d’image ; ses véhicules restent.
 told-scans-the-reading-was-cancelled = L’import a été annulé ; relancez-le ou supprimez le balayage.
 told-statistics-nobody-whose-text-was = aucun texte consulté ; à contrôler avant usage
@@ -7318,8 +7318,8 @@ told-statistics-passenger-cars = voitures particulières
 told-thing-camera-pose = pose de la caméra
 told-thing-line-scan = balayage
 told-thing-scanned-vehicle = véhicule balayé
-told-thing-calibration-image = image d’étalonnage
-told-thing-tyre-contacts = paire de contacts des pneus
+told-thing-calibration-image = photo d’étalonnage
+told-thing-tyre-contacts = paire de contacts de pneus
 told-thing-catalogue-row = ligne du catalogue
 
 
@@ -7335,13 +7335,13 @@ tour-next = Suivant
 tour-back = Retour
 tour-skip = Passer la visite
 tour-end = Finir la visite
-tour-survey = Un relevé mesure les hauteurs des yeux des conducteurs et des feux sur un site. Cette liste dit ce qui est fait et ce qui vient ensuite ; les pages à gauche suivent l’ordre du travail.
-tour-recordings = Un enregistrement est une vidéo prise de l’accotement. Chacun indique sa luminosité, quand il a été filmé, et si la caméra a bougé entre-temps.
-tour-pose = Une mire de taille connue posée sur la route dit où était la caméra, et donc à quel point les hauteurs seront connues.
-tour-measure = Choisissez un véhicule et cliquez deux fois sur une image : là où un pneu touche la route, et sur l’œil, le feu ou le toit. La hauteur apparaît aussitôt, avec son U95 et ce dont elle vient.
+tour-survey = Un relevé mesure les hauteurs des yeux des conducteurs et des feux sur un site. Cette liste indique ce qui est fait et ce qui vient ensuite ; les pages à gauche suivent l’ordre du travail.
+tour-recordings = Un enregistrement est une vidéo prise du bord de la route. Chacun indique sa luminosité, son début, et si la caméra a bougé.
+tour-pose = Une mire de dimensions connues posée sur la route donne la position de la caméra et l’incertitude attendue des hauteurs.
+tour-measure = Choisissez un véhicule et cliquez deux fois sur une image : là où un pneu touche la chaussée, et sur l’œil, le feu ou le toit. La hauteur apparaît aussitôt, avec son U95 et son bilan d’incertitude.
 tour-review = Une autre personne valide, corrige ou rejette chaque hauteur. Personne ne vérifie ses propres mesures.
-tour-statistics = Seules les hauteurs validées comptent : leurs distributions, les erreurs par rapport aux hauteurs connues, et les valeurs des normes selon leur propre règle aujourd’hui.
-tour-export = Un bouton crée l’archive pour un organisme de normalisation : rapport, tableaux, figures et journal d’audit. Qui la reçoit peut la contrôler. La visite recommence depuis le menu qu’ouvrent vos initiales.
+tour-statistics = Seules les hauteurs validées comptent : leurs distributions, les erreurs par rapport aux hauteurs connues, et les centiles des normes aujourd’hui.
+tour-export = Un bouton crée l’archive pour un organisme de normalisation : rapport, tableaux, figures et journal d’audit. Son destinataire peut la contrôler. Vous pouvez relancer la visite depuis le menu sous vos initiales.
 
 ## Rapport : les mots de tout rapport (PDF). Un rapport est écrit dans la langue dans laquelle il a été demandé.
 
@@ -7365,26 +7365,26 @@ report-unit-in = pouces
 report-unit-cm2 = centimètres carrés
 report-unit-in2 = pouces carrés
 report-target-driver_eye = œil du conducteur
-report-target-taillight = feu arrière, limite inférieure
+report-target-taillight = feu arrière, bord inférieur
 report-target-headlight = projecteur
 report-target-roof = toit
 report-target-other = autre
 report-measured-by-other = autre
 report-category-other = autre
-report-target-roof_van = toit, camionnettes
-report-target-roof_box = toit, camions et autocars
+report-target-roof_van = toit, fourgons
+report-target-roof_box = toit, camions et bus
 report-target-roof_unknown = toit, sans classe
 report-target-driver_eye_near = œil du conducteur, conducteur côté proche
 report-target-driver_eye_far = œil du conducteur, conducteur côté éloigné
 report-many-driver_eye = yeux des conducteurs
-report-many-taillight = limites inférieures des feux arrière
+report-many-taillight = bords inférieurs des feux arrière
 report-many-headlight = projecteurs
 report-many-roof = toits
 report-light-daytime = de jour
 report-light-low_light = faible luminosité
 report-light-overall = ensemble
 report-light-unknown = luminosité inconnue
-report-measured-by-counter = compteur de vitesse
+report-measured-by-counter = compteur du véhicule
 report-measured-by-radar = radar
 report-measured-by-laser = cinémomètre laser
 report-measured-by-gps = GPS
@@ -7432,7 +7432,7 @@ report-sd = Écart-type
 report-standard = Norme
 report-vehicles = Véhicules
 report-target = Cible
-report-verdict = Verdict
+report-verdict = Conclusion
 report-figure = Grandeur
 report-lighting = Luminosité
 report-camera = Caméra
@@ -7442,21 +7442,21 @@ report-recording = Enregistrement
 report-value = Valeur
 report-source = Source
 report-bias = Biais
-report-interval = Intervalle à 95 %
-report-interval-total = 95 %, total
+report-interval = Intervalle à 95 %
+report-interval-total = 95 %, total
 
 ## Rapport : le titre
 
 report-days-none = rien encore
 report-days = du { $first } au { $last }
 report-more-versions = et { $n } autres (voir measurements.csv)
-report-verdicts-of = { $individual } validées par une décision individuelle, { $by_lot } par l’échantillon de leur lot. Parmi les { $of } que personne n’a regardées dans { $lots ->
+report-verdicts-of = { $individual } validées par une décision individuelle, { $by_lot } par l’échantillon de leur lot. Parmi les { $of } non vérifiées individuellement dans { $lots ->
     [one] { $lots } lot accepté
    *[other] { $lots } lots acceptés
- }, { $estimate } sont fausses d’après l’estimation et { $at_most } au plus (95 % unilatéral).
+ }, { $estimate } sont fausses d’après l’estimation et { $at_most } au plus (95 % unilatéral).
 report-only = <strong>Uniquement :</strong> { $selection }. Les autres véhicules du relevé ne sont pas compris dans ce rapport.
 report-filmed = Filmé
-report-filmed-unconfirmed = date non confirmée
+report-filmed-unconfirmed = début non confirmé
 report-measured = Mesuré
 report-place = Lieu
 report-in-this = Dans ce rapport
@@ -7475,9 +7475,9 @@ report-count-vehicles = véhicules
 report-count-measurements = mesures
 report-count-not-visible = cibles non visibles
 report-count-used = comptées dans les résultats
-report-count-left-out = écartées
-report-count-out-of-date = périmées (out_of_date dans les tables dit pourquoi)
-report-count-without-time = véhicules exclus, car l’heure du tournage n’est pas connue
+report-count-left-out = exclues
+report-count-out-of-date = périmées (out_of_date en donne le motif dans les tableaux)
+report-count-without-time = véhicules exclus, car l’heure de prise de vue n’est pas connue
 report-count-scanned = véhicules balayés
 report-count-scanned-used = dont validés
 report-span = { $day } de { $first } à { $last } ({ $zone })
@@ -7486,7 +7486,7 @@ report-unconfirmed = { $n ->
    *[other] { $n } enregistrements dont le début n’est pas confirmé
  }
 report-coordinates = { $latitude } ; { $longitude } (WGS84)
-report-limit = limitation à { $speed }
+report-limit = limitée à { $speed }
 report-lamps = éclairage public
 report-no-lamps = sans éclairage public
 
@@ -7504,7 +7504,7 @@ report-duration = Durée
 report-model-brown = modèle radial et tangentiel de Brown
 report-model-fisheye = fisheye équidistant (Kannala et Brandt)
 report-from-images = à partir de photos d’une mire
-report-from-clip = à partir d’un film d’une mire
+report-from-clip = à partir d’une vidéo d’une mire
 report-from-import = importé du fichier d’un autre outil
 report-lens = { $camera }, étalonnage { $number }
 report-made = Établi
@@ -7515,7 +7515,7 @@ report-views-used = { $used } sur { $given } utilisées
 report-residual = Résidu
 report-residual-is = { $rms } px (erreur quadratique moyenne de reprojection)
 report-trusted = fiable
-report-not-trusted = peu fiable ; voir les avertissements
+report-not-trusted = non fiable ; voir les avertissements
 report-lens-known = Objectif de { $camera } : paramètres et incertitudes-types.
 report-lens-unknown = Objectif de { $camera } : paramètres ; leurs incertitudes sont inconnues.
 report-board-of = { $columns } × { $rows } coins intérieurs, cases de { $square } mm
@@ -7550,17 +7550,17 @@ report-set-none = aucun groupe
 report-set-unknown = inconnue
 report-vehicle = véhicule
 report-response = Échantillon et réponse
-report-response-words = { $rule } Chaque passage de l’échantillon est mesuré, non visible pour un motif indiqué, ou encore ouvert ; un passage écarté n’est pas un véhicule à mesurer. Si le taux diffère entre groupes, les véhicules mesurés peuvent ne pas représenter le trafic.
+report-response-words = { $rule } Chaque passage de l’échantillon est mesuré, non visible pour un motif indiqué, ou encore à faire ; un passage écarté n’est pas un véhicule à mesurer. Si le taux diffère entre groupes, les véhicules mesurés peuvent ne pas représenter le trafic.
 report-no-pass = Aucun passage n’a été trouvé.
 report-response-table = Réponse. Taux : passages (ou cibles) mesurés rapportés à ceux de l’échantillon, avec son intervalle exact à 95 %.
 report-classes = Classes
 report-of = De
 report-passes = Passages
 report-discarded = Écartés
-report-outside = Non tirés
-report-in-sample = Tirés
+report-outside = Hors éch.
+report-in-sample = Retenus
 report-not-visible = Non visibles
-report-open = Ouverts
+report-open = À faire
 report-rate = Taux
 report-outside-sample = { $counts ->
     [yes] { $n ->
@@ -7576,9 +7576,9 @@ report-outside-sample = { $counts ->
 ## Rapport : la méthode
 
 report-method = Méthode
-report-method-lead = Les hauteurs sont mesurées comme le proposent Dupuis et al. (Sensors 2019, 19(7), 1611, « l’article »), les fautes d’impression de ses équations étant corrigées (ci-dessous). Un damier de dimensions connues, posé sur la route, donne la pose de la caméra ; deux pointés sur une même image, là où un pneu touche la route et sur la cible, donnent une hauteur. Le repère de la route a X le long de la circulation, Y en travers en s’éloignant de la caméra, et Z vers le haut. Un point { $point } de la route se voit au pixel
-report-method-lens = où { $pose } est la pose, { $distortion } la distorsion de l’objectif (modèle radial et tangentiel de Brown, ou fisheye équidistant), et où { $matrix } contient les focales et le point principal. Un pointé { $click } redevient une direction dans le repère de la route, vue du centre { $centre } de la caméra :
-report-method-rays = Le rayon du contact rencontre la route, { $road }. Le rayon de la cible rencontre le plan vertical, parallèle à la circulation, qui se trouve au retrait { $inset } derrière le contact. Avec une pente pour chaque pointé,
+report-method-lead = Les hauteurs sont mesurées comme le proposent Dupuis et al. (Sensors 2019, 19(7), 1611, « l’article »), les fautes d’impression de ses équations étant corrigées (ci-dessous). Un damier de dimensions connues, posé sur la route, donne la pose de la caméra ; deux pointés sur une même image, là où un pneu touche la route et sur la cible, donnent une hauteur. Le repère de la route a X dans le sens du trafic, Y en travers, en s’éloignant de la caméra, et Z vers le haut. Un point { $point } de la route se voit au pixel
+report-method-lens = où { $pose } est la pose, { $distortion } la distorsion de l’objectif (modèle radial et tangentiel de Brown, ou fisheye équidistant), et où { $matrix } contient les focales et le point principal. Un pointé { $click } est converti en une direction dans le repère de la route, depuis le centre { $centre } de la caméra :
+report-method-rays = Le rayon du contact rencontre la route, { $road }. Le rayon de la cible rencontre le plan vertical, parallèle au trafic, qui se trouve au retrait { $inset } derrière le contact. Avec une pente pour chaque pointé,
 report-eq-contact = contact
 report-eq-target = cible
 report-method-height = la distance { $distance } de la caméra au plan du contact et la hauteur { $height } sont
@@ -7586,7 +7586,7 @@ report-method-inset = L’article suppose { $inset }. Une cible à { $height } e
 report-method-raw = 44 mm pour un œil à 1,16 m, à 0,45 m en retrait, à 3 m d’une caméra haute de 1,5 m. Les hauteurs sont donc données deux fois : non corrigées (« brutes ») avec { $inset }, pour la comparaison avec l’article, et corrigées du retrait ci-dessous. Quand les deux mêmes points ont été pointés sur plusieurs images d’un passage, le retrait est estimé avec la hauteur par moindres carrés.
 report-method-u = L’incertitude-type de chaque hauteur s’obtient par propagation linéaire (JCGM 100:2008),
 report-coverage-factor = 1,96
-report-method-u-over = pour les deux pointés, l’objectif et la pose (ensemble, avec leur covariance), l’inclinaison, le roulis, la hauteur au-dessus de la route, la taille des cases et la flèche de la mire, et le retrait. La même pose sert à de nombreux véhicules : son erreur est commune à toutes leurs hauteurs.
+report-method-u-over = pour les deux pointés, l’objectif et la pose (ensemble, avec leur covariance), l’inclinaison, le roulis, la hauteur au-dessus de la route, le côté des cases et la flèche de la mire, et le retrait. La même pose sert à de nombreux véhicules : son erreur est commune à toutes leurs hauteurs.
 report-assumed = Hypothèses
 report-assumed-plane = La route est plane de la mire au véhicule, et la mire lui était perpendiculaire, à son incertitude près.
 report-assumed-still = La caméra n’a pas bougé entre l’enregistrement de la mire et les mesures qui l’utilisent.
@@ -7594,7 +7594,7 @@ report-assumed-parallel = Les véhicules roulent parallèlement aux rangées de 
 report-assumed-inset = Le retrait d’une cible est celui de la liste ci-dessous, à son incertitude près, sauf s’il a été estimé à partir de plusieurs images.
 report-assumed-makers = Les hauteurs des constructeurs sont celles du véhicule tel qu’il est passé, à leur incertitude près.
 report-assumed-left-out = Non compris : un modèle d’objectif inadapté, la charge et la suspension, les variations de dévers entre la mire et le véhicule.
-report-misprinted = Erreurs d’impression de l’article
+report-misprinted = Fautes d’impression de l’article
 report-misprints = Équations de l’article, telles qu’imprimées et telles qu’utilisées ici.
 report-equation = Équation
 report-as-printed = Imprimée
@@ -7608,9 +7608,9 @@ report-used-13 = { $printed } n’est pas défini ; il s’agit de la normale 
 report-used-14 = { $used }, sinon le plan latéral est inversé
 report-used-17 = { $used }, avec le point de contact métrique
 report-used-18 = la distance signée au plan de la route, { $used }
-report-insets = Retraits actuels : distance supposée de la cible derrière le plan du contact, et son incertitude-type.
+report-insets = Retraits en vigueur : distance d’une cible derrière le plan du contact, et son incertitude-type.
 report-inset = Retrait ({ $unit })
-report-from = Provenance
+report-from = Source
 
 ## Rapport : les équations lues à voix haute
 
@@ -7634,7 +7634,7 @@ report-aloud-18-used = n x transposé (X g moins p h)
 ## Rapport : les résultats en bref
 
 report-glance = Les résultats en bref
-report-brackets = (95 % : { $interval })
+report-brackets = (95 % : { $interval })
 report-conclusion = Conclusion
 report-filmed-on = Filmé : { $moment }
 report-not-covered = Non couvert
@@ -7666,42 +7666,42 @@ report-readme-contents = Contenu de cette archive
 report-readme-page = Cette archive sous forme de page : à ouvrir dans un navigateur. Elle se vérifie elle-même, sans serveur.
 report-readme-report = Le rapport.
 report-readme-statistics = Les valeurs du rapport en tableaux, non arrondies.
-report-readme-tables = Chaque véhicule, mesure et revue en tableaux ; datapackage.json décrit chaque colonne.
+report-readme-tables = Chaque véhicule, mesure et vérification en tableaux ; datapackage.json décrit chaque colonne.
 report-readme-files = Images, figures, poses et étalonnages des caméras, et les mêmes tableaux en Parquet.
 report-readme-audit = La chaîne d’audit et sa signature.
-report-readme-check = Pour tout vérifier : sightline verify, avec la clé que montre l’installation. Pour vérifier qu’aucun fichier n’a changé : sha256sum -c SHA256SUMS
-report-error-none = Aucun véhicule n’a de hauteur de référence : l’erreur des hauteurs n’est donc pas contrôlée ici.
+report-readme-check = Pour tout vérifier : sightline verify, avec la clé qu’affiche l’installation. Pour vérifier qu’aucun fichier n’a changé : sha256sum -c SHA256SUMS
+report-error-none = Aucun véhicule n’a de hauteur de référence : les erreurs des hauteurs ne peuvent pas être indiquées.
 report-error-short = Par rapport aux hauteurs de référence de { $n ->
     [one] { $n } véhicule
    *[other] { $n } véhicules
  }, les toits sont mesurés avec une erreur absolue moyenne de { $mae }{ $mae_interval } et un biais de { $bias }{ $bias_interval }.
-report-rules = La même règle aujourd’hui : le centile sur lequel repose une norme, avec son intervalle total à 95 %. « Plus bas » et « plus haut » ne sont indiqués que si la probabilité du contraire est de 2,5 % au plus (JCGM 106).
+report-rules = Normes : le même centile aujourd’hui. Le centile sur lequel repose une norme, avec son intervalle total à 95 %. « Plus bas » ou « plus haut » est indiqué si le risque d’erreur est d’au plus 2,5 % (JCGM 106).
 report-rule-column = Règle
 report-today = Aujourd’hui
 report-difference = Différence
 report-all-vehicles = tous les véhicules (aucune classe n’est connue)
-report-no-verdict = pas de verdict : { $reason }
-report-alike = pas de différence significative ; plus bas avec une probabilité de { $percent }
-report-lower = plus bas ; faux avec une probabilité de { $risk }
-report-higher = plus haut ; faux avec une probabilité de { $risk }
+report-no-verdict = pas de conclusion : { $reason }
+report-alike = indécis ; plus bas avec une probabilité de { $percent }
+report-lower = plus bas (risque d’erreur { $risk })
+report-higher = plus haut (risque d’erreur { $risk })
 report-less-than = moins de { $percent }
 
 ## Rapport : l’erreur par rapport aux hauteurs de référence
 
 report-errors = Erreur par rapport aux hauteurs de référence
-report-errors-none = Aucun toit de véhicule à hauteur de référence n’est compté : il n’y a pas d’erreur à donner. Saisissez la hauteur du constructeur dans les fiches des véhicules.
+report-errors-none = Aucune hauteur de toit validée n’a de hauteur de référence : les erreurs ne peuvent pas être indiquées. Saisissez la hauteur du constructeur dans les fiches des véhicules.
 report-errors-holds = Les intervalles à 95 % comprennent { $holds }. Ceux des corrélations et de l’asymétrie ne comprennent que l’échantillonnage.
 report-errors-words = Erreur = mesure moins référence, pour les toits corrigés de leur retrait, sans arrondi. Toutes les valeurs sont calculées à partir des erreurs individuelles, jamais à partir d’autres valeurs.
-report-errors-table = L’erreur et ses intervalles à 95 %.
+report-errors-table = Erreurs avec leurs intervalles de confiance à 95 %.
 report-row-bias = Biais (erreur moyenne)
 report-row-sd = Écart-type de l’erreur
 report-row-r = r(erreur, hauteur)
 report-row-r-abs = r(|erreur|, hauteur)
 report-row-skewness = Asymétrie de l’erreur
 report-row-within = Part d’erreurs ≤ { $limit } cm
-report-no-group = Aucun véhicule à hauteur de référence ne compte ici : { $group }.
+report-no-group = Aucun véhicule validé avec une hauteur de référence : { $group }.
 report-reference-part = { $words } Cela suffit à produire une corrélation de { $correlation } entre l’erreur et la hauteur, indépendamment de la caméra (u de la référence : { $u }).
-report-limits = Limites d’accord (Bland et Altman) : { $lower } ({ $lower_interval }) et { $upper } ({ $upper_interval }).
+report-limits = Limites de concordance (Bland et Altman) : { $lower } ({ $lower_interval }) et { $upper } ({ $upper_interval }).
 report-as-in-the-paper = Comme dans l’article
 report-as-in-the-paper-words = Seulement pour la comparaison avec Dupuis et al. (Sensors 2019, 19(7), 1611). Comme dans l’article : retrait 0 et, pour les erreurs, les deux hauteurs arrondies au centimètre. Les centiles sont ceux des hauteurs mesurées, erreur aléatoire comprise ; leurs intervalles ne couvrent que l’échantillonnage. Aucune autre section n’utilise ces valeurs.
 report-paper-errors = Erreurs comme dans l’article : retrait 0, centimètres entiers, avec leurs IC à 95 %.
@@ -7709,26 +7709,26 @@ report-paper-percentiles = Centiles comme dans l’article, des hauteurs ({ $tar
 report-paper = Tableau 1 de l’article, tel qu’imprimé.
 report-its-column = Sa colonne
 report-inconsistent = Incohérences
-report-known-errors = Erreurs par cible, luminosité et classe : mesure moins hauteur connue, sans arrondi, avec des intervalles totaux à 95 %. Les cibles de contrôle ne comptent nulle part ailleurs.
+report-known-errors = Erreurs par cible, luminosité et classe : mesure moins hauteur connue, sans arrondi, avec des intervalles totaux à 95 %. Les cibles de contrôle sont exclues partout ailleurs.
 report-within-u95 = Dans leur U95
-report-check-errors = Cibles de contrôle : mesure moins hauteur relevée au mètre ruban, avec des intervalles totaux à 95 %.
-report-known-errors-note = Les intervalles comprennent les erreurs communes aux hauteurs (pose, retrait moyen). Un modèle choisi d’après sa taille n’est pas une référence.
+report-check-errors = Cibles de contrôle : mesure moins hauteur relevée au mètre ruban, avec des intervalles totaux à 95 %.
+report-known-errors-note = Les intervalles comprennent les erreurs communes aux hauteurs (pose, retrait moyen). Un modèle choisi d’après ses dimensions ne sert pas de référence.
 report-check-targets = { $target }, cibles de contrôle
 
 ## Rapport : les distributions des hauteurs
 
 report-heights = Distributions des hauteurs
-report-heights-none = Aucune hauteur ne compte encore ici ; les mesures validées y figureront.
+report-heights-none = Pas encore de hauteurs validées.
 report-percentiles = Hauteurs vraies ({ $target }), toutes classes comprises, avec intervalles totaux à 95 % ; véhicules : { $n }.
 report-holds = Hauteurs vraies : l’erreur de mesure aléatoire est retirée de la dispersion. Les intervalles totaux comprennent { $holds }.
 report-absent = Aucune hauteur validée : { $targets }.
 report-percentile = Centile
 report-true-heights = Hauteurs vraies
 report-corrected = Corrigées
-report-interval-sampling = 95 %, échantil­lonnage
+report-interval-sampling = 95 %, échantil­lonnage
 report-raw-inset = Non corrigées, retrait 0
 report-reason-of = { $percents } : { $reason }.
-report-shares = Normes, et part qui leur est inférieure (des hauteurs vraies) : { $targets }, avec des intervalles totaux à 95 %.
+report-shares = Normes, et part qui leur est inférieure (des hauteurs vraies) : { $targets }, avec des intervalles totaux à 95 %.
 report-height = Hauteur
 report-below = Au-dessous
 report-share = Part
@@ -7736,45 +7736,45 @@ report-not-corrected-why = Non corrigées : { $reason }
 report-percentile-of = P{ $percent }, { $of }
 report-cited-by = cité d’après : { $who }
 report-lateral = Positions latérales
-report-lateral-words = Distance du contact du pneu à la caméra, mesurée perpendiculairement à la route : une valeur par véhicule, la médiane de ses contacts. Une voie regroupe les véhicules qui vont dans le même sens sur l’image.
+report-lateral-words = Distance du contact du pneu à la caméra, mesurée en travers de la route : une valeur par véhicule, la médiane de ses contacts. Une voie regroupe les véhicules qui vont dans le même sens sur l’image.
 report-lateral-table = Positions latérales par voie et par classe.
 report-lateral-all = Toutes
 
 ## Rapport : la distance de visibilité
 
 report-sight = Distance de visibilité
-report-sight-words = Un sommet de côte offre une distance de visibilité S si sa longueur par pour cent de pente, K, vaut au moins S²/C ; C découle des seules hauteurs de l’œil et de l’objet, C = 100 (√(2 œil) + √(2 objet))². La norme est { $standard } (œil { $eye }, objet { $object }). Les hauteurs du relevé sont le centile { $eye_percent } des yeux et le centile { $object_percent } des bords inférieurs des feux arrière{ $classes ->
+report-sight-words = Un angle saillant assure une distance de visibilité S si la longueur de son raccordement par pour cent de déclivité, K, est d’au moins S²/C. C ne dépend que des hauteurs de l’œil et de l’obstacle : C = 100 (√(2 œil) + √(2 obstacle))². La norme est { $standard } (œil { $eye }, obstacle { $object }). Les hauteurs du relevé sont le centile { $eye_percent } des yeux et le centile { $object_percent } des bords inférieurs des feux arrière{ $classes ->
     [class] , de la classe que nomme la règle
    *[all] , de tous les véhicules
  }{ $rule ->
     [own] , règle de cette norme d’après ses sources
    *[usual] , et là où la norme ne donne pas de règle, celle des hauteurs de l’AASHTO
- }. S est la distance de visibilité d’arrêt ({ $source }), arrondie vers le haut comme dans les tables de conception.
-report-sight-missing = Il n’y a pas de sommet de côte pour les hauteurs du relevé : aucune hauteur validée pour { $targets }.
-report-sight-table = K des sommets de côte d’après les hauteurs de la norme et celles du relevé, en { $unit } par pour cent.
+ }. S est la distance de visibilité d’arrêt ({ $source }), arrondie par excès comme dans les tables de conception.
+report-sight-missing = Il n’y a pas d’angle saillant pour les hauteurs du relevé : aucune hauteur validée pour { $targets }.
+report-sight-table = K des angles saillants d’après les hauteurs de la norme et celles du relevé, en { $unit } par pour cent.
 report-design-speed = Vitesse de référence
 report-stopping = Distance d’arrêt
 report-k-standard = K, norme
 report-k-survey = K, relevé
-report-per-percent = { $unit } par %
+report-per-percent = { $unit } par %
 report-sight-note = Intervalles totaux des deux centiles de hauteurs vraies (échantillonnage, erreurs communes aux hauteurs, erreur aléatoire) ; les erreurs dues à la même pose de caméra sont communes aux deux et comptées ensemble (limites de Zou et Donner, 2008). La réaction et le freinage du conducteur sont des conventions de la norme, sans intervalle.
 
 ## Rapport : les balayages
 
 report-scans = Balayages
-report-scans-words = Deux caméras linéaires, à une base connue l’une de l’autre, enregistrent la même circulation (Douxchamps, Macq et Chihara). Le mouvement d’un véhicule est une vitesse quand son avant atteint la caméra 1 et une accélération constante ; sa longueur en est compensée. Les intervalles de temps vont de l’arrière du véhicule précédent à cet avant, les distances entre véhicules séparent les mêmes points quand cet avant atteint la caméra 1. { $methods }Les incertitudes comprennent la base, l’horloge, le désalignement, l’ajustement et les bornes.
+report-scans-words = Deux caméras linéaires, séparées d’une base connue, enregistrent le même trafic (Douxchamps, Macq et Chihara). Le mouvement d’un véhicule est une vitesse quand son avant atteint la caméra 1 et une accélération constante ; sa longueur est corrigée de l’accélération. Les intervalles temporels vont de l’arrière du véhicule précédent à cet avant, les distances intervéhiculaires séparent les mêmes points quand cet avant atteint la caméra 1. { $methods }Les incertitudes comprennent la base, l’horloge, le désalignement, l’ajustement et les bornes.
 report-scans-methods = Méthode : { $methods }.
 report-and = { $first } et { $last }
 report-apart = { $first } ; { $second }
 report-scans-direct = { $n ->
-    [one] { $n } véhicule par superposition de ses deux bandes entières (recalage direct)
-   *[other] { $n } véhicules par superposition de leurs deux bandes entières (recalage direct)
+    [one] { $n } véhicule par recalage de ses deux bandes entières (recalage direct)
+   *[other] { $n } véhicules par recalage de leurs deux bandes entières (recalage direct)
  }
 report-scans-paper = { $n ->
     [one] { $n } véhicule par l’appariement de blocs et la régression linéaire de l’article
    *[other] { $n } véhicules par l’appariement de blocs et la régression linéaire de l’article
  }
-report-rigs = Balayages et leurs bancs tels qu’ils ont été entrés ; u est l’incertitude-type.
+report-rigs = Balayages et leurs dispositifs tels que saisis ; u est l’incertitude-type.
 report-line-scan = Balayage
 report-lines = Lignes
 report-baseline = Base
@@ -7787,47 +7787,47 @@ report-video-columns = colonnes d’une vidéo, { $lighting }
 report-strips = bandes, { $lighting }
 report-from-traffic = d’après le trafic
 report-with-u = { $value } (u = { $u })
-report-no-vehicle = Aucun véhicule n’y a été trouvé.
+report-no-vehicle = Ils ne contiennent aucun véhicule.
 report-left-out-to-review = { $n } non encore vérifiés
 report-left-out-rejected = { $n } rejetés
 report-left-out-not-measurable = { $n } non mesurables
-report-none-accepted = Aucun véhicule balayé n’est validé : aucun ne compte ici.
+report-none-accepted = Aucun véhicule balayé n’est validé.
 report-accepted-count = { $n ->
-    [one] { $n } véhicule validé compte, sur { $all } trouvés.
-   *[other] { $n } véhicules validés comptent, sur { $all } trouvés.
+    [one] { $n } véhicule validé, sur { $all } détectés.
+   *[other] { $n } véhicules validés, sur { $all } détectés.
  }
-report-scans-left-out = Écartés : { $states } ; scan_vehicles.csv en donne les motifs.
+report-scans-left-out = Exclus : { $states } ; scan_vehicles.csv en donne les motifs.
 report-speed-short = Vitesse moyenne : { $mean } ; vitesse du 85e centile (V85) : { $p85 } { $interval }.
-report-no-interval = (pas d’intervalle à 95 % : { $reason })
-report-quantities = Ce qui a été mesuré des véhicules validés, avec les centiles et leurs intervalles à 95 %.
+report-no-interval = (pas d’intervalle à 95 % : { $reason })
+report-quantities = Grandeurs mesurées des véhicules validés : centiles avec intervalles à 95 %.
 report-quantity = Grandeur
 report-quantity-of-speed = vitesse
 report-quantity-of-length = longueur
 report-quantity-of-wheelbase = empattement
-report-quantity-of-time_gap = intervalle de temps
-report-quantity-of-distance_gap = distance entre véhicules
+report-quantity-of-time_gap = intervalle temporel
+report-quantity-of-distance_gap = distance intervéhiculaire
 report-quantity-of-headway = temps intervéhiculaire
 report-by-lengths = Base d’après les longueurs : { $reason }
 report-by-wheelbases = Base d’après les empattements : { $reason }
-report-over-lengths = Longueurs mesurées sur longueurs vraies de { $n ->
+report-over-lengths = Longueurs mesurées sur longueurs connues de { $n ->
     [one] { $n } véhicule
    *[other] { $n } véhicules
  } : { $ratio } (u = { $u }). { $verdict }
-report-over-wheelbases = Empattements mesurés sur empattements vrais de { $n ->
+report-over-wheelbases = Empattements mesurés sur empattements connus de { $n ->
     [one] { $n } véhicule
    *[other] { $n } véhicules
  } : { $ratio } (u = { $u }). { $verdict }
 report-baseline-agrees = Le rapport s’écarte de 1 de moins de 2 u : il est compatible avec la base.
-report-sizes-none = Aucun véhicule validé n’a de longueur ni d’empattement connus : ils ne sont donc pas contrôlés ici.
-report-sizes = Erreurs (mesure moins dimensions du constructeur) en { $unit }, avec des intervalles à 95 %.
+report-sizes-none = Aucun véhicule validé n’a de longueur ni d’empattement connus : leurs erreurs ne peuvent pas être indiquées.
+report-sizes = Erreurs (mesure moins dimensions du constructeur) en { $unit }, avec des intervalles à 95 %.
 report-size = Dimension
-report-references = Écarts (mesure moins référence) des véhicules validés par rapport à d’autres mesures, par source. Accord : |E<sub>n</sub>| d’au plus 1, soit un écart inférieur à l’U95 composée des deux (ISO 13528), avec l’intervalle à 95 % de la part.
+report-references = Écarts (mesure moins référence) des véhicules validés par rapport aux mesures de référence, par source. Accord : |E<sub>n</sub>| d’au plus 1, soit un écart inférieur à l’U95 composée des deux (ISO 13528), avec l’intervalle à 95 % de la part.
 report-reference = Référence
 report-all-sources = toutes les sources
 report-within = Accord
 report-share-within = Part en accord
-report-references-words = Environ 19 véhicules sur 20 devraient être en accord. Les véhicules d’un même banc partagent l’erreur de sa base : plusieurs peuvent être en désaccord en même temps. scan_references.csv donne chaque véhicule et chaque source.
-report-scan-heights = Hauteurs validées de véhicules balayés, par deux pointés dans la bande de la caméra 1, dont un jalon a donné la pose ; corrigées de leurs retraits. Chacune a sa propre décision ; celles en attente ne comptent nulle part.
+report-references-words = Environ 95 % devraient être en accord. Les véhicules d’un même dispositif partagent l’erreur de sa base : plusieurs peuvent être en désaccord en même temps. scan_references.csv contient toutes les valeurs de référence.
+report-scan-heights = Hauteurs validées de véhicules balayés au-dessus de la chaussée, par deux pointés dans la bande de la caméra 1, dont la pose a été étalonnée avec un jalon ; corrigées de leurs retraits. Chacune a sa propre décision ; les hauteurs en attente de vérification sont exclues.
 report-typical-u95 = U95 typique
 report-waiting = En attente
 report-table-1 = Véhicules validés, présentés comme le tableau I de l’article.
@@ -7835,7 +7835,7 @@ report-vehicle-column = Véhicule
 report-speed-column = Vitesse
 report-acceleration = Accélération
 report-length-column = Longueur
-report-true-length = Longueur vraie
+report-true-length = Longueur connue
 report-length-error = Erreur de longueur
 report-fit-error = Erreur d’ajustement
 report-first-of = Les { $shown } premiers sur { $all } ; scan_vehicles.csv les contient tous.
@@ -7845,12 +7845,12 @@ report-first-of = Les { $shown } premiers sur { $all } ; scan_vehicles.csv les
 report-left-out = Exclusions
 report-nothing-left-out = Aucune mesure n’est exclue.
 report-left-out-of = { $n ->
-    [one] { $n } mesure ne compte dans aucun résultat.
-   *[other] { $n } mesures ne comptent dans aucun résultat.
+    [one] { $n } mesure est exclue des résultats.
+   *[other] { $n } mesures sont exclues des résultats.
  } Toutes sont listées dans les fichiers CSV de l’archive.
 report-left-out-first = { $n ->
-    [one] { $n } mesure ne compte dans aucun résultat.
-   *[other] { $n } mesures ne comptent dans aucun résultat.
+    [one] { $n } mesure est exclue des résultats.
+   *[other] { $n } mesures sont exclues des résultats.
  } Les { $shown } premières figurent ici. Toutes sont listées dans les fichiers CSV de l’archive.
 report-left-out-table = Mesures exclues des résultats, avec le motif.
 report-number = Numéro
@@ -7862,14 +7862,14 @@ report-trail-empty = Le journal d’audit est vide.
 report-trail = Le journal d’audit a { $n ->
     [one] { $n } événement
    *[other] { $n } événements
- } jusqu’au dernier de ce relevé. Chacun porte l’empreinte du précédent ; qui a gardé ailleurs l’empreinte de cet événement peut voir que rien avant lui n’a été modifié depuis. L’événement suivant, qui scelle cette archive, nomme chaque fichier par son empreinte.
+ } jusqu’au dernier de ce relevé. Chacun porte l’empreinte du précédent ; quiconque a gardé ailleurs l’empreinte de cet événement peut vérifier que rien avant lui n’a été modifié depuis. L’événement suivant, qui scelle cette archive, nomme chaque fichier par son empreinte.
 report-checksums = SHA-256 des fichiers de l’archive.
 report-file = Fichier
 
 ## Rapport : les figures
 
-report-fig-cumulative = Hauteurs, distribution cumulée : { $target }
-report-fig-no-height = Aucune hauteur ne compte ici ({ $target }) : il n’y a pas de distribution à tracer.
+report-fig-cumulative = Hauteurs, répartition : { $target }
+report-fig-no-height = Aucune hauteur validée : { $target }.
 report-fig-corrected = corrigées, n = { $n }
 report-fig-height-above = Hauteur au-dessus de la route : { $target } ({ $unit })
 report-fig-height = Hauteur : { $target } ({ $unit })
@@ -7878,7 +7878,7 @@ report-fig-share-below = { $standard }, { $share } au-dessous
 report-fig-cumulative-caption = Toutes classes comprises. Trait plein : hauteurs corrigées de leur retrait. Points : centiles des hauteurs vraies avec leurs intervalles totaux à 95 %.
 report-fig-density = Hauteurs, densité : { $target }
 report-fig-density-axis = Densité (par { $unit })
-report-fig-density-caption = Hauteurs corrigées, n = { $n } ; noyau gaussien, largeur { $width }.
+report-fig-density-caption = Hauteurs corrigées, n = { $n } ; noyau gaussien, largeur de bande { $width }.
 report-fig-by = Hauteurs par { $grouping } : { $target }
 report-fig-by-caption = Hauteurs corrigées par groupe (nombre de véhicules) : médiane (anneau), 15e au 85e centile (épais), 5e au 95e (fin) ; chaque véhicule (trait) s’ils sont trop peu nombreux.
 report-fig-band = Bande : 95 %, simultanée.
@@ -7890,16 +7890,16 @@ report-fig-group = { $group }, n = { $n }
 report-fig-no-error = Aucun véhicule n’a de hauteur de référence.
 report-fig-no-errors = Il n’y a pas d’erreur à tracer.
 report-fig-absolute-axis = Erreur absolue ({ $unit })
-report-fig-absolute = Erreur absolue, cumulée
+report-fig-absolute = Erreur absolue, répartition
 report-fig-absolute-caption = Part cumulée des véhicules selon l’erreur absolue.
 report-fig-relative-axis = Erreur absolue sur hauteur de référence (%)
-report-fig-relative = Erreur relative, cumulée
+report-fig-relative = Erreur relative, répartition
 report-fig-relative-caption = Erreur absolue rapportée à la hauteur de référence.
 report-fig-signed = Erreur signée, densité
 report-fig-signed-axis = Mesure moins référence ({ $unit })
 report-fig-signed-width = { $width } { $group }
-report-fig-signed-caption = Noyau gaussien, largeur { $widths }.
-report-fig-signed-caption-cm = Noyau gaussien, largeur { $widths }, au moins la moitié de l’arrondi de { $rounding }.
+report-fig-signed-caption = Noyau gaussien, largeur de bande { $widths }.
+report-fig-signed-caption-cm = Noyau gaussien, largeur de bande { $widths }, au moins la moitié de l’arrondi de { $rounding }.
 report-fig-trend = Erreur signée selon la hauteur du constructeur
 report-fig-regression = régression
 report-fig-maker-height = Hauteur du constructeur ({ $unit })
@@ -7907,23 +7907,23 @@ report-fig-one-mark = Une marque par véhicule. { $reason }
 report-fig-per = { $small } par { $height }
 report-fig-seen = Une marque par véhicule
 report-fig-seen-some = Une marque pour { $shown } véhicules sur { $n }
-report-fig-trend-caption = { $seen } ; régression et sa bande à 95 % : pente { $slope } ({ $interval }), r = { $r }.
-report-fig-trend-caption-absolute = { $seen } ; régression et sa bande à 95 % : pente { $slope } ({ $interval }), r = { $r } ; erreur absolue : r = { $r_absolute }.
+report-fig-trend-caption = { $seen } ; régression et sa bande à 95 % : pente { $slope } ({ $interval }), r = { $r }.
+report-fig-trend-caption-absolute = { $seen } ; régression et sa bande à 95 % : pente { $slope } ({ $interval }), r = { $r } ; erreur absolue : r = { $r_absolute }.
 report-fig-lateral = Position latérale par voie et par classe
 report-fig-lateral-axis = Distance à la caméra en travers de la route ({ $unit })
 report-fig-lateral-caption = Contact du pneu, un par véhicule, selon son sens sur l’image et sa classe (nombre de véhicules) : médiane (anneau), 15e au 85e centile (épais), 5e au 95e (fin) ; chaque véhicule (trait) s’ils sont trop peu nombreux.
-report-fig-crest = K d’un sommet de côte selon la vitesse de référence
+report-fig-crest = K d’un angle saillant selon la vitesse de référence
 report-fig-by-standard = d’après les hauteurs de la norme
 report-fig-by-survey = d’après les hauteurs du relevé
 report-fig-design-speed = Vitesse de référence ({ $unit })
 report-fig-k = K ({ $unit } par %)
-report-fig-crest-caption = K = S²/C à la distance de visibilité d’arrêt de chaque vitesse, arrondie vers le haut comme dans les tables de conception. Plein : d’après les hauteurs du relevé, avec sa bande à 95 % ; tireté : d’après celles de la norme.
-report-fig-scanned = Véhicules balayés : { $quantity }, distribution cumulée
-report-fig-scanned-caption = n = { $n } ; { $percentiles } ; intervalles à 95 % là où n le permet.
-report-fig-true = Hauteurs vraies, distribution cumulée : { $target }
+report-fig-crest-caption = K = S²/C à la distance de visibilité d’arrêt de chaque vitesse, arrondie par excès comme dans les tables de conception. Plein : d’après les hauteurs du relevé, avec sa bande à 95 % ; tireté : d’après celles de la norme.
+report-fig-scanned = Véhicules balayés : { $quantity }, répartition
+report-fig-scanned-caption = n = { $n } ; { $percentiles } ; intervalles à 95 % là où n le permet.
+report-fig-true = Hauteurs vraies, répartition : { $target }
 report-fig-error-left-in = erreur aléatoire comprise
 report-fig-true-curve = hauteurs vraies
-report-fig-true-caption = Plein : hauteurs vraies, pondérées selon le parc quand il a été donné ; la bande relie les intervalles totaux à 95 % des centiles. Tireté : erreur aléatoire comprise.
+report-fig-true-caption = Plein : hauteurs vraies, pondérées selon le parc quand il a été donné ; la bande relie les intervalles totaux à 95 % des centiles. Tireté : erreur aléatoire comprise.
 
 ## Rapport d’une étude
 
@@ -7944,9 +7944,9 @@ report-joined-of = { $surveys ->
  }
 report-weighted = Pondérés
 report-not-weighted = non : les véhicules comptent comme ils ont été tirés
-report-fleet-by = selon les parts du parc ({ $margins }), d’après sa table
+report-fleet-by = selon les parts du parc ({ $margins }), d’après son tableau
 report-target-reason = { $target } : { $reason }.
-report-study-table = Hauteurs au-dessus de la route en { $unit } : hauteurs vraies, pondérées selon le parc quand il a été donné, avec des intervalles totaux à 95 %.
+report-study-table = Hauteurs au-dessus de la route en { $unit } : hauteurs vraies, pondérées selon le parc quand il a été donné, avec des intervalles totaux à 95 %.
 report-sites-of = { $n } sites
 report-study-note = Les intervalles comprennent l’échantillonnage des véhicules et des sites et les erreurs communes aux hauteurs (pose de la caméra, retrait moyen). L’erreur de mesure aléatoire est retirée des valeurs.
 report-study-note-one-site = Les intervalles comprennent l’échantillonnage des véhicules et des sites et les erreurs communes aux hauteurs (pose de la caméra, retrait moyen). L’erreur de mesure aléatoire est retirée des valeurs. Avec un seul site, ils ne valent que pour celui-ci.
@@ -7960,7 +7960,7 @@ report-more-lower = plus bas (significatif)
 report-not-told-apart = pas de différence significative
 report-year-no-interval = pas d’intervalle
 report-verdict-why = { $verdict } ({ $reason })
-report-makers-words = Par rapport aux hauteurs des constructeurs, { $n } toits ont une erreur absolue moyenne de { $mae } (95 % : { $mae_interval }) et un biais de { $bias } (95 % : { $bias_interval }).
+report-makers-words = Par rapport aux hauteurs des constructeurs, { $n } toits ont une erreur absolue moyenne de { $mae } (95 % : { $mae_interval }) et un biais de { $bias } (95 % : { $bias_interval }).
 report-studied = Données
 report-surveys = Les relevés. « Comptées » : hauteurs validées qui comptent selon la règle d’échantillonnage du relevé ; « exclues » : celles de véhicules hors échantillon qui ne comptent pas.
 report-survey-column = Relevé
@@ -7976,12 +7976,12 @@ report-error-left-in = Erreur aléatoire comprise
 report-design-effect = Effet de plan
 report-effective-n = n effectif
 report-makers-errors = Erreur par rapport aux hauteurs des constructeurs
-report-makers-table = Erreur = mesure moins hauteur du constructeur, pour les toits, sans arrondi, avec des intervalles à 95 %.
+report-makers-table = Erreur = mesure moins hauteur du constructeur, pour les toits, sans arrondi, avec des intervalles à 95 %.
 report-vehicle-classes = Classes de véhicules
-report-classes-table = Parts des classes telles que tirées, en %, avec des intervalles à 95 %, à côté de celles du parc.
+report-classes-table = Parts des classes telles que tirées, en %, avec des intervalles à 95 %, comparées à celles du parc.
 report-class = Classe
 report-fleet = Parc
-report-further = Une nouvelle étude
+report-further = Planification d’une nouvelle étude
 report-further-table = Sites, et véhicules par site, avec lesquels le P10 des hauteurs vraies aurait une U95 de { $goal }, si les sites et les véhicules varient comme ici.
 report-sites = Sites
 report-no-number = aucun nombre

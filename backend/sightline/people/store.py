@@ -1,6 +1,5 @@
 """People: accounts, roles, passwords (as hashes made elsewhere) and one-time sign-in links."""
 
-import hashlib
 import secrets
 from collections.abc import Mapping
 from datetime import timedelta
@@ -19,6 +18,7 @@ from sightline.infra.database.people import people, sign_in_links
 from sightline.infra.database.rows import add_row, change_row, get_row
 from sightline.infra.database.types import now
 from sightline.infra.web.person import Person
+from sightline.people.token_store import token_hash
 
 LINK_LIFETIME = timedelta(days=7)
 
@@ -137,7 +137,7 @@ def create_sign_in_link(
     if not beside_others:
         _end_links(session, person_id)
     values = {"person_id": person_id, "created_at": moment, "expires_at": moment + valid_for}
-    link_id = add_row(session, sign_in_links, {**values, "token_hash": _token_hash(token)})
+    link_id = add_row(session, sign_in_links, {**values, "token_hash": token_hash(token)})
     after = {"person_id": person_id, "email": person.email, "expires_at": moment + valid_for}
     trail.record(session, actor, "create", "sign_in_link", link_id, None, None, after)
     return token
@@ -146,7 +146,7 @@ def create_sign_in_link(
 def use_sign_in_link(session: Session, token: str) -> Person:
     """Whose link this is; it works once. Raises NotSignedIn for a used, old or unknown one."""
     refused = NotSignedIn("people-sign-link-used-already-too-old")
-    query = select(sign_in_links).where(sign_in_links.c.token_hash == _token_hash(token))
+    query = select(sign_in_links).where(sign_in_links.c.token_hash == token_hash(token))
     link = session.execute(query).mappings().one_or_none()
     if link is None or link["used_at"] is not None or link["expires_at"] <= now():
         raise refused
@@ -165,10 +165,6 @@ def _end_links(session: Session, person_id: int) -> None:
         .where(sign_in_links.c.person_id == person_id, sign_in_links.c.used_at.is_(None))
         .values(expires_at=now())
     )
-
-
-def _token_hash(token: str) -> str:
-    return hashlib.sha256(token.encode()).hexdigest()
 
 
 def _checked(name: str, role: str) -> str:

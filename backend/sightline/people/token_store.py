@@ -12,6 +12,7 @@ from sqlalchemy.orm import Session
 from sightline.enums import Scope
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
+from sightline.infra.by_name import record_of
 from sightline.infra.database.rows import add_row, change_row, get_row
 from sightline.infra.database.types import now
 from sightline.infra.web.bearer import BEGINS, ApiToken
@@ -93,12 +94,4 @@ def token_hash(text: str) -> str:
 
 
 def _token(row: Mapping[Any, Any]) -> ApiToken:
-    return ApiToken(
-        id=row["id"],
-        person_id=row["person_id"],
-        name=row["name"],
-        scopes=tuple(row["scopes"]),
-        created_at=row["created_at"],
-        expires_at=row["expires_at"],
-        last_used_at=row["last_used_at"],
-    )
+    return record_of(ApiToken, row, scopes=tuple(row["scopes"]))

@@ -5,11 +5,10 @@ from typing import Annotated
 
 from pydantic import Field
 
-from sightline.cameras.board_bodies import Markers, SquareM
+from sightline.cameras.board_bodies import BoardIn, Markers
 from sightline.cameras.calibrations.bodies import CameraDocument
 from sightline.enums import BoardSide
 from sightline.geometry.road_pose import BoardOnRoad
-from sightline.geometry.ruler import Polyline
 from sightline.infra.web.bodies import Finite, FrameNumber, Out
 from sightline.infra.web.named import CalibrationId
 from sightline.messages.said import Said
@@ -21,27 +20,11 @@ Corners = Annotated[int, Field(ge=2, le=60, description="Inner corners: where fo
 HeightAboveRoad = Annotated[Finite, Field(ge=-1, le=10)]
 
 
-class BoardWanted(Markers):
+class BoardWanted(BoardIn):
     frame: FrameNumber
     columns: Corners
     rows: Corners
-    square_m: SquareM = None
     calibration_id: CalibrationId | None = None
-
-
-class BoardBody(Out):
-    """The board on one frame; where it was not found, why."""
-
-    found: bool
-    reason: Said | None
-    columns: int
-    rows: int
-    corners_px: Polyline
-    outline_px: Polyline
-    ids: list[int] | None = Field(
-        description="Which corners were seen, counted row by row; null for all of them."
-    )
-    order_notes: list[Said]
 
 
 class PoseWanted(Markers):

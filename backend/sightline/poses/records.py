@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from datetime import datetime
+from typing import NotRequired
 
 from typing_extensions import TypedDict
 
@@ -56,6 +57,24 @@ class PoseSummary:
     turned_from: int | None
     turned_by_rad: float | None
     adjusted_from: int | None
+
+
+class NewPose(TypedDict):
+    """What is to be stored of a pose; it is made of no other one where nothing is said of that."""
+
+    calibration_id: int
+    first_frame: int
+    last_frame: int
+    rms_px: float | None
+    distance_m: float | None
+    summary: list[Said]
+    document: JsonObject
+    warnings: list[Said]
+    expected: list[ExpectedHeight]
+    overlay: PoseOverlay
+    turned_from: NotRequired[int | None]
+    turned_by_rad: NotRequired[float | None]
+    adjusted_from: NotRequired[int | None]
 
 
 @dataclass(frozen=True, slots=True)

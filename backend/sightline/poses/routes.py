@@ -2,27 +2,22 @@
 
 from fastapi import APIRouter, Response
 
-from sightline.cameras.boards import board_told
 from sightline.infra.csv_package.schema import json_bytes
 from sightline.infra.web.bodies import JobBody
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
 from sightline.poses import pose_job, store
-from sightline.poses.bodies import BoardBody, BoardWanted, PoseBody, PoseSummaryBody, PoseWanted
+from sightline.poses.bodies import BoardWanted, PoseBody, PoseSummaryBody, PoseWanted
 from sightline.poses.pose_job import PoseRequest
-from sightline.poses.service import StillSpan
+from sightline.poses.service import BoardView, StillSpan
 from sightline.surveys.store import get_survey
 
 router = APIRouter()
 
 
 @router.post("/recordings/{recording_id}/board")
-def find_board(recording_id: PathId, body: BoardWanted, who: Operator, services: Wired) -> BoardBody:
+def find_board(recording_id: PathId, body: BoardWanted, who: Operator, services: Wired) -> BoardView:
     """Look for the board on one frame; where it is not found, the answer says why."""
-    board = board_told(
-        body.columns, body.rows, body.square_m, body.board_kind, body.dictionary, body.marker_m
-    )
-    found = pose_job.look_for_board(services, recording_id, body.frame, board, body.calibration_id)
-    return BoardBody.model_validate(found)
+    return pose_job.look_for_board(services, recording_id, body.frame, body.board, body.calibration_id)
 
 
 @router.post("/recordings/{recording_id}/board/span")
@@ -30,10 +25,7 @@ def find_still_span(
     recording_id: PathId, body: BoardWanted, who: Operator, services: Wired
 ) -> StillSpan | None:
     """The frames around one in which the board stands still, to be confirmed; null where it is not there."""
-    board = board_told(
-        body.columns, body.rows, body.square_m, body.board_kind, body.dictionary, body.marker_m
-    )
-    return pose_job.look_for_span(services, recording_id, body.frame, board, body.calibration_id)
+    return pose_job.look_for_span(services, recording_id, body.frame, body.board, body.calibration_id)
 
 
 @router.post("/recordings/{recording_id}/poses", status_code=202)

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 import scipy
+from pydantic import Field
 
 from sightline.coverage import COVERAGE_95
 from sightline.errors import BadInput
@@ -21,7 +22,7 @@ from sightline.geometry.mean_picture import MeanPicture
 from sightline.geometry.pose import expected_u, pose_from_corners
 from sightline.geometry.road import axes_at_contact, iso_heights, road_grid
 from sightline.geometry.road_pose import Reference, RoadPose
-from sightline.geometry.ruler import DrawnAxes, drawn_axes, polyline
+from sightline.geometry.ruler import DrawnAxes, Polyline, drawn_axes, polyline
 from sightline.messages.said import Said, with_commas
 from sightline.poses.records import ExpectedHeight, IsoHeight, PoseOverlay
 
@@ -37,15 +38,18 @@ Progress = Callable[[float, Said], None]
 
 @dataclass(frozen=True)
 class BoardView:
-    """What one frame shows of the board, in plain lists."""
+    """The board on one frame; where it was not found, why."""
 
     found: bool
     reason: Said | None
     columns: int
     rows: int
-    corners_px: list[list[float]]
-    outline_px: list[list[float]]
-    ids: list[int] | None
+    corners_px: Polyline
+    outline_px: Polyline
+    ids: Annotated[
+        list[int] | None,
+        Field(description="Which corners were seen, counted row by row; null for all of them."),
+    ]
     order_notes: list[Said]
 
 
@@ -84,34 +88,19 @@ class Solved:
 def board_view(gray: Gray, board: Board) -> BoardView:
     """Look for the board in one grey picture (H, W). Raises BadInput for an impossible board."""
     corners = find_board(gray, board)
-    if not corners.found:
-        return BoardView(
-            found=False,
-            reason=corners.reason,
-            columns=board.columns,
-            rows=board.rows,
-            corners_px=[],
-            outline_px=[],
-            ids=None,
-            order_notes=[_ORDER],
-        )
-    seen = corners.board_as_seen
-    turned = (seen.columns, seen.rows) != (board.columns, board.rows)
-    notes = [_ORDER]
-    if turned:
+    found, seen, notes = corners.found, corners.board_as_seen, [_ORDER]
+    if (seen.columns, seen.rows) != (board.columns, board.rows):
         notes.append(Said("board-order-turned", columns=seen.columns, rows=seen.rows))
-    ids: list[int] | None = None
-    if corners.ids is not None:
-        ids = corners.ids.tolist()
-        notes.insert(0, Said("board-order-part", seen=len(corners.ids), all=seen.corners))
-    flat = corners.points_px.reshape(-1, 2).tolist()
+    ids = None if corners.ids is None else corners.ids.tolist()
+    if ids is not None:
+        notes.insert(0, Said("board-order-part", seen=len(ids), all=seen.corners))
     return BoardView(
-        found=True,
-        reason=None,
+        found=found,
+        reason=None if found else corners.reason,
         columns=seen.columns,
         rows=seen.rows,
-        corners_px=flat,
-        outline_px=outline(corners),
+        corners_px=polyline(corners.points_px.reshape(-1, 2)),
+        outline_px=outline(corners) if found else [],
         ids=ids,
         order_notes=notes,
     )
@@ -160,7 +149,7 @@ def _furthest(stands: Callable[[int], bool], start: int, end: int) -> int:
     return good
 
 
-def outline(corners: Corners) -> list[list[float]]:
+def outline(corners: Corners) -> Polyline:
     """The four outermost inner corners, clockwise from the top left, closed; of a board seen in part the
     hull of what is seen.
     """
@@ -169,7 +158,7 @@ def outline(corners: Corners) -> list[list[float]]:
         ring = np.array([grid[0, 0], grid[0, -1], grid[-1, -1], grid[-1, 0]])
     else:
         ring = grid[scipy.spatial.ConvexHull(grid).vertices]
-    return [[float(x), float(y)] for x, y in [*ring, ring[0]]]
+    return polyline(np.array([*ring, ring[0]]))
 
 
 def frames_to_try(first: int, last: int, most: int = MOST_FRAMES) -> list[int]:

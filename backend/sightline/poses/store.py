@@ -1,21 +1,17 @@
 """Road poses: written once, never changed, their content's hash kept in the audit event."""
 
-from collections.abc import Sequence
-from typing import Any
+from typing import Any, Unpack
 
-from sqlalchemy import select
+from sqlalchemy import ColumnElement
 from sqlalchemy.orm import Session
 
 from sightline.cameras.calibrations.tables import calibrations
 from sightline.cameras.tables import cameras
-from sightline.enums import JsonObject
 from sightline.errors import BadInput
-from sightline.infra.audit import trail
-from sightline.infra.database.people import people
-from sightline.infra.database.rows import add_row, change_row, get_row, missing, stored_hash, who
-from sightline.infra.database.types import columns_of, now
-from sightline.messages.said import Said
-from sightline.poses.records import ExpectedHeight, Pose, PoseOverlay, PoseSummary
+from sightline.infra.audit.written import written_once, written_rows
+from sightline.infra.by_name import record_of
+from sightline.infra.database.rows import change_row, get_row, missing
+from sightline.poses.records import NewPose, Pose, PoseSummary
 from sightline.poses.tables import road_poses
 from sightline.recordings.tables import recordings
 
@@ -26,54 +22,21 @@ def add_pose(
     session: Session,
     recording_id: int,
     *,
-    calibration_id: int,
-    first_frame: int,
-    last_frame: int,
-    rms_px: float | None,
-    distance_m: float | None,
-    summary: Sequence[Said],
-    document: JsonObject,
-    warnings: Sequence[Said],
-    expected: Sequence[ExpectedHeight],
-    overlay: PoseOverlay,
     attach: bool = True,
-    turned_from: int | None = None,
-    turned_by_rad: float | None = None,
-    adjusted_from: int | None = None,
     actor: int | None,
+    **values: Unpack[NewPose],
 ) -> Pose:
-    """Store a pose taken from frames of a recording and (by default) make it that recording's pose.
-
-    turned_from, turned_by_rad: the pose that it was before it was turned about the road's normal;
-    adjusted_from: before it was adjusted by its traffic.
-    """
+    """Store a pose taken from frames of a recording and (by default) make it that recording's pose."""
     recording = get_row(session, recordings, recording_id, "recording", recordings.c.deleted_at.is_(None))
-    _calibration_of_survey(session, calibration_id, recording["survey_id"])
-    content: dict[str, Any] = {
-        "survey_id": recording["survey_id"],
-        "recording_id": recording_id,
-        "calibration_id": calibration_id,
-        "first_frame": first_frame,
-        "last_frame": last_frame,
-        "rms_px": rms_px,
-        "distance_m": distance_m,
-        "summary": list(summary),
-        "document": document,
-        "warnings": list(warnings),
-        "expected": list(expected),
-        "overlay": overlay,
-        "turned_from": turned_from,
-        "turned_by_rad": turned_by_rad,
-        "adjusted_from": adjusted_from,
-        "created_at": now(),
-        "created_by": actor,
-    }
-    pose_id = add_row(session, road_poses, content)
+    _calibration_of_survey(session, values["calibration_id"], recording["survey_id"])
+    made_of: dict[str, Any] = dict.fromkeys(("turned_from", "turned_by_rad", "adjusted_from"))
+    place = {"survey_id": recording["survey_id"], "recording_id": recording_id}
+    content = {**place, **made_of, **values}
+    pose_id = written_once(
+        session, road_poses, content, "create", also={"attached": attach}, untold=_HEAVY, actor=actor
+    )
     if attach:
         change_row(session, recordings, recording_id, {"pose_id": pose_id})
-    told = {key: content[key] for key in content if key not in (*_HEAVY, "created_at", "created_by")}
-    after = {**told, "attached": attach, "content_sha256": stored_hash(session, road_poses, pose_id)}
-    trail.record(session, actor, "create", "pose", pose_id, recording["survey_id"], None, after)
     return get_pose(session, pose_id)
 
 
@@ -92,32 +55,13 @@ def list_whole_poses(session: Session, survey_id: int) -> tuple[Pose, ...]:
 
 def list_poses(session: Session, survey_id: int) -> tuple[PoseSummary, ...]:
     """The poses of a survey in short, newest first."""
-    chosen = columns_of(road_poses, *_HEAVY)
-    query = (
-        select(*chosen, people.c.name.label("maker"))
-        .outerjoin(people, people.c.id == road_poses.c.created_by)
-        .where(road_poses.c.survey_id == survey_id)
-        .order_by(road_poses.c.id.desc())
-    )
-    named = [column.name for column in chosen if column.name != "created_by"]
-    return tuple(
-        PoseSummary(created_by=who(row.created_by, row.maker), **{name: getattr(row, name) for name in named})
-        for row in session.execute(query)
-    )
+    of_survey = road_poses.c.survey_id == survey_id
+    rows = written_rows(session, road_poses, of_survey, without=_HEAVY, newest_first=True)
+    return tuple(record_of(PoseSummary, row) for row in rows)
 
 
-def _whole(session: Session, condition: Any) -> tuple[Pose, ...]:
-    query = (
-        select(road_poses, people.c.name.label("maker"))
-        .outerjoin(people, people.c.id == road_poses.c.created_by)
-        .where(condition)
-        .order_by(road_poses.c.id)
-    )
-    named = [column.name for column in columns_of(road_poses, "created_by")]
-    return tuple(
-        Pose(created_by=who(row.created_by, row.maker), **{name: getattr(row, name) for name in named})
-        for row in session.execute(query)
-    )
+def _whole(session: Session, condition: ColumnElement[bool]) -> tuple[Pose, ...]:
+    return tuple(record_of(Pose, row) for row in written_rows(session, road_poses, condition))
 
 
 def _calibration_of_survey(session: Session, calibration_id: int, survey_id: int) -> None:

@@ -1,16 +1,18 @@
 """The table of camera poses."""
 
-from sqlalchemy import (
-    CheckConstraint,
-    Column,
-    Float,
-    ForeignKey,
-    Integer,
-    Table,
-)
+from sqlalchemy import CheckConstraint, Column, ForeignKey, Table
 
 from sightline.infra.audit.vouched import WrittenOnce, vouched
-from sightline.infra.database.types import CanonicalJson, Saying, identity, made_columns, metadata
+from sightline.infra.database.types import columns_for, identity, made_columns, metadata
+from sightline.poses.records import NewPose
+
+# A pose turned about the road's normal after the traffic's own direction is of another one, and so is a pose
+# adjusted by its traffic's known lengths; the account of the latter is in its document.
+_KEYS = {
+    "calibration_id": "calibrations.id",
+    "turned_from": "road_poses.id",
+    "adjusted_from": "road_poses.id",
+}
 
 road_poses = Table(
     "road_poses",
@@ -18,21 +20,7 @@ road_poses = Table(
     identity(),
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("recording_id", ForeignKey("recordings.id"), nullable=False),
-    Column("calibration_id", ForeignKey("calibrations.id"), nullable=False),
-    Column("first_frame", Integer, nullable=False),
-    Column("last_frame", Integer, nullable=False),
-    Column("rms_px", Float),
-    Column("distance_m", Float),
-    Column("summary", Saying, nullable=False),
-    Column("document", CanonicalJson, nullable=False),
-    Column("warnings", Saying, nullable=False),
-    Column("expected", CanonicalJson, nullable=False),
-    Column("overlay", CanonicalJson, nullable=False),
-    # a pose turned about the road's normal after the traffic's own direction
-    Column("turned_from", ForeignKey("road_poses.id")),
-    Column("turned_by_rad", Float),
-    # a pose adjusted by its traffic's known lengths; the account is in its document
-    Column("adjusted_from", ForeignKey("road_poses.id")),
+    *columns_for(NewPose, keys=_KEYS),
     *made_columns(),
     CheckConstraint("first_frame >= 0 AND last_frame >= first_frame", name="span_forward"),
     info=vouched(WrittenOnce("pose")),

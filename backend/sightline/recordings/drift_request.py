@@ -1,16 +1,14 @@
 """Asking whether the camera of a recording moved; `quality` has the job that looks."""
 
-from sightline.enums import JobState
 from sightline.errors import BadInput, Conflict
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.store import list_jobs
+from sightline.infra.jobs.store import jobs_under_way
 from sightline.recordings.records import Recording
 from sightline.recordings.store import get_recording
 
 DRIFT = "drift"
-UNDER_WAY: tuple[JobState, ...] = ("running", "queued")
 
 
 def request_drift(session: Session, recording_id: int, *, actor: int | None) -> Job:
@@ -35,8 +33,4 @@ def request_if_posed(session: Session, recording_id: int, *, actor: int | None) 
 
 def under_way(session: Session, recording: Recording) -> Job | None:
     """The look at a recording that waits or runs, if there is one."""
-    for state in UNDER_WAY:
-        for job in list_jobs(session, survey_id=recording.survey_id, state=state):
-            if job.kind == DRIFT and job.recording_id == recording.id:
-                return job
-    return None
+    return next(iter(jobs_under_way(session, DRIFT, recording_id=recording.id)), None)

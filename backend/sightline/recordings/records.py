@@ -2,14 +2,11 @@
 
 from dataclasses import dataclass, field
 from datetime import datetime
-from typing import TypedDict
+from typing import Annotated, TypedDict
 
-from sightline.enums import (
-    JsonObject,
-    Lighting,
-    RecordingState,
-    StreetLighting,
-)
+from pydantic import Field
+
+from sightline.enums import JsonObject, Lighting, RecordingState, StreetLighting
 from sightline.infra.jobs.records import Job
 from sightline.messages.said import Said
 from sightline.recordings.drift import DriftChecks, DriftDecision
@@ -34,13 +31,11 @@ class Facts:
     stream_number: int | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Recording:
-    """A video. Facts are None until it is ready; `thumbs` are the frame numbers that have a thumbnail.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RecordingFacts:
+    """What is said of a video. Facts are None until it is ready.
 
-    `start_proposed`: when the file states that it was begun; `started_at`: what a person said, with the zone
-    whose clocks it is told by. `stream_number`: which of its file's pictures is read, from 1, where there are
-    several; `filmed_hz`: frames per second when it was filmed, as a person said.
+    `started_at`: what a person said, with the zone whose clocks it is told by.
     """
 
     id: int
@@ -48,8 +43,6 @@ class Recording:
     name: str
     state: RecordingState
     error: str | None
-    job: Job | None
-    media_key: str
     sha256: str
     size_bytes: int
     width_px: int | None
@@ -60,22 +53,36 @@ class Recording:
     container: str | None
     vfr: bool
     notes: list[Said]
-    report: JsonObject
-    thumbs: list[int]
     camera_id: int | None
     pose_id: int | None
     lighting: Lighting | None
     lighting_proposed: Lighting | None
-    stream_number: int | None
-    filmed_hz: float | None
-    start_proposed: datetime | None
-    started_at: datetime | None
+    stream_number: Annotated[
+        int | None, Field(description="Which of `pictures` is read, from 1; null where the file has one.")
+    ]
+    filmed_hz: Annotated[
+        float | None, Field(description="Frames per second when it was filmed, as a person stated.")
+    ]
+    start_proposed: Annotated[
+        datetime | None, Field(description="When it was begun, as its file states; for a person to confirm.")
+    ]
+    started_at: Annotated[datetime | None, Field(description="As a person confirmed.")]
     time_zone: str | None
     weather: str | None
     street_lighting: StreetLighting | None
+    created_at: datetime
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Recording(RecordingFacts):
+    """A video; `thumbs` are the frame numbers that have a thumbnail."""
+
+    job: Job | None
+    media_key: str
+    report: JsonObject
+    thumbs: list[int]
     drift: DriftChecks | None
     drift_decision: DriftDecision | None
-    created_at: datetime
 
 
 class RecordingChanges(TypedDict, total=False):

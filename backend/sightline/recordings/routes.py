@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Mapping
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import Annotated, Any
 
@@ -10,7 +11,8 @@ from fastapi.responses import FileResponse
 from pydantic import Field
 
 from sightline.cameras.calibrations.store import documents_in_force
-from sightline.enums import FILMED_HZ, ClockDoubt, Lighting, RecordingState, StreetLamps, StreetLighting
+from sightline.enums import FILMED_HZ, ClockDoubt, Lighting, StreetLamps, StreetLighting
+from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.infra.web.bodies import In, JobBody, Name, Out, example
 from sightline.infra.web.deps import Exporter, Operator, PathId, Reading, Uploader, Viewer, Wired, Writing
@@ -23,7 +25,7 @@ from sightline.recordings.csv import started_text
 from sightline.recordings.drift_request import request_if_posed
 from sightline.recordings.filming import lamps_misfits, misfits, start_of
 from sightline.recordings.frames.stills import stills_of
-from sightline.recordings.records import Recording, RecordingChanges
+from sightline.recordings.records import Recording, RecordingChanges, RecordingFacts
 from sightline.surveys.store import get_survey
 
 router = APIRouter()
@@ -40,53 +42,23 @@ class RateIn(In):
     )
 
 
-class RecordingBody(Out):
-    id: int
-    survey_id: int
-    name: str
-    state: RecordingState
-    error: str | None
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RecordingBody(RecordingFacts):
+    """A recording with the addresses of its thumbnails."""
+
     job: JobBody | None
-    sha256: str
-    size_bytes: int
-    width_px: int | None
-    height_px: int | None
-    frame_count: int | None
-    duration_s: float | None
-    codec: str | None
-    container: str | None
-    vfr: bool
-    notes: list[Said]
-    camera_id: int | None
-    pose_id: int | None
-    lighting: Lighting | None
-    lighting_proposed: Lighting | None
-    stream_number: Annotated[
-        int | None, Field(description="Which of `pictures` is read, from 1; null where the file has one.")
-    ]
     pictures: list[Picture]
     clock_doubt: Annotated[
         ClockDoubt | None,
         Field(description="Why its times are not those of filming, so that no motion is measured."),
     ]
-    filmed_hz: Annotated[
-        float | None, Field(description="Frames per second when it was filmed, as a person stated.")
-    ]
-    start_proposed: Annotated[
-        datetime | None, Field(description="When it was begun, as its file states; for a person to confirm.")
-    ]
-    started_at: Annotated[datetime | None, Field(description="As a person confirmed.")]
-    time_zone: str | None
     started_local: Annotated[
         str | None, Field(description="`started_at` by the clocks of `time_zone`, ISO 8601 with offset.")
     ]
-    weather: str | None
-    street_lighting: StreetLighting | None
     misfits: Annotated[
         list[Said],
         Field(description="Where it does not fit its camera's calibration or its survey, in sentences."),
     ]
-    created_at: datetime
     thumbs: list[Thumb]
 
 
@@ -106,25 +78,25 @@ class RecordingChange(In):
     street_lighting: StreetLighting | None = None
 
 
-_MADE_HERE = ("thumbs", "started_local", "misfits", "pictures", "clock_doubt")
-
-
 def recording_body(
     recording: Recording, lens: Mapping[str, Any] | None, lamps: StreetLamps | None
 ) -> RecordingBody:
-    """A recording as it goes out, with the addresses of its thumbnails; `lens`: its camera's calibration,
-    `lamps`: whether its survey's road has street lighting.
+    """A recording as it goes out; `lens`: its camera's calibration, `lamps`: whether its survey's road has
+    street lighting.
     """
-    values = {name: getattr(recording, name) for name in RecordingBody.model_fields if name not in _MADE_HERE}
-    values["started_local"] = started_text(recording.started_at, recording.time_zone)
-    values["pictures"] = recording.report.get("pictures", [])
-    values["clock_doubt"] = recording.report.get("clock_doubt")
     size, focal = (recording.width_px, recording.height_px), recording.report.get("focal_35mm_mm")
     of_lens = [] if lens is None else misfits(size, focal, lens)
-    values["misfits"] = [*of_lens, *lamps_misfits(recording.street_lighting, lamps)]
     address = f"/api/recordings/{recording.id}/thumbs"
-    thumbs = [Thumb(frame=n, url=f"{address}/{n}.jpg?v={recording.sha256[:12]}") for n in recording.thumbs]
-    return RecordingBody.model_validate({**values, "thumbs": thumbs})
+    return filled_from(
+        RecordingBody,
+        recording,
+        job=None if recording.job is None else JobBody.model_validate(recording.job),
+        started_local=started_text(recording.started_at, recording.time_zone),
+        pictures=[Picture(**one) for one in recording.report.get("pictures", [])],
+        clock_doubt=recording.report.get("clock_doubt"),
+        misfits=[*of_lens, *lamps_misfits(recording.street_lighting, lamps)],
+        thumbs=[Thumb(frame=n, url=f"{address}/{n}.jpg?v={recording.sha256[:12]}") for n in recording.thumbs],
+    )
 
 
 @router.get("/surveys/{survey_id}/recordings")

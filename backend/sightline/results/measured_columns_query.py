@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from datetime import date
-from typing import Any, get_args
+from typing import Any, Self, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -60,7 +60,41 @@ _EPOCH = date(1970, 1, 1).toordinal()
 
 
 @dataclass(frozen=True, eq=False)
-class Measured:
+class Heights:
+    """What the figures of heights (N,) are made of; words and lengths are those of `Measured`."""
+
+    survey_id: Ints
+    pose_id: Ints
+    category: Ints
+    lighting: Ints
+    class_set: Ints
+    height_m: Floats
+    known_m: Floats
+    inset_m: Floats
+    u_inset_m: Floats
+    u_height_m: Floats
+    u_clicks_m: Floats
+    u_by_inset_m: Floats
+
+    def __len__(self) -> int:
+        return len(self.height_m)
+
+    def where(self, chosen: NDArray[np.bool_] | Ints) -> Self:
+        """The rows that are chosen, (N,) by truth or (M,) by place."""
+        if chosen.dtype == np.bool_ and chosen.all():
+            return self
+        return type(self)(**{one.name: getattr(self, one.name)[chosen] for one in fields(self)})
+
+    def of_classes(
+        self, categories: Sequence[Category], class_sets: Sequence[ClassSet] = ()
+    ) -> NDArray[np.bool_]:
+        """Whose vehicles (N,) are of one of the classes, or count in one of the sets."""
+        of_set = np.isin(self.class_set, [CLASS_SETS.index(one) for one in class_sets])
+        return of_set | np.isin(self.category, [CATEGORIES.index(one) for one in categories])
+
+
+@dataclass(frozen=True, eq=False)
+class Measured(Heights):
     """Standing measurements with a height, (N,) each: current, not withdrawn, no repeats, of living vehicles.
 
     In the order of `measurement_id`. Words are indices into TARGETS, LIGHTING, LANES (the way that a vehicle
@@ -77,37 +111,18 @@ class Measured:
 
     measurement_id: Ints
     vehicle_id: Ints
-    survey_id: Ints
     operator_id: Ints
     day: Ints
     filmed_hour: Ints
     target: Ints
-    lighting: Ints
     lane: Ints
-    category: Ints
-    class_set: Ints
     verdict: Ints
-    height_m: Floats
     uncorrected_height_m: Floats
-    known_m: Floats
     u_known_m: Floats
     by_size: NDArray[np.bool_]
     check_target: NDArray[np.bool_]
     counts: NDArray[np.bool_]
-    pose_id: Ints
     across_m: Floats
-    inset_m: Floats
-    u_inset_m: Floats
-    u_height_m: Floats
-    u_clicks_m: Floats
-    u_by_inset_m: Floats
-
-    def __len__(self) -> int:
-        return len(self.measurement_id)
-
-    def where(self, chosen: NDArray[np.bool_] | Ints) -> Measured:
-        """The rows that are chosen, (N,) by truth or (M,) by place."""
-        return Measured(**{one.name: getattr(self, one.name)[chosen] for one in fields(self)})
 
 
 def load_measured_columns(

@@ -1,28 +1,26 @@
 """The heights of standards that a survey's figures are read against, and where they come from.
 
-They have no table of their own: the survey's newest audit event of this kind holds them. They are words and
-figures that nothing refers to, seldom changed, and who changed them when is as much asked for as they are.
+They have no table of their own (`infra/audit/choice`): they are words and figures that nothing refers to,
+seldom changed, and who changed them when is as much asked for as they are.
 """
 
-import json
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Annotated
 
 from pydantic import Field
-from sqlalchemy import func, select
+from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from sightline.errors import BadInput, Conflict
-from sightline.infra.audit import trail
-from sightline.infra.audit.tables import audit_events
+from sightline.infra.audit import choice
 from sightline.infra.database.rows import get_row
 from sightline.results.usual_standards import STANDARDS
 from sightline.statistics.standards import Standard
 from sightline.surveys.tables import surveys
 
 MOST = 40
-_ENTITY = "standards"
+_KIND = choice.Kind("standards", "standards")
 
 
 @dataclass(frozen=True)
@@ -65,9 +63,8 @@ def choose_standards(
         raise Conflict("results-somebody-changed-standards-meanwhile-load-them")
     table = tuple(_stripped(one) for one in standards)
     _refuse(table)
-    then, now = ({"standards": [asdict(one) for one in listed]} for listed in (before.standards, table))
-    made = trail.record(session, actor, "choose", _ENTITY, survey_id, survey_id, then, now)
-    return StandardsOfSurvey(table, made)
+    then, now = ([asdict(one) for one in listed] for listed in (before.standards, table))
+    return StandardsOfSurvey(table, choice.choose(session, _KIND, survey_id, then, now, actor))
 
 
 def _stripped(one: Standard) -> Standard:
@@ -93,14 +90,7 @@ def _refuse(table: Sequence[Standard]) -> None:
 
 def _newest(session: Session, survey_ids: Sequence[int]) -> dict[int, StandardsOfSurvey]:
     """By survey, of those that have a table of their own."""
-    e = audit_events.c
-    last = (
-        select(func.max(e.id)).where(e.entity == _ENTITY, e.entity_id.in_(survey_ids)).group_by(e.entity_id)
-    )
-    rows = session.execute(select(e.id, e.entity_id, e.after).where(e.id.in_(last)))
     return {
-        row.entity_id: StandardsOfSurvey(
-            tuple(Standard(**one) for one in json.loads(row.after)["standards"]), row.id
-        )
-        for row in rows
+        survey_id: StandardsOfSurvey(tuple(Standard(**one) for one in table), version)
+        for survey_id, (table, version) in choice.chosen(session, _KIND, survey_ids).items()
     }

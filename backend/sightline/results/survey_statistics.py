@@ -25,7 +25,6 @@ from sightline.enums import (
     Category,
     ClassSet,
     Correction,
-    Lighting,
     Rounding,
     StandardHeight,
     StatisticsState,
@@ -36,7 +35,6 @@ from sightline.infra.audit import trail
 from sightline.infra.database import Session
 from sightline.infra.web.person import Seen
 from sightline.people.store import list_people
-from sightline.recordings.filming import FilmedWithin
 from sightline.results.measured_columns_query import (
     CATEGORIES,
     CLASS_SETS,
@@ -48,6 +46,7 @@ from sightline.results.measured_columns_query import (
     Measured,
     load_measured_columns,
 )
+from sightline.results.selection import Selection
 from sightline.results.standards_store import standards_of_surveys
 from sightline.results.survey_comparison import ComparedSurveys, compared_surveys
 from sightline.results.usual_standards import STANDARDS
@@ -88,7 +87,7 @@ _EPOCH = date(1970, 1, 1)
 
 
 @dataclass(frozen=True)
-class Filter(FilmedWithin):
+class Filter(Selection):
     """Which measurements count; None or empty: no limit. Days are of a measurement's making (UTC).
 
     A vehicle counts if its class is one of `categories` or counts in one of `class_sets`.
@@ -98,9 +97,6 @@ class Filter(FilmedWithin):
     """
 
     survey_ids: tuple[int, ...] = ()
-    lighting: Lighting | None = None
-    categories: tuple[Category, ...] = ()
-    class_sets: tuple[ClassSet, ...] = ()
     operator_id: int | None = None
     first_day: date | None = None
     last_day: date | None = None
@@ -253,7 +249,7 @@ def filtered(found: Measured, chosen: Filter) -> tuple[Measured, LeftOut]:
     if chosen.lighting is not None:
         keep &= found.lighting == LIGHTING.index(chosen.lighting)
     if chosen.categories or chosen.class_sets:
-        keep &= of_classes(found, chosen.categories, chosen.class_sets)
+        keep &= found.of_classes(chosen.categories, chosen.class_sets)
     if chosen.operator_id is not None:
         keep &= found.operator_id == chosen.operator_id
     if chosen.first_day is not None:
@@ -272,14 +268,6 @@ def filtered(found: Measured, chosen: Filter) -> tuple[Measured, LeftOut]:
     if count := int(np.count_nonzero(outside & of_target)):
         left_out[OUT_OF_SAMPLE] = count
     return found.where(keep & wanted & ~outside), LeftOut(left_out, without_time)
-
-
-def of_classes(
-    measured: Measured, categories: Sequence[Category], class_sets: Sequence[ClassSet] = ()
-) -> NDArray[np.bool_]:
-    """Whose vehicles (N,) are of one of the classes, or count in one of the sets."""
-    of_set = np.isin(measured.class_set, [CLASS_SETS.index(one) for one in class_sets])
-    return of_set | np.isin(measured.category, [CATEGORIES.index(one) for one in categories])
 
 
 def _of_target(measured: Measured, target: StatisticsTarget | None) -> NDArray[np.bool_]:
@@ -398,7 +386,7 @@ def figures_of_rule(
     rows = _of_target(measured, target)
     by_class = by_class and bool(np.any(measured.category[rows] != NONE))
     if by_class:
-        rows = rows & of_classes(measured, *classes)
+        rows = rows & measured.of_classes(*classes)
     if not rows.any():
         return None, by_class
     sample = height_sample(measured.where(rows), sites.where(rows) if sites else None)

@@ -21,8 +21,8 @@ _KIND = choice.Kind("review_plan", "blind_one_in")
 def get_review_plan(session: Session, survey_id: int) -> ReviewPlan:
     """The plan in force; version 0 is the usual one. Raises NotFound."""
     get_row(session, surveys, survey_id, "survey")
-    found = choice.chosen(session, _KIND, survey_id)
-    return USUAL if found is None else ReviewPlan(*found)
+    found = choice.chosen(session, _KIND, [survey_id])
+    return ReviewPlan(*found[survey_id]) if found else USUAL
 
 
 def choose_review_plan(

@@ -10,8 +10,8 @@ from sqlalchemy.orm import Session
 from sightline.coverage import COVERAGE_95
 from sightline.enums import QueueState, ReviewVerdict, Verdict
 from sightline.errors import BadInput, Conflict, NotAllowed
-from sightline.infra.audit import trail
-from sightline.infra.database.rows import add_row, missing, stored_hash
+from sightline.infra.audit.written import written_once
+from sightline.infra.database.rows import missing
 from sightline.infra.database.types import now
 from sightline.measurements.query import (
     fetch_measurements,
@@ -69,10 +69,16 @@ def add_review(
             session, before, fixed, withdrawn=False, action="fix", actor=actor
         ).revision
     content["created_at"] = now()
-    review_id = add_row(session, reviews, {**content, "created_by": actor})
-    after = {**content, **before.place, "content_sha256": stored_hash(session, reviews, review_id)}
-    then = {"verdict": before.review.verdict}
-    trail.record(session, actor, "review", "review", review_id, before.survey_id, then, after)
+    written_once(
+        session,
+        reviews,
+        content,
+        "review",
+        survey_id=before.survey_id,
+        before={"verdict": before.review.verdict},
+        also=before.place,
+        actor=actor,
+    )
     if isinstance(before, ScanHeight):
         return scan_heights_of(session, (series_id,))[0]
     return get_measurement(session, series_id)

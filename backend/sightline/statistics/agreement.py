@@ -19,6 +19,7 @@ Floats = NDArray[np.float64]
 
 CONFIDENCE = 0.95
 LEAST = 4
+_PLACES = 64  # of a band
 # A manufacturer's height of +-3 cm, anywhere within it alike: 3 cm / sqrt(3).
 U_MANUFACTURER_M = 0.03 / 3.0**0.5
 ROUNDING_M = 0.01 / np.sqrt(12.0)
@@ -71,11 +72,11 @@ class ReferencePart:
     words: Said
 
 
-def trend(at: ArrayLike, value: ArrayLike, points: int = 64) -> Trend | Said:
+def trend(at: ArrayLike, value: ArrayLike) -> Trend | Said:
     """Regression of `value` (N,) on `at` (N,), both finite and in any unit; or the reason why there is none.
 
-    The band is that of the line, at `points` places: +- t s sqrt(1/n + (x - mean)^2 / sum (x - mean)^2), t
-    with n - 2 degrees of freedom (Draper and Smith 1998).
+    The band is that of the line, at 64 places: +- t s sqrt(1/n + (x - mean)^2 / sum (x - mean)^2), t with
+    n - 2 degrees of freedom (Draper and Smith 1998).
     """
     x, y = np.asarray(at, dtype=np.float64), np.asarray(value, dtype=np.float64)
     n = len(x)
@@ -85,7 +86,7 @@ def trend(at: ArrayLike, value: ArrayLike, points: int = 64) -> Trend | Said:
         return Said("stat-heights-alike")
     line = scipy.stats.linregress(x, y)
     t = float(scipy.stats.t.ppf(0.5 + 0.5 * CONFIDENCE, n - 2))
-    grid = np.linspace(x.min(), x.max(), points)
+    grid = np.linspace(x.min(), x.max(), _PLACES)
     fitted = line.intercept + line.slope * grid
     power = float(np.sum((x - x.mean()) ** 2))
     residual = y - line.intercept - line.slope * x

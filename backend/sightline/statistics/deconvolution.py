@@ -29,6 +29,7 @@ _STEPS = 60
 _STILL, _STILL_WEIGHT, _LONGEST = 1e-5, 0.01, 2.0
 _FIRST_WEIGHT, _WEIGHTS, _LIGHTER = 10.0, (1e-4, 1e7), 0.1  # of the penalty; large: a normal distribution
 _LEAST_VALUES = 6
+_MOST_PARTS = 8  # of a mixture of errors
 _LEAST_SPREAD = 1e-6  # metres; less is the rounding of equal values
 
 
@@ -277,13 +278,13 @@ def _below(edge: Floats, at: float) -> Floats:
     return np.clip((at - edge[:-1]) / np.diff(edge), 0.0, 1.0)
 
 
-def noise_of(u_random_m: Floats, extra_m2: float, most: int = 8) -> Noise:
-    """The errors of heights whose random parts are u_random_m (N,), metres, as a mixture of at most `most`
-    normal ones; extra_m2: a variance that all of them carry besides.
+def noise_of(u_random_m: Floats, extra_m2: float) -> Noise:
+    """The errors of heights whose random parts are u_random_m (N,), metres, as a mixture of at most 8 normal
+    ones; extra_m2: a variance that all of them carry besides.
 
     Own method: parts of equal number in the order of u, each with its mean square.
     """
-    groups: Sequence[Floats] = np.array_split(np.sort(u_random_m), min(most, len(u_random_m)))
+    groups: Sequence[Floats] = np.array_split(np.sort(u_random_m), min(_MOST_PARTS, len(u_random_m)))
     sd = np.sqrt(np.array([float(np.mean(one**2)) for one in groups]) + extra_m2)
     share = np.array([len(one) for one in groups], dtype=np.float64)
     return Noise(sd, share / share.sum())

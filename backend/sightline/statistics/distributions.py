@@ -19,6 +19,8 @@ Floats = NDArray[np.float64]
 
 PERCENTILES = (2.0, 2.5, 5.0, 10.0, 15.0, 50.0, 85.0, 90.0, 95.0, 97.5, 98.0)
 CONFIDENCE = 0.95
+_TAIL = 0.5 * (1.0 - CONFIDENCE)
+_POINTS = 256  # of a density
 _SEED = 20190403
 _RESAMPLES = 400
 _LEAST_FOR_DENSITY = 10
@@ -82,67 +84,60 @@ def sorted_values(values: ArrayLike) -> Floats:
     return np.sort(found[np.isfinite(found)])
 
 
-def percentiles(
-    ordered: Floats, percents: Sequence[float] = PERCENTILES, confidence: float = CONFIDENCE
-) -> list[Percentile]:
+def percentiles(ordered: Floats, percents: Sequence[float] = PERCENTILES) -> list[Percentile]:
     """Percentiles of a sorted sample, `ordered` (N,), estimated without bias of the median (Hyndman & Fan
     1996, type 8).
 
-    The interval holds the percentile with at least `confidence`, whatever the distribution: it lies between
-    two order statistics (David & Nagaraja 2003, 7.1). Values in the sample's unit; [] for an empty sample.
+    The interval holds the percentile with at least 95 %, whatever the distribution: it lies between two order
+    statistics (David & Nagaraja 2003, 7.1). Values in the sample's unit; [] for an empty sample.
     """
     n = len(ordered)
     if n == 0:
         return []
     p = np.asarray(percents, dtype=np.float64) / 100.0
     values = np.quantile(ordered, p, method="median_unbiased")
-    low, high = _ranks(n, tuple(p.tolist()), 0.5 * (1.0 - confidence))
+    low, high = _ranks(n, tuple(p.tolist()))
     return [
-        _percentile(ordered, percent, float(value), (int(first), int(last)), confidence)
+        _percentile(ordered, percent, float(value), int(first), int(last))
         for percent, value, first, last in zip(percents, values, low, high, strict=True)
     ]
 
 
 @lru_cache(maxsize=4096)  # groups and figures of one survey ask for the same ranks and shares many times
-def _ranks(n: int, p: tuple[float, ...], tail: float) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def _ranks(n: int, p: tuple[float, ...]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Places of the order statistics that enclose percentiles p, (P,) each; none outside 0 to n - 1."""
     # x[low] <= percentile fails if at most `low` values lie below it; likewise from above.
-    low = scipy.stats.binom.ppf(tail, n, p).astype(np.int64) - 1
-    low -= (low >= 0) & (scipy.stats.binom.cdf(low, n, p) > tail)
-    return low, scipy.stats.binom.ppf(1.0 - tail, n, p).astype(np.int64)
+    low = scipy.stats.binom.ppf(_TAIL, n, p).astype(np.int64) - 1
+    low -= (low >= 0) & (scipy.stats.binom.cdf(low, n, p) > _TAIL)
+    return low, scipy.stats.binom.ppf(1.0 - _TAIL, n, p).astype(np.int64)
 
 
-def _percentile(
-    ordered: Floats, percent: float, value: float, ranks: tuple[int, int], confidence: float
-) -> Percentile:
-    n, (low, high) = len(ordered), ranks
-    needs = vehicles_for_interval(percent, confidence)
+def _percentile(ordered: Floats, percent: float, value: float, low: int, high: int) -> Percentile:
+    n, needs = len(ordered), vehicles_for_interval(percent)
     if low < 0 or high >= n:
-        why = too_few_for(percent, n, confidence=confidence)
-        return Percentile(percent=percent, value=None, low=None, high=None, needs=needs, reason=why)
-    ends = float(ordered[low]), float(ordered[high])
-    return Percentile(percent=percent, value=value, low=ends[0], high=ends[1], needs=needs)
+        return Percentile(percent, None, None, None, needs, too_few_for(percent, n))
+    return Percentile(percent, value, float(ordered[low]), float(ordered[high]), needs)
 
 
-def too_few_for(percent: float, n: int, like: int | None = None, confidence: float = CONFIDENCE) -> Said:
+def too_few_for(percent: float, n: int, like: int | None = None) -> Said:
     """Why a percentile of n vehicles has no value: how many it needs, and how many there are. like: as how
     many of equal weight they count.
     """
-    needs = vehicles_for_interval(percent, confidence)
+    needs = vehicles_for_interval(percent)
     if like is None or like == n:
         return Said("stat-percentile-needs", percent=percent, needed=needs, count=n)
     return Said("stat-percentile-needs-alike", percent=percent, needed=needs, count=n, like=like)
 
 
-def vehicles_for_interval(percent: float, confidence: float = CONFIDENCE) -> int:
-    """The fewest vehicles whose smallest and largest value enclose a percentile with this confidence."""
+def vehicles_for_interval(percent: float) -> int:
+    """The fewest vehicles whose smallest and largest value enclose a percentile in 95 % of samples."""
     p = min(percent, 100.0 - percent) / 100.0
     if not 0.0 < p < 1.0:
         raise ValueError(f"A percentile of {percent} has no interval; it must lie between 0 and 100.")
-    return int(np.ceil(np.log(0.5 * (1.0 - confidence)) / np.log1p(-p)))
+    return int(np.ceil(np.log(_TAIL) / np.log1p(-p)))
 
 
-def share_below(ordered: Floats, limit: float, confidence: float = CONFIDENCE) -> Share | None:
+def share_below(ordered: Floats, limit: float) -> Share | None:
     """The share of a sorted sample, `ordered` (N,), below `limit` (same unit); None for an empty sample.
 
     The interval is the exact one of a binomial share (Clopper and Pearson 1934).
@@ -151,24 +146,23 @@ def share_below(ordered: Floats, limit: float, confidence: float = CONFIDENCE) -
     if n == 0:
         return None
     below = int(np.searchsorted(ordered, limit, side="left"))
-    low, high = share_interval(below, n, confidence)
+    low, high = share_interval(below, n)
     return Share(limit=limit, below=below, n=n, share=below / n, low=low, high=high)
 
 
 @lru_cache(maxsize=4096)
-def share_interval(count: int, n: int, confidence: float = CONFIDENCE) -> tuple[float, float]:
-    """The exact interval of a share `count` / `n` (Clopper and Pearson 1934); n must be positive."""
-    tail = 0.5 * (1.0 - confidence)
-    low = float(scipy.stats.beta.ppf(tail, count, n - count + 1)) if count else 0.0
-    high = float(scipy.stats.beta.ppf(1.0 - tail, count + 1, n - count)) if count < n else 1.0
+def share_interval(count: int, n: int) -> tuple[float, float]:
+    """The exact 95 % interval of a share `count` / `n` (Clopper and Pearson 1934); n must be positive."""
+    low = float(scipy.stats.beta.ppf(_TAIL, count, n - count + 1)) if count else 0.0
+    high = float(scipy.stats.beta.ppf(1.0 - _TAIL, count + 1, n - count)) if count < n else 1.0
     return low, high
 
 
-def ecdf(ordered: Floats, most: int = 600, confidence: float = CONFIDENCE) -> Ecdf | None:
+def ecdf(ordered: Floats, most: int = 600) -> Ecdf | None:
     """Cumulative distribution of a sorted sample, `ordered` (N,), at no more than about `most` of its values.
 
-    What is left out changes no step by more than 1 / most. The band is +- sqrt(ln(2 / (1 - confidence)) / (2
-    n)): Dvoretzky, Kiefer and Wolfowitz 1956 with the constant of Massart 1990. None for an empty sample.
+    What is left out changes no step by more than 1 / most. The band is +- sqrt(ln(2 / 0.05) / (2 n)):
+    Dvoretzky, Kiefer and Wolfowitz 1956 with the constant of Massart 1990. None for an empty sample.
     """
     n = len(ordered)
     if n == 0:
@@ -176,15 +170,13 @@ def ecdf(ordered: Floats, most: int = 600, confidence: float = CONFIDENCE) -> Ec
     rank = np.unique(np.rint(np.linspace(0, n - 1, min(n, most))).astype(np.int64))
     value = ordered[rank]
     share = np.searchsorted(ordered, value, side="right") / n
-    band = np.sqrt(np.log(2.0 / (1.0 - confidence)) / (2.0 * n))
+    band = np.sqrt(np.log(2.0 / (1.0 - CONFIDENCE)) / (2.0 * n))
     low, high = np.maximum(share - band, 0.0), np.minimum(share + band, 1.0)
     return Ecdf(value, np.asarray(share, dtype=np.float64), low, high, n)
 
 
-def density(
-    ordered: Floats, points: int = 256, confidence: float = CONFIDENCE, step: float = 0.0
-) -> Density | Said:
-    """Kernel density of a sorted sample, `ordered` (N,), on a grid of `points`, or the reason why there is
+def density(ordered: Floats, step: float = 0.0) -> Density | Said:
+    """Kernel density of a sorted sample, `ordered` (N,), on a grid of 256 points, or the reason why there is
     none; per unit of the values.
 
     Gaussian kernel, Silverman's robust bandwidth 0.9 min(sd, IQR / 1.349) n^(-1/5) (Silverman 1986, 3.4.2,
@@ -206,13 +198,14 @@ def density(
         return Said("stat-values-alike")
     width = max(0.9 * spread * n**-0.2, 0.5 * step)
     inner = ordered[[0, -1]] + np.array([-3.0, 3.0]) * width
-    edges = np.linspace(inner[0], inner[1], points + 1)
+    edges = np.linspace(inner[0], inner[1], _POINTS + 1)
     counts = np.histogram(ordered, edges)[0]
-    kernel = _kernel(points, (edges[1] - edges[0]) / width)
+    at = np.arange(-(_POINTS - 1), _POINTS) * ((edges[1] - edges[0]) / width)
+    kernel = np.exp(-0.5 * at * at) / np.sqrt(2.0 * np.pi)
     rng = np.random.default_rng(_SEED)
     resampled = rng.multinomial(n, counts / counts.sum(), _RESAMPLES)
     scale = n * width
-    tail = 50.0 * (1.0 - confidence)
+    tail = 50.0 * (1.0 - CONFIDENCE)
     low, high = np.percentile(_smoothed(resampled, kernel) / scale, [tail, 100.0 - tail], axis=0)
     centre = 0.5 * (edges[1:] + edges[:-1])
     return Density(
@@ -223,12 +216,6 @@ def density(
         bandwidth=float(width),
         n=n,
     )
-
-
-def _kernel(points: int, step: float) -> Floats:
-    """The Gaussian kernel at all distances of a grid, in units of the bandwidth; (2 points - 1,)."""
-    at = np.arange(-(points - 1), points) * step
-    return np.asarray(np.exp(-0.5 * at * at) / np.sqrt(2.0 * np.pi), dtype=np.float64)
 
 
 def _smoothed(counts: NDArray[np.int64], kernel: Floats) -> Floats:

@@ -17,7 +17,7 @@ from sightline.coverage import COVERAGE_95
 from sightline.statistics.draws import TAIL, ends_of, normal_draws, student_draws
 from sightline.statistics.figures import TotalFigure
 from sightline.statistics.shared_errors import SharedErrors
-from sightline.statistics.sites import Sites, pooled_variance
+from sightline.statistics.sites import Sites, compact, pooled_variance
 from sightline.statistics.survey_design import Design
 from sightline.statistics.survey_weights import residuals
 
@@ -145,7 +145,7 @@ class Drawn:
 
 
 def _sites(site: Ints, weight: Floats) -> Sites:
-    code = (np.cumsum(np.bincount(site) > 0) - 1)[site]
+    code = compact(site)
     return Sites(code, np.bincount(code).astype(np.float64), weight)
 
 

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from sightline.coverage import COVERAGE_95
 from sightline.statistics.distributions import share_interval
 from sightline.statistics.shared_errors import SharedErrors
-from sightline.statistics.sites import excess_variance, sites_of
+from sightline.statistics.sites import compact, excess_variance, sites_of
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -257,17 +257,10 @@ def _of_sites(
     return [SharedErrors(sites.code, np.full(len(error_m), np.sqrt(extra)))] if extra > 0.0 else []
 
 
-def _compact(code: Ints) -> Ints:
-    """Codes (N,) from 0 without gaps."""
-    if int(code.max()) > 8 * len(code) + 1000:
-        return np.asarray(np.unique(code, return_inverse=True)[1], dtype=np.int64)
-    return np.asarray((np.cumsum(np.bincount(code) > 0) - 1)[code], dtype=np.int64)
-
-
 def _cells(error_m: Floats, share: Floats, shared: Sequence[SharedErrors]) -> _Cells:
     code = np.zeros(len(error_m), np.int64)
     for one in shared:
-        code = _compact(code * (int(one.group.max()) + 2) + one.group + 1)
+        code = compact(code * (int(one.group.max()) + 2) + one.group + 1)
     weight = np.asarray(np.bincount(code, share), dtype=np.float64)
     count = np.asarray(np.bincount(code), dtype=np.float64)
     mean = np.bincount(code, share * error_m) / weight

@@ -275,15 +275,9 @@ def _totals(
                 found["bias_m"] = Interval(bias.U95_low, bias.U95_high)
             if len(error) >= _LEAST_FOR_INTERVALS:
                 found |= _spread_totals(ErrorTotals(error, measured.shared, measured.site), names)
-    there: dict[IntervalPart, tuple[bool, Said]] = {
-        "sampling": (True, Said("stat-sampling")),
-        "sites": (sites is not None, Said("stat-sites", sites=sites)),
-        "shared_errors": (shared, Said("stat-shared-errors")),
-        "random_error": (True, Said("stat-random-errors")),
-        "known_heights": (True, Said("stat-known-heights")),
-    }
-    parts = tuple(part for part, (held, _) in there.items() if held)
-    return found, parts, holding([words for held, words in there.values() if held], sites)
+    there = {"sites": sites is not None, "shared_errors": shared}
+    parts = tuple(part for part in get_args(IntervalPart) if there.get(part, True))
+    return found, parts, holding(parts, sites, "stat-random-errors")
 
 
 def _spread_totals(totals: ErrorTotals, names: tuple[str, ...]) -> dict[str, Interval]:

@@ -173,3 +173,10 @@ def _moments(weight: Floats, emphasis: Floats, working: Floats) -> tuple[float, 
     covariance[np.diag_indices(len(weight))] += working
     variance = 2.0 * float(emphasis @ covariance**2 @ emphasis)
     return expected, 2.0 * expected**2 / variance
+
+
+def compact(code: Ints) -> Ints:
+    """Codes (N,) from 0 without gaps."""
+    if int(code.max()) > 8 * len(code) + 1000:
+        return np.asarray(np.unique(code, return_inverse=True)[1], dtype=np.int64)
+    return np.asarray((np.cumsum(np.bincount(code) > 0) - 1)[code], dtype=np.int64)

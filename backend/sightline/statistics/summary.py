@@ -1,7 +1,7 @@
 """What a statistics page, a report and a package show, computed in one place from columns of measurements."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import get_args
 
 import numpy as np
@@ -31,7 +31,7 @@ from sightline.statistics.distributions import (
     sorted_values,
 )
 from sightline.statistics.errors import WHOLE_CM, ErrorGroup, error_table, signed_errors
-from sightline.statistics.total_uncertainty import HeightSample, TotalFigures, TotalUncertainty, total_figures
+from sightline.statistics.total_uncertainty import HeightSample, TotalFigures, total_figures
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -117,7 +117,7 @@ class Target:
     """A target's heights as the paper measures them and corrected, and the corrected ones by group.
 
     total: figures of the true heights with their total uncertainty, where each height is corrected by its
-    inset; by_pose_m: what one standard uncertainty of each road pose moves each percentile by, metres.
+    inset.
     """
 
     raw: Distribution
@@ -126,7 +126,6 @@ class Target:
     density: Density | Said
     groups: dict[str, Groups]
     total: TotalFigures | None = None
-    by_pose_m: Mapping[float, Mapping[int, float]] = field(default_factory=dict)
 
 
 def errors_of(roofs: Roofs, correction: Correction, rounding: Rounding) -> Errors:
@@ -185,19 +184,14 @@ def target_of(
         return Target(raw, distribution(np.empty(0)), done, done, {})
     heights = done.height_m
     by = {name: groups_of(heights, one, limits_m) for name, one in groupings.items()}
-    total, by_pose_m = None, {}
-    if correction == "inset" and sample is not None and len(sample.height_m):
-        total = total_figures(sample, PERCENTILES, limits_m)
-        uncertain = TotalUncertainty(sample)
-        by_pose_m = {percent: uncertain.named_effects_m(percent) for percent in PERCENTILES}
+    inset = correction == "inset" and sample is not None
     return Target(
         raw=raw,
         corrected=distribution(heights, limits_m),
         correction=done,
         density=density(sorted_values(heights)),
         groups=by,
-        total=total,
-        by_pose_m=by_pose_m,
+        total=total_figures(sample, PERCENTILES, limits_m) if inset and sample is not None else None,
     )
 
 

@@ -2,12 +2,21 @@
 
 from collections.abc import Sequence
 
+from sightline.enums import IntervalPart
 from sightline.messages.said import Said, listed
 
 
-def holding(parts: Sequence[Said], sites: int | None) -> Said:
+def holding(parts: Sequence[IntervalPart], sites: int | None, random: str) -> Said:
     """What intervals hold, one part or more, and for which roads, as the end of a sentence; sites: how many
-    clusters, None: one site.
+    clusters, None: one site; random: the code of what is said of the random error.
     """
-    held = listed(parts) if len(parts) > 1 else Said("stat-alone", part=parts[0])
+    words: dict[IntervalPart, Said] = {
+        "sampling": Said("stat-sampling"),
+        "sites": Said("stat-sites", sites=sites),
+        "shared_errors": Said("stat-shared-errors"),
+        "random_error": Said(random),
+        "known_heights": Said("stat-known-heights"),
+    }
+    said = [words[part] for part in parts]
+    held = listed(said) if len(said) > 1 else Said("stat-alone", part=said[0])
     return Said("stat-holding-place", parts=held) if sites is None else Said("stat-holding-sites", parts=held)

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+import numpy as np
+
 from sightline.messages.said import Said
 from sightline.statistics.comparison import difference_of_figures
-from sightline.statistics.figures import TotalFigure
+from sightline.statistics.figures import Figure, TotalPercentile
 from sightline.studies.records import StudyDifference, StudyResult
 
 Row = Mapping[str, Any]
@@ -41,29 +43,30 @@ def _name(row: Row) -> tuple[str, str, float | None]:
 
 
 def _difference(before: Row, after: Row) -> StudyDifference:
-    if before["value_m"] is None or after["value_m"] is None:
-        value, low, high, verdict = None, None, None, None
-        reason = _reason(before if before["value_m"] is None else after)
-    else:
-        one = difference_of_figures(_figure(before), _figure(after))
-        told, verdict = one.difference, one.verdict
-        value, low, high, reason = told.value, told.U95_low, told.U95_high, told.reason
     return StudyDifference(
         target=after["target"],
         percent=after.get("percent"),
         n_first=before["n"],
         n_second=after["n"],
-        value_m=value,
-        low_m=low,
-        high_m=high,
-        verdict=verdict,
-        reason=reason,
+        **difference_in_cells(_figure(before), _figure(after)),
     )
 
 
-def _figure(row: Row) -> TotalFigure:
-    return TotalFigure(row["value_m"], row["low_m"], row["high_m"], _reason(row))
+def difference_in_cells(before: Figure, after: Figure) -> dict[str, Any]:
+    """Two figures, the second less the first, by the fields of `StudyDifference`."""
+    one = difference_of_figures(before, after)
+    told = one.difference
+    if np.isnan(told.value):
+        return no_difference(told.reason)
+    ends = {"low_m": told.U95_low, "high_m": told.U95_high}
+    return {"value_m": told.value, **ends, "verdict": one.verdict, "reason": told.reason}
 
 
-def _reason(row: Row) -> Said | None:
-    return Said.read(row["reason"]) if row.get("reason") else None
+def no_difference(reason: Said | None) -> dict[str, Any]:
+    """The same fields where one of the two has no figure."""
+    return {**dict.fromkeys(("value_m", "low_m", "high_m", "verdict")), "reason": reason}
+
+
+def _figure(row: Row) -> Figure:
+    reason = Said.read(row["reason"]) if row.get("reason") else None
+    return TotalPercentile(0.0, row["value_m"], row["low_m"], row["high_m"], 0.0, 0, reason)

@@ -11,7 +11,7 @@ from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Finite, In, JobBody, Name, Out, Text
 from sightline.infra.web.named import SurveyId
 from sightline.messages.said import Said
-from sightline.studies.records import StudyDifference, StudyFacts, StudySurvey
+from sightline.studies.records import PlanRow, StudyDifference, StudyFacts, StudySurvey, YearRow
 
 _MOST_SURVEYS = 2000
 _Table = Annotated[str, Field(max_length=1_000_000)]
@@ -44,7 +44,8 @@ class StudyChange(NewStudy):
     )
 
 
-class StudySurveyBody(Out):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StudySurveyBody:
     survey_id: int
     name: str
     site: str
@@ -52,7 +53,8 @@ class StudySurveyBody(Out):
     year: int | None
 
 
-class StudyBody(Out):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StudyBody:
     id: int
     name: str
     description: str
@@ -66,7 +68,8 @@ class StudyBody(Out):
     updated_at: datetime
 
 
-class ListedStudy(Out):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ListedStudy:
     """A study in the list, with what its newest result found."""
 
     id: int
@@ -123,14 +126,6 @@ class RuleRow(Out):
     reason: Said | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class YearRow(StudyDifference):
-    """A figure of the second year less that of the first."""
-
-    first_year: int
-    second_year: int
-
-
 class BesideBody(Out):
     """A study less another one."""
 
@@ -158,15 +153,6 @@ class ClassRow(Out):
     high: float | None
     design_effect: float | None = None
     fleet_share: float | None = None
-
-
-class PlanRow(Out):
-    target: StatisticsTarget
-    percent: float
-    goal_U95_m: float
-    sites: int
-    vehicles_each: int | None
-    U95_m: float | None
 
 
 class StudyCurvePoint(Out):
@@ -201,7 +187,8 @@ class FiguresBody(Out):
     plan: list[PlanRow]
 
 
-class ResultBody(Out):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ResultBody:
     id: int
     created_at: datetime
     created_by: Who | None

@@ -6,145 +6,121 @@ from collections.abc import Iterator
 from typing import get_args
 
 from sightline.enums import ComparisonVerdict, RuleVerdict
+from sightline.export.statistics_rows import INTERVAL, INTERVAL_M, REASON, TOTAL_M
 from sightline.infra.csv_package.columns import flag, integer, metres, number, text
-from sightline.infra.csv_package.schema import Cells, Table
+from sightline.infra.csv_package.schema import Cells, Column, Table
 from sightline.statistics.figures import TotalFigure, TotalPercentile
 from sightline.studies.records import Study
 
 _N = integer("n", "how many heights (of classes: vehicles) it rests on", required=True, minimum=0)
-_INTERVAL = (
-    number("low", "lower end of its 95 % interval"),
-    number("high", "upper end of its 95 % interval"),
-)
 _EFFECT = number("design_effect", "variance by the design over that of as many vehicles drawn one by one")
 _EFFECTIVE = number(
     "effective_n", "n over the design effect: vehicles drawn one by one that would tell as much"
 )
-_REASON = text("reason", "why a value or its interval is missing")
 
-PACKAGES: Table = Table(
+
+def _table(name: str, meaning: str, *columns: Column) -> Table:
+    return Table(name, meaning, columns, folder="")
+
+
+PACKAGES = _table(
     "packages",
     "The surveys of the study: packages, each verified before it was read, or surveys of an installation.",
-    (
-        text("place", "folder or ZIP as it was named, or which survey of the installation", required=True),
-        text("survey", "name of the survey"),
-        text("site", "site: surveys of one site are one cluster"),
-        flag("simulated", "true: invented, so that no figure says anything of real roads", required=True),
-        integer("year", "year that it stands for, where years are compared"),
-        text("made_with", "version that made the package, or read the installation's database"),
-        text("chain_sha256", "of a package: SHA-256 of its audit chain without its seal"),
-        text("audit_head", "of an installation's survey: last hash of its audit chain when it was read"),
-        integer("counted", "accepted heights that count by what the survey says of its sample"),
-        integer("out_of_sample", "accepted heights of vehicles out of the sample, which do not count"),
-    ),
-    folder="",
+    text("place", "folder or ZIP as it was named, or which survey of the installation", required=True),
+    text("survey", "name of the survey"),
+    text("site", "site: surveys of one site are one cluster"),
+    flag("simulated", "true: invented, so that no figure says anything of real roads", required=True),
+    integer("year", "year that it stands for, where years are compared"),
+    text("made_with", "version that made the package, or read the installation's database"),
+    text("chain_sha256", "of a package: SHA-256 of its audit chain without its seal"),
+    text("audit_head", "of an installation's survey: last hash of its audit chain when it was read"),
+    integer("counted", "accepted heights that count by what the survey says of its sample"),
+    integer("out_of_sample", "accepted heights of vehicles out of the sample, which do not count"),
 )
-FIGURES: Table = Table(
+FIGURES = _table(
     "figures",
     "Figures of the true heights of each target, weighted to the fleet where one was given: 95 % intervals "
     "hold sampling, differences between sites, errors that heights share, and random error (taken out).",
-    (
-        text("target", "what was measured", required=True),
-        text("figure", "name of the value", required=True, enum=("percentile", "mean", "sd")),
-        number("percent", "of a percentile: which", "%"),
-        _N,
-        integer("sites", "at how many sites", required=True),
-        metres("value_m", "value"),
-        metres("low_m", "lower end of its total 95 % interval"),
-        metres("high_m", "upper end of its total 95 % interval"),
-        metres("raw_m", "of a percentile: that of the measured heights, random error left in"),
-        _EFFECT,
-        _EFFECTIVE,
-        number("weighting_effect", "how much unequal weights alone widen an interval's square"),
-        _REASON,
-    ),
-    folder="",
+    text("target", "what was measured", required=True),
+    text("figure", "name of the value", required=True, enum=("percentile", "mean", "sd")),
+    number("percent", "of a percentile: which", "%"),
+    _N,
+    integer("sites", "at how many sites", required=True),
+    metres("value_m", "value"),
+    *TOTAL_M,
+    metres("raw_m", "of a percentile: that of the measured heights, random error left in"),
+    _EFFECT,
+    _EFFECTIVE,
+    number("weighting_effect", "how much unequal weights alone widen an interval's square"),
+    REASON,
 )
-ERRORS: Table = Table(
+ERRORS = _table(
     "errors",
     "Errors (measured minus maker's height) of roofs, not rounded, by lighting and overall. Intervals hold "
     "sampling, sites and the errors that heights share; random errors, and those of the makers' heights, are "
     "in the errors themselves.",
-    (
-        text("group", "lighting, or overall", required=True),
-        text("figure", "name of the value", required=True),
-        _N,
-        metres("value_m", "value"),
-        metres("low_m", "lower end of its 95 % interval"),
-        metres("high_m", "upper end of its 95 % interval"),
-    ),
-    folder="",
+    text("group", "lighting, or overall", required=True),
+    text("figure", "name of the value", required=True),
+    _N,
+    metres("value_m", "value"),
+    *INTERVAL_M,
 )
-CLASSES: Table = Table(
+CLASSES = _table(
     "classes",
     "Shares of the classes of vehicles on the road as they were drawn, beside the fleet's that was given.",
-    (
-        text("group", "lighting, or all", required=True),
-        text("category", "class of vehicle", required=True),
-        _N,
-        number("share", "its share"),
-        *_INTERVAL,
-        _EFFECT,
-        number("fleet_share", "its share in the fleet that was given"),
-    ),
-    folder="",
+    text("group", "lighting, or all", required=True),
+    text("category", "class of vehicle", required=True),
+    _N,
+    number("share", "its share"),
+    *INTERVAL,
+    _EFFECT,
+    number("fleet_share", "its share in the fleet that was given"),
 )
-PLANS: Table = Table(
+PLANS = _table(
     "plan",
     "How many sites, with how many vehicles each, a further study would need for the U95 that was asked for, "
     "if its sites and vehicles differ as these do.",
-    (
-        text("target", "what is measured", required=True),
-        number("percent", "which percentile", "%"),
-        metres("goal_U95_m", "the U95 that is wanted"),
-        integer("sites", "at so many sites", required=True),
-        integer("vehicles_each", "so many vehicles each; empty: no number is enough"),
-        metres("U95_m", "the U95 that is then expected"),
-    ),
-    folder="",
+    text("target", "what is measured", required=True),
+    number("percent", "which percentile", "%"),
+    metres("goal_U95_m", "the U95 that is wanted"),
+    integer("sites", "at so many sites", required=True),
+    integer("vehicles_each", "so many vehicles each; empty: no number is enough"),
+    metres("U95_m", "the U95 that is then expected"),
 )
-RULES: Table = Table(
+RULES = _table(
     "rules",
     "The same rule today: the percentile that a standard is set by, of its class, with a verdict.",
-    (
-        text("target", "what was measured", required=True),
-        text("standard", "the standard", required=True),
-        text("what", "what its height is of", required=True),
-        number("percent", "the percentile of its rule", "%", required=True),
-        text("vehicle_class", "the class that its percentile is of"),
-        flag("by_class", "whether heights of other classes could be left out", required=True),
-        _N,
-        metres("standard_m", "the standard's height", required=True),
-        metres("value_m", "the percentile today, of true heights"),
-        metres("low_m", "lower end of its total 95 % interval"),
-        metres("high_m", "upper end of its total 95 % interval"),
-        metres("difference_m", "today less the standard"),
-        number("lower", "probability that the true percentile lies below the standard's height"),
-        number("risk", "probability that the verdict is wrong"),
-        text("verdict", "verdict", required=True, enum=get_args(RuleVerdict)),
-        _REASON,
-    ),
-    folder="",
+    text("target", "what was measured", required=True),
+    text("standard", "the standard", required=True),
+    text("what", "what its height is of", required=True),
+    number("percent", "the percentile of its rule", "%", required=True),
+    text("vehicle_class", "the class that its percentile is of"),
+    flag("by_class", "whether heights of other classes could be left out", required=True),
+    _N,
+    metres("standard_m", "the standard's height", required=True),
+    metres("value_m", "the percentile today, of true heights"),
+    *TOTAL_M,
+    metres("difference_m", "today less the standard"),
+    number("lower", "probability that the true percentile lies below the standard's height"),
+    number("risk", "probability that the verdict is wrong"),
+    text("verdict", "verdict", required=True, enum=get_args(RuleVerdict)),
+    REASON,
 )
-YEARS: Table = Table(
+YEARS = _table(
     "years",
     "A later year less the first one, where the surveys of a study were given years: differences of true "
     "heights with total 95 % intervals, and whether each is more than noise.",
-    (
-        text("target", "what was measured", required=True),
-        integer("first_year", "the first year", required=True),
-        integer("second_year", "the later year", required=True),
-        text("figure", "name of the value", required=True, enum=("percentile", "mean")),
-        number("percent", "of a percentile: which", "%"),
-        integer("n_first", "heights of the first year", required=True, minimum=0),
-        integer("n_second", "heights of the later year", required=True, minimum=0),
-        metres("value_m", "the difference"),
-        metres("low_m", "lower end of its total 95 % interval"),
-        metres("high_m", "upper end of its total 95 % interval"),
-        text("verdict", "more than noise, or not", enum=get_args(ComparisonVerdict)),
-        _REASON,
-    ),
-    folder="",
+    text("target", "what was measured", required=True),
+    integer("first_year", "the first year", required=True),
+    integer("second_year", "the later year", required=True),
+    text("figure", "name of the value", required=True, enum=("percentile", "mean")),
+    number("percent", "of a percentile: which", "%"),
+    integer("n_first", "heights of the first year", required=True, minimum=0),
+    integer("n_second", "heights of the later year", required=True, minimum=0),
+    metres("value_m", "the difference"),
+    *TOTAL_M,
+    text("verdict", "more than noise, or not", enum=get_args(ComparisonVerdict)),
+    REASON,
 )
 TABLES = (PACKAGES, FIGURES, RULES, YEARS, ERRORS, CLASSES, PLANS)
 
@@ -158,7 +134,7 @@ def study_rows(study: Study) -> dict[str, Iterator[Cells]]:
         YEARS.path: _years(study),
         ERRORS.path: _errors(study),
         CLASSES.path: _classes(study),
-        PLANS.path: _plans(study),
+        PLANS.path: ({name: getattr(one, name) for name in PLANS.header} for one in study.plans),
     }
 
 
@@ -209,20 +185,8 @@ def _rules(study: Study) -> Iterator[Cells]:
 
 def _years(study: Study) -> Iterator[Cells]:
     for one in study.years:
-        yield {
-            "target": one.target,
-            "first_year": one.first_year,
-            "second_year": one.second_year,
-            "figure": "mean" if one.percent is None else "percentile",
-            "percent": one.percent,
-            "n_first": one.n_first,
-            "n_second": one.n_second,
-            "value_m": one.value,
-            "low_m": one.U95_low,
-            "high_m": one.U95_high,
-            "verdict": one.verdict,
-            "reason": one.reason,
-        }
+        figure = "mean" if one.percent is None else "percentile"
+        yield {name: getattr(one, name, figure) for name in YEARS.header}
 
 
 def _told(one: TotalFigure | TotalPercentile, n: int, unit: str = "_m") -> Cells:
@@ -246,17 +210,4 @@ def _errors(study: Study) -> Iterator[Cells]:
 def _classes(study: Study) -> Iterator[Cells]:
     for one in study.classes:
         key: Cells = {"group": one.group, "category": one.category, "n": one.n, "fleet_share": one.fleet}
-        key |= _told(one.share, one.n, "")
-        yield key
-
-
-def _plans(study: Study) -> Iterator[Cells]:
-    for one in study.plans:
-        yield {
-            "target": one.target,
-            "percent": one.percent,
-            "goal_U95_m": one.goal_U95_m,
-            "sites": one.sites,
-            "vehicles_each": one.vehicles,
-            "U95_m": one.U95_m,
-        }
+        yield key | _told(one.share, one.n, "")

@@ -13,15 +13,14 @@ from numpy.typing import NDArray
 
 from sightline.enums import StatisticsTarget
 from sightline.infra.csv_package.schema import parquet_path
-from sightline.results.measured_columns_query import CATEGORIES, CLASS_SETS, LIGHTING
-from sightline.studies.records import Floats, Ints, StudiedHeights, StudiedPackage
+from sightline.results.measured_columns_query import CATEGORIES, CLASS_SETS, LIGHTING, UNCERTAINTY, Heights
+from sightline.studies.records import Floats, Ints, StudiedPackage
 from sightline.vehicles.records import BY_SIZE
 
 #: The tables that a study reads of a package.
 READ = ("survey.csv", "measurements.csv", "vehicles.csv", "recordings.csv", "classes.csv")
 _MEMORY, _THREADS = "400MB", 2
 _COUNTED = "NOT m.withdrawn AND m.height_m IS NOT NULL AND m.verdict IN ('accepted', 'fixed')"
-_LENGTHS = ("height_m", "u_height_m", "u_clicks_m", "u_by_inset_m", "inset_m", "u_inset_m")
 
 
 class StudyTables:
@@ -46,12 +45,12 @@ class StudyTables:
     ) -> None:
         self._db.close()
 
-    def heights(self, target: StatisticsTarget) -> StudiedHeights:
+    def heights(self, target: StatisticsTarget) -> Heights:
         """The counted heights of one target."""
-        lengths = ", ".join(f"CAST(m.{name} AS DOUBLE) AS {name}" for name in _LENGTHS)
+        lengths = ", ".join(f"CAST(m.{name} AS DOUBLE) AS {name}" for name in ("height_m", *UNCERTAINTY))
         rows = self._numbers(
             f"""
-            SELECT c.package, m.id, m.pose_id AS pose, c.category, c.lighting, c.class_set, c.reference_m,
+            SELECT c.package AS survey_id, m.id, m.pose_id, c.category, c.lighting, c.class_set, c.known_m,
               {lengths}
             FROM {self._of("measurements.csv")} m
             JOIN cars c ON c.package = m.file_index AND c.id = m.vehicle_id
@@ -59,29 +58,25 @@ class StudyTables:
             """,
             target=target,
         )
-        rows = _in_order(rows)
-        return StudiedHeights(
-            package=_ints(rows["package"]),
-            pose=_ints(rows["pose"]),
-            category=_ints(rows["category"]),
-            lighting=_ints(rows["lighting"]),
-            class_set=_ints(rows["class_set"]),
-            reference_m=_floats(rows["reference_m"]),
-            **{name: _floats(rows[name]) for name in _LENGTHS},
-        )
+        found: dict[str, Any] = {
+            name: (_floats if name.endswith("_m") else _ints)(values)
+            for name, values in _in_order(rows).items()
+            if name != "id"
+        }
+        return Heights(**found)
 
     def vehicles(self) -> tuple[Ints, Ints, Ints]:
         """(package, category, lighting), (V,) each, of every vehicle with a counted height."""
         rows = self._numbers(
             f"""
-            SELECT c.package, c.id, c.category, c.lighting FROM cars c
+            SELECT c.package AS survey_id, c.id, c.category, c.lighting FROM cars c
             SEMI JOIN (
               SELECT m.file_index, m.vehicle_id FROM {self._of("measurements.csv")} m WHERE {_COUNTED}
             ) m ON c.package = m.file_index AND c.id = m.vehicle_id
             """
         )
         rows = _in_order(rows)
-        return _ints(rows["package"]), _ints(rows["category"]), _ints(rows["lighting"])
+        return _ints(rows["survey_id"]), _ints(rows["category"]), _ints(rows["lighting"])
 
     def counted(self) -> tuple[Ints, Ints]:
         """How many heights count of each package, and how many accepted ones of the traffic do not, for their
@@ -112,7 +107,7 @@ class StudyTables:
             SELECT CAST(v.file_index AS INTEGER) AS package, v.id, coalesce(c.code, -1) AS category,
               coalesce(l.code, -1) AS lighting, coalesce(s.code, -1) AS class_set,
               CASE WHEN v.model_chosen_by IS DISTINCT FROM '{BY_SIZE}' THEN v.manufacturer_height_m END
-                AS reference_m
+                AS known_m
             FROM {self._of("vehicles.csv")} v
             LEFT JOIN {self._of("recordings.csv")} r ON r.file_index = v.file_index AND r.id = v.recording_id
             LEFT JOIN categories c ON c.word = v.category
@@ -156,7 +151,7 @@ def columns_of(package: Path) -> dict[str, tuple[str, ...]]:
 
 def _in_order(rows: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
     """Rows (N,) by package and number, as sums are to be made of them: a database gives them in any order."""
-    package, id_ = _ints(rows["package"]), _ints(rows["id"])
+    package, id_ = _ints(rows["survey_id"]), _ints(rows["id"])
     key = package * (int(id_.max(initial=0)) + 1) + id_
     if not np.any(np.diff(key) < 0):
         return rows

@@ -64,27 +64,6 @@ class Fleet:
     margins: Mapping[str, Mapping[str, float]]
 
 
-@dataclass(frozen=True, eq=False)
-class StudiedHeights:
-    """Counted heights of one target, (N,) each: accepted, not withdrawn. package: which of the study's;
-    category, lighting, class_set: codes of words, -1 for none; inset_m, u_inset_m, u_clicks_m, u_by_inset_m:
-    NaN where not known; reference_m: the maker's height, NaN where not known.
-    """
-
-    package: Ints
-    pose: Ints
-    category: Ints
-    lighting: Ints
-    class_set: Ints
-    height_m: Floats
-    u_height_m: Floats
-    u_clicks_m: Floats
-    u_by_inset_m: Floats
-    inset_m: Floats
-    u_inset_m: Floats
-    reference_m: Floats
-
-
 @dataclass(frozen=True)
 class TargetFigures:
     """The figures of one target's heights, or the reason why there are none."""
@@ -120,15 +99,15 @@ class ErrorFigure:
     value: TotalFigure
 
 
-@dataclass(frozen=True)
-class PlannedStudy:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlanRow:
     """Sites and vehicles at each that give a percentile its interval; vehicles None: no number does."""
 
     target: StatisticsTarget
     percent: float
     goal_U95_m: float
     sites: int
-    vehicles: int | None
+    vehicles_each: int | None
     U95_m: float | None
 
 
@@ -140,24 +119,7 @@ class StudyRule:
     rule: RuleToday
 
 
-@dataclass(frozen=True)
-class YearDifference:
-    """A figure of a later year less that of the first, metres; percent None: the mean. Either n may be 0."""
-
-    target: StatisticsTarget
-    first_year: int
-    second_year: int
-    percent: float | None
-    n_first: int
-    n_second: int
-    value: float | None
-    U95_low: float | None
-    U95_high: float | None
-    verdict: ComparisonVerdict | None
-    reason: Said | None = None
-
-
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class StudyDifference:
     """A figure of a study less that of another, metres; percent None: the mean."""
 
@@ -170,6 +132,14 @@ class StudyDifference:
     high_m: float | None
     verdict: ComparisonVerdict | None
     reason: Said | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class YearRow(StudyDifference):
+    """A figure of the second year less that of the first. Either n may be 0."""
+
+    first_year: int
+    second_year: int
 
 
 @dataclass(frozen=True)
@@ -194,9 +164,9 @@ class Study:
     targets: list[TargetFigures]
     errors: list[ErrorFigure]
     classes: list[ClassShare]
-    plans: list[PlannedStudy]
+    plans: list[PlanRow]
     rules: list[StudyRule]
-    years: list[YearDifference]
+    years: list[YearRow]
     curves: list[Curve]
     notes: list[Said]
 
@@ -213,7 +183,9 @@ class StudySurvey:
 
 @dataclass(frozen=True, slots=True)
 class StudyFacts:
-    """What people say of a study; the tables of its fleet and sites as they were uploaded, "" for none."""
+    """What people say of a study; the tables of its fleet and sites as they were uploaded, "" for none; the
+    U95 of P10 that a further study is to have.
+    """
 
     name: str
     description: str = ""

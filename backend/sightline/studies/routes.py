@@ -1,12 +1,12 @@
 """Studies: surveys of this installation joined, their figures, packages and reports."""
 
 import re
-from urllib.parse import quote
 
 from fastapi import APIRouter, Response
 from fastapi.responses import FileResponse
 
 from sightline.errors import BadInput
+from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.infra.database.rows import missing
 from sightline.infra.jobs.store import get_job
@@ -225,18 +225,15 @@ def _computed(session: Session, who: Person, study_id: int) -> tuple[StoredStudy
 
 def _found(services: Services, who: Person, study_id: int, result_id: int) -> tuple[StoredStudy, StudyResult]:
     with services.reading() as session:
-        study, result = (
-            store.get_study(session, study_id),
-            store.get_study_result(session, study_id, result_id),
-        )
+        study = store.get_study(session, study_id)
+        result = store.get_study_result(session, study_id, result_id)
         if not sees_result(session, who, result):
             raise missing("result", result_id)
         return study, result
 
 
 def _file(services: Services, key: str, kind: str, name: str) -> FileResponse:
-    headers = {"Content-Disposition": f"attachment; filename={quote(name)}"}
-    return FileResponse(services.media.local_path(key), media_type=kind, headers=headers)
+    return FileResponse(services.media.local_path(key), media_type=kind, filename=name)
 
 
 def _plain(study: StoredStudy) -> str:
@@ -246,38 +243,17 @@ def _plain(study: StoredStudy) -> str:
 
 
 def _body(session: Session, study: StoredStudy) -> StudyBody:
-    names, facts = survey_names(session), study.facts
-    return StudyBody(
-        id=study.id,
-        name=facts.name,
-        description=facts.description,
-        surveys=[
-            StudySurveyBody(
-                survey_id=one.survey_id,
-                name=names[one.survey_id][0],
-                site=one.site,
-                stratum=one.stratum,
-                year=one.year,
-            )
-            for one in facts.surveys
-        ],
-        fleet_csv=facts.fleet_csv,
-        sites_csv=facts.sites_csv,
-        goal_m=facts.goal_m,
-        simulated=study.simulated,
-        version=study.version,
-        created_at=study.created_at,
-        updated_at=study.updated_at,
-    )
+    names = survey_names(session)
+    surveys = [filled_from(StudySurveyBody, one, name=names[one.survey_id][0]) for one in study.facts.surveys]
+    return filled_from(StudyBody, study, study.facts, surveys=surveys)
 
 
 def _listed(session: Session, who: Person, study: StoredStudy) -> ListedStudy:
     result = _newest(session, who, study.id)
-    return ListedStudy(
-        id=study.id,
-        name=study.facts.name,
-        description=study.facts.description,
-        simulated=study.simulated,
+    return filled_from(
+        ListedStudy,
+        study,
+        study.facts,
         surveys=len(study.facts.surveys),
         sites=len({one.site for one in study.facts.surveys}),
         heights=None if result is None else int(result.document["heights"]),
@@ -290,13 +266,9 @@ def _result(session: Session, study: StoredStudy, result: StudyResult, language:
     changed = [names[one][0] for one, head in result.heads.items() if heads[one] != head]
     base = f"/api/studies/{study.id}/results/{result.id}"
     said = result.document["consequence"]
-    return ResultBody(
-        id=result.id,
-        created_at=result.created_at,
-        created_by=result.created_by,
-        code_version=result.code_version,
-        size_bytes=result.size_bytes,
-        sha256=result.sha256,
+    return filled_from(
+        ResultBody,
+        result,
         study_changed=result.study_version != study.version,
         surveys_changed=changed,
         package_url=f"{base}.zip",

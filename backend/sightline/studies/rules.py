@@ -5,19 +5,15 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from sightline.enums import Category, ClassSet, StatisticsTarget
+from sightline.enums import StatisticsTarget
 from sightline.messages.said import Said
-from sightline.results.measured_columns_query import CATEGORIES, CLASS_SETS
 from sightline.results.survey_statistics import RULE_OF
 from sightline.statistics.rules import rule_today, unknown_rule
 from sightline.statistics.standards import Standard
 from sightline.statistics.total_uncertainty import TotalUncertainty
-from sightline.studies.records import StudiedHeights, StudyRule
+from sightline.studies.records import StudyRule
 from sightline.studies.weighted import Weighted
-
-_Classes = tuple[tuple[Category, ...], tuple[ClassSet, ...]]
 
 
 def rules_of_all(
@@ -30,7 +26,7 @@ def rules_of_all(
     return {
         n: _made(target, one, of, figures, known)
         for n, one in _asked(target, standards).items()
-        if not known or _are(of.rows, RULE_OF[one.what][1]).all()
+        if not known or of.rows.of_classes(*RULE_OF[one.what][1]).all()
     }
 
 
@@ -43,7 +39,7 @@ def rules_of_classes(
     waiting = {n: one for n, one in _asked(target, standards).items() if n not in made}
     found = {}
     for classes in dict.fromkeys(RULE_OF[one.what][1] for one in waiting.values()):
-        own = of.domain(_are(of.rows, classes))
+        own = of.domain(of.rows.of_classes(*classes))
         figures = None if own.design is None else own.figures()
         for n, one in waiting.items():
             if RULE_OF[one.what][1] == classes:
@@ -75,10 +71,3 @@ def _made(
     found = rule_today(standard, figures, by_class)
     assert found is not None  # only standards that state a percentile are asked for
     return StudyRule(target, found)
-
-
-def _are(rows: StudiedHeights, classes: _Classes) -> NDArray[np.bool_]:
-    """Whose vehicles (N,) are of one of the classes, or count in one of the sets in their survey."""
-    categories, sets = classes
-    of_set = np.isin(rows.class_set, [CLASS_SETS.index(one) for one in sets])
-    return of_set | np.isin(rows.category, [CATEGORIES.index(one) for one in categories])

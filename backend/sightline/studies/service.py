@@ -8,37 +8,37 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Protocol, get_args
+from typing import Any, Protocol, get_args
 
 import numpy as np
 
 from sightline.enums import StatisticsTarget
 from sightline.errors import BadInput
 from sightline.messages.said import Said
+from sightline.results.measured_columns_query import Heights
 from sightline.results.standards_store import joined_standards
-from sightline.statistics.comparison import difference_of_figures
 from sightline.statistics.figures import Figure
 from sightline.statistics.standards import Standard
 from sightline.statistics.study_plan import Components, U95_of, plan
 from sightline.statistics.survey_design import weighting_effect
 from sightline.statistics.total_uncertainty import TotalUncertainty
+from sightline.studies.beside import difference_in_cells, no_difference
 from sightline.studies.places import Places, places_of
 from sightline.studies.records import (
     Curve,
     Fleet,
     Ints,
-    PlannedStudy,
+    PlanRow,
     SiteFacts,
-    StudiedHeights,
     StudiedSurvey,
     Study,
     StudyRule,
     TargetFigures,
-    YearDifference,
+    YearRow,
 )
 from sightline.studies.rules import rules_of_all, rules_of_classes
 from sightline.studies.shares import class_shares, error_figures
-from sightline.studies.weighted import Weighted, refuse_fleet, weighted, where
+from sightline.studies.weighted import Weighted, refuse_fleet, weighted
 
 TARGETS: tuple[StatisticsTarget, ...] = get_args(StatisticsTarget)
 PERCENTS = (2.5, 5.0, 10.0, 15.0, 50.0, 85.0, 90.0, 95.0, 97.5)
@@ -61,7 +61,7 @@ class Tables(Protocol):
         """(survey, category, lighting), (V,) each, of every vehicle with a counted height."""
         ...
 
-    def heights(self, target: StatisticsTarget) -> StudiedHeights:
+    def heights(self, target: StatisticsTarget) -> Heights:
         """The counted heights of one target, by survey and number."""
         ...
 
@@ -83,9 +83,9 @@ class _Found:
     """What came out so far, target by target."""
 
     targets: list[TargetFigures] = field(default_factory=list)
-    plans: list[PlannedStudy] = field(default_factory=list)
+    plans: list[PlanRow] = field(default_factory=list)
     rules: list[StudyRule] = field(default_factory=list)
-    years: list[YearDifference] = field(default_factory=list)
+    years: list[YearRow] = field(default_factory=list)
     curves: list[Curve] = field(default_factory=list)
 
 
@@ -161,7 +161,7 @@ def _notes_of_counts(surveys: Sequence[StudiedSurvey], counted: Ints, outside: I
 
 def _of_target(
     target: StatisticsTarget,
-    rows: StudiedHeights,
+    rows: Heights,
     surveys: Sequence[StudiedSurvey],
     places: Places,
     asked: Plan,
@@ -171,7 +171,7 @@ def _of_target(
 ) -> None:
     """Everything of one target, put with what was found."""
     of = weighted(rows, places, asked.fleet)
-    left_out = len(rows.height_m) - of.n
+    left_out = len(rows) - of.n
     if left_out:
         notes.append(Said("study-without-class", count=left_out, target=target))
     figures = None if of.design is None else of.figures()
@@ -192,7 +192,7 @@ def _of_target(
 def _target_figures(
     target: StatisticsTarget, of: Weighted, figures: TotalUncertainty | None, places: Places
 ) -> TargetFigures:
-    at = int(np.count_nonzero(np.bincount(places.of_survey[of.rows.package]))) if of.n else 0
+    at = int(np.count_nonzero(np.bincount(places.of_survey[of.rows.survey_id]))) if of.n else 0
     if figures is None or of.design is None:
         return TargetFigures(target, of.n, at, reason=of.reason)
     return TargetFigures(
@@ -208,33 +208,32 @@ def _target_figures(
 
 def _plans(
     target: StatisticsTarget, figures: TotalUncertainty, goal_m: float, sites_there: float
-) -> list[PlannedStudy]:
+) -> list[PlanRow]:
     told = figures.components(_PLANNED_PERCENT)
     if told is None:
         return []
     components = Components(told.sampling_m, told.between_m, told.common_m, sites_there)
     found = []
     for sites, vehicles in plan(components, _PLANNED_SITES, goal_m):
-        reached = None if vehicles is None else U95_of(components, sites, vehicles)
         found.append(
-            PlannedStudy(
+            PlanRow(
                 target=target,
                 percent=_PLANNED_PERCENT,
                 goal_U95_m=goal_m,
                 sites=sites,
-                vehicles=vehicles,
-                U95_m=reached,
+                vehicles_each=vehicles,
+                U95_m=None if vehicles is None else U95_of(components, sites, vehicles),
             )
         )
     return found
 
 
 def _years(
-    target: StatisticsTarget, rows: StudiedHeights, surveys: Sequence[StudiedSurvey], asked: Plan
-) -> list[YearDifference]:
+    target: StatisticsTarget, rows: Heights, surveys: Sequence[StudiedSurvey], asked: Plan
+) -> list[YearRow]:
     """Each later year beside the first: percentiles and mean, each year weighted to the fleet by itself."""
     years = sorted({one.year for one in surveys if one.year is not None})
-    if len(years) < 2 or not len(rows.height_m):
+    if len(years) < 2 or not len(rows):
         return []
     first, *later = [_of_year(year, rows, surveys, asked) for year in years]
     return [
@@ -245,14 +244,14 @@ def _years(
 
 
 def _of_year(
-    year: int, rows: StudiedHeights, surveys: Sequence[StudiedSurvey], asked: Plan
+    year: int, rows: Heights, surveys: Sequence[StudiedSurvey], asked: Plan
 ) -> tuple[Weighted, TotalUncertainty | None]:
     """The heights of one year's surveys as a study of its own."""
     here = [n for n, one in enumerate(surveys) if one.year == year]
     own = np.full(len(surveys), -1, dtype=np.int64)
     own[here] = np.arange(len(here))
-    of_year = where(rows, own[rows.package] >= 0)
-    of_year = replace(of_year, package=own[of_year.package])
+    of_year = rows.where(own[rows.survey_id] >= 0)
+    of_year = replace(of_year, survey_id=own[of_year.survey_id])
     of = weighted(of_year, places_of([surveys[n] for n in here], asked.sites), asked.fleet)
     return of, None if of.design is None else of.figures()
 
@@ -261,40 +260,18 @@ def _differences(
     target: StatisticsTarget,
     years: tuple[int, int],
     both: tuple[tuple[Weighted, TotalUncertainty | None], tuple[Weighted, TotalUncertainty | None]],
-) -> list[YearDifference]:
+) -> list[YearRow]:
     (of_first, first), (of_second, second) = both
-    none = YearDifference(
-        target=target,
-        first_year=years[0],
-        second_year=years[1],
-        percent=None,
-        n_first=of_first.n,
-        n_second=of_second.n,
-        value=None,
-        U95_low=None,
-        U95_high=None,
-        verdict=None,
-        reason=of_first.reason or of_second.reason,
-    )
+    named: dict[str, Any] = {"target": target, "first_year": years[0], "second_year": years[1]}
+    named |= {"n_first": of_first.n, "n_second": of_second.n}
     if first is None or second is None:
-        return [none] if of_first.n and of_second.n else []
+        none = no_difference(of_first.reason or of_second.reason)
+        return [YearRow(**named, percent=None, **none)] if of_first.n and of_second.n else []
     pairs: list[tuple[float | None, Figure, Figure]] = [
         (percent, first.percentile(percent), second.percentile(percent)) for percent in PERCENTS
     ]
     pairs.append((None, first.mean(), second.mean()))
-    found = []
-    for percent, before, after in pairs:
-        one = difference_of_figures(before, after)
-        told = one.difference
-        found.append(
-            replace(
-                none,
-                percent=percent,
-                value=None if np.isnan(told.value) else told.value,
-                U95_low=told.U95_low,
-                U95_high=told.U95_high,
-                verdict=one.verdict,
-                reason=told.reason,
-            )
-        )
-    return found
+    return [
+        YearRow(**named, percent=percent, **difference_in_cells(before, after))
+        for percent, before, after in pairs
+    ]

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from sightline.results.measured_columns_query import CATEGORIES, LIGHTING
+from sightline.results.measured_columns_query import CATEGORIES, LIGHTING, Heights
 from sightline.statistics.drawn import Drawn, share_of
 from sightline.statistics.error_totals import ErrorTotals
 from sightline.statistics.figures import TotalFigure
 from sightline.statistics.shared_errors import SharedErrors
 from sightline.studies.places import Places, design_of
-from sightline.studies.records import ClassShare, ErrorFigure, Fleet, Floats, Ints, StudiedHeights
-from sightline.studies.weighted import LEAST, sample_of, where
+from sightline.studies.records import ClassShare, ErrorFigure, Fleet, Floats, Ints
+from sightline.studies.weighted import LEAST, sample_of
 
 LEAST_ERRORS = 5  # for a figure of them
 
@@ -36,26 +36,26 @@ def class_shares(cars: tuple[Ints, Ints, Ints], places: Places, fleet: Fleet | N
     return found
 
 
-def error_figures(rows: StudiedHeights, places: Places) -> list[ErrorFigure]:
+def error_figures(rows: Heights, places: Places) -> list[ErrorFigure]:
     """Bias, MAE, RMSE and SD of roofs against their makers' heights, by the draw: of errors, not fleets.
 
     The bias is a mean of the design; the others' intervals are those of `ErrorTotals`, weighted alike, in
     which every site there is counts as not seen yet.
     """
-    known = np.isfinite(rows.reference_m)
+    known = np.isfinite(rows.known_m)
     found = []
     for group, wanted in [
         ("overall", known),
         *((w, known & (rows.lighting == n)) for n, w in enumerate(LIGHTING)),
     ]:
-        chosen = where(rows, wanted)
-        n = len(chosen.height_m)
+        chosen = rows.where(wanted)
+        n = len(chosen)
         if n < LEAST_ERRORS:
             continue
-        error = chosen.height_m - chosen.reference_m
+        error = chosen.height_m - chosen.known_m
         sample = sample_of(chosen)
         shared: tuple[SharedErrors, ...] = sample.shared
-        drawn = Drawn(design_of(chosen.package, places), shared)
+        drawn = Drawn(design_of(chosen.survey_id, places), shared)
         totals = ErrorTotals(error, shared, drawn.design.site, drawn.design.weight)
         found += [
             ErrorFigure(group, name, n, value) for name, value in _figures_of(error, drawn, totals).items()

@@ -4,14 +4,15 @@ from collections.abc import Collection, Mapping
 from dataclasses import asdict
 from typing import Any
 
-from sqlalchemy import select
+from sqlalchemy import ColumnElement, func, select
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
 from sightline.errors import Conflict
 from sightline.infra.audit import trail
-from sightline.infra.database.people import people
-from sightline.infra.database.rows import add_row, change_row, get_row, last_change, stored_hash, who
+from sightline.infra.audit.written import written_once, written_rows
+from sightline.infra.by_name import record_of
+from sightline.infra.database.rows import add_row, change_row, get_row, last_change, missing
 from sightline.infra.database.types import now
 from sightline.infra.version import code_version
 from sightline.studies.records import StoredStudy, StudyFacts, StudyResult, StudySurvey
@@ -98,6 +99,7 @@ def add_study_result(
         "study_id": study.id,
         "study_version": study.version,
         "heads": {str(survey_id): head for survey_id, head in heads.items()},
+        "document": document,
         "media_key": media_key,
         "size_bytes": size_bytes,
         "sha256": sha256,
@@ -105,25 +107,22 @@ def add_study_result(
         "report_sha256": report_sha256,
         "code_version": code_version(),
     }
-    stamps = {"created_at": now(), "created_by": actor}
-    result_id = add_row(session, study_results, {**content, "document": document, **stamps})
-    after = {**content, "content_sha256": stored_hash(session, study_results, result_id)}
-    trail.record(session, actor, "create", "study_result", result_id, None, None, after)
+    result_id = written_once(session, study_results, content, "create", untold=("document",), actor=actor)
     return get_study_result(session, study.id, result_id)
 
 
 def get_study_result(session: Session, study_id: int, result_id: int) -> StudyResult:
     """One result of a study. Raises NotFound."""
-    row = get_row(session, study_results, result_id, "result", study_results.c.study_id == study_id)
-    return _result(session, row)
+    found = _results(session, study_id, study_results.c.id == result_id)
+    if not found:
+        raise missing("result", result_id)
+    return found[0]
 
 
 def newest_result(session: Session, study_id: int) -> StudyResult | None:
     """What was computed last, if anything."""
-    r = study_results
-    query = select(r).where(r.c.study_id == study_id).order_by(r.c.id.desc()).limit(1)
-    row = session.execute(query).mappings().one_or_none()
-    return None if row is None else _result(session, row)
+    of_study = select(func.max(study_results.c.id)).where(study_results.c.study_id == study_id)
+    return next(iter(_results(session, study_id, study_results.c.id == of_study.scalar_subquery())), None)
 
 
 def surveys_of_results(session: Session, study_id: int) -> frozenset[int]:
@@ -157,10 +156,8 @@ def _study(row: Mapping[Any, Any], invented: Collection[int]) -> StoredStudy:
     return StoredStudy(facts=facts, simulated=simulated, **{name: row[name] for name in kept})
 
 
-def _result(session: Session, row: Mapping[Any, Any]) -> StudyResult:
-    name = select(people.c.name).where(people.c.id == row["created_by"])
-    maker = session.execute(name).scalar_one_or_none()
-    values = dict(row)
-    values["heads"] = {int(survey_id): head for survey_id, head in row["heads"].items()}
-    values["created_by"] = who(row["created_by"], maker)
-    return StudyResult(**values)
+def _results(session: Session, study_id: int, which: ColumnElement[bool]) -> list[StudyResult]:
+    return [
+        record_of(StudyResult, row, heads={int(survey_id): head for survey_id, head in row["heads"].items()})
+        for row in written_rows(session, study_results, study_results.c.study_id == study_id, which)
+    ]

@@ -6,6 +6,7 @@ Lengths are those of a package, to the micrometre, so that a study gives the sam
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import fields, replace
 
 import numpy as np
 from sqlalchemy import select
@@ -13,11 +14,10 @@ from sqlalchemy.orm import Session
 
 from sightline.enums import StatisticsTarget
 from sightline.poses.tables import road_poses
-from sightline.results.measured_columns_query import TARGETS, VERDICTS, Measured, load_measured_columns
-from sightline.studies.records import Ints, StudiedHeights
+from sightline.results.measured_columns_query import TARGETS, VERDICTS, Heights, load_measured_columns
+from sightline.studies.records import Ints
 
 _COUNTED = tuple(VERDICTS.index(word) for word in ("accepted", "fixed"))
-_LENGTHS = ("height_m", "u_height_m", "u_clicks_m", "u_by_inset_m", "inset_m", "u_inset_m")
 
 
 class StoredTables:
@@ -25,40 +25,31 @@ class StoredTables:
 
     def __init__(self, session: Session, survey_ids: Sequence[int]) -> None:
         measured = load_measured_columns(session, survey_ids)
-        self._rows = measured.where(np.isin(measured.verdict, _COUNTED) & ~measured.check_target)
+        rows = measured.where(np.isin(measured.verdict, _COUNTED) & ~measured.check_target)
         place = np.full(max(survey_ids) + 1, -1, dtype=np.int64)
         place[list(survey_ids)] = np.arange(len(survey_ids))
-        self._survey = place[self._rows.survey_id]
+        self._rows = replace(rows, survey_id=place[rows.survey_id])
         self._surveys = len(survey_ids)
-        order = np.lexsort((self._rows.measurement_id, self._survey))
+        order = np.lexsort((self._rows.measurement_id, self._rows.survey_id))
         self._order = order[self._rows.counts[order]]
 
     def counted(self) -> tuple[Ints, Ints]:
         """Of each survey, (P,) each: how many count, and how many do not, for they are out of its sample."""
-        whole = np.bincount(self._survey, minlength=self._surveys)
-        own = np.bincount(self._survey[self._rows.counts], minlength=self._surveys)
+        whole = np.bincount(self._rows.survey_id, minlength=self._surveys)
+        own = np.bincount(self._rows.survey_id[self._rows.counts], minlength=self._surveys)
         return own, whole - own
 
     def vehicles(self) -> tuple[Ints, Ints, Ints]:
         """(survey, category, lighting), (V,) each, of every vehicle with a counted height."""
-        rows, survey = self._rows.where(self._order), self._survey[self._order]
+        rows = self._rows.where(self._order)
         _, first = np.unique(rows.vehicle_id, return_index=True)
-        first = first[np.lexsort((rows.vehicle_id[first], survey[first]))]
-        return survey[first], rows.category[first], rows.lighting[first]
+        first = first[np.lexsort((rows.vehicle_id[first], rows.survey_id[first]))]
+        return rows.survey_id[first], rows.category[first], rows.lighting[first]
 
-    def heights(self, target: StatisticsTarget) -> StudiedHeights:
+    def heights(self, target: StatisticsTarget) -> Heights:
         """The counted heights of one target, by survey and number."""
         chosen = self._order[self._rows.target[self._order] == TARGETS.index(target)]
-        rows: Measured = self._rows.where(chosen)
-        return StudiedHeights(
-            package=self._survey[chosen],
-            pose=rows.pose_id,
-            category=rows.category,
-            lighting=rows.lighting,
-            class_set=rows.class_set,
-            reference_m=rows.known_m,
-            **{name: getattr(rows, name) for name in _LENGTHS},
-        )
+        return Heights(**{one.name: getattr(self._rows, one.name)[chosen] for one in fields(Heights)})
 
 
 def surveys_with_poses(session: Session, survey_ids: Sequence[int]) -> set[int]:

@@ -5,12 +5,10 @@ from sqlalchemy import (
     Boolean,
     CheckConstraint,
     Column,
-    Float,
     ForeignKey,
     Integer,
     String,
     Table,
-    Text,
     UniqueConstraint,
 )
 
@@ -20,25 +18,19 @@ from sightline.infra.database.types import (
     CanonicalJson,
     UtcDateTime,
     changed_columns,
+    columns_for,
     identity,
     made_columns,
     metadata,
 )
+from sightline.studies.records import StudyFacts
 
 # Surveys joined: which ones at which site and of which year, the fleet, facts of the sites.
 studies = Table(
     "studies",
     metadata,
     identity(),
-    Column("name", String(200), nullable=False),
-    Column("description", Text, nullable=False),
-    # [{survey_id, site, stratum, year}] in the order of the page
-    Column("surveys", CanonicalJson, nullable=False),
-    # as they were uploaded; empty for none
-    Column("fleet_csv", Text, nullable=False),
-    Column("sites_csv", Text, nullable=False),
-    # the U95 of P10 that a further study is to have
-    Column("goal_m", Float, nullable=False),
+    *columns_for(StudyFacts, {"name": 200}),
     # invented surveys: said wherever its figures are shown
     Column("simulated", Boolean, nullable=False),
     # seen by everybody who signs in, or by its members and administrators alone

@@ -10,13 +10,14 @@ from numpy.typing import NDArray
 
 from sightline.errors import BadInput
 from sightline.messages.said import Said
-from sightline.results.measured_columns_query import CATEGORIES, LIGHTING
+from sightline.results.measured_columns_query import CATEGORIES, LIGHTING, Heights
 from sightline.statistics.drawn import lonely_strata, ordered
+from sightline.statistics.sites import compact
 from sightline.statistics.survey_design import Design
 from sightline.statistics.survey_weights import Margin, calibrated
 from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty, sample_of_measurements
 from sightline.studies.places import Places, design_of
-from sightline.studies.records import Fleet, Ints, StudiedHeights
+from sightline.studies.records import Fleet, Ints
 
 LEAST = 2  # heights for a figure
 
@@ -25,14 +26,14 @@ LEAST = 2  # heights for a figure
 class Weighted:
     """Heights (N,) of one target that count, with their design; or `reason`: why they have none."""
 
-    rows: StudiedHeights
+    rows: Heights
     design: Design | None
     reason: Said | None = None
 
     @property
     def n(self) -> int:
         """How many heights."""
-        return len(self.rows.height_m)
+        return len(self.rows)
 
     def figures(self) -> TotalUncertainty:
         """Ready for figures; only where there is a design."""
@@ -43,23 +44,22 @@ class Weighted:
         """The chosen heights (N,) with the weights that they have among all: of classes, not of a fleet."""
         if self.design is None:
             return self
-        rows = where(self.rows, chosen)
+        rows = self.rows.where(chosen)
         design = ordered(self.design, np.flatnonzero(chosen))
-        if len(rows.height_m) < LEAST:
+        if len(rows) < LEAST:
             return Weighted(rows, None, _too_few())
-        code = (np.cumsum(np.bincount(design.site) > 0) - 1)[design.site]
-        design = replace(design, site=np.asarray(code, dtype=np.int64))
+        design = replace(design, site=compact(design.site))
         if lonely_strata(design) and not lonely_strata(self.design):
             return Weighted(rows, None, Said("study-class-at-one-site"))
         return Weighted(rows, design)
 
 
-def weighted(rows: StudiedHeights, places: Places, fleet: Fleet | None) -> Weighted:
+def weighted(rows: Heights, places: Places, fleet: Fleet | None) -> Weighted:
     """The heights of one target whose class is known, weighted to the fleet where there is one."""
-    rows = where(rows, _with_class(rows, fleet))
-    if len(rows.height_m) < LEAST:
+    rows = rows.where(_with_class(rows, fleet))
+    if len(rows) < LEAST:
         return Weighted(rows, None, _too_few())
-    design = design_of(rows.package, places)
+    design = design_of(rows.survey_id, places)
     alone = lonely_strata(design)
     if len(places.names) > 1 and alone:
         return Weighted(rows, None, Said("study-one-site-of-stratum", stratum=places.strata[alone[0]]))
@@ -101,11 +101,11 @@ def _coded(
     }[variable]
 
 
-def _to_fleet(design: Design, rows: StudiedHeights, places: Places, fleet: Fleet) -> Design | Said:
+def _to_fleet(design: Design, rows: Heights, places: Places, fleet: Fleet) -> Design | Said:
     """The design with weights that meet the fleet, or the reason why there are none."""
     margins = []
     for variable, shares in fleet.margins.items():
-        words, code = _coded(variable, rows.package, rows.category, rows.lighting, places)
+        words, code = _coded(variable, rows.survey_id, rows.category, rows.lighting, places)
         there = np.bincount(code, minlength=len(words))
         share = np.array([shares.get(word, 0.0) for word in words])
         for n in np.flatnonzero((share > 0.0) & (there == 0)).tolist():
@@ -119,22 +119,22 @@ def _to_fleet(design: Design, rows: StudiedHeights, places: Places, fleet: Fleet
     )
 
 
-def _with_class(rows: StudiedHeights, fleet: Fleet | None) -> NDArray[np.bool_]:
-    keep = np.ones(len(rows.height_m), dtype=np.bool_)
+def _with_class(rows: Heights, fleet: Fleet | None) -> NDArray[np.bool_]:
+    keep = np.ones(len(rows), dtype=np.bool_)
     for variable in fleet.margins if fleet else ():
         if variable in ("category", "lighting"):
             keep &= getattr(rows, variable) >= 0
     return keep
 
 
-def sample_of(rows: StudiedHeights) -> HeightSample:
+def sample_of(rows: Heights) -> HeightSample:
     """As the statistics of a survey take them; poses of one package are no other package's."""
     inset = np.rint(np.nan_to_num(rows.inset_m) * 1e4) * 100_000
     inset = inset + np.rint(np.nan_to_num(rows.u_inset_m) * 1e4)
     alike = bool(np.all(inset == inset[0]))
     pose = _pose_codes(rows)
     names = np.zeros(int(pose.max()) + 1, dtype=np.int64)
-    names[pose] = (rows.package << 32) + rows.pose
+    names[pose] = (rows.survey_id << 32) + rows.pose_id
     return sample_of_measurements(
         height_m=rows.height_m,
         u_height_m=rows.u_height_m,
@@ -146,21 +146,10 @@ def sample_of(rows: StudiedHeights) -> HeightSample:
     )
 
 
-def _pose_codes(rows: StudiedHeights) -> Ints:
+def _pose_codes(rows: Heights) -> Ints:
     """A number for each pose of each package, from 0."""
-    most = int(rows.pose.max()) + 1
-    both = rows.package * most + rows.pose
-    if (int(rows.package.max()) + 1) * most > 8 * len(both) + 1_000_000:
-        return _codes(both)
-    return np.asarray((np.cumsum(np.bincount(both) > 0) - 1)[both], dtype=np.int64)
+    return compact(rows.survey_id * (int(rows.pose_id.max()) + 1) + rows.pose_id)
 
 
 def _codes(values: NDArray[np.generic]) -> Ints:
     return np.asarray(np.unique(values, return_inverse=True)[1], dtype=np.int64)
-
-
-def where(rows: StudiedHeights, keep: NDArray[np.bool_]) -> StudiedHeights:
-    """The rows (N,) that are kept (N,)."""
-    if keep.all():
-        return rows
-    return StudiedHeights(**{name: getattr(rows, name)[keep] for name in StudiedHeights.__dataclass_fields__})

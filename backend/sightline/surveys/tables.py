@@ -1,16 +1,12 @@
 """The table of surveys."""
 
-from sqlalchemy import (
-    Boolean,
-    Column,
-    Float,
-    String,
-    Table,
-    Text,
-)
+from sqlalchemy import Boolean, Column, String, Table, Text
 
-from sightline.enums import CameraPlace, Hand, StreetLamps
-from sightline.infra.database.types import CanonicalJson, changed_columns, enum_check, identity, metadata
+from sightline.geometry.sides import TrafficFacts
+from sightline.infra.database.types import CanonicalJson, changed_columns, columns_for, identity, metadata
+from sightline.surveys.place import Place
+
+_CHARACTERS = {"road_class": 100, "lane": 100, "travel_direction": 100, "time_zone": 60}
 
 surveys = Table(
     "surveys",
@@ -25,18 +21,9 @@ surveys = Table(
     # everybody who signs in acts here with the role of the account; else members alone
     Column("open_to_all", Boolean, nullable=False),
     # how traffic goes here and where the camera stands; empty while nobody has said
-    Column("traffic_side", String(20)),
-    Column("steering_side", String(20)),
-    Column("camera_place", String(20)),
+    *columns_for(TrafficFacts),
     # where it lies, what road it is, whose clocks are told; empty while nobody has said
-    Column("latitude_deg", Float),
-    Column("longitude_deg", Float),
-    Column("road_class", String(100)),
-    Column("lane", String(100)),
-    Column("travel_direction", String(100)),
-    Column("speed_limit_mps", Float),
-    Column("street_lamps", String(20)),
-    Column("time_zone", String(60)),
+    *columns_for(Place, _CHARACTERS),
     # the targets asked for by lighting
     Column("asked", CanonicalJson, nullable=False),
     # by class of vehicle its set and what the EU and FHWA call it
@@ -45,8 +32,4 @@ surveys = Table(
     Column("sampling", CanonicalJson, nullable=False),
     Column("insets", CanonicalJson, nullable=False),
     *changed_columns(),
-    enum_check("traffic_side", Hand),
-    enum_check("steering_side", Hand),
-    enum_check("camera_place", CameraPlace),
-    enum_check("street_lamps", StreetLamps),
 )

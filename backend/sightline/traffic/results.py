@@ -13,9 +13,8 @@ from dataclasses import dataclass, fields, replace
 from datetime import datetime, timedelta
 from math import ceil, hypot, sqrt
 from pathlib import Path
-from typing import Any, cast, get_args
+from typing import Any
 
-from sightline.enums import ScanDirection
 from sightline.errors import BadInput
 from sightline.infra.given_csv import GivenTable, read_table
 from sightline.linescan.clock import u_passing_s
@@ -149,19 +148,7 @@ def _of_table(path: Path, table: GivenTable) -> Results:
     if not rows:
         raise BadInput("commands-flow-no-vehicles", path=path)
     start = min(at for _line, _row, at in rows)
-    since = [(at - start).total_seconds() for _line, _row, at in rows]
-    lines = [
-        (
-            table.number(line, "front_line_1", row["front_line_1"]),
-            table.number(line, "rear_line_1", row["rear_line_1"]),
-        )
-        for line, row, _at in rows
-    ]
-    passings = [
-        _passing(table, line, row, since_s, ends)
-        for (line, row, _at), since_s, ends in zip(rows, since, lines, strict=True)
-    ]
-    passings = _occupying(path, passings)
+    passings = _occupying(path, [_passing(path, table, start, *one) for one in rows])
     check_passings(path, passings, MOST_S)
     given = [
         table.number(line, "u_front_at_s", row["u_front_at_s"]) if row.get("u_front_at_s") else None
@@ -191,24 +178,15 @@ def _occupying(path: Path, passings: Sequence[Passing]) -> list[Passing]:
 
 
 def _passing(
-    table: GivenTable, line: int, row: Mapping[str, str], since_s: float, lines: tuple[float, float]
+    path: Path, table: GivenTable, start: datetime, line: int, row: Mapping[str, str], at: datetime
 ) -> Passing:
-    direction = row.get("direction") or None
-    if direction not in (None, *get_args(ScanDirection)):
-        raise BadInput("traffic-vehicle-without", path=table.name, vehicle=row["id"], column="direction")
-    return Passing(
-        number=int(table.number(line, "id", row["id"])),
-        front_s=since_s,
-        rear_s=since_s,
-        front_line_1=lines[0],
-        rear_line_1=lines[1],
-        status=row["status"],
-        reason=row.get("reason") or None,
-        lane=row.get("lane") or None,
-        direction=cast("ScanDirection | None", direction),
-        axles=int(table.number(line, "axles", row["axles"])) if row.get("axles") else None,
-        **{name: table.number(line, name, row[name]) if row.get(name) else None for name in _NUMBERS},
-    )
+    """A line as a vehicle of the JSON; when its rear passed is found later."""
+    since_s = (at - start).total_seconds()
+    said: dict[str, Any] = {name: row.get(name) or None for name in ("reason", "lane", "direction")}
+    said |= {name: table.number(line, name, row[name]) for name in ("id", "front_line_1", "rear_line_1")}
+    said |= {name: table.number(line, name, row[name]) for name in ("axles", *_NUMBERS) if row.get(name)}
+    said |= {"status": row["status"], "front_s": since_s, "rear_s": since_s}
+    return passing_of(path, said, row["id"])
 
 
 def _of_archive(folder: Path) -> Iterator[Results]:

@@ -103,7 +103,7 @@ def _lines_of(path: Path, data: bytes) -> list[Any]:
     return found
 
 
-def passing_of(path: Path, said: Any, at: int) -> Passing:
+def passing_of(path: Path, said: Any, at: int | str) -> Passing:
     """A vehicle of the JSON. Raises BadInput naming it where a value is missing or is none that can be."""
     if not isinstance(said, dict):
         raise BadInput("traffic-no-recording", path=path)

@@ -1,8 +1,9 @@
 """The facts of a vehicle, and what may be changed of them."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import datetime
-from typing import Annotated, NamedTuple, TypedDict, get_args
+from typing import Annotated, Any, NamedTuple, get_args
 
 from pydantic import Field
 
@@ -65,14 +66,10 @@ def is_reference(chosen_by: str | None) -> bool:
     return chosen_by != BY_SIZE
 
 
-@dataclass(frozen=True, slots=True)
-class Vehicle:
-    """The facts of a record; its measurements are on its sheet (`measurements`)."""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class VehicleFields:
+    """What people fill in of a vehicle, or the search for passes."""
 
-    id: int
-    survey_id: int
-    recording_id: int
-    number: int
     first_frame: int
     last_frame: int
     best_frame: int | None
@@ -129,6 +126,16 @@ class Vehicle:
         Discarded | None, Field(description="Why it is no pass of a vehicle to be measured.")
     ]
     detection: Annotated[JsonObject | None, Field(description="What the search for passes saw of it.")]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Vehicle(VehicleFields):
+    """The facts of a record; its measurements are on its sheet (`measurements`)."""
+
+    id: int
+    survey_id: int
+    recording_id: int
+    number: int
     version: int
     updated_by: Who | None
     updated_at: datetime
@@ -169,42 +176,5 @@ class Vehicle:
         }
 
 
-class VehicleChanges(TypedDict, total=False):
-    """The fields of a vehicle record that people fill in; keys left out stay as they are."""
-
-    first_frame: int
-    last_frame: int
-    best_frame: int | None
-    make: str | None
-    model: str | None
-    year: int | None
-    model_chosen_by: ModelChosenBy | None
-    model_sizes: str | None
-    category: Category | None
-    manufacturer_height_m: float | None
-    u_manufacturer_height_m: float | None
-    height_source: str | None
-    known_driver_eye_m: float | None
-    u_known_driver_eye_m: float | None
-    known_driver_eye_source: str | None
-    known_taillight_m: float | None
-    u_known_taillight_m: float | None
-    known_taillight_source: str | None
-    known_headlight_m: float | None
-    u_known_headlight_m: float | None
-    known_headlight_source: str | None
-    known_other_m: float | None
-    u_known_other_m: float | None
-    known_other_source: str | None
-    check_target: bool
-    lighting: Lighting | None
-    notes: str
-    origin: VehicleOrigin
-    direction: Direction | None
-    driver_side: DriverSide | None
-    roof_not_visible: NotVisible | None
-    driver_eye_not_visible: NotVisible | None
-    taillight_not_visible: NotVisible | None
-    headlight_not_visible: NotVisible | None
-    discarded: Discarded | None
-    detection: JsonObject | None
+#: `VehicleFields` by name; keys left out stay as they are.
+VehicleChanges = Mapping[str, Any]

@@ -1,7 +1,7 @@
 """Vehicle records: their facts."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any, get_args
 
 from sqlalchemy import ColumnElement, Select, and_, func, select
@@ -27,6 +27,7 @@ from sightline.vehicles.records import (
     NOT_VISIBLE,
     Vehicle,
     VehicleChanges,
+    VehicleFields,
 )
 from sightline.vehicles.tables import vehicles
 
@@ -48,9 +49,11 @@ class PassCount:
     passes: int
 
 
+#: A vehicle without lighting has its recording's.
+LIGHT = func.coalesce(vehicles.c.lighting, recordings.c.lighting).label("light")
 _ALIVE: ColumnElement[bool] = vehicles.c.deleted_at.is_(None)
-_FIELDS = frozenset(VehicleChanges.__annotations__)
 _SKIPPED = ("created_at", "created_by", "updated_by", "deleted_at")
+_FIELDS = frozenset(one.name for one in fields(VehicleFields))
 _NAMED = [column.name for column in columns_of(vehicles, *_SKIPPED)]
 _OF_RECORDING = ("started_at", "time_zone", "duration_s", "frame_count")
 
@@ -150,10 +153,7 @@ def pass_spans(session: Session, recording_id: int) -> tuple[PassSpan, ...]:
     """The spans of all passes of a recording, discarded ones too."""
     columns = (vehicles.c.first_frame, vehicles.c.last_frame, vehicles.c.direction)
     query = select(*columns).where(vehicles.c.recording_id == recording_id).order_by(vehicles.c.first_frame)
-    return tuple(
-        PassSpan(first_frame=row.first_frame, last_frame=row.last_frame, direction=row.direction)
-        for row in session.execute(query)
-    )
+    return tuple(PassSpan(*row) for row in session.execute(query))
 
 
 def _check_year(fields: VehicleChanges) -> None:
@@ -228,9 +228,8 @@ def vehicle_rows(*where: ColumnElement[bool], deleted: bool = False) -> Select[A
     `deleted`: those too.
     """
     of_survey = (*(surveys.c[name] for name in TRAFFIC), surveys.c.asked, surveys.c.sampling)
-    light = func.coalesce(vehicles.c.lighting, recordings.c.lighting).label("light")
     filmed = (recordings.c[name] for name in _OF_RECORDING)
-    query = select(vehicles, people.c.name.label("changer"), *of_survey, light, *filmed)
+    query = select(vehicles, people.c.name.label("changer"), *of_survey, LIGHT, *filmed)
     query = query.join(surveys, surveys.c.id == vehicles.c.survey_id)
     query = query.join(recordings, recordings.c.id == vehicles.c.recording_id)
     query = query.outerjoin(people, people.c.id == vehicles.c.updated_by).order_by(vehicles.c.number)

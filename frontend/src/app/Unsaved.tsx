@@ -2,7 +2,6 @@
 import { Button, Icon } from "../components";
 import { Said } from "../components/Said";
 import { current, query } from "../core/address";
-
 import { outbox, type Wish } from "../core/outbox";
 
 export function Unsaved() {

@@ -27,14 +27,7 @@ const VEHICLE: Json = {
   ...{ measurements: [], make: null },
 };
 const LINE_HEIGHT: Json = {
-  ...{
-    id: 5,
-    revision: 3,
-    vehicle_id: 9,
-    target: "roof",
-    withdrawn: false,
-    contact: [1, 2],
-  },
+  ...{ id: 5, revision: 3, vehicle_id: 9, target: "roof", withdrawn: false, contact: [1, 2] },
   ...{ revision_id: 8, target_point: [3, 4], inset_from: "own", inset_m: 0.1, u_inset_m: 0.1, side: null },
   ...{ review: { verdict: "to_review", reviewer: null }, status: "ok", height_m: 1.5, U95_height_m: 0.02 },
 };

@@ -5,7 +5,7 @@ import { outbox } from "../core/outbox";
 
 export function loadKinds(): Promise<unknown> {
   return Promise.all([
-    ...["measure", "scans", "checks", "review", "repeats"].map(learn),
+    learn("measure", "scans", "checks", "review", "repeats"),
     import("../screens/measure/kinds"),
     import("../screens/measure/passes/kinds"),
     import("../screens/scans/kinds"),

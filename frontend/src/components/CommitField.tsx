@@ -3,11 +3,12 @@
  * Enter and Esc leave it, so that the next key is a command again and not one more letter.
  */
 import { useContext, useState } from "preact/hooks";
-import { Field } from "./index";
+import { lengthProblem, lengthText, lengthUnit, parseLength } from "../core/units";
+import { Field, TextControl } from "./index";
+import { type Named, nameOf } from "./named";
 import { TypingHold, useTyping } from "./typing";
 
-interface CommitFieldProps {
-  label: string;
+type CommitFieldProps = Named & {
   value: string;
   numeric?: boolean;
   unit?: string;
@@ -18,7 +19,7 @@ interface CommitFieldProps {
   /** What is wrong with a text, or null. */
   check?(text: string): string | null;
   onCommit(text: string): void;
-}
+};
 
 export function CommitField(props: CommitFieldProps) {
   const typing = useTyping(props.value);
@@ -41,35 +42,44 @@ export function CommitField(props: CommitFieldProps) {
     setProblem(null);
     event.currentTarget.blur();
   };
-  const common = {
-    value: typing.text,
-    disabled: props.disabled,
-    onInput: (event: { currentTarget: { value: string } }) => typing.type(event.currentTarget.value),
-    onBlur: commit,
-    onKeyDown,
-  };
   return (
-    <Field label={props.label} problem={problem} hint={props.hint}>
-      {(wiring) => {
-        if (props.rows) return <textarea {...wiring} {...common} class="input" rows={props.rows} />;
-        const input = (
-          <input
-            {...wiring}
-            {...common}
-            class={`input${props.numeric ? " input--num" : ""}`}
-            inputMode={props.numeric ? "decimal" : undefined}
-            autoComplete="off"
-          />
-        );
-        return props.unit ? (
-          <span class="input-unit">
-            {input}
-            <span>{props.unit}</span>
-          </span>
-        ) : (
-          input
-        );
-      }}
+    <Field label={nameOf(props)} problem={problem} hint={props.hint}>
+      {(wiring) => (
+        <TextControl
+          {...wiring}
+          value={typing.text}
+          unit={props.unit}
+          numeric={props.numeric}
+          rows={props.rows}
+          disabled={props.disabled}
+          onInput={(event) => typing.type(event.currentTarget.value)}
+          onBlur={() => void commit()}
+          onKeyDown={onKeyDown}
+        />
+      )}
     </Field>
+  );
+}
+
+type LengthFieldProps = Named & {
+  metres: number | null;
+  digits?: number;
+  hint?: string;
+  disabled?: boolean;
+  /** What is wrong with a text, or null; usually any length will do, and none. */
+  check?(text: string): string | null;
+  onCommit(metres: number | null): void;
+};
+
+/** A length in the unit that is shown. */
+export function LengthField({ metres, digits, check, onCommit, ...rest }: LengthFieldProps) {
+  return (
+    <CommitField
+      {...rest}
+      value={lengthText(metres, lengthUnit.value, digits)}
+      unit={lengthUnit.value}
+      check={check ?? ((text) => lengthProblem(text, { empty: true }))}
+      onCommit={(text) => onCommit(parseLength(text))}
+    />
   );
 }

@@ -1,6 +1,7 @@
 import type { ComponentChildren } from "preact";
 import { useId } from "preact/hooks";
 import { Icon } from "./Icon";
+import { type Named, nameOf } from "./named";
 
 interface Wiring {
   id: string;
@@ -8,23 +9,22 @@ interface Wiring {
   "aria-invalid": boolean | undefined;
 }
 
-interface FieldProps {
-  label: ComponentChildren;
+type FieldProps = Named & {
   hint?: ComponentChildren;
   /** One sentence on what is wrong with what was entered. */
   problem?: string | null;
   hideLabel?: boolean;
   children: (wiring: Wiring) => ComponentChildren;
-}
+};
 
 /** Label, control, hint and problem, wired together. The control is drawn by the function inside: `{(w) => <input {...w} />}`. */
-export function Field({ label, hint, problem, hideLabel, children }: FieldProps) {
+export function Field({ hint, problem, hideLabel, children, ...name }: FieldProps) {
   const id = useId();
   const described = [hint && `${id}-hint`, problem && `${id}-problem`].filter(Boolean).join(" ");
   return (
     <div class="field">
       <label class={hideLabel ? "visually-hidden" : "field__label"} for={id}>
-        {label}
+        {nameOf(name)}
       </label>
       {children({
         id,
@@ -46,15 +46,14 @@ export function Field({ label, hint, problem, hideLabel, children }: FieldProps)
   );
 }
 
-interface TextFieldProps {
-  label: ComponentChildren;
+type TextFieldProps = Named & {
   value: string;
   onInput: (value: string) => void;
   hint?: ComponentChildren;
   problem?: string | null;
   hideLabel?: boolean;
   type?: "text" | "email" | "password" | "search";
-  /** A figure: right-aligned, decimal keyboard. */
+  /** A figure, as everything with a unit is: right-aligned, decimal keyboard. */
   numeric?: boolean;
   unit?: string;
   placeholder?: string;
@@ -65,79 +64,98 @@ interface TextFieldProps {
   /** What may be meant; anything else can be typed too. */
   suggestions?: readonly string[];
   onChange?: (value: string) => void;
-}
-
-function typed(event: Event): string {
-  return (event.currentTarget as HTMLInputElement | HTMLTextAreaElement).value;
-}
+};
 
 export function TextField(props: TextFieldProps) {
-  const { label, hint, problem, hideLabel, value, numeric, unit, rows } = props;
-  const common = {
-    class: `input${numeric ? " input--num" : ""}`,
-    value,
-    placeholder: props.placeholder,
-    required: props.required,
-    disabled: props.disabled,
-    onInput: (event: Event) => props.onInput(typed(event)),
-    onChange: (event: Event) => props.onChange?.(typed(event)),
-  };
+  const { hint, problem, hideLabel, suggestions } = props;
   return (
-    <Field label={label} hint={hint} problem={problem} hideLabel={hideLabel}>
-      {(wiring) => {
-        if (rows) return <textarea {...wiring} {...common} rows={rows} />;
-        const input = (
-          <input
+    <Field label={nameOf(props)} hint={hint} problem={problem} hideLabel={hideLabel}>
+      {(wiring) => (
+        <>
+          <TextControl
             {...wiring}
-            {...common}
-            type={(props.type ?? "text") as "text"}
-            inputMode={numeric ? "decimal" : undefined}
-            autoComplete={props.autoComplete ?? "off"}
-            list={props.suggestions && `${wiring.id}-list`}
+            value={props.value}
+            unit={props.unit}
+            numeric={props.numeric}
+            rows={props.rows}
+            type={props.type}
+            placeholder={props.placeholder}
+            autoComplete={props.autoComplete}
+            required={props.required}
+            disabled={props.disabled}
+            list={suggestions && `${wiring.id}-list`}
+            onInput={(event) => props.onInput(event.currentTarget.value)}
+            onChange={(event) => props.onChange?.(event.currentTarget.value)}
           />
-        );
-        if (props.suggestions) {
-          return (
-            <>
-              {input}
-              <datalist id={`${wiring.id}-list`}>
-                {props.suggestions.map((one) => (
-                  <option key={one} value={one} />
-                ))}
-              </datalist>
-            </>
-          );
-        }
-        return unit ? (
-          <span class="input-unit">
-            {input}
-            <span>{unit}</span>
-          </span>
-        ) : (
-          input
-        );
-      }}
+          {suggestions && (
+            <datalist id={`${wiring.id}-list`}>
+              {suggestions.map((one) => (
+                <option key={one} value={one} />
+              ))}
+            </datalist>
+          )}
+        </>
+      )}
     </Field>
   );
 }
 
-interface DateFieldProps {
-  label: ComponentChildren;
+interface TextControlProps
+  extends Partial<Wiring>,
+    Pick<TextFieldProps, "type" | "numeric" | "unit" | "rows" | "placeholder" | "autoComplete" | "required"> {
+  value: string;
+  disabled?: boolean;
+  /** The list of what may be meant, by its id. */
+  list?: string;
+  onInput: (event: Typed) => void;
+  onChange?: (event: Typed) => void;
+  onBlur?: () => void;
+  onKeyDown?: (event: KeyboardEvent & Typed) => void;
+}
+
+type Typed = Event & { currentTarget: HTMLInputElement | HTMLTextAreaElement };
+
+/** What is typed into: one line or several, a figure with its unit or words. */
+export function TextControl(props: TextControlProps) {
+  const { rows, unit, numeric = unit !== undefined, type, list, autoComplete, ...rest } = props;
+  const shape = `input${numeric ? " input--num" : ""}`;
+  if (rows) return <textarea {...rest} class={shape} rows={rows} />;
+  const input = (
+    <input
+      {...rest}
+      class={shape}
+      type={(type ?? "text") as "text"}
+      inputMode={numeric ? "decimal" : undefined}
+      autoComplete={autoComplete ?? "off"}
+      list={list}
+    />
+  );
+  return unit ? (
+    <span class="input-unit">
+      {input}
+      <span>{unit}</span>
+    </span>
+  ) : (
+    input
+  );
+}
+
+type DateFieldProps = Named & {
   /** "2026-05-03"; empty: none. */
   value: string;
   onChange: (value: string | null) => void;
-}
+};
 
-export function DateField({ label, value, onChange }: DateFieldProps) {
+export function DateField({ value, onChange, ...name }: DateFieldProps) {
   return (
-    <Field label={label}>
+    <Field label={nameOf(name)}>
       {(wiring) => (
         <input
           {...wiring}
           class="input"
           type="date"
           value={value}
-          onChange={(event) => onChange(typed(event) || null)}
+          onChange={(event) => onChange(event.currentTarget.value || null)}
         />
       )}
     </Field>
@@ -145,7 +163,6 @@ export function DateField({ label, value, onChange }: DateFieldProps) {
 }
 
 interface SelectFieldProps<T extends string> {
-  label: ComponentChildren;
   value: T;
   options: readonly { value: T; label: string; disabled?: boolean }[];
   onInput: (value: T) => void;
@@ -155,25 +172,72 @@ interface SelectFieldProps<T extends string> {
   disabled?: boolean;
 }
 
-export function SelectField<T extends string>(props: SelectFieldProps<T>) {
+export function SelectField<T extends string>(props: Named & SelectFieldProps<T>) {
   return (
-    <Field label={props.label} hint={props.hint} problem={props.problem} hideLabel={props.hideLabel}>
+    <Field label={nameOf(props)} hint={props.hint} problem={props.problem} hideLabel={props.hideLabel}>
       {(wiring) => (
-        <select
+        <Select
           {...wiring}
-          class="input"
           value={props.value}
           disabled={props.disabled}
-          onChange={(event) => props.onInput(event.currentTarget.value as T)}
-        >
-          {props.options.map((option) => (
-            <option key={option.value} value={option.value} disabled={option.disabled}>
-              {option.label}
-            </option>
-          ))}
-        </select>
+          options={props.options}
+          onInput={props.onInput}
+        />
       )}
     </Field>
+  );
+}
+
+interface SelectProps<T> extends Partial<Wiring> {
+  class?: string;
+  title?: string;
+  disabled?: boolean;
+  "aria-label"?: string;
+  "data-testid"?: string;
+  value: T;
+  options: readonly { value: T; label: string; disabled?: boolean }[];
+  onInput: (value: T) => void;
+}
+
+/** One of several, where its name stands elsewhere. */
+export function Select<T extends string | number>(props: SelectProps<T>) {
+  const { value, options, onInput, class: more, ...rest } = props;
+  return (
+    <select
+      {...rest}
+      class={more ? `input ${more}` : "input"}
+      value={value}
+      onChange={({ currentTarget }) => onInput(options[currentTarget.selectedIndex]?.value ?? value)}
+    >
+      {options.map((option) => (
+        <option key={option.value} value={option.value} disabled={option.disabled}>
+          {option.label}
+        </option>
+      ))}
+    </select>
+  );
+}
+
+type CheckProps = Named & {
+  checked: boolean;
+  onInput: (on: boolean) => void;
+  disabled?: boolean;
+  class?: string;
+  title?: string;
+};
+
+/** Yes or no: a box to tick with its words behind it. */
+export function Check({ checked, onInput, disabled, class: shape, title, ...name }: CheckProps) {
+  return (
+    <label class={shape} title={title}>
+      <input
+        type="checkbox"
+        checked={checked}
+        disabled={disabled}
+        onChange={(event) => onInput(event.currentTarget.checked)}
+      />{" "}
+      {nameOf(name)}
+    </label>
   );
 }
 
@@ -190,7 +254,7 @@ export function OptionalField<T extends string>({
   none,
   options,
   ...rest
-}: OptionalFieldProps<T>) {
+}: Named & OptionalFieldProps<T>) {
   return (
     <SelectField<T | "">
       {...rest}
@@ -201,19 +265,19 @@ export function OptionalField<T extends string>({
   );
 }
 
-interface SegmentsProps<T extends string> {
-  label: string;
+type SegmentsProps<T extends string> = Named<string> & {
   value: T;
   options: readonly { value: T; label: ComponentChildren }[];
   onInput: (value: T) => void;
   disabled?: boolean;
-}
+};
 
 /** A few choices side by side, one taken: radio buttons, so arrows and Tab work as everywhere. */
-export function Segments<T extends string>({ label, value, options, onInput, disabled }: SegmentsProps<T>) {
+export function Segments<T extends string>(props: SegmentsProps<T>) {
+  const { value, options, onInput, disabled } = props;
   const name = useId();
   return (
-    <div class="segments" role="radiogroup" aria-label={label}>
+    <div class="segments" role="radiogroup" aria-label={nameOf(props)}>
       {options.map((option) => (
         <label key={option.value}>
           <input

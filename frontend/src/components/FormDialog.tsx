@@ -5,9 +5,9 @@ import { say } from "../core/messages";
 import { Button } from "./Button";
 import { ask, Dialog } from "./Dialog";
 import { Problem } from "./Feedback";
+import { type Named, nameOf } from "./named";
 
-interface FormDialogProps {
-  title: string;
+type FormDialogProps = Named<string> & {
   /** The verb on the button. */
   action: string;
   onClose: () => void;
@@ -17,10 +17,11 @@ interface FormDialogProps {
   disabled?: boolean;
   wide?: boolean;
   children: ComponentChildren;
-}
+};
 
 /** A dialog that asks for a few things and sends them once: Enter or the button. */
-export function FormDialog({ title, action, onClose, submit, disabled, wide, children }: FormDialogProps) {
+export function FormDialog(props: FormDialogProps) {
+  const { action, onClose, submit, disabled, wide, children } = props;
   const id = useId();
   const { busy, problem, run } = useAction();
   const [touched, setTouched] = useState(false);
@@ -37,7 +38,7 @@ export function FormDialog({ title, action, onClose, submit, disabled, wide, chi
   };
   return (
     <Dialog
-      title={title}
+      title={nameOf<string>(props)}
       wide={wide}
       onClose={onClose}
       onEscape={() => void leave()}

@@ -1,22 +1,22 @@
 /** The shells of a page: its head, and a panel with a title by which it is known. */
 import type { ComponentChildren, HTMLAttributes } from "preact";
 import { useId } from "preact/hooks";
+import { type Named, nameOf } from "./named";
 
-interface PageHeadProps {
-  title: ComponentChildren;
+type PageHeadProps = Named & {
   /** What the page is for, in a sentence or two. */
   lead?: ComponentChildren;
   /** What stands below it. */
   more?: ComponentChildren;
   /** On the right: what can be done. */
   children?: ComponentChildren;
-}
+};
 
-export function PageHead({ title, lead, more, children }: PageHeadProps) {
+export function PageHead({ lead, more, children, ...name }: PageHeadProps) {
   return (
     <header class="page__head">
       <div>
-        <h1>{title}</h1>
+        <h1>{nameOf(name)}</h1>
         {lead && <p class="page__lead">{lead}</p>}
         {more}
       </div>
@@ -25,8 +25,7 @@ export function PageHead({ title, lead, more, children }: PageHeadProps) {
   );
 }
 
-interface PanelProps extends Omit<HTMLAttributes<HTMLElement>, "title"> {
-  title: ComponentChildren;
+interface PanelProps extends Omit<HTMLAttributes<HTMLElement>, "label"> {
   /** In its head, beside the title: words, or what can be done. */
   note?: string;
   aside?: ComponentChildren;
@@ -34,7 +33,8 @@ interface PanelProps extends Omit<HTMLAttributes<HTMLElement>, "title"> {
   wrap?: boolean;
 }
 
-export function Panel({ title, note, aside, wrap, id, class: more, children, ...rest }: PanelProps) {
+export function Panel(props: Named & PanelProps) {
+  const { says, label, note, aside, wrap, id, class: more, children, ...rest } = props;
   const own = useId();
   const titleId = id ?? own;
   return (
@@ -44,7 +44,7 @@ export function Panel({ title, note, aside, wrap, id, class: more, children, ...
       {...rest}
     >
       <header class={wrap ? "panel__head row--wrap" : "panel__head"}>
-        <h2 id={titleId as string}>{title}</h2>
+        <h2 id={titleId as string}>{nameOf(props)}</h2>
         {note && <span class="muted small">{note}</span>}
         {aside}
       </header>

@@ -1,6 +1,5 @@
 /** A sentence of the catalogue with marked parts: `<strong>`, `<em>`, `<kbd>`, `<code>`, `<sub>`, and those that a
  * screen gives a meaning, such as `<link>`. The sentence stays whole, so that a translator can move its parts. */
-
 import type { FluentVariable } from "@fluent/bundle";
 import type { ComponentChildren } from "preact";
 import type { Messages, Parts } from "#messages";

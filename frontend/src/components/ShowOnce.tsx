@@ -1,5 +1,4 @@
 import { useId } from "preact/hooks";
-
 import { toast } from "../core/toasts";
 import { Button } from "./Button";
 import { Dialog } from "./Dialog";

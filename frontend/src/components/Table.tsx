@@ -21,11 +21,12 @@ export function num(head: ComponentChildren): HeadProps {
 interface Column<R> extends HeadProps {
   cell: Cell<R>;
   cellClass?: string;
+  cellTitle?: (row: R) => string | undefined;
   /** The row is known by it. */
   rowHead?: boolean;
 }
 
-/** What columns are made with: of words, of figures, and the one that says which row it is. */
+/** What columns are made with: of words, of figures, the one that says which row it is, and what can be done with it. */
 class Columns<R> {
   col = (head: ComponentChildren, cell: Cell<R>, cellClass?: string): Column<R> => ({
     head,
@@ -38,6 +39,9 @@ class Columns<R> {
     cellClass,
   });
   rowHead = (head: ComponentChildren, cell: Cell<R>): Column<R> => ({ head, cell, rowHead: true });
+  /** What can be done with the row: the head is only read aloud. */
+  actions = (head: string, cell: Cell<R>, cellClass?: string): Column<R> =>
+    this.col(<span class="visually-hidden">{head}</span>, cell, cellClass);
 }
 
 interface Shell extends Omit<HTMLAttributes<HTMLTableElement>, "label" | "rows"> {
@@ -103,11 +107,11 @@ export function DataTable<R>({ rows, keyOf, rowAttributes, columns: columnsOf, .
     <Table {...shell} heads={heads}>
       {rows.map((row, index) => (
         <tr key={keyOf(row, index)} {...rowAttributes?.(row, index)}>
-          {columns.map(({ figures, rowHead: known, cellClass, cell }, i) => {
+          {columns.map(({ figures, rowHead: known, cellClass, cellTitle, cell }, i) => {
             const name = classes(figures && "num", cellClass);
             const Cell = known ? "th" : "td";
             return (
-              <Cell key={i} scope={known ? "row" : undefined} class={name}>
+              <Cell key={i} scope={known ? "row" : undefined} class={name} title={cellTitle?.(row)}>
                 {cell(row, index)}
               </Cell>
             );

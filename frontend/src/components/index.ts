@@ -5,7 +5,17 @@ export { AskDialog, ask, Dialog } from "./Dialog";
 export { DropFiles } from "./DropFiles";
 export { type Fact, Facts } from "./Facts";
 export { Empty, JobProgress, Loaded, Loading, Notice, Problem, Progress } from "./Feedback";
-export { DateField, Field, OptionalField, Segments, SelectField, TextField } from "./Field";
+export {
+  Check,
+  DateField,
+  Field,
+  OptionalField,
+  Segments,
+  Select,
+  SelectField,
+  TextControl,
+  TextField,
+} from "./Field";
 export { FormDialog } from "./FormDialog";
 export { Icon, type IconName } from "./Icon";
 export { LanguageChoice } from "./LanguageChoice";

@@ -1,5 +1,4 @@
 /** Undo and redo of a page with a history of its own: their keys, and their buttons in the top bar. */
-
 import { hint } from "../core/commands";
 import type { History } from "../core/history";
 import { say } from "../core/messages";

@@ -1,5 +1,4 @@
 /** What a form holds while it is typed, and what each of its fields is drawn with. */
-
 import { useState } from "preact/hooks";
 
 /** `<TextField label=... {...field("name")} />`: what stands in a field, and what is done with what is typed there. */

@@ -12,11 +12,7 @@ function counter() {
   const stack = new History();
   const log: string[] = [];
   const add = (name: string) =>
-    stack.push({
-      label: name,
-      undo: () => void log.push(`-${name}`),
-      redo: () => void log.push(`+${name}`),
-    });
+    stack.push({ label: name, undo: () => void log.push(`-${name}`), redo: () => void log.push(`+${name}`) });
   return { stack, log, add };
 }
 

@@ -3,7 +3,6 @@
  * The sentences are in `backend/sightline/messages/<language>.ftl` (Project Fluent), which the server reads too.
  * Keys and the values that a sentence takes are type-checked: `npm run types` makes `#messages` out of en.ftl.
  */
-
 import words from "virtual:words";
 import english from "virtual:words/en/everywhere";
 import { FluentBundle, type FluentFunction, FluentNumber, type FluentVariable } from "@fluent/bundle";
@@ -15,6 +14,7 @@ const SOURCE = "en";
 /** The rooms of words beside those of the screens: see `tools/words.ts`. */
 const EVERYWHERE = "everywhere";
 const OF_SERVER = "server";
+const LATE = "-late";
 
 /** The languages that there are, by their BCP 47 names. */
 export const LANGUAGES: readonly string[] = [SOURCE, ...Object.keys(words).filter((name) => name !== SOURCE)];
@@ -27,6 +27,8 @@ const chosen = stored<string>("language", "", (v) => typeof v === "string");
 /** The keys of the English sentences, as they stand there. */
 const KEYS = new Set<string>();
 let writeSmall = (metres: number, _digits?: number): string => `${metres * 1000} mm`;
+/** Whether lengths are shown as the server writes them in its sentences: metric. */
+let metric = (): boolean => true;
 /** `{ SMALL($error_m) }` in a sentence: metres as a small length in the unit that is shown. */
 const SMALL: FluentFunction = ([metres], { digits }) =>
   writeSmall(numberOf(metres), digits === undefined ? undefined : numberOf(digits));
@@ -52,23 +54,30 @@ export function preferredLanguage(wishes: readonly string[] = navigator.language
   return SOURCE;
 }
 
-/** Loads the words of a screen, in the language spoken and in English. */
-export async function learn(room: string): Promise<void> {
-  rooms.add(room);
+/** Loads the words of screens, in the language spoken and in English. */
+export async function learn(...wanted: readonly string[]): Promise<void> {
+  for (const room of wanted) rooms.add(room);
   const news = await Promise.all(bundles.value.map(complete));
   if (news.some(Boolean)) bundles.value = [...bundles.value];
+}
+
+/** Loads the words of those parts of the screens that are shown later than the rest. */
+export function learnLate(): Promise<void> {
+  return learn(...[...rooms].map((room) => (room.endsWith(LATE) ? room : room + LATE)));
 }
 
 /** Loads a language and speaks it; until it is here the app speaks as before. */
 export async function speak(name: string): Promise<void> {
   const other = name === SOURCE || !words[name] ? [] : [bundleOf(name)];
-  await Promise.all(other.map(complete));
-  bundles.value = [...other, source];
+  const next = [...other, source];
+  await Promise.all(next.map(complete));
+  bundles.value = next;
   document.documentElement.lang = language.value;
 }
 
 /** Speaks another language from now on, in this browser. */
 export async function chooseLanguage(name: string): Promise<void> {
+  rooms.add(OF_SERVER); // what the server has said already, it said in the language before
   await speak(name);
   chosen.value = name;
 }
@@ -168,11 +177,13 @@ export function sentencesOf(each: readonly Said[]): string {
 
 const MOST_DIGITS = 15;
 
-/** A sentence of the server in the language spoken, or null where this program has none of that name. Numbers are frames
- *  and identifiers more often than counts, so they are not grouped unless the sentence asks for it. */
-export function sayCode({ code, values }: Said): string | null {
+/** A sentence of the server in the language spoken, or null where this program has none of that name: what the server
+ *  said itself needs no words here, unless lengths are to be in feet. Numbers are frames and identifiers more often than
+ *  counts, so they are not grouped unless the sentence asks for it. */
+export function sayCode({ code, values, message }: Said): string | null {
   if (!bundles.value.some((one) => one.hasMessage(code))) {
-    if (!rooms.has(OF_SERVER)) learn(OF_SERVER).catch(() => undefined); // the server said it itself meanwhile
+    const isSaid = message !== undefined && metric();
+    if (!isSaid && !rooms.has(OF_SERVER)) learn(OF_SERVER).catch(() => undefined);
     return null;
   }
   const given = Object.entries(values).map(([name, value]) => [
@@ -203,8 +214,12 @@ async function complete(bundle: FluentBundle): Promise<boolean> {
 }
 
 /** How sentences write small lengths, told by the room that knows the unit. */
-export function writeSmallLengths(write: (metres: number, digits?: number) => string): void {
+export function writeSmallLengths(
+  write: (metres: number, digits?: number) => string,
+  isMetric: () => boolean,
+): void {
   writeSmall = write;
+  metric = isMetric;
 }
 
 function bundleOf(name: string): FluentBundle {

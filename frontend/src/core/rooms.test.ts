@@ -1,10 +1,11 @@
 /** Words come with the room that says them, in the language that is spoken. */
 import { expect, it, vi } from "vitest";
-import { learn, say, sayCode, speak } from "./messages";
+import { learn, learnLate, say, sayCode, speak } from "./messages";
 
 const files = vi.hoisted(() => ({
   french: null as (() => void) | null,
   failing: true,
+  server: vi.fn(async () => ({ default: { "not-enough": "Too few" } })),
 }));
 
 vi.mock("virtual:words/en/everywhere", () => ({ default: { "app-name": "Sightline" } }));
@@ -12,7 +13,8 @@ vi.mock("virtual:words", () => ({
   default: {
     en: {
       checks: async () => ({ default: { "action-save": "Save" } }),
-      server: async () => ({ default: { "not-enough": "Too few" } }),
+      "checks-late": async () => ({ default: { "action-cancel": "Cancel" } }),
+      server: files.server,
       review: async () => {
         if (files.failing) throw new TypeError("offline");
         return { default: { "action-print": "Print" } };
@@ -40,6 +42,17 @@ it("says a room's words once they are here, in a language chosen meanwhile too",
   expect(say("action-save")).toBe("Enregistrer");
   await speak("en");
   expect(say("action-save")).toBe("Save");
+});
+
+it("says what waits for an action once that is asked for", async () => {
+  expect(say("action-cancel")).toBe("action-cancel");
+  await learnLate();
+  expect(say("action-cancel")).toBe("Cancel");
+});
+
+it("leaves to the server's own words what it said in the language and the unit shown", () => {
+  expect(sayCode({ code: "not-enough", values: {}, message: "Too few" })).toBeNull();
+  expect(files.server).not.toHaveBeenCalled();
 });
 
 it("tries again after a failure", async () => {

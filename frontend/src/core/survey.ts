@@ -1,6 +1,7 @@
 /** The survey whose pages are open: its name for the breadcrumbs, its steps for the rail. */
 import { signal } from "@preact/signals";
 import { api } from "./api";
+import type { BodyOf } from "./routes";
 import { toastProblem } from "./toasts";
 import type { Survey } from "./types";
 
@@ -22,6 +23,16 @@ export async function loadSurvey(id: number): Promise<void> {
     if (survey.value?.id === id) toastProblem(error);
     else surveyProblem.value = error;
   }
+}
+
+/** Changes some of a survey, and shows it as it is then; what is not told stays. */
+export async function changeSurvey(
+  { id, name, site, description, version }: Survey,
+  part: Partial<BodyOf<"PUT /surveys/{survey_id}">>,
+): Promise<void> {
+  const body = { name, site, description, version, ...part };
+  await api.write("PUT /surveys/{survey_id}", { survey_id: id }, { body });
+  await refreshSurvey();
 }
 
 export async function refreshSurvey(): Promise<void> {

@@ -1,5 +1,4 @@
 /** Times as people read them, in the browser's zone; the full moment goes into `title` and `datetime`. */
-
 import { computed } from "@preact/signals";
 import { region, say } from "./messages";
 import { fixed } from "./units";

@@ -37,7 +37,6 @@ export type ListedStudy = Schemas["ListedStudy"];
 export type StudyPage = Schemas["StudyPage"];
 export type Study = StudyPage["study"];
 export type StudyResult = NonNullable<StudyPage["result"]>;
-export type StudiesBeside = Schemas["BesideBody"];
 
 export type Inset = Schemas["Inset"];
 export type Step = Schemas["Step"];
@@ -86,7 +85,7 @@ export type Recording = Schemas["RecordingBody"];
 export type RecordingChange = Partial<Schemas["RecordingChange"]>;
 export type UnfinishedUpload = Schemas["UploadBody"];
 
-export type BoardFinding = Schemas["BoardBody"];
+export type BoardFinding = Schemas["BoardView"];
 export type AxisLines = Schemas["DrawnAxes"];
 export type PoseSummary = Schemas["PoseSummaryBody"];
 export type PoseOverlay = Schemas["PoseOverlay"];

@@ -86,7 +86,10 @@ export function smallNumber(metres: number | null, unit = lengthUnit.value, ofMi
   const value = metres * smallScale(unit)[0];
   return fixed(value, unit === "ft" ? 2 : (ofMillimetres ?? (Math.abs(value) < 10 ? 1 : 0)));
 }
-writeSmallLengths((metres, digits) => formatSmall(metres, lengthUnit.value, digits));
+writeSmallLengths(
+  (metres, digits) => formatSmall(metres, lengthUnit.value, digits),
+  () => lengthUnit.value === "m",
+);
 
 /** A small uncertainty to two digits that count, as the chosen language writes it: "0.0021". */
 export function significant(value: number): string {

@@ -4,6 +4,7 @@ import { shownHeight } from "./digits";
 import { decimal, told } from "./language";
 import type { Again } from "./measured";
 import { again, type Opened } from "./opened";
+import { Facts, Grid, Section } from "./Section";
 import { say } from "./say";
 
 const PAGE = 50;
@@ -17,8 +18,7 @@ export function Measurements({ found }: { found: Opened }) {
   const shown = rows.slice(from, from + PAGE);
   const one = found.measurements.find((row) => row["id"] === chosen) ?? shown[0];
   return (
-    <section class="opened__section" id="measurements">
-      <h2 class="opened__name">{say("opened-measurements")}</h2>
+    <Section id="measurements" name={say("opened-measurements")}>
       {found.measurements.length === 0 && <p class="opened__quiet">{say("opened-measurements-none")}</p>}
       <Stale count={found.measurements.filter(isStale).length} />
       {found.measurements.length > 0 && (
@@ -63,7 +63,7 @@ export function Measurements({ found }: { found: Opened }) {
           </div>
         </>
       )}
-    </section>
+    </Section>
   );
 }
 
@@ -121,30 +121,26 @@ interface ListProps {
 
 function List({ rows, outside, chosen, choose }: ListProps) {
   return (
-    <div class="opened__scroll opened__list">
-      <table class="opened__rows">
-        <thead>
-          <tr>
-            <th scope="col">{say("opened-column-id")}</th>
-            <th scope="col">{say("opened-column-target")}</th>
-            <th scope="col">{say("opened-column-package")}</th>
-            <th scope="col">{say("opened-column-here")}</th>
-            <th scope="col">{say("opened-column-review")}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {rows.map((row) => (
-            <Line
-              key={row["id"]}
-              row={row}
-              isOutside={outside.has(row["id"] ?? "")}
-              isChosen={row["id"] === chosen}
-              choose={choose}
-            />
-          ))}
-        </tbody>
-      </table>
-    </div>
+    <Grid
+      list
+      heads={[
+        say("opened-column-id"),
+        say("opened-column-target"),
+        say("opened-column-package"),
+        say("opened-column-here"),
+        say("opened-column-review"),
+      ]}
+    >
+      {rows.map((row) => (
+        <Line
+          key={row["id"]}
+          row={row}
+          isOutside={outside.has(row["id"] ?? "")}
+          isChosen={row["id"] === chosen}
+          choose={choose}
+        />
+      ))}
+    </Grid>
   );
 }
 
@@ -234,36 +230,26 @@ function Detail({ row, found }: { row: Row; found: Opened }) {
       {mine && mine.differs.length > 0 && (
         <p class="opened__wrong">{say("opened-differs", { named: mine.differs.join(", ") })}</p>
       )}
-      <table class="opened__rows">
-        <tbody>
-          <Pair
-            name={say("opened-pair-package")}
-            value={decimal(row["height_m"] ?? "") || say("opened-height-none")}
-          />
-          <Pair name={say("opened-pair-here")} value={hereWords(mine)} />
-          {mine?.off_m !== null && mine !== undefined && (
-            <Pair
-              name={say("opened-pair-off")}
-              value={say("opened-nanometres", { off_nm: decimal((mine.off_m * 1e9).toFixed(1)) })}
-            />
-          )}
-          <Pair name={say("opened-pair-contact")} value={point(row, "contact")} />
-          <Pair name={say("opened-pair-target")} value={point(row, "target")} />
-          <Pair
-            name={say("opened-pair-inset")}
-            value={decimal(row["solved_inset_m"] || row["inset_m"] || "")}
-          />
-          <Pair name={say("opened-pair-frame")} value={`${row["recording_id"]}: ${row["frame"]}`} />
-          <Pair name={say("opened-pair-pose")} value={row["pose_id"] ?? ""} />
-          {parts.map((part) => (
-            <Pair
-              key={part["source"]}
-              name={say("opened-pair-u", { source: told(part["source"] ?? "") })}
-              value={decimal(part["u_m"] ?? "")}
-            />
-          ))}
-        </tbody>
-      </table>
+      <Facts
+        class="opened__figures-cell"
+        rows={[
+          [say("opened-pair-package"), decimal(row["height_m"] ?? "") || say("opened-height-none")],
+          [say("opened-pair-here"), hereWords(mine)],
+          ...offRow(mine),
+          [say("opened-pair-contact"), point(row, "contact")],
+          [say("opened-pair-target"), point(row, "target")],
+          [say("opened-pair-inset"), decimal(row["solved_inset_m"] || row["inset_m"] || "")],
+          [say("opened-pair-frame"), `${row["recording_id"]}: ${row["frame"]}`],
+          [say("opened-pair-pose"), row["pose_id"] ?? ""],
+          ...parts.map(
+            (part) =>
+              [
+                say("opened-pair-u", { source: told(part["source"] ?? "") }),
+                decimal(part["u_m"] ?? ""),
+              ] as const,
+          ),
+        ]}
+      />
     </div>
   );
 }
@@ -272,13 +258,11 @@ function point(row: Row, name: "contact" | "target"): string {
   return [row[`${name}_x_px`], row[`${name}_y_px`]].map((one) => decimal(one ?? "")).join("; ");
 }
 
-function Pair({ name, value }: { name: string; value: string }) {
-  return (
-    <tr>
-      <th scope="row">{name}</th>
-      <td class="opened__figures-cell">{value}</td>
-    </tr>
-  );
+/** How far the height here is from that of the package. */
+function offRow(mine: Again | undefined): [string, string][] {
+  if (!mine || mine.off_m === null) return [];
+  const off_nm = decimal((mine.off_m * 1e9).toFixed(1));
+  return [[say("opened-pair-off"), say("opened-nanometres", { off_nm })]];
 }
 
 /** The picture that was clicked on, with the two points as crops.csv has them. */

@@ -19,6 +19,7 @@ import {
 } from "./opened";
 import { ofChosen, ofDropped, ofZip } from "./pieces";
 import type { Part } from "./readme";
+import { Grid, Section } from "./Section";
 import { say } from "./say";
 import { type Check, ofChain, ofFolder, ofHeights } from "./verdict";
 
@@ -83,14 +84,13 @@ function Conclusion({ parts }: { parts: readonly Part[] }) {
   return (
     <>
       {parts.map(({ heading, items }) => (
-        <section key={heading} class="opened__section" data-conclusion>
-          <h2 class="opened__name">{heading}</h2>
+        <Section key={heading} name={heading} data-conclusion>
           <ul class="opened__found">
             {items.map((item) => (
               <li key={item}>{item}</li>
             ))}
           </ul>
-        </section>
+        </Section>
       ))}
     </>
   );
@@ -114,11 +114,7 @@ function Checks() {
     <Checked
       checks={checksSoFar()}
       ended={done.value}
-      verdicts={{
-        wrong: say("opened-is-wrong"),
-        fine: say("opened-is-fine"),
-        open: say("opened-checking"),
-      }}
+      verdicts={{ wrong: say("opened-is-wrong"), fine: say("opened-is-fine"), open: say("opened-checking") }}
       underWay={
         !done.value && (
           <progress class="opened__progress" value={progress.value} aria-label={say("opened-checking")} />
@@ -211,8 +207,7 @@ function placeOf(path: string): number {
 function Figures({ found }: { found: Opened }) {
   const figures = [...found.about.figures].sort((a, b) => placeOf(a.path) - placeOf(b.path));
   return (
-    <section class="opened__section" id="figures">
-      <h2 class="opened__name">{say("opened-figures")}</h2>
+    <Section id="figures" name={say("opened-figures")}>
       {figures.length === 0 && <p class="opened__quiet">{say("opened-figures-none")}</p>}
       <div class="opened__figures">
         {figures.map(({ path, title, wide }) => (
@@ -224,15 +219,14 @@ function Figures({ found }: { found: Opened }) {
           </figure>
         ))}
       </div>
-    </section>
+    </Section>
   );
 }
 
 function Tables({ found }: { found: Opened }) {
   const others = found.about.tables.filter((one) => !["measurements", "budget", "crops"].includes(one.name));
   return (
-    <section class="opened__section" id="tables">
-      <h2 class="opened__name">{say("opened-tables")}</h2>
+    <Section id="tables" name={say("opened-tables")}>
       <p class="opened__quiet">{say("opened-tables-lead")}</p>
       {found.about.left_out.length > 0 && (
         <p>{say("opened-left-out", { named: found.about.left_out.join(", ") })}</p>
@@ -240,7 +234,7 @@ function Tables({ found }: { found: Opened }) {
       {others.map((one) => (
         <Table key={one.path} {...one} rows={found.rows} />
       ))}
-    </section>
+    </Section>
   );
 }
 
@@ -267,30 +261,17 @@ function Table({ path, name: table, columns, rows }: TableProps) {
         <p class="opened__quiet">{say("opened-table-cut", { shown: MOST_ROWS, count: all.length })}</p>
       )}
       {all.length > 0 && (
-        <div class="opened__scroll">
-          <table class="opened__rows">
-            <thead>
-              <tr>
-                {names.map((name) => (
-                  <th key={name} scope="col" title={told(columns[name] ?? "")}>
-                    {name}
-                  </th>
-                ))}
-              </tr>
-            </thead>
-            <tbody>
-              {all.slice(0, MOST_ROWS).map((row) => (
-                <tr key={names.map((name) => row[name]).join()}>
-                  {names.map((name) => (
-                    <td key={name} title={row[name]}>
-                      {shown(path, name, row)}
-                    </td>
-                  ))}
-                </tr>
+        <Grid heads={names.map((name) => ({ name, title: told(columns[name] ?? "") }))}>
+          {all.slice(0, MOST_ROWS).map((row) => (
+            <tr key={names.map((name) => row[name]).join()}>
+              {names.map((name) => (
+                <td key={name} title={row[name]}>
+                  {shown(path, name, row)}
+                </td>
               ))}
-            </tbody>
-          </table>
-        </div>
+            </tr>
+          ))}
+        </Grid>
       )}
     </details>
   );
@@ -301,8 +282,7 @@ function Sizes({ found }: { found: Opened }) {
   const files = folders.reduce((sum, one) => sum + one.files, 0);
   const bytes = folders.reduce((sum, one) => sum + one.bytes, 0);
   return (
-    <section class="opened__section" id="sizes">
-      <h2 class="opened__name">{say("opened-sizes")}</h2>
+    <Section id="sizes" name={say("opened-sizes")}>
       <p>{say("opened-sizes-total", { files, mb: bytes / 1e6 })}</p>
       <ul class="opened__sizes">
         {folders.map((one) => (
@@ -313,6 +293,6 @@ function Sizes({ found }: { found: Opened }) {
           </li>
         ))}
       </ul>
-    </section>
+    </Section>
   );
 }

@@ -1,6 +1,5 @@
 /** The files of the package that the page carries, and the audit chain that lies beside it as a script: a page that is
  *  opened from a folder may not read its neighbours, but it may run them. */
-
 import { sha256 } from "./sha256";
 
 export interface Held {

@@ -1,5 +1,4 @@
 /** The audit chain: every event's hash and link, what it says of measurements and poses, its seal, its signature. */
-
 import type { Held } from "./blocks";
 import { textOf } from "./blocks";
 import { canonical, type Json } from "./canonical";

@@ -1,5 +1,4 @@
 /** With how many digits the page prints the numbers of a package's tables: as its report does. */
-
 import { type Row, unsafe } from "./csv";
 import { decimal } from "./language";
 

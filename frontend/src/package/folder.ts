@@ -1,5 +1,4 @@
 /** The files of the package themselves, where a person chooses its folder or drops its ZIP: each held against the seal. */
-
 import type { Held } from "./blocks";
 import type { Seal } from "./chain";
 import type { Piece } from "./pieces";

@@ -1,7 +1,6 @@
 /** A height from the same two points on several frames: least squares over a vehicle that travels straight and level
  *  (CONVENTIONS.md, Several frames). The unknowns: place of the first contact (2), travel to each further frame, heading,
  *  then the target ahead of the contact, inboard (the inset) and above the road. */
-
 import type { Pose, Vector } from "./documents";
 import { contactOf, type Placed, rayOf } from "./height";
 import { distorted, type Point } from "./lens";

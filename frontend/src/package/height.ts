@@ -1,6 +1,5 @@
 /** A height from one frame: the contact's ray meets the road, the target's ray the plane of the vehicle's side
  *  (CONVENTIONS.md, Height). Written with points and planes, where the program that measured writes slopes. */
-
 import { onRoad, type Pose, type Vector } from "./documents";
 import { direction, type Point } from "./lens";
 

@@ -1,5 +1,4 @@
 /** The language that a page is read in: that of its package or evidence file, until somebody chooses another. */
-
 import { signal } from "@preact/signals";
 
 export const language = signal("en");

@@ -1,6 +1,5 @@
 /** From a pixel to its direction, by the lens models of CONVENTIONS.md (Lens). Written for this page alone: it shares no
  *  line with the program that measured, so that a fault of the one is not a fault of the other. */
-
 import type { Camera } from "./documents";
 
 export interface Distorted {

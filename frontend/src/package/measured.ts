@@ -1,5 +1,4 @@
 /** Every height of the package once more from its clicks, beside the package's own number. */
-
 import type { Row } from "./csv";
 import type { Pose } from "./documents";
 import { type Clicked, heightOfFrames } from "./frames";

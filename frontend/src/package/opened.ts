@@ -1,5 +1,4 @@
 /** What the page found, as signals: tables at once, then heights, chain and signature while somebody reads. */
-
 import { signal } from "@preact/signals";
 import type { Messages } from "#messages";
 import { type AuditFiles, auditFiles, type Held, heldFiles, textOf } from "./blocks";

@@ -1,5 +1,4 @@
 /** The files of a package however they came: of a chosen or dropped folder, or within a ZIP. */
-
 import { entriesOf } from "./zip";
 
 export interface Piece {

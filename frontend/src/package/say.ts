@@ -1,5 +1,4 @@
 /** The sentences of this page: those of the catalogues whose keys begin with `opened-`, taken out when it is built. */
-
 import catalogues from "virtual:opened-messages";
 import { FluentBundle, FluentResource, type FluentVariable } from "@fluent/bundle";
 import type { Messages } from "#messages";

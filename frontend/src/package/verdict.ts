@@ -1,5 +1,4 @@
 /** What the page says in the end: each check with its state and sentence. */
-
 import type { FolderCheck } from "./folder";
 import type { Again } from "./measured";
 import type { Audited } from "./opened";

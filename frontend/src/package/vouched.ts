@@ -1,5 +1,4 @@
 /** Rows of the tables against what the audit chain says of them. */
-
 import { canonical, type Json } from "./canonical";
 import type { Chain } from "./chain";
 import type { Row } from "./csv";

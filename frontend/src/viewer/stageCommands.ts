@@ -35,11 +35,7 @@ export function fitCommand(stage: { fit(): void }): ButtonCommand {
 }
 
 export function loupeSwitch(stage: FrameStage): ButtonCommand {
-  return {
-    id: "loupeToggle",
-    run: () => toggle(stage.loupe),
-    pressed: () => stage.loupe.value,
-  };
+  return { id: "loupeToggle", run: () => toggle(stage.loupe), pressed: () => stage.loupe.value };
 }
 
 export const linesSwitch: ButtonCommand = {

@@ -54,7 +54,7 @@ def test_a_sentence_is_said_by_its_key_and_a_value_that_is_a_sentence_too() -> N
     english = "The import was cancelled; start it again or delete the recording."
     within = SightlineError("said", sentence=english)
     kept = {"code": within.code, "values": within.values}
-    assert said_by_key(kept, english, "fr").startswith("La lecture de la vidéo a été annulée")
+    assert said_by_key(kept, english, "fr").startswith("L’import a été annulé")
 
 
 def test_what_a_budget_is_of_is_said_and_who_measured_a_reference_is_not() -> None:

@@ -19,7 +19,7 @@ from sightline.geometry.corners import Corners
 from sightline.geometry.documents import camera_to_dict
 from sightline.infra.database import Session
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.store import list_jobs
+from sightline.infra.jobs.store import jobs_under_way
 from sightline.infra.services import Services
 from sightline.messages.said import Said
 
@@ -69,11 +69,8 @@ class DetectedView:
 def under_way(session: Session, camera_id: int) -> Job | None:
     """The newest calibration of this camera that waits or runs."""
     survey_id = get_camera(session, camera_id).survey_id
-    for state in ("running", "queued"):
-        for job in list_jobs(session, survey_id=survey_id, state=state):
-            if job.kind == CALIBRATE and job.payload.get("camera_id") == camera_id:
-                return job
-    return None
+    found = jobs_under_way(session, CALIBRATE, survey_id=survey_id)
+    return next((job for job in found if job.payload.get("camera_id") == camera_id), None)
 
 
 def frames_of(wish: CalibrationRequest, frame_count: int) -> list[int]:

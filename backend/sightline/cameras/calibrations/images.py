@@ -14,6 +14,7 @@ from sightline.cameras.store import (
 )
 from sightline.geometry.board import Board
 from sightline.geometry.corners import Corners, find_board
+from sightline.geometry.ruler import polyline
 from sightline.infra.services import Services
 from sightline.infra.stored_bytes import put_bytes, suffix_of
 from sightline.media.images import jpeg
@@ -29,34 +30,17 @@ def look(gray: npt.NDArray[np.uint8], board: Board) -> Detection:
 
 def detection_of(corners: Corners, board: Board) -> Detection:
     """A detection in plain lists."""
-    charuco = board.charuco
-    dictionary = None if charuco is None else charuco.dictionary
-    marker_share = None if charuco is None else round(charuco.marker_m / board.square_m, 6)
-    if not corners.found:
-        reason = corners.reason or Said("board-not-found")
-        return Detection(
-            found=False,
-            reason=reason,
-            corners_px=[],
-            columns=board.columns,
-            rows=board.rows,
-            sharpness=None,
-            dictionary=dictionary,
-            marker_share=marker_share,
-        )
-    seen = corners.board_as_seen
-    points: list[list[float]] = corners.points_px.reshape(-1, 2).tolist()
-    ids: list[int] | None = None if corners.ids is None else corners.ids.tolist()
+    charuco, found, seen = board.charuco, corners.found, corners.board_as_seen
     return Detection(
-        found=True,
-        reason=None,
-        corners_px=points,
+        found=found,
+        reason=None if found else corners.reason or Said("board-not-found"),
+        corners_px=polyline(corners.points_px.reshape(-1, 2)),
         columns=seen.columns,
         rows=seen.rows,
-        sharpness=float(corners.sharpness),
-        ids=ids,
-        dictionary=dictionary,
-        marker_share=marker_share,
+        sharpness=float(corners.sharpness) if found else None,
+        ids=None if corners.ids is None else corners.ids.tolist(),
+        dictionary=None if charuco is None else charuco.dictionary,
+        marker_share=None if charuco is None else round(charuco.marker_m / board.square_m, 6),
     )
 
 

@@ -1,10 +1,26 @@
 """A calibration, and the pictures that it was made of."""
 
 from dataclasses import dataclass
+from typing import Annotated, NotRequired, TypedDict
+
+from pydantic import Field
 
 from sightline.cameras.records import CalibrationSummary
-from sightline.enums import JsonObject
+from sightline.enums import CalibrationSource, JsonObject, Point
 from sightline.messages.said import Said
+
+
+class NewCalibration(TypedDict):
+    """What is to be stored of a calibration."""
+
+    source: CalibrationSource
+    document: JsonObject
+    trusted: bool
+    warnings: list[Said]
+    coverage: list[list[int]]
+    views: list[JsonObject]
+    summary: Said
+    recording_id: NotRequired[int | None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,31 +36,40 @@ class Calibration(CalibrationSummary):
 
 @dataclass(frozen=True, slots=True)
 class Detection:
-    """What was found of a board in one picture, or the `reason` why not.
-
-    `corners_px`: (x, y) row by row of the board as seen, which has `columns` by `rows` inner corners. `ids`:
-    which of them were seen, None for all; `dictionary` and `marker_share` (of a square's side): of a board
-    with markers.
+    """What was found of a board in one picture, or the `reason` why not; of the board as seen, which has
+    `columns` by `rows` inner corners.
     """
 
     found: bool
     reason: Said | None
-    corners_px: list[list[float]]
+    corners_px: Annotated[list[Point], Field(description="Row by row, from the top left as seen.")]
     columns: int
     rows: int
     sharpness: float | None
-    ids: list[int] | None = None
-    dictionary: str | None = None
-    marker_share: float | None = None
+    ids: Annotated[
+        list[int] | None, Field(description="Which corners were seen, row by row; null for all of them.")
+    ] = None
+    dictionary: Annotated[
+        str | None, Field(description="Of a ChArUco board's markers; null for a checkerboard.")
+    ] = None
+    marker_share: Annotated[
+        float | None, Field(description="Side of a marker over the side of a square.")
+    ] = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CalibrationImage(Detection):
+class ImageFacts(Detection):
     """A picture of the board and what was found in it."""
 
     id: int
-    camera_id: int
     name: str
-    media_key: str
     width_px: int
     height_px: int
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CalibrationImage(ImageFacts):
+    """One as it is stored."""
+
+    camera_id: int
+    media_key: str

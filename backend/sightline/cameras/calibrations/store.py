@@ -1,65 +1,43 @@
 """Calibrations of cameras: written once, never changed, their content's hash kept in the audit event."""
 
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import Unpack
 
-from sqlalchemy import select
+from sqlalchemy import ColumnElement, select
 from sqlalchemy.orm import Session
 
-from sightline.cameras.calibrations.records import Calibration
+from sightline.cameras.calibrations.records import Calibration, NewCalibration
 from sightline.cameras.calibrations.tables import calibration_images, calibrations
 from sightline.cameras.records import CalibrationSummary
 from sightline.cameras.tables import cameras
-from sightline.enums import CalibrationSource, JsonObject
-from sightline.infra.audit import trail
-from sightline.infra.database.people import people
-from sightline.infra.database.rows import add_row, change_row, get_row, missing, stored_hash, who
-from sightline.infra.database.types import columns_of, now
-from sightline.messages.said import Said
+from sightline.enums import JsonObject
+from sightline.infra.audit.written import written_once, written_rows
+from sightline.infra.by_name import record_of
+from sightline.infra.database.rows import change_row, get_row, missing
 
 
 def add_calibration(
     session: Session,
     camera_id: int,
     *,
-    source: CalibrationSource,
-    document: JsonObject,
-    trusted: bool,
-    warnings: Sequence[Said],
-    coverage: Sequence[Sequence[int]],
-    views: Sequence[JsonObject],
-    summary: Said,
-    recording_id: int | None = None,
     make_current: bool = True,
     actor: int | None,
+    **values: Unpack[NewCalibration],
 ) -> Calibration:
     """Store a calibration and (by default) make it the camera's current one. Raises NotFound."""
     camera = get_row(session, cameras, camera_id, "camera")
-    content: dict[str, Any] = {
-        "camera_id": camera_id,
-        "source": source,
-        "recording_id": recording_id,
-        "document": document,
-        "trusted": trusted,
-        "warnings": list(warnings),
-        "coverage": [list(map(int, row)) for row in coverage],
-        "views": list(views),
-        "summary": summary,
-        "created_at": now(),
-        "created_by": actor,
-    }
-    calibration_id = add_row(session, calibrations, content)
+    calibration_id = written_once(
+        session,
+        calibrations,
+        {"camera_id": camera_id, "recording_id": None, **values},
+        "create",
+        survey_id=camera["survey_id"],
+        also={"current": make_current, "images": _images(session, values["views"])},
+        untold=("document", "warnings", "coverage", "views"),
+        actor=actor,
+    )
     if make_current:
         change_row(session, cameras, camera_id, {"current_calibration_id": calibration_id})
-    digest = stored_hash(session, calibrations, calibration_id)
-    told = {key: content[key] for key in ("camera_id", "source", "recording_id", "trusted", "summary")}
-    after = {
-        **told,
-        "current": make_current,
-        "images": _images(session, views),
-        "content_sha256": digest,
-    }
-    trail.record(session, actor, "create", "calibration", calibration_id, camera["survey_id"], None, after)
     return get_calibration(session, calibration_id)
 
 
@@ -73,30 +51,20 @@ def _images(session: Session, views: Sequence[JsonObject]) -> dict[str, str]:
 
 def get_calibration(session: Session, calibration_id: int) -> Calibration:
     """One calibration, whole. Raises NotFound."""
-    query = select(calibrations, people.c.name.label("maker")).outerjoin(
-        people, people.c.id == calibrations.c.created_by
-    )
-    row = session.execute(query.where(calibrations.c.id == calibration_id)).one_or_none()
-    if row is None:
+    found = _whole(session, calibrations.c.id == calibration_id)
+    if not found:
         raise missing("calibration", calibration_id)
-    values = {column.name: getattr(row, column.name) for column in columns_of(calibrations, "created_by")}
-    return Calibration(created_by=who(row.created_by, row.maker), **values)
+    return found[0]
 
 
 def list_calibrations(session: Session, survey_id: int) -> tuple[Calibration, ...]:
     """Every calibration of a survey's cameras, whole, for the export."""
-    query = (
-        select(calibrations, people.c.name.label("maker"))
-        .join(cameras, cameras.c.id == calibrations.c.camera_id)
-        .outerjoin(people, people.c.id == calibrations.c.created_by)
-        .where(cameras.c.survey_id == survey_id)
-        .order_by(calibrations.c.id)
-    )
-    named = [column.name for column in columns_of(calibrations, "created_by")]
-    return tuple(
-        Calibration(created_by=who(row.created_by, row.maker), **{name: getattr(row, name) for name in named})
-        for row in session.execute(query)
-    )
+    of_survey = select(cameras.c.id).where(cameras.c.survey_id == survey_id)
+    return _whole(session, calibrations.c.camera_id.in_(of_survey))
+
+
+def _whole(session: Session, condition: ColumnElement[bool]) -> tuple[Calibration, ...]:
+    return tuple(record_of(Calibration, row) for row in written_rows(session, calibrations, condition))
 
 
 def documents_in_force(session: Session, camera_ids: Iterable[int | None]) -> dict[int | None, JsonObject]:
@@ -112,22 +80,6 @@ def documents_in_force(session: Session, camera_ids: Iterable[int | None]) -> di
 
 def summaries(session: Session, camera_ids: Sequence[int]) -> tuple[CalibrationSummary, ...]:
     """The calibrations of some cameras in short, oldest first."""
-    chosen = columns_of(calibrations, "document", "warnings", "coverage", "views", "recording_id")
-    query = (
-        select(*chosen, people.c.name.label("maker"))
-        .outerjoin(people, people.c.id == calibrations.c.created_by)
-        .where(calibrations.c.camera_id.in_(camera_ids))
-        .order_by(calibrations.c.id)
-    )
-    return tuple(
-        CalibrationSummary(
-            id=row.id,
-            camera_id=row.camera_id,
-            created_at=row.created_at,
-            created_by=who(row.created_by, row.maker),
-            source=row.source,
-            trusted=row.trusted,
-            summary=row.summary,
-        )
-        for row in session.execute(query)
-    )
+    of_cameras = calibrations.c.camera_id.in_(camera_ids)
+    rows = written_rows(session, calibrations, of_cameras, without=("document", "coverage", "views"))
+    return tuple(record_of(CalibrationSummary, row) for row in rows)

@@ -1,28 +1,37 @@
 """Bodies of a site's plan."""
 
+from dataclasses import dataclass
+from typing import Annotated
+
 from pydantic import Field
 
 from sightline.enums import MeasurementStatus
+from sightline.geometry.height import BudgetEntry
 from sightline.geometry.plan import Curve
 from sightline.geometry.plan_passing import Passing
 from sightline.geometry.plan_targets import TwoFrames
 from sightline.geometry.site import Outlook
 from sightline.infra.web.bodies import Out
-from sightline.infra.web.quantities import BudgetEntryBody
 from sightline.linescan.exposure import ExposurePlan
 from sightline.linescan.planner import PlannedValue
 from sightline.messages.said import Said
 
 
-class PlannedCamera(Out):
+@dataclass(frozen=True, kw_only=True)
+class PlannedCamera:
+    """The camera that is planned with."""
+
     name: str
     width_px: int
     height_px: int
     calibration_id: int | None
-    lens_known: bool = Field(description="Whether the lens's own uncertainty is known and counted.")
+    lens_known: Annotated[bool, Field(description="Whether the lens's own uncertainty is known and counted.")]
 
 
-class PlannedSite(Out):
+@dataclass(frozen=True, kw_only=True)
+class PlannedSite:
+    """Where things are to stand."""
+
     camera_height_m: float
     distance_m: float
     board_distance_m: float
@@ -31,11 +40,15 @@ class PlannedSite(Out):
     travel_m: float
 
 
-class PlannedTargetBody(Out):
-    target: str = Field(
-        description="A target, or driver_eye_far: the driver on the side away from the camera."
-    )
-    height_m: float = Field(description="The height it is planned for; an estimate.")
+@dataclass(frozen=True, kw_only=True)
+class PlannedTargetBody:
+    """What to expect of one target."""
+
+    target: Annotated[
+        str,
+        Field(description="A target, or driver_eye_far: the driver on the side away from the camera."),
+    ]
+    height_m: Annotated[float, Field(description="The height it is planned for; an estimate.")]
     inset_m: float
     u_inset_m: float
     status: MeasurementStatus
@@ -43,30 +56,36 @@ class PlannedTargetBody(Out):
     u_height_m: float | None
     U95_height_m: float | None
     bias_if_ignored_m: float
-    budget: list[BudgetEntryBody]
-    flags: list[Said]
+    budget: tuple[BudgetEntry, ...]
+    flags: tuple[Said, ...]
     two_frames: TwoFrames
 
 
-class PlannedBoard(Out):
+@dataclass(frozen=True, kw_only=True)
+class PlannedBoard:
+    """The board that the pose is planned with."""
+
     columns: int
     rows: int
     square_m: float
     top_m: float
 
 
-class PlanBody(Out):
+@dataclass(frozen=True, kw_only=True)
+class PlanBody:
+    """Expected uncertainties of a set-up, with advice."""
+
     camera: PlannedCamera
     site: PlannedSite
     board: PlannedBoard
     targets: list[PlannedTargetBody]
-    advice: list[Said]
-    U95_over_distance: list[Curve]
-    bias_over_camera_height: list[Curve]
+    advice: tuple[Said, ...]
+    U95_over_distance: tuple[Curve, ...]
+    bias_over_camera_height: tuple[Curve, ...]
     outlook: Outlook
     tilt_rad: float
     track_shown_m: float
-    passing: list[Passing]
+    passing: tuple[Passing, ...]
 
 
 class LineFormBody(Out):

@@ -1,19 +1,27 @@
 """Planning a site: what heights will be worth, before anything is measured."""
 
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from math import radians
 from typing import Annotated
 
 from fastapi import APIRouter, Depends, Query, Response
 
-from sightline.cameras.planning.bodies import LineFormBody, LinePlanBody, PlanBody, PlannedTargetBody
+from sightline.cameras.planning.bodies import (
+    LineFormBody,
+    LinePlanBody,
+    PlanBody,
+    PlannedBoard,
+    PlannedCamera,
+    PlannedSite,
+    PlannedTargetBody,
+)
 from sightline.cameras.planning.service import PlainCamera, plan_for_survey
 from sightline.cameras.planning.sheet import sheet_pdf
 from sightline.errors import BadInput
 from sightline.geometry.camera import Camera
 from sightline.geometry.plan import Plan
-from sightline.geometry.plan_targets import PlannedTarget
 from sightline.geometry.site import BOARD_TOP_M, PLANNING_BOARD, Site
+from sightline.infra.by_name import filled_from
 from sightline.infra.web.deps import PathId, Reading, Viewer
 from sightline.infra.web.named import CalibrationId
 from sightline.linescan.exposure import ExposurePlan, LineCamera, plan_exposure
@@ -157,38 +165,14 @@ def _camera(
 def plan_body(plan: Plan, camera: Camera, calibration_id: int | None, direction_deg: float) -> PlanBody:
     """A plan as it goes out."""
     site = plan.site
-    return PlanBody.model_validate(
-        {
-            "camera": {
-                "name": camera.name,
-                "width_px": camera.width_px,
-                "height_px": camera.height_px,
-                "calibration_id": calibration_id,
-                "lens_known": camera.covariance is not None,
-            },
-            "site": {**asdict(site), "board_distance_m": site.board_m, "direction_deg": direction_deg},
-            "board": {**asdict(PLANNING_BOARD), "top_m": BOARD_TOP_M},
-            "targets": [_target(one) for one in plan.targets],
-            "advice": plan.advice,
-            "U95_over_distance": plan.U95_over_distance,
-            "bias_over_camera_height": plan.bias_over_height,
-            "outlook": plan.outlook,
-            "tilt_rad": plan.tilt_rad,
-            "track_shown_m": plan.track_shown_m,
-            "passing": [asdict(one) for one in plan.passing],
-        }
-    )
-
-
-def _target(one: PlannedTarget) -> PlannedTargetBody:
-    result = asdict(one.result)
-    chosen = ("status", "reason", "u_height_m", "U95_height_m", "budget", "flags")
-    planned = {name: getattr(one, name) for name in ("target", "height_m", "inset_m", "u_inset_m")}
-    return PlannedTargetBody.model_validate(
-        {
-            **planned,
-            **{name: result[name] for name in chosen},
-            "bias_if_ignored_m": one.bias_if_ignored_m,
-            "two_frames": asdict(one.two_frames),
-        }
+    return filled_from(
+        PlanBody,
+        plan,
+        camera=filled_from(
+            PlannedCamera, camera, calibration_id=calibration_id, lens_known=camera.covariance is not None
+        ),
+        site=filled_from(PlannedSite, site, board_distance_m=site.board_m, direction_deg=direction_deg),
+        board=filled_from(PlannedBoard, PLANNING_BOARD, top_m=BOARD_TOP_M),
+        targets=[filled_from(PlannedTargetBody, one, one.result) for one in plan.targets],
+        bias_over_camera_height=plan.bias_over_height,
     )

@@ -11,7 +11,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from math import hypot, isclose, isfinite, sqrt
+from math import hypot, isclose, isfinite
 from typing import Any
 
 from sightline.errors import BadInput, Damaged
@@ -27,6 +27,7 @@ from sightline.infra.csv_package.schema import sha256_hex
 from sightline.infra.version import code_version
 from sightline.linescan.either_way import exact_at_camera_1
 from sightline.linescan.equations import ExactMotion, travelled_m
+from sightline.linescan.rig import baseline_at
 from sightline.media.images import image_size
 from sightline.messages import say
 from sightline.scans.vehicles.motion import crossings_of
@@ -237,12 +238,17 @@ def _budget(told: Document) -> list[str]:
 def _ratio(rig: Document, source: str) -> float:
     if source == "clock":
         return float(rig["u_line_rate_ratio"])
-    away = rig["distance_m"] or 0.0
-    baseline = rig["baseline_m"] + rig["divergence_rad"] * away
-    by_angle = rig["u_divergence_rad"] * away
-    square = rig["u_baseline_m"] ** 2 + by_angle**2 + (rig["divergence_rad"] * rig["u_distance_m"]) ** 2
-    square += 2 * rig["baseline_correlation"] * rig["u_baseline_m"] * by_angle
-    return sqrt(max(square, 0.0)) / float(baseline)
+    baseline_m, u_baseline_m = _baseline(rig)
+    return u_baseline_m / baseline_m
+
+
+def _baseline(rig: Document) -> tuple[float, float]:
+    """At the vehicle, and its standard uncertainty."""
+    divergence = rig["divergence_rad"], rig["u_divergence_rad"]
+    away = rig["distance_m"] or 0.0, rig["u_distance_m"]
+    return baseline_at(
+        (rig["baseline_m"], rig["u_baseline_m"]), divergence, rig["baseline_correlation"], away
+    )
 
 
 def _lines(told: Document) -> list[str]:
@@ -251,8 +257,7 @@ def _lines(told: Document) -> list[str]:
     rear_1, front_2, rear_2 = (
         (told[name] - start) / rate for name in ("rear_line_1", "front_line_2", "rear_line_2")
     )
-    away = told["rig"]["distance_m"] or 0.0
-    baseline_m = told["rig"]["baseline_m"] + told["rig"]["divergence_rad"] * away
+    baseline_m, _ = _baseline(told["rig"])
 
     def gone(seconds: float) -> float:
         return float(travelled_m(told["speed_mps"], told["acceleration_mps2"], seconds))

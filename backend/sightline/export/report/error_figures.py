@@ -42,9 +42,22 @@ Part = TypeVar("Part", bound=SampleCounts)
 
 def error_figures(errors: Errors, unit: LengthUnit) -> dict[str, Drawing | str]:
     """Name to figure, or to the sentence that stands in its place."""
+    small = SMALL[unit]
     return {
-        "absolute-error-ecdf": _absolute(errors, unit),
-        "relative-error-ecdf": _relative(errors),
+        "absolute-error-ecdf": _cumulative(
+            errors.absolute,
+            small.factor,
+            said("report-fig-absolute-axis", unit=small.sign),
+            said("report-fig-absolute"),
+            said("report-fig-absolute-caption"),
+        ),
+        "relative-error-ecdf": _cumulative(
+            errors.relative,
+            100.0,
+            said("report-fig-relative-axis"),
+            said("report-fig-relative"),
+            said("report-fig-relative-caption"),
+        ),
         "signed-error-density": _density(errors, unit),
         "error-against-height": _trend(errors, unit),
     }
@@ -83,27 +96,6 @@ def _cumulative(
 
     bands = marks.band_words([part.n for _, part, style in drawn if style.band])
     return Drawing(svg(draw, title, HALF), title, f"{caption} {bands}")
-
-
-def _absolute(errors: Errors, unit: LengthUnit) -> Drawing | str:
-    small = SMALL[unit]
-    return _cumulative(
-        errors.absolute,
-        small.factor,
-        said("report-fig-absolute-axis", unit=small.sign),
-        said("report-fig-absolute"),
-        said("report-fig-absolute-caption"),
-    )
-
-
-def _relative(errors: Errors) -> Drawing | str:
-    return _cumulative(
-        errors.relative,
-        100.0,
-        said("report-fig-relative-axis"),
-        said("report-fig-relative"),
-        said("report-fig-relative-caption"),
-    )
 
 
 def _density(errors: Errors, unit: LengthUnit) -> Drawing | str:

@@ -12,7 +12,7 @@ from sightline.export.report import labels, marks
 from sightline.export.report.canvas import FULL, HALF, INK, MUTED, NOTE_PT, Drawing, Sheet, svg
 from sightline.export.report.marks import MAIN, Limit
 from sightline.export.report.said import said, told
-from sightline.export.report.units import HEIGHT, Scale, count, fixed, limit, percent
+from sightline.export.report.units import HEIGHT, Scale, count, fixed, percent
 from sightline.export.report.words import GROUPINGS, TARGETS, apart, group_word, heading
 from sightline.statistics.distributions import Density, Percentile
 from sightline.statistics.standards import Standard
@@ -21,7 +21,6 @@ from sightline.statistics.total_uncertainty import TotalFigures
 
 _MARKED = (5.0, 15.0, 50.0, 85.0, 95.0)
 _LONGEST_WORD = 34
-_ROW_MM = 4.6
 
 
 def height_figures(
@@ -40,7 +39,7 @@ def height_figures(
 
 
 def _limits(target: Target, standards: Sequence[Standard], unit: LengthUnit) -> list[Limit]:
-    """The standards near enough to the heights to be drawn; those of one height share a rule."""
+    """The standards near enough to the heights to be drawn."""
     found = target.corrected.ecdf
     if found is None:
         return []
@@ -50,15 +49,8 @@ def _limits(target: Target, standards: Sequence[Standard], unit: LengthUnit) -> 
     if target.total is not None:
         told_of = zip(target.corrected.shares, target.total.shares, strict=True)
         shares |= {one.limit: total.value for one, total in told_of if total.U95_low is not None}
-    by_height: dict[float, list[str]] = {}
-    for one in standards:
-        if low - reach <= one.height_m <= high + reach:
-            by_height.setdefault(one.height_m, []).append(_short(told(one.name)))
-    return [_limit(at, names, shares.get(at), unit) for at, names in sorted(by_height.items())]
-
-
-def _limit(at_m: float, names: Sequence[str], share: float | None, unit: LengthUnit) -> Limit:
-    return Limit(HEIGHT[unit].factor * at_m, f"{', '.join(names)} {limit(at_m, unit)}", share)
+    named = ((one.height_m, _short(told(one.name))) for one in standards)
+    return marks.limits_of(named, (low - reach, high + reach), unit, shares)
 
 
 def _with_share(one: Limit) -> Limit:
@@ -159,18 +151,11 @@ def _side_by_side(
     """Groups as rows: median, middle 70 % and middle 90 %; no colours, and room for many groups."""
     scale, word = HEIGHT[unit], TARGETS[name]
     title = said("report-fig-by", target=word, grouping=GROUPINGS.get(grouping, grouping))
-    rows = list(groups.of.items())
+    rows = [(_short(heading(group_word(grouping, one))), found) for one, found in groups.of.items()]
 
     def draw(axes: Axes) -> None:
-        for k, (_, found) in enumerate(rows):
-            marks.spread_row(axes, k, found, scale.factor)
-        words = [f"{_short(heading(group_word(grouping, one)))}  ({count(found.n)})" for one, found in rows]
-        axes.set_yticks(range(len(rows)), labels=words)
+        marks.spread_rows(axes, rows, scale.factor)
         _room_on_the_left(axes)
-        axes.set_ylim(len(rows) - 0.4, -0.6)
-        axes.tick_params(axis="y", length=0)
-        axes.grid(axis="y", visible=False)
-        axes.spines["left"].set_visible(False)
         axes.set_xlabel(said("report-fig-height-above", target=word, unit=scale.sign))
         for one in limits:
             axes.axvline(one.at, color=MUTED, linewidth=0.7, dashes=(7, 1.5, 1, 1.5), zorder=0.5)
@@ -179,7 +164,7 @@ def _side_by_side(
     sentences += [said("report-fig-by-rules", rules=apart([one.word for one in limits]))] if limits else []
     sentences += [said("report-fig-by-left-out", n=count(groups.left_out))] if groups.left_out else []
     caption = " ".join(sentences)
-    sheet = Sheet(FULL.width, 12.0 + _ROW_MM * len(rows), left=40.0, right=3.0)
+    sheet = Sheet(FULL.width, 12.0 + marks.ROW_MM * len(rows), left=40.0, right=3.0)
     return Drawing(svg(draw, title, sheet), title, caption)
 
 

@@ -11,14 +11,13 @@ from sightline.export.report.facts import ReportFacts
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.said import said
 from sightline.export.report.settable import Values
-from sightline.export.report.units import HEIGHT, count
+from sightline.export.report.units import HEIGHT
 from sightline.export.report.words import group_word, heading
 from sightline.results.survey_statistics import Statistics
 from sightline.statistics.lateral import Lateral
 from sightline.statistics.summary import Distribution
 
 FIGURE = "lateral-position"
-_ROW_MM = 4.6
 _SHOWN = (5.0, 50.0, 95.0)
 
 
@@ -31,17 +30,11 @@ def lateral_figure(result: Statistics, unit: LengthUnit) -> dict[str, Drawing | 
     rows = _rows(found)
 
     def draw(axes: Axes) -> None:
-        for k, (_, one) in enumerate(rows):
-            marks.spread_row(axes, k, one, scale.factor)
-        axes.set_yticks(range(len(rows)), labels=[f"{word}  ({count(one.n)})" for word, one in rows])
-        axes.set_ylim(len(rows) - 0.4, -0.6)
-        axes.tick_params(axis="y", length=0)
-        axes.grid(axis="y", visible=False)
-        axes.spines["left"].set_visible(False)
+        marks.spread_rows(axes, rows, scale.factor)
         axes.set_xlabel(said("report-fig-lateral-axis", unit=scale.sign))
 
     caption = said("report-fig-lateral-caption")
-    sheet = Sheet(FULL.width, 12.0 + _ROW_MM * len(rows), left=62.0, right=3.0)
+    sheet = Sheet(FULL.width, 12.0 + marks.ROW_MM * len(rows), left=62.0, right=3.0)
     return {FIGURE: Drawing(svg(draw, title, sheet), title, caption)}
 
 

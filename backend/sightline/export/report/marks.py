@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,13 +10,16 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.transforms import Bbox
 
+from sightline.enums import LengthUnit
 from sightline.export.report.canvas import FAINT, INK, MUTED, NOTE_PT
 from sightline.export.report.labels import Named
 from sightline.export.report.said import said
-from sightline.export.report.units import count
+from sightline.export.report.units import HEIGHT, count, limit
 from sightline.statistics.distributions import Density, Ecdf, Percentile
 from sightline.statistics.summary import Distribution
 
+#: A row of `spread_rows`.
+ROW_MM = 4.6
 _TEXT_MM = 2.7  # what an upright word needs beside the next
 #: A simultaneous band of fewer covers more than half of the axis and hides the curves.
 LEAST_FOR_A_BAND = 30
@@ -107,6 +110,34 @@ def spread_row(axes: Axes, row: int, found: Distribution, factor: float) -> None
         axes.plot(each, np.full(len(each), row), "|", color=MUTED, markersize=5.0, markeredgewidth=0.8)
     if 50.0 in at:
         axes.plot(at[50.0], row, "o", color="white", markeredgecolor=INK, markersize=4.2, markeredgewidth=0.9)
+
+
+def spread_rows(axes: Axes, rows: Sequence[tuple[str, Distribution]], factor: float) -> None:
+    """Named groups below each other (`spread_row`), each name with how many vehicles it is of."""
+    for k, (_, found) in enumerate(rows):
+        spread_row(axes, k, found, factor)
+    axes.set_yticks(range(len(rows)), labels=[f"{word}  ({count(one.n)})" for word, one in rows])
+    axes.set_ylim(len(rows) - 0.4, -0.6)
+    axes.tick_params(axis="y", length=0)
+    axes.grid(axis="y", visible=False)
+    axes.spines["left"].set_visible(False)
+
+
+def limits_of(
+    named: Iterable[tuple[float, str]],
+    within_m: tuple[float, float],
+    unit: LengthUnit,
+    shares: Mapping[float, float | None] = {},
+) -> list[Limit]:
+    """Standards (height in metres, name) within what a figure shows; those of one height share a rule."""
+    names: dict[float, list[str]] = {}
+    for at_m, name in named:
+        if within_m[0] <= at_m <= within_m[1]:
+            names.setdefault(at_m, []).append(name)
+    return [
+        Limit(HEIGHT[unit].factor * at, f"{', '.join(of)} {limit(at, unit)}", shares.get(at))
+        for at, of in sorted(names.items())
+    ]
 
 
 def limits(axes: Axes, drawn: Sequence[Limit]) -> list[Bbox]:

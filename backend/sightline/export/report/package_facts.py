@@ -40,8 +40,8 @@ MOST_EXCLUSIONS = 300
 def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Written]) -> ReportFacts:
     """Everything that the report shows. `written`: the files whose sums it lists."""
     found = made.headline
-    survey = survey_words(files)
-    head = _Head(files)
+    head = _Chain(files)
+    survey = head.survey
     recordings = {row["id"]: row for row in table_rows(files, RECORDINGS)}
     lenses = {row["id"]: row for row in table_rows(files, CALIBRATIONS)}
     cameras = {row["camera_id"]: row["camera_name"] for row in lenses.values()}
@@ -129,26 +129,22 @@ def _scanned(made: PackageStatistics) -> tuple[tuple[str, int], ...]:
     )
 
 
-def survey_words(files: Files) -> dict[str, Any]:
-    """Name, site, description and insets of the survey, as its audit events made them."""
-    words: dict[str, Any] = {}
-    for entity, after in read_columns(files, "audit.csv", ("entity", "after")):
-        if entity == "survey" and after:
-            words |= json.loads(after)
-    return words
-
-
-class _Head:
-    """The survey's last event in its chain; seals of packages are not about the survey."""
+class _Chain:
+    """The survey's last event in its chain, for seals of packages are not about the survey; its name, site,
+    description and insets, as its events made them.
+    """
 
     def __init__(self, files: Files) -> None:
-        self.count, self.hash = 0, ""
-        self.moment: datetime | None = None
-        names = ("number", "hash", "at", "entity")
-        for event, hash_, at, entity in read_columns(files, "audit.csv", names):
+        self.survey: dict[str, Any] = {}
+        last = ("0", "", "")
+        names = ("number", "hash", "at", "entity", "after")
+        for number, hash_, at, entity, after in read_columns(files, "audit.csv", names):
             if entity != ENTITY:
-                self.count, self.hash = int(event), hash_
-                self.moment = datetime.fromisoformat(at)
+                last = (number, hash_, at)
+            if entity == "survey" and after:
+                self.survey |= json.loads(after)
+        self.count, self.hash = int(last[0]), last[1]
+        self.moment = datetime.fromisoformat(last[2]) if last[2] else None
 
 
 class _Measurements:

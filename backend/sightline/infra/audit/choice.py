@@ -1,13 +1,15 @@
-"""Numbers that somebody chose for a survey and that have no table of their own.
+"""What somebody chose for a survey and has no table of its own.
 
-The survey's newest audit event of the kind holds the number, and so who chose it and when.
+The survey's newest audit event of the kind holds it, and so who chose it and when.
 """
 
 import hashlib
 import json
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
-from sqlalchemy import select
+from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
 from sightline.infra.audit import trail
@@ -16,27 +18,23 @@ from sightline.infra.audit.tables import audit_events
 
 @dataclass(frozen=True, slots=True)
 class Kind:
-    """A number that is chosen: the entity of its events, and the name of the number in them."""
+    """What is chosen: the entity of its events, and its name in them."""
 
     entity: str
     name: str
 
 
-def chosen(session: Session, kind: Kind, survey_id: int) -> tuple[int, int] | None:
-    """(the number in force, its version); None while nobody chose one."""
+def chosen(session: Session, kind: Kind, survey_ids: Sequence[int]) -> dict[int, tuple[Any, int]]:
+    """(what is in force, its version) by survey, of those for which somebody chose."""
     e = audit_events.c
-    newest = (
-        select(e.id, e.after)
-        .where(e.entity == kind.entity, e.entity_id == survey_id)
-        .order_by(e.id.desc())
-        .limit(1)
-    )
-    row = session.execute(newest).one_or_none()
-    return None if row is None else (int(json.loads(row.after)[kind.name]), row.id)
+    of_kind = (e.entity == kind.entity, e.entity_id.in_(survey_ids))
+    newest = select(func.max(e.id)).where(*of_kind).group_by(e.entity_id)
+    rows = session.execute(select(e.id, e.entity_id, e.after).where(e.id.in_(newest)))
+    return {row.entity_id: (json.loads(row.after)[kind.name], row.id) for row in rows}
 
 
-def choose(session: Session, kind: Kind, survey_id: int, before: int, after: int, actor: int | None) -> int:
-    """Put a number in force; its version."""
+def choose(session: Session, kind: Kind, survey_id: int, before: Any, after: Any, actor: int | None) -> int:
+    """Put it in force; its version."""
     then, now = ({kind.name: value} for value in (before, after))
     return trail.record(session, actor, "choose", kind.entity, survey_id, survey_id, then, now)
 

@@ -43,7 +43,8 @@ from sightline.infra.database.pages import require_whole_pages
 from sightline.infra.services import Services
 from sightline.infra.version import code_version
 from sightline.infra.web.secret import FILE as SECRET
-from sightline.media.store.local import no_room_told, sync_folder
+from sightline.media.atomic import sync_to_disk
+from sightline.media.store.local import no_room_told
 from sightline.settings import Settings, sqlite_url
 
 DATABASE = "sightline.db"
@@ -109,7 +110,7 @@ def make_backup(services: Services, folder: Path, tell: Tell, *, pruning: bool =
             missing=sorted(state.needed - set(copies.copied)),
         )
         for made in (place, place.parent):
-            sync_folder(made)
+            sync_to_disk(made)
         write_manifest(place, manifest)
         write_manifest(folder, manifest)
         tell(1.0, "whole")

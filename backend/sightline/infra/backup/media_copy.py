@@ -10,8 +10,8 @@ from uuid import uuid4
 
 from sightline.errors import NotFound
 from sightline.infra.backup.manifest import JOURNAL, MEDIA, Manifest, StoredFile, media_file, require_whole
-from sightline.media.atomic import PART
-from sightline.media.store.local import CHUNK_BYTES, MediaStore, check_room, no_room_told, sync_folder
+from sightline.media.atomic import PART, sync_to_disk
+from sightline.media.store.local import CHUNK_BYTES, MediaStore, check_room, no_room_told
 
 Told = Callable[[float], None]
 
@@ -70,7 +70,7 @@ class MediaCopies:
             target = media_file(self._folder, digest.hexdigest())
             target.parent.mkdir(parents=True, exist_ok=True)
             os.replace(part, target)
-            sync_folder(target.parent)
+            sync_to_disk(target.parent)
         finally:
             part.unlink(missing_ok=True)
         return StoredFile(length, digest.hexdigest())

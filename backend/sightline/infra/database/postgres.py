@@ -7,6 +7,8 @@ take two hours to give the connection up. So it stops waiting here, closes the c
 
 import math
 import time
+from collections.abc import AsyncGenerator, Callable
+from functools import partial
 from typing import Any
 
 import psycopg
@@ -18,10 +20,14 @@ from sqlalchemy import URL, Engine, create_engine, event
 CONNECT_S, PING_S, READ_S, SHORT_WRITE_S, LONG_WRITE_S = 5, 4.0, 125.0, 10.0, 60.0
 #: who answered so short a time ago is not asked whether it is there
 HEARD_S = 0.25
+#: after so long a silence the server is asked, over another connection, whether it is still at the statement;
+#: and how long the answer of a statement that has ended may be on its way
+SILENT_S, ON_ITS_WAY_S = 4.0, 1.0
 #: how long PostgreSQL lets a writer wait for its turn, and a statement run; the wait is shorter than the idle
 #: limit of who has the turn (engine.py), else the turn of a dead writer goes to one that died while it waited
 LOCK_S, STATEMENT_S = 7, 120
 
+_AT_WORK = "SELECT 1 FROM pg_stat_activity WHERE pid = %s AND state NOT LIKE 'idle%%'"
 _KEPT_ALIVE = {"keepalives": 1, "keepalives_idle": 10, "keepalives_interval": 5, "keepalives_count": 3}
 #: the same from the server's side: it gives the connection of a machine that fell off the net up
 _SERVER = {
@@ -35,24 +41,82 @@ _SERVER = {
 
 
 class LimitedConnection(psycopg.Connection[Any]):
-    """Waits `answer_s` seconds for an answer, and is closed then: nothing is known of it any more."""
+    """Waits `answer_s` seconds for an answer, and is closed then: nothing is known of it any more.
+
+    A statement may run for long. So where long answers are waited for, a silent server is asked whether it
+    is still at it; a connection whose statement never came there, or whose answer was lost, is closed too.
+    """
 
     answer_s: float | None = PING_S
     #: when the server last answered, of `time.monotonic`
     heard_at_s = -math.inf
+    #: opens one more like this
+    another: Callable[[], psycopg.Connection[Any]]
 
     def wait(self, gen: PQGen[Any], interval: float = 0.1, timeout: float | None = None) -> Any:
         """What the server answers. Raises psycopg.OperationalError where it does not in time."""
         limit_s = self.answer_s if timeout is None else timeout
         until = math.inf if limit_s is None else time.monotonic() + limit_s
         try:
-            answer = super().wait(gen, interval, limit_s)
+            patient = limit_s is not None and limit_s > SHORT_WRITE_S
+            answer = super().wait(self._asking(gen) if patient else gen, interval, limit_s)
             self.heard_at_s = time.monotonic()
             return answer
         except psycopg.OperationalError:
             if time.monotonic() >= until:
                 self.pgconn.finish()
             raise
+
+    def _asking(self, gen: PQGen[Any]) -> PQGen[Any]:
+        """The same; raises psycopg.OperationalError where the server has ended what it was asked."""
+        ask_at_s, has_ended = time.monotonic() + SILENT_S, False
+        try:
+            wanted = next(gen)
+            while True:
+                ready = yield wanted
+                wanted = gen.send(ready)
+                now_s = time.monotonic()
+                if ready:
+                    ask_at_s, has_ended = now_s + SILENT_S, False
+                elif now_s >= ask_at_s:
+                    if has_ended:
+                        self.pgconn.finish()
+                        raise psycopg.OperationalError(
+                            "the server has ended the statement: its answer is lost"
+                        )
+                    has_ended = self._has_ended()
+                    ask_at_s = time.monotonic() + (ON_ITS_WAY_S if has_ended else SILENT_S)
+        except StopIteration as end:
+            return end.value
+
+    def _has_ended(self) -> bool:
+        """Whether the server says that it is at nothing for this connection; False where it says nothing."""
+        try:
+            with self.another() as other:
+                found = other.execute(_AT_WORK, [self.info.backend_pid]).fetchone()
+        except psycopg.Error:
+            return False
+        return found is None
+
+
+class LimitedAsyncConnection(psycopg.AsyncConnection[Any]):
+    """Asks short questions: what is not answered within SHORT_WRITE_S closes it. Notices are waited for."""
+
+    async def wait(self, gen: PQGen[Any], interval: float = 0.1, timeout: float | None = None) -> Any:
+        """What the server answers. Raises psycopg.OperationalError where it does not in time."""
+        until = time.monotonic() + SHORT_WRITE_S
+        try:
+            return await super().wait(gen, interval, SHORT_WRITE_S if timeout is None else timeout)
+        except psycopg.OperationalError:
+            if timeout is None and time.monotonic() >= until:
+                self.pgconn.finish()
+            raise
+
+    def notifies(
+        self, *, timeout: float | None = None, stop_after: int | None = None
+    ) -> AsyncGenerator[psycopg.Notify]:
+        """As psycopg's, without the limit of an answer."""
+        return super().notifies(timeout=math.inf if timeout is None else timeout, stop_after=stop_after)
 
 
 def connection_arguments(url: URL) -> dict[str, Any]:
@@ -78,7 +142,10 @@ def limited_engine(url: URL, **pool: Any) -> Engine:
 
     @event.listens_for(engine, "do_connect")
     def connect(_dialect: Any, _record: Any, given: Any, named: dict[str, Any]) -> LimitedConnection:
-        return LimitedConnection.connect(*given, **named)
+        connect_ = partial(LimitedConnection.connect, *given, **named)
+        connection = connect_()
+        connection.another = connect_
+        return connection
 
     @event.listens_for(engine, "checkout")
     def lend(connection: LimitedConnection, _record: Any, _proxy: Any) -> None:

@@ -1,7 +1,7 @@
 """Column kinds and the naming rule that every table uses, for SQLite and PostgreSQL alike."""
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from datetime import UTC, datetime
 from types import NoneType
 from typing import Any, Literal, get_args, get_origin, get_type_hints
@@ -147,14 +147,20 @@ def enum_check(column: str, words: Any) -> CheckConstraint:
 
 
 def columns_for(
-    record: type, lengths: Mapping[str, int] = {}, keys: Mapping[str, str] = {}
+    record: type,
+    lengths: Mapping[str, int] = {},
+    keys: Mapping[str, str] = {},
+    *,
+    left_out: Collection[str] = (),
 ) -> Iterator[Column[Any] | CheckConstraint]:
     """A column for each field of a record, by its type, with a check for each that is one of some words.
 
     `lengths`: the most characters of texts by name, of others there is no limit; `keys`: which column of
-    another table a field names.
+    another table a field names; `left_out`: fields that are no such columns.
     """
     for name, hint in get_type_hints(record).items():
+        if name in left_out:
+            continue
         of = get_args(hint) if NoneType in get_args(hint) else (hint,)
         kind = next(one for one in of if one is not NoneType)
         plain = ForeignKey(keys[name]) if name in keys else _kind_for(kind, lengths.get(name))

@@ -16,6 +16,7 @@ import time
 from collections.abc import Sequence
 from datetime import datetime
 from functools import cache
+from typing import Any
 
 from procrastinate import App, PsycopgConnector
 from procrastinate.exceptions import ConnectorException
@@ -24,8 +25,8 @@ from sqlalchemy import make_url, text
 from sqlalchemy.orm import Session
 
 from sightline.errors import SightlineError
-from sightline.infra.database.engine import SessionFactory, writing
-from sightline.infra.database.postgres import connection_arguments
+from sightline.infra.database.engine import DatabaseAway, SessionFactory, writing
+from sightline.infra.database.postgres import LimitedAsyncConnection, connection_arguments
 from sightline.infra.jobs.recovery import put_back
 from sightline.infra.jobs.registry import is_long
 from sightline.infra.jobs.runner import Runner
@@ -89,7 +90,8 @@ async def _work(runner: Runner, queues: list[str]) -> None:
     url = make_url(settings.database_url).set(drivername="postgresql")
     limits = connection_arguments(url)
     conninfo = url.render_as_string(hide_password=False)
-    app = App(connector=PsycopgConnector(conninfo=conninfo, kwargs=limits, min_size=1, max_size=4))
+    pool: dict[str, Any] = {"connection_class": LimitedAsyncConnection, "min_size": 1, "max_size": 4}
+    app = App(connector=PsycopgConnector(conninfo=conninfo, kwargs=limits, **pool))
 
     @app.task(name=TASK, queue=QUEUE)
     def run_job(job_id: int) -> None:
@@ -117,6 +119,8 @@ async def _work(runner: Runner, queues: list[str]) -> None:
             await working
         except asyncio.CancelledError:
             pass
+        except ConnectorException as error:
+            raise DatabaseAway("database-database-not-answer-check-runs-address") from error
         finally:
             looking.cancel()
 

@@ -92,6 +92,17 @@ def list_jobs(
     return tuple(_job(row) for row in session.execute(query).mappings())
 
 
+def jobs_under_way(
+    session: Session, kind: str, *, survey_id: int | None = None, recording_id: int | None = None
+) -> tuple[Job, ...]:
+    """Those of a kind that run or wait, of a survey or a recording alone; running and newest ones first."""
+    query = select(jobs).where(jobs.c.kind == kind, jobs.c.state.in_(("running", "queued")))
+    for column, id_ in ((jobs.c.survey_id, survey_id), (jobs.c.recording_id, recording_id)):
+        query = query if id_ is None else query.where(column == id_)
+    query = query.order_by(jobs.c.state.desc(), jobs.c.id.desc())
+    return tuple(_job(row) for row in session.execute(query).mappings())
+
+
 def count_jobs(session: Session) -> dict[JobState, int]:
     """How many jobs are in each state, all states named."""
     query = select(jobs.c.state, func.count()).group_by(jobs.c.state)

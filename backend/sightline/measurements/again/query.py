@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from sqlalchemy import Select, Text, and_, cast, func, select, type_coerce
@@ -16,7 +16,7 @@ from sightline.infra.database.people import people
 from sightline.infra.database.rows import missing, who
 from sightline.measurements.again.differences import Facts, moved_beyond_u
 from sightline.measurements.again.records import ComputedHeight, Computing
-from sightline.measurements.click_context_query import ClickContext, said_not_visible
+from sightline.measurements.click_context_query import ClickContext, context_of_row
 from sightline.measurements.query import fetch_measurements, is_current, measurement_revision_rows
 from sightline.measurements.records import Measurement, ScanHeight
 from sightline.measurements.tables import computings, measurement_series, measurements
@@ -41,20 +41,7 @@ def contexts_of_survey(session: Session, survey_id: int) -> dict[int, ClickConte
     """
     survey = get_survey(session, survey_id)
     return {
-        row.vehicle_id: ClickContext(
-            recording_id=row.recording_id,
-            survey_id=survey.id,
-            name=row.name,
-            pose_id=row.pose_id,
-            calibration_id=row.calibration_id,
-            size_px=(row.width_px, row.height_px),
-            insets=survey.insets,
-            side=driver_side(row.driver_side, row.direction, survey.traffic),
-            category=row.category,
-            not_visible=said_not_visible(row),
-            discarded=row.discarded is not None,
-            own_sigma_px=None,
-        )
+        row.vehicle_id: context_of_row(row, survey.insets, survey.traffic)
         for row in _places(session, survey_id)
     }
 
@@ -65,7 +52,8 @@ def _places(session: Session, survey_id: int) -> Sequence[Any]:
             *(vehicles.c.id.label("vehicle_id"), vehicles.c.direction, vehicles.c.driver_side),
             vehicles.c.category,
             *(vehicles.c.discarded, *(vehicles.c[name] for name in NOT_VISIBLE.values())),
-            *(recordings.c.id.label("recording_id"), recordings.c.name, recordings.c.pose_id),
+            *(recordings.c.id.label("recording_id"), recordings.c.survey_id, recordings.c.name),
+            recordings.c.pose_id,
             *(recordings.c.width_px, recordings.c.height_px, road_poses.c.calibration_id),
         )
         .join(recordings, recordings.c.id == vehicles.c.recording_id)
@@ -127,20 +115,11 @@ def alike(session: Session, survey_id: int) -> Iterator[Alike]:
     named = func.aggregate_strings(cast(each.c.series_id, Text), ",").label("named")
     query = select(func.count().label("count"), named, *shared).group_by(*shared)
     for row in session.execute(query):
-        facts = Facts(
-            pose_id=row.of_pose,
-            **{name: getattr(row, name) for name in (one.name for one in fields(Facts)) if name != "pose_id"},
-        )
-        yield Alike(
-            count=row._mapping["count"],
-            named=row.named,
-            target=row.target,
-            facts=facts,
-            has_height=row.has_height,
-            code_version=row.code_version,
-            pose_id=row.pose_id,
+        yield record_of(
+            Alike,
+            row._mapping,
+            facts=record_of(Facts, row._mapping, pose_id=row.of_pose),
             side=driver_side(row.driver_side, row.direction, survey.traffic),
-            category=row.category,
             insets=survey.insets,
         )
 
@@ -201,15 +180,11 @@ def computed_heights(session: Session, computing_id: int) -> tuple[ComputedHeigh
         .where(_m.computing_id == computing_id)
         .order_by(_m.id)
     )
-    return tuple(computed_height(row, x_m=row.x_m, y_m=row.y_m) for row in session.execute(query))
+    return tuple(computed_height(row, scan_id=None, distance_m=None) for row in session.execute(query))
 
 
-#: Where a height is: of a recording by x_m and y_m, of a line scan by its number and distance_m.
-_NO_PLACE = dict.fromkeys(("scan_id", "x_m", "y_m", "distance_m"))
-
-
-def computed_height(row: Any, **place: Any) -> ComputedHeight:
-    """The record of a row of `computed_rows`."""
+def computed_height(row: Any, **lacking: None) -> ComputedHeight:
+    """The record of a row of `computed_rows`; `lacking`: the parts of a place that its kind lacks."""
     then, now = row.height_before_m, row.height_m
     change = None if now is None or then is None else now - then
     moved = moved_beyond_u(then, row.u_before_m, now)
@@ -224,7 +199,7 @@ def computed_height(row: Any, **place: Any) -> ComputedHeight:
         moved_by_u=abs(change) / row.u_before_m if change is not None and row.u_before_m else None,
         to_review=moved and row.verdict_of_revision is None and row.kind != "undo",
         reason=None if row.reason is None else Said.read(row.reason),
-        **{**_NO_PLACE, **place},
+        **lacking,
     )
 
 
@@ -243,9 +218,11 @@ def made_by(session: Session, computing_id: int) -> tuple[Made, ...]:
     revision_of = {row.series_id: row.revision for row in session.execute(query.order_by(_m.series_id))}
     found: dict[tuple[int, int], Measurement] = {}
     newest: dict[int, Measurement] = {}
-    for one in _revisions(session, list(revision_of)):
-        found[one.id, one.revision] = one
-        newest[one.id] = one
+    series_ids = list(revision_of)
+    for at in range(0, len(series_ids), _SOME):
+        for one in _revisions(session, series_ids[at : at + _SOME]):
+            found[one.id, one.revision] = one
+            newest[one.id] = one
     return tuple(
         Made(found[id_, revision - 1], found[id_, revision], newest[id_])
         for id_, revision in revision_of.items()
@@ -253,15 +230,10 @@ def made_by(session: Session, computing_id: int) -> tuple[Made, ...]:
     )
 
 
-def _revisions(session: Session, series_ids: Sequence[int]) -> Iterator[Measurement]:
+def _revisions(session: Session, series_ids: Sequence[int]) -> tuple[Measurement, ...]:
     """All revisions of measurements of living vehicles, by measurement, oldest first."""
-    for ids in _in_pieces(series_ids):
-        query = measurement_revision_rows().join(
-            vehicles, and_(vehicles.c.id == measurement_series.c.vehicle_id, vehicles.c.deleted_at.is_(None))
-        )
-        query = query.where(_m.series_id.in_(ids)).order_by(_m.series_id, _m.revision)
-        yield from fetch_measurements(session, query)
-
-
-def _in_pieces(ids: Sequence[int]) -> Iterable[Sequence[int]]:
-    return (ids[at : at + _SOME] for at in range(0, len(ids), _SOME))
+    query = measurement_revision_rows().join(
+        vehicles, and_(vehicles.c.id == measurement_series.c.vehicle_id, vehicles.c.deleted_at.is_(None))
+    )
+    query = query.where(_m.series_id.in_(series_ids)).order_by(_m.series_id, _m.revision)
+    return fetch_measurements(session, query)

@@ -156,24 +156,16 @@ def _computed(
             pose_id, pose, [one for one, of in zip(clicks, in_force, strict=True) if of[1] == pose_id]
         )
     for one, clicked, (_, pose_id, calibration_id) in zip(some, clicks, in_force, strict=True):
-        yield _content(one.values, clicked, answers.known[pose_id, clicked], pose_id, calibration_id)
-
-
-def _content(
-    then: MeasurementValues, clicks: Clicks, found: Answer, pose_id: int, calibration_id: int
-) -> MeasurementValues:
-    return filled_from(
-        MeasurementValues,
-        found,
-        clicks,
-        pts=then.pts,
-        time_s=then.time_s,
-        frame_crc32=then.frame_crc32,
-        more_frames=then.more_frames,
-        pose_id=pose_id,
-        calibration_id=calibration_id,
-        code_version=code_version(),
-    )
+        yield filled_from(
+            MeasurementValues,
+            answers.known[pose_id, clicked],
+            clicked,
+            one.values,
+            more_frames=one.values.more_frames,
+            pose_id=pose_id,
+            calibration_id=calibration_id,
+            code_version=code_version(),
+        )
 
 
 def changes_back(made: Sequence[Made]) -> tuple[list[Changed], int]:

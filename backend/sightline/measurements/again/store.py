@@ -10,8 +10,7 @@ from typing import Any
 from sqlalchemy.orm import Session
 
 from sightline.enums import ComputingCause, ComputingKind
-from sightline.infra.audit import trail
-from sightline.infra.database.rows import add_row, stored_hash
+from sightline.infra.audit.written import written_once
 from sightline.infra.database.types import now
 from sightline.infra.version import code_version
 from sightline.measurements.again.differences import HeightChange
@@ -62,7 +61,4 @@ def add_computing(
         "code_version": code_version(),
         "created_at": now(),
     }
-    computing_id = add_row(session, computings, {**content, "created_by": actor})
-    after = {**content, "content_sha256": stored_hash(session, computings, computing_id)}
-    trail.record(session, actor, "create", "computing", computing_id, survey_id, None, after)
-    return get_computing(session, computing_id)
+    return get_computing(session, written_once(session, computings, content, "create", actor=actor))

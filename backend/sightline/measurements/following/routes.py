@@ -5,7 +5,7 @@ from fastapi import APIRouter
 from sightline.infra.web.deps import PathId, Viewer, Wired
 from sightline.measurements.bodies import FollowWanted
 from sightline.measurements.following import service
-from sightline.measurements.records import Clicks
+from sightline.measurements.routes import clicks_of
 
 router = APIRouter()
 
@@ -17,13 +17,5 @@ def follow_through_pass(
     """Where the points are on every usable frame of the pass, which were dropped and why, and the height of
     it all. Nothing is stored: a measurement with `follow` is followed again and keeps what is found.
     """
-    clicks = Clicks(
-        target=body.target,
-        frame=body.frame,
-        contact=body.contact,
-        target_point=body.target_point,
-        sigma_px=body.sigma_px,
-        inset_m=body.inset_m,
-        u_inset_m=body.u_inset_m,
-    )
+    clicks = clicks_of(body, body.target)
     return service.follow_vehicle(services, vehicle_id, clicks, body.second_contact, actor=who.id)

@@ -42,12 +42,8 @@ def best_second_frame(
     others = [
         replace(
             first,
-            target=one.target,
-            target_point=one.target_point,
             more_frames=clicked_frames(one.more_frames),
-            sigma_px=one.sigma_px,
-            inset_m=one.inset_m,
-            u_inset_m=one.u_inset_m,
+            **one.model_dump(exclude={"more_frames"}),
         )
         for one in body.others
     ]

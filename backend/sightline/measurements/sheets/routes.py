@@ -1,6 +1,6 @@
 """Vehicle records of a survey."""
 
-from typing import Annotated, cast
+from typing import Annotated
 
 from fastapi import APIRouter, Query
 
@@ -24,7 +24,7 @@ def changes_of(body: VehicleFields) -> VehicleChanges:
     for needed, empty in (("first_frame", None), ("last_frame", None), ("notes", "")):
         if needed in given and given[needed] is None:
             given.pop(needed) if empty is None else given.update({needed: empty})
-    return cast(VehicleChanges, given)
+    return given
 
 
 def sheet_body(session: Session, vehicle_id: int) -> VehicleBody:

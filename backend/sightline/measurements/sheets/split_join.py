@@ -37,7 +37,7 @@ def split(
     kept = update_vehicle(
         session, vehicle_id, _span(sides[later], whole.best_frame), version=version, actor=actor
     )
-    fields: VehicleChanges = {
+    fields = {
         **_span(sides[1 - later], whole.best_frame),
         "lighting": whole.lighting,
         "origin": whole.origin,
@@ -70,7 +70,7 @@ def join(
     keeps_other = bool(both[1])
     kept, gone = (other, one) if keeps_other else (one, other)
     versions = (other_version, version) if keeps_other else (version, other_version)
-    span: VehicleChanges = {
+    span = {
         "first_frame": min(one.first_frame, other.first_frame),
         "last_frame": max(one.last_frame, other.last_frame),
     }

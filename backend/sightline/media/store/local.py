@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import BinaryIO, Protocol
 from urllib.parse import urlsplit
 from urllib.request import url2pathname
-from uuid import uuid4
 
 from sightline.errors import BadInput, NoRoom, NotFound
 from sightline.media.atomic import atomic_file
@@ -161,27 +160,9 @@ def copy_whole(source: Path, target: Path) -> None:
 
 def link_whole(source: Path, target: Path) -> bool:
     """Give the file a second name, whole or not at all; False where disks or file system say no."""
-    target.parent.mkdir(parents=True, exist_ok=True)
-    part = target.with_name(f".{uuid4().hex}.part")
-    with source.open("rb") as file:
-        os.fsync(file.fileno())
     try:
-        os.link(source, part)
+        with atomic_file(target) as part:
+            os.link(source, part)
     except OSError:
         return False
-    try:
-        os.replace(part, target)
-        sync_folder(target.parent)
-    finally:
-        with suppress(OSError):
-            part.unlink()
     return True
-
-
-def sync_folder(folder: Path) -> None:
-    """Make a rename in `folder` survive a power cut."""
-    handle = os.open(folder, os.O_RDONLY)
-    try:
-        os.fsync(handle)
-    finally:
-        os.close(handle)

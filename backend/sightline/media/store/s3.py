@@ -32,13 +32,6 @@ class StorageAway(Away):
     kind = "storage_away"
 
 
-class _Turn:
-    """Whose turn it is to fetch one file; gone when nobody waits for it."""
-
-    def __init__(self) -> None:
-        self.lock = threading.Lock()
-
-
 class S3Store:
     """s3://bucket/prefix?endpoint=https://host:port&region=name; the bucket is made if it is not there.
 
@@ -56,7 +49,8 @@ class S3Store:
         self._cache = cache_dir
         self._cache_bytes = cache_bytes
         self._lock = threading.Lock()  # of the two below and of what is in the cache; held for moments
-        self._fetching: WeakValueDictionary[str, _Turn] = WeakValueDictionary()
+        #: of whose turn it is to fetch one file; gone when nobody waits for it
+        self._fetching: WeakValueDictionary[str, threading.Lock] = WeakValueDictionary()
         self._coming_bytes = 0
         cache_dir.mkdir(parents=True, exist_ok=True)
         config = Config(retries={"max_attempts": ATTEMPTS}, connect_timeout=CONNECT_S, read_timeout=READ_S)
@@ -77,8 +71,8 @@ class S3Store:
     def local_path(self, key: str) -> Path:
         path = safe_path(self._cache, key)
         with self._lock:
-            turn = self._fetching.setdefault(key, _Turn())
-        with turn.lock:  # who wants the same file waits for it, who wants another does not
+            turn = self._fetching.setdefault(key, threading.Lock())
+        with turn:  # who wants the same file waits for it, who wants another does not
             if path.is_file():
                 os.utime(path)
                 return path
@@ -192,18 +186,13 @@ class _Body(io.RawIOBase):
         super().close()
 
 
-class _told:
+@contextmanager
+def _told(key: str) -> Iterator[None]:
     """Turn what the S3 library raises into one sentence."""
-
-    def __init__(self, key: str) -> None:
-        self._key = key
-
-    def __enter__(self) -> None:
-        return None
-
-    def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
-        if isinstance(error, ClientError | BotoCoreError | boto3.exceptions.Boto3Error):
-            raise _failed(self._key, error) from error
+    try:
+        yield
+    except (ClientError, BotoCoreError, boto3.exceptions.Boto3Error) as error:
+        raise _failed(key, error) from error
 
 
 def _failed(key: str, error: Exception) -> StorageAway:

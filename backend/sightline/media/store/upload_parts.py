@@ -21,7 +21,8 @@ from pathlib import Path
 from uuid import uuid4
 
 from sightline.errors import BadInput, Conflict, NotFound
-from sightline.media.store.local import check_room, no_room_told, sha256_of, sync_folder
+from sightline.media.atomic import sync_to_disk
+from sightline.media.store.local import check_room, no_room_told, sha256_of
 
 SYNC_EVERY_BYTES = 64 << 20
 #: how long a newer connection waits until the older one has let go
@@ -54,7 +55,7 @@ def create(upload_dir: Path, upload_id: str, size: int) -> None:
             part.touch(exist_ok=False)
         except FileExistsError as error:
             raise Conflict("store-upload-name-already-under-way-start") from error
-        sync_folder(upload_dir)
+        sync_to_disk(upload_dir)
 
 
 def offset(upload_dir: Path, upload_id: str) -> int:

@@ -17,7 +17,6 @@ router = APIRouter()
 
 USUAL_U_WHEELBASE_M = 0.010  # maker's figure against the vehicle, tyre contact against axle (estimate)
 Length = Annotated[Finite, Field(ge=0.0, le=1.0)]
-Asked = Annotated[float, Query(ge=0.0, le=1.0, allow_inf_nan=False)]
 
 
 class Known(In):
@@ -50,17 +49,11 @@ def check_adjustment(
     survey_id: PathId,
     who: Viewer,
     session: Reading,
-    u_wheelbase_m: Asked = USUAL_U_WHEELBASE_M,
-    u_wheelbase_common_m: Asked = DEFAULT_U_COMMON_M,
-    u_roof_common_m: Asked = DEFAULT_U_COMMON_M,
+    asked: Annotated[Known, Query()],
 ) -> list[PoseAdjustment]:
     """Each road pose in force as the traffic's known wheelbases and roofs adjust it; nothing is stored."""
     get_survey(session, survey_id)
-    known = KnownUncertainties(
-        u_wheelbase_m=u_wheelbase_m,
-        u_wheelbase_common_m=u_wheelbase_common_m,
-        u_roof_common_m=u_roof_common_m,
-    )
+    known = KnownUncertainties(**asked.model_dump())
     return list(service.check_adjustments(session, survey_id, known))
 
 

@@ -12,6 +12,7 @@ from sightline.adjustment.adjust import Adjustment, Moved, adjust
 from sightline.errors import BadInput, Conflict, NotFound
 from sightline.geometry.height import Height, measure_with_budgets
 from sightline.geometry.road_pose import RoadPose
+from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.infra.jobs.records import Job
 from sightline.measurements.again.query import list_computings
@@ -108,16 +109,11 @@ def _told(
         for one in found.left_out
     ]
     heights.sort(key=lambda one: -abs(one.change_m))
-    return replace(
+    return filled_from(
+        PoseAdjustment,
+        found,
         empty,
-        passes=found.passes,
-        used=found.used,
         left_out=(*wrong, *empty.left_out),
-        chi2=found.chi2,
-        degrees_of_freedom=found.degrees_of_freedom,
-        chi2_limit=found.chi2_limit,
-        moved=found.moved,
-        notes=found.notes,
         without_model=_without_models(pose, seen, found, empty.known),
         heights=tuple(heights[:_MOST_HEIGHTS]),
         largest_change_m=abs(heights[0].change_m) if heights else None,

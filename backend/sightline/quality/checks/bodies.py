@@ -1,5 +1,6 @@
 """Bodies of the checks: insets from the survey itself, and the direction of travel against a road pose."""
 
+from dataclasses import dataclass
 from typing import Annotated
 
 from pydantic import Field
@@ -8,7 +9,7 @@ from sightline.infra.web.bodies import Finite, FrameNumber, In, Out, Point
 from sightline.messages.said import Said
 from sightline.poses.records import PoseOverlay
 from sightline.quality.checks.records import WheelPair
-from sightline.quality.checks.traffic import VehicleHeading
+from sightline.quality.checks.traffic import PoseFindings
 from sightline.quality.checks.turning import Changes
 
 # Half a turn is more than any board was ever set up askew.
@@ -20,27 +21,19 @@ class RecordingNameBody(Out):
     name: str
 
 
-class PoseCheckBody(Out):
-    """A road pose in force against the traffic of its recordings."""
+@dataclass(frozen=True, kw_only=True)
+class PoseCheckBody(PoseFindings):
+    """A pose in force against the traffic of its recordings."""
 
-    pose_id: int
     recordings: list[RecordingNameBody]
-    turned_from: int | None
-    turned_by_rad: float | None
-    vehicles: list[VehicleHeading]
-    used: int
-    mean_rad: float | None
-    u_mean_rad: float | None
-    spread_rad: float | None
-    proposed: bool
-    reason: Said | None
-    verdict: list[Said]
-    changes: Changes | None
 
 
-class TrafficCheckBody(Out):
+@dataclass(frozen=True)
+class TrafficCheckBody:
+    """The poses in force of a survey, and all tyre contacts."""
+
     poses: list[PoseCheckBody]
-    pairs: list[WheelPair]
+    pairs: tuple[WheelPair, ...]
 
 
 SeenPair = Annotated[

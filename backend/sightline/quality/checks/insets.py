@@ -22,6 +22,7 @@ from sightline.geometry.inset_trend import (
     together,
 )
 from sightline.geometry.insets import INSET_CHOICES, USUAL_INSETS, bias_m, inset_name, target_of
+from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.measurements.records import Measurement, VehicleSheet
 from sightline.measurements.service import road_pose
@@ -283,16 +284,8 @@ def _estimate(
     if isinstance(found, Said):
         return Estimate(method, found)
     gone = [known[made[i].vehicle_id] for i in found.left_out]
-    return Estimate(
-        method=method,
-        reason=None,
-        inset_m=found.inset_m,
-        u_inset_m=found.u_inset_m,
-        spread_m=found.spread_m,
-        vehicles=found.vehicles,
-        caution=found.caution,
-        left_out=tuple(VehicleName(one.id, one.number) for one in gone),
-    )
+    left_out = tuple(VehicleName(one.id, one.number) for one in gone)
+    return filled_from(Estimate, found, method=method, left_out=left_out)
 
 
 def _offered(one: Estimate, name: InsetName, in_force: Inset, seen: Sightings | None) -> Estimate:

@@ -4,12 +4,14 @@ from typing import Annotated
 
 from fastapi import APIRouter, Query
 
+from sightline.infra.by_name import filled_from
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
 from sightline.poses.bodies import PoseSummaryBody
 from sightline.quality.checks import insets, store, traffic, turning
 from sightline.quality.checks.bodies import (
     NewWheelPair,
     PoseCheckBody,
+    RecordingNameBody,
     SeenPair,
     TrafficCheckBody,
     TurnedPose,
@@ -32,11 +34,11 @@ def check_traffic(survey_id: PathId, who: Viewer, session: Reading) -> TrafficCh
     """The direction of travel of each vehicle against the road poses in force, and all tyre contacts."""
     get_survey(session, survey_id)
     found = traffic.check_traffic(session, survey_id)
-    pairs = store.list_wheel_pairs(session, survey_id)
-    return TrafficCheckBody(
-        poses=[PoseCheckBody.model_validate(one) for one in found],
-        pairs=list(pairs),
-    )
+    named = [[RecordingNameBody.model_validate(of) for of in one.recordings] for one in found]
+    poses = [
+        filled_from(PoseCheckBody, one, recordings=names) for one, names in zip(found, named, strict=True)
+    ]
+    return TrafficCheckBody(poses, store.list_wheel_pairs(session, survey_id))
 
 
 @router.post("/vehicles/{vehicle_id}/wheel-pair", status_code=201)
@@ -45,16 +47,7 @@ def add_wheel_pair(vehicle_id: PathId, body: NewWheelPair, who: Operator, sessio
 
     Refused, saying why, where they give no direction: contacts closer than a metre, or above the horizon.
     """
-    return traffic.store_pair(
-        session,
-        vehicle_id,
-        frame=body.frame,
-        frame_crc32=body.frame_crc32,
-        first=body.first,
-        second=body.second,
-        seen=body.seen,
-        actor=who.id,
-    )
+    return traffic.store_pair(session, vehicle_id, **body.model_dump(), actor=who.id)
 
 
 @router.delete("/vehicles/{vehicle_id}/wheel-pair")

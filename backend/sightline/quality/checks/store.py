@@ -7,11 +7,11 @@ from sqlalchemy.orm import Session
 
 from sightline.enums import Point
 from sightline.errors import Conflict
-from sightline.infra.audit import trail
 from sightline.infra.audit.records import name_or_somebody
+from sightline.infra.audit.written import written_once
 from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people
-from sightline.infra.database.rows import add_row, get_row, missing, stored_hash, who
+from sightline.infra.database.rows import get_row, missing, who
 from sightline.infra.database.types import now
 from sightline.measurements.tables import wheel_pairs
 from sightline.quality.checks.records import WheelPair
@@ -19,6 +19,7 @@ from sightline.recordings.frames.store import get_frame
 from sightline.recordings.tables import recordings
 from sightline.vehicles.tables import vehicles
 
+_PLACED = ("frame", "pts", "time_s", "frame_crc32", "first_x_px", "first_y_px", "second_x_px", "second_y_px")
 _later = wheel_pairs.alias("later")
 _is_newest = ~exists().where(_later.c.vehicle_id == wheel_pairs.c.vehicle_id, _later.c.id > wheel_pairs.c.id)
 
@@ -44,17 +45,8 @@ def add_wheel_pair(
     found = get_frame(session, vehicle["recording_id"], frame)
     if found.crc32 != frame_crc32:
         raise Conflict("measurements-frame-not-picture-clicked-load-again", frame=frame)
-    values = {
-        "frame": frame,
-        "pts": found.pts,
-        "time_s": found.time_s,
-        "frame_crc32": found.crc32,
-        "first_x_px": first[0],
-        "first_y_px": first[1],
-        "second_x_px": second[0],
-        "second_y_px": second[1],
-    }
-    return _append(session, vehicle, values, False, "create", actor)
+    places = (frame, found.pts, found.time_s, found.crc32, *first, *second)
+    return _append(session, vehicle, dict(zip(_PLACED, places, strict=True)), False, "create", actor)
 
 
 def withdraw_wheel_pair(
@@ -67,8 +59,7 @@ def withdraw_wheel_pair(
         raise missing("pair of tyre contacts of this vehicle")
     row = get_row(session, wheel_pairs, before.id, "pair of tyre contacts")
     vehicle = get_row(session, vehicles, vehicle_id, "vehicle")
-    kept = ("frame", "pts", "time_s", "frame_crc32", "first_x_px", "first_y_px", "second_x_px", "second_y_px")
-    return _append(session, vehicle, {name: row[name] for name in kept}, True, "withdraw", actor)
+    return _append(session, vehicle, {name: row[name] for name in _PLACED}, True, "withdraw", actor)
 
 
 def of_vehicle(session: Session, vehicle_id: int) -> WheelPair | None:
@@ -98,11 +89,8 @@ def _append(
     actor: int | None,
 ) -> WheelPair:
     place = {"survey_id": vehicle["survey_id"], "recording_id": vehicle["recording_id"]}
-    content = {**place, "vehicle_id": vehicle["id"], **values, "withdrawn": withdrawn}
-    content["created_at"] = now()
-    row_id = add_row(session, wheel_pairs, {**content, "created_by": actor})
-    after = {**content, "content_sha256": stored_hash(session, wheel_pairs, row_id)}
-    trail.record(session, actor, action, "wheel_pair", row_id, vehicle["survey_id"], None, after)
+    content = {**place, "vehicle_id": vehicle["id"], **values, "withdrawn": withdrawn, "created_at": now()}
+    row_id = written_once(session, wheel_pairs, content, action, actor=actor)
     return _fetch(session, wheel_pairs.c.id == row_id)[0]
 
 

@@ -18,6 +18,7 @@ from sightline.geometry.traffic import (
     headings_of_pairs,
     summary_of_headings,
 )
+from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.measurements.click_context_query import click_context
 from sightline.measurements.height_of_clicks import DEFAULT_SIGMA_PX
@@ -54,12 +55,11 @@ class VehicleHeading:
     reason: Said | None = None
 
 
-@dataclass(frozen=True)
-class PoseCheck:
-    """A pose in force against the traffic of its recordings. `mean_rad` is None where `reason` says why."""
+@dataclass(frozen=True, kw_only=True)
+class PoseFindings:
+    """What the traffic says of a pose in force. `mean_rad` is None where `reason` says why."""
 
     pose_id: int
-    recordings: tuple[Recording, ...]
     turned_from: int | None
     turned_by_rad: float | None
     vehicles: tuple[VehicleHeading, ...]
@@ -71,6 +71,13 @@ class PoseCheck:
     reason: Said | None = None
     verdict: tuple[Said, ...] = ()
     changes: Changes | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class PoseCheck(PoseFindings):
+    """A pose in force against the traffic of its recordings."""
+
+    recordings: tuple[Recording, ...]
 
 
 @dataclass(frozen=True)
@@ -217,23 +224,10 @@ def _from_frames(pose: RoadPose, made: Sequence[Measurement]) -> tuple[int, Head
 
 
 def _shown(one: _Told, used: bool) -> VehicleHeading:
-    heading = VehicleHeading(
-        vehicle_id=one.vehicle_id,
-        number=one.number,
-        recording_id=one.recording_id,
-        frame=one.frame,
-        source=one.source,
-        used=used,
-    )
     if isinstance(one.found, Said):
-        return replace(heading, used=False, reason=one.found)
-    return replace(
-        heading,
-        heading_rad=one.found.heading_rad,
-        u_heading_rad=one.found.u_heading_rad,
-        base_m=one.found.base_m,
-        reason=None if used else Said("heading-outlier"),
-    )
+        return filled_from(VehicleHeading, one, used=False, reason=one.found)
+    reason = None if used else Said("heading-outlier")
+    return filled_from(VehicleHeading, one, one.found, used=used, reason=reason)
 
 
 def _verdict(found: Headings, changes: Changes) -> tuple[Said, ...]:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import asdict, dataclass
+from typing import Any, cast
 
 import numpy as np
 
@@ -72,16 +72,10 @@ def look_for_drift(context: registry.JobContext) -> registry.Outcome:
     size = (road.camera.width_px, road.camera.height_px)
     found = course(looks, (recording.frame_count or 1) - 1, size, look_at)
     times = stills_of(services).open(recording_id).time_s
-    document = document_of(
-        _Check(
-            recording=recording,
-            pose=pose,
-            road=road,
-            looks=looks,
-            found=found,
-            time_s=lambda n: float(times[n]),
-        )
+    at = _Check(
+        recording=recording, pose=pose, road=road, looks=looks, found=found, time_s=lambda n: float(times[n])
     )
+    document = document_of(at)
 
     def store(session: Session) -> Mapping[str, Any]:
         store_drift(session, recording_id, pose_id, document, actor=context.actor)
@@ -144,15 +138,7 @@ def document_of(check: _Check) -> DriftCheck:
 
 
 def _motion(motion: Motion) -> DriftMotion:
-    return {
-        "x_px": motion.x_px,
-        "y_px": motion.y_px,
-        "turn_rad": motion.turn_rad,
-        "scale": motion.scale,
-        "moved_px": motion.moved_px,
-        "u_px": motion.u_px,
-        "points": motion.points,
-    }
+    return cast(DriftMotion, asdict(motion))
 
 
 def _change(road: RoadPose, motion: Motion | Said) -> HeightChange | None:
@@ -171,15 +157,8 @@ def _floor(check: _Check) -> float | None:
     """The floor in metres of height: a shift of that much, up or down the picture, where heights feel it."""
     if check.found.floor_px is None:
         return None
-    shift = Motion(
-        x_px=0.0,
-        y_px=check.found.floor_px,
-        turn_rad=0.0,
-        scale=1.0,
-        moved_px=check.found.floor_px,
-        u_px=0.0,
-        points=0,
-    )
+    floor_px = check.found.floor_px
+    shift = Motion(x_px=0.0, y_px=floor_px, turn_rad=0.0, scale=1.0, moved_px=floor_px, u_px=0.0, points=0)
     change = height_change(check.road, shift).change_m
     return None if change is None else abs(change)
 

@@ -9,6 +9,7 @@ from math import sqrt
 
 from sightline.enums import Point, Target
 from sightline.infra.audit.records import Who
+from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.measurements.height_of_clicks import answer
 from sightline.measurements.records import BudgetPart, Clicks, Measurement
@@ -90,17 +91,8 @@ def alone(session: Session, one: Measurement) -> tuple[float | None, float | Non
     if not one.values.more_frames and one.values.followed is None:
         return one.values.height_m, _u_clicks(one.values.height_m, one.values.budget)
     values = one.values
-    clicks = Clicks(
-        target=values.target,
-        contact=values.contact,
-        target_point=values.target_point,
-        sigma_px=values.sigma_px,
-        inset_m=values.inset_m,
-        u_inset_m=values.u_inset_m,
-        inset_from=values.inset_from,
-        side=values.side,
-        side_from=values.side_from,
-    )
+    # of this frame alone
+    clicks = filled_from(Clicks, values, frame=0, more_frames=(), followed=None)
     found = answer(road_pose(session, one.values.pose_id), clicks)
     return found.height_m, _u_clicks(found.height_m, found.budget)
 
@@ -118,18 +110,14 @@ def _standing_before(revisions: list[Measurement], again: Measurement) -> Measur
 
 def _click(session: Session, one: Measurement, first: Measurement, person: Who) -> Click:
     height_m, u_clicks_m = alone(session, one)
-    return Click(
+    return filled_from(
+        Click,
+        one,
+        one.values,
         measurement_id=one.id,
         first_id=first.id,
         first_contact=first.values.contact,
-        vehicle_id=one.vehicle_id,
-        target=one.values.target,
-        frame=one.values.frame,
-        pose_id=one.values.pose_id,
-        inset_m=one.values.inset_m,
         person=person,
-        contact=one.values.contact,
-        target_point=one.values.target_point,
         height_m=height_m,
         u_clicks_m=u_clicks_m,
     )

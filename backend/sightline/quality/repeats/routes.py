@@ -11,7 +11,6 @@ from sightline.infra.web.bodies import In
 from sightline.infra.web.deps import Operator, PathId, Reading, Reviewer, Viewer, Writing
 from sightline.measurements.bodies import MeasurementBody, measurement_body
 from sightline.measurements.records import ClickSigma
-from sightline.messages.said import Said
 from sightline.quality.repeats import service
 from sightline.quality.repeats.anchoring import Anchoring, anchoring
 from sightline.quality.repeats.query import Blind
@@ -20,16 +19,11 @@ from sightline.surveys.store import get_survey
 router = APIRouter()
 
 
-@dataclass(frozen=True)
-class ComparisonBody:
-    """A repeat beside the measurement that it repeats; or the reason why they do not compare."""
+@dataclass(frozen=True, kw_only=True)
+class ComparisonBody(service.Compared):
+    """A repeat beside the measurement that it repeats."""
 
     repeat: MeasurementBody
-    first_height_m: float | None
-    difference_m: float | None
-    expected_m: float | None
-    agrees: bool | None
-    reason: Said | None
 
 
 class SigmaChoice(In):

@@ -106,16 +106,22 @@ class Findings:
     ]
 
 
-@dataclass(frozen=True)
-class Comparison:
-    """A repeat beside the measurement that it repeats; or the reason why they do not compare."""
+@dataclass(frozen=True, kw_only=True)
+class Compared:
+    """How a repeat differs from the measurement that it repeats; or the reason why they do not compare."""
+
+    first_height_m: float | None
+    difference_m: float | None = None
+    expected_m: float | None = None
+    agrees: bool | None = None
+    reason: Said | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Comparison(Compared):
+    """A repeat beside the measurement that it repeats."""
 
     repeat: Measurement
-    first_height_m: float | None
-    difference_m: float | None
-    expected_m: float | None
-    agrees: bool | None
-    reason: Said | None
 
 
 def findings(session: Session, survey_id: int) -> Findings:
@@ -315,14 +321,8 @@ def _comparison(
     again_m, u_again_m = alone(session, one)
     reason = _not_alike(first, one, height_m, again_m)
     if reason or height_m is None or again_m is None or u_m is None or u_again_m is None:
-        return Comparison(
-            repeat=one,
-            first_height_m=height_m,
-            difference_m=None,
-            expected_m=None,
-            agrees=None,
-            reason=reason or Said("repeat-no-uncertainty"),
-        )
+        reason = reason or Said("repeat-no-uncertainty")
+        return Comparison(repeat=one, first_height_m=height_m, reason=reason)
     difference, expected = again_m - height_m, expanded(hypot(u_m, u_again_m))
     return Comparison(
         repeat=one,
@@ -330,7 +330,6 @@ def _comparison(
         difference_m=difference,
         expected_m=expected,
         agrees=abs(difference) <= expected,
-        reason=None,
     )
 
 

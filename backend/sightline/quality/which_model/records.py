@@ -7,6 +7,7 @@ from pydantic import Field
 
 from sightline.enums import ModelSize
 from sightline.messages.said import Said
+from sightline.statistics.which_model import CANNOT_FIT_P
 from sightline.vehicles.catalogue.records import CatalogueEntry
 
 
@@ -51,15 +52,15 @@ class WhichModel:
     measured: tuple[MeasuredSize, ...]
     fitting: Annotated[
         tuple[FittingModel, ...], Field(description="Those that fit, the likeliest first; none that cannot.")
-    ]
+    ] = ()
     ranked_by: Annotated[
         tuple[ModelSize, ...],
         Field(description="The sizes that rank; none: the vehicle's class first, then by name."),
-    ]
-    fit: Annotated[int, Field(description="How many models can be it.")]
-    cannot_fit: Annotated[int, Field(description="How many cannot, and are not among `fitting`.")]
+    ] = ()
+    fit: Annotated[int, Field(description="How many models can be it.")] = 0
+    cannot_fit: Annotated[int, Field(description="How many cannot, and are not among `fitting`.")] = 0
     chosen: Annotated[
         FittingModel | None, Field(description="The row of make and model filled in; of several the best.")
-    ]
-    limit_p: Annotated[float, Field(description="Below this p a model cannot fit.")]
-    reason: Annotated[Said | None, Field(description="Why nothing can be said.")]
+    ] = None
+    limit_p: Annotated[float, Field(description="Below this p a model cannot fit.")] = CANNOT_FIT_P
+    reason: Annotated[Said | None, Field(description="Why nothing can be said.")] = None

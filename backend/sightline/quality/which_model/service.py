@@ -17,7 +17,7 @@ from sightline.messages.said import Said
 from sightline.quality.checks.store import of_vehicle
 from sightline.quality.which_model.records import FittingModel, MeasuredSize, SizeDifference, WhichModel
 from sightline.statistics.agreement import U_MANUFACTURER_M
-from sightline.statistics.which_model import CANNOT_FIT_P, ModelFits, fit_models
+from sightline.statistics.which_model import ModelFits, fit_models
 from sightline.vehicles.catalogue.records import CatalogueEntry
 from sightline.vehicles.catalogue.store import all_of_catalogue
 
@@ -41,14 +41,14 @@ def which_model(session: Session, vehicle_id: int) -> WhichModel:
     entries = all_of_catalogue(session)
     measured = (*(_height(sheet, size) for size in TARGET_OF), _wheelbase(session, vehicle_id))
     if not entries:
-        return _nothing(measured, Said("models-none-in-catalogue"))
+        return WhichModel(measured=measured, reason=Said("models-none-in-catalogue"))
     values, u = (_numbers([getattr(one, name) for one in measured]) for name in ("value_m", "u_m"))
     sizes = _numbers([[entry.size(one.size) for one in measured] for entry in entries])
     u_sizes = _numbers([[_u_of(entry, one.size) for one in measured] for entry in entries])
     ranking = [one.size in RANKING for one in measured]
     fits = fit_models(values, u, sizes, u_sizes, _same_class(sheet, entries), ranking)
     if isinstance(fits, Said):
-        return _nothing(measured, fits)
+        return WhichModel(measured=measured, reason=fits)
     shown = [
         _fitting(entries[index], index, fits, measured, np.hypot(u, u_sizes[index])) for index in fits.order
     ]
@@ -60,21 +60,7 @@ def which_model(session: Session, vehicle_id: int) -> WhichModel:
         fit=len(can),
         cannot_fit=len(shown) - len(can),
         chosen=next((one for one in shown if _is_chosen(one.entry, sheet)), None),
-        limit_p=CANNOT_FIT_P,
         reason=None if can else Said("models-none-fits"),
-    )
-
-
-def _nothing(measured: tuple[MeasuredSize, ...], reason: Said) -> WhichModel:
-    return WhichModel(
-        measured=measured,
-        fitting=(),
-        ranked_by=(),
-        fit=0,
-        cannot_fit=0,
-        chosen=None,
-        limit_p=CANNOT_FIT_P,
-        reason=reason,
     )
 
 

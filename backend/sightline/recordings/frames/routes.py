@@ -1,11 +1,13 @@
 """The frame table and its pictures: stills, lossless crops, thumbnails; immutable and checked."""
 
+from collections.abc import Callable
 from typing import Annotated
 
 import numpy as np
 from fastapi import APIRouter, Query, Request, Response
 
 from sightline.enums import Display
+from sightline.infra.services import Services
 from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import PathFrame, PathId, Viewer, Wired
 from sightline.infra.web.disconnect import CancelCheck, run_unless_cancelled
@@ -74,15 +76,11 @@ async def still(
 ) -> Response:
     """Frame n as JPEG; what the browser has of it is confirmed (304) without decoding anything."""
 
-    def work(wanted: CancelCheck) -> Response:
-        kind = "" if display == "plain" else f"-{display}"
-        etag = f'"{stills_of(services).crc(recording_id, n):08x}{kind}"'
-        if is_held(request, etag):
-            return unchanged(etag)
+    def still(wanted: CancelCheck) -> Still:
         stills_of(services).announce_request(recording_id, n)
-        return picture(stills_of(services).still(recording_id, n, display, wanted), "image/jpeg", etag)
+        return stills_of(services).still(recording_id, n, display, wanted)
 
-    return await run_unless_cancelled(request, work)
+    return await _shown(request, services, recording_id, n, _display(display), "image/jpeg", still)
 
 
 @router.get("/recordings/{recording_id}/frames/{n}/crop.png", response_class=Response, responses=PNG)
@@ -100,15 +98,31 @@ async def crop(
 ) -> Response:
     """A rectangle of frame n, lossless; black where it reaches out of the picture."""
 
+    def cut(wanted: CancelCheck) -> Still:
+        return stills_of(services).crop(recording_id, n, (x, y, w, h), display, wanted)
+
+    kind = f"-{x}.{y}.{w}.{h}{_display(display)}"
+    return await _shown(request, services, recording_id, n, kind, "image/png", cut)
+
+
+def _display(display: Display) -> str:
+    return "" if display == "plain" else f"-{display}"
+
+
+async def _shown(
+    request: Request,
+    services: Services,
+    recording_id: int,
+    n: int,
+    kind: str,
+    media_type: str,
+    make: Callable[[CancelCheck], Still],
+) -> Response:
+    """A picture of frame n, of some kind; what the browser has of it is confirmed without decoding."""
+
     def work(wanted: CancelCheck) -> Response:
-        kind = "" if display == "plain" else f"-{display}"
-        etag = f'"{stills_of(services).crc(recording_id, n):08x}-{x}.{y}.{w}.{h}{kind}"'
-        if is_held(request, etag):
-            return unchanged(etag)
-        rectangle = (x, y, w, h)
-        return picture(
-            stills_of(services).crop(recording_id, n, rectangle, display, wanted), "image/png", etag
-        )
+        etag = f'"{stills_of(services).crc(recording_id, n):08x}{kind}"'
+        return unchanged(etag) if is_held(request, etag) else picture(make(wanted), media_type, etag)
 
     return await run_unless_cancelled(request, work)
 

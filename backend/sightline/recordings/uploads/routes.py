@@ -6,6 +6,7 @@ import binascii
 import time
 from collections.abc import AsyncGenerator, AsyncIterator, Callable, Iterator
 from contextlib import aclosing
+from dataclasses import dataclass
 from datetime import datetime
 from typing import Annotated
 
@@ -16,8 +17,8 @@ from starlette.requests import ClientDisconnect
 
 from sightline.enums import UploadPurpose
 from sightline.errors import BadInput, SightlineError
+from sightline.infra.by_name import filled_from
 from sightline.infra.services import Services
-from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import OPEN, PathId, Uploader, Viewer, Wired, require_uploader_still
 from sightline.infra.web.uploaded import clean_name
 from sightline.recordings.uploads import service, store
@@ -45,7 +46,10 @@ class UnsupportedMediaType(SightlineError):
     kind = "content_type"
 
 
-class UploadBody(Out):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class UploadBody:
+    """An upload that can go on."""
+
     id: int
     survey_id: int
     filename: str
@@ -75,18 +79,7 @@ async def upload_abilities() -> Response:
 def list_uploads(survey_id: PathId, who: Viewer, services: Wired) -> list[UploadBody]:
     """Uploads that can go on."""
     under_way = service.uploads_under_way(services, survey_id)
-    return [
-        UploadBody(
-            id=upload.id,
-            survey_id=upload.survey_id,
-            filename=upload.filename,
-            size_bytes=upload.size_bytes,
-            offset=arrived,
-            purpose=upload.purpose,
-            created_at=upload.created_at,
-        )
-        for upload, arrived in under_way
-    ]
+    return [filled_from(UploadBody, upload, offset=arrived) for upload, arrived in under_way]
 
 
 @router.post("/surveys/{survey_id}/uploads", status_code=201, response_class=Response, dependencies=[SPEAKS])

@@ -6,9 +6,10 @@ recording, the end of the upload and the ingest job are one transaction.
 """
 
 import logging
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from datetime import timedelta
 from pathlib import Path
+from typing import TypeVar
 
 from sightline.enums import UploadPurpose
 from sightline.errors import Conflict, NotFound, SightlineError, TooMany
@@ -30,6 +31,8 @@ from sightline.recordings.uploads.store import (
     strip_arrived,
     unfinished_uploads,
 )
+
+Made = TypeVar("Made")
 
 log = logging.getLogger(__name__)
 
@@ -122,21 +125,16 @@ def keep_strip(services: Services, upload_id: int) -> Upload:
     """Store a strip whose bytes are all here; may be done again. Raises Conflict while bytes are missing."""
     with services.reading() as session:
         upload = get_upload(session, upload_id)
-    if upload.finished_at is not None:
-        return upload
-    whole = upload_parts.finish(upload_folder(services), part_name(upload_id), upload.size_bytes)
-    key = key_of(whole.sha256, suffix_of(upload.filename))
-    services.media.put_file(key, whole.path, link=True)
-    actor = upload.created_by.id if upload.created_by else None
+    return upload if upload.finished_at is not None else _kept(services, upload_id, _note_strip)
+
+
+def _note_strip(services: Services, upload_id: int, key: str, whole: upload_parts.FinishedUpload) -> Upload:
     with services.writing() as session:
-        if get_upload(session, upload_id).finished_at is None:
-            strip_arrived(session, upload_id, media_key=key, sha256=whole.sha256, actor=actor)
-    if not services.media.exists(key):
-        # Whoever had the same content gave it up between the two steps above.
-        services.media.put_file(key, whole.path, link=True)
-    upload_parts.discard(upload_folder(services), part_name(upload_id))
-    with services.reading() as session:
-        return get_upload(session, upload_id)
+        upload = get_upload(session, upload_id)
+        if upload.finished_at is not None:
+            return upload
+        actor = upload.created_by.id if upload.created_by else None
+        return strip_arrived(session, upload_id, media_key=key, sha256=whole.sha256, actor=actor)
 
 
 def complete(services: Services, upload_id: int) -> Recording:
@@ -145,28 +143,41 @@ def complete(services: Services, upload_id: int) -> Recording:
     Raises Conflict while bytes are missing, NoRoom.
     """
     done = _recording_of(services, upload_id)
-    if done is not None:
+    return _kept(services, upload_id, _note_recording) if done is None else done
+
+
+def _note_recording(
+    services: Services, upload_id: int, key: str, whole: upload_parts.FinishedUpload
+) -> Recording:
+    try:
+        with services.writing() as session:
+            return _record(session, services, upload_id, key, whole)
+    except Conflict:
+        # Another request, or another try of this one, was faster: its recording is the answer.
+        done = _recording_of(services, upload_id)
+        if done is None:
+            raise
         return done
+
+
+def _kept(
+    services: Services,
+    upload_id: int,
+    note: Callable[[Services, int, str, upload_parts.FinishedUpload], Made],
+) -> Made:
+    """Store the bytes by their content, note what they became, and let go of the part."""
     with services.reading() as session:
         upload = get_upload(session, upload_id)
     whole = upload_parts.finish(upload_folder(services), part_name(upload_id), upload.size_bytes)
     key = key_of(whole.sha256, suffix_of(upload.filename))
     # Linked where the store can: a copy would need the room twice. The part is discarded further down.
     services.media.put_file(key, whole.path, link=True)
-    try:
-        with services.writing() as session:
-            recording = _record(session, services, upload_id, key, whole)
-    except Conflict:
-        # Another request, or another try of this one, was faster: its recording is the answer.
-        done = _recording_of(services, upload_id)
-        if done is None:
-            raise
-        recording = done
+    made = note(services, upload_id, key, whole)
     if not services.media.exists(key):
-        # The last recording of the same content was deleted between the two steps above, with its file.
+        # What had the same content was deleted between the two steps above, with its file.
         services.media.put_file(key, whole.path, link=True)
     upload_parts.discard(upload_folder(services), part_name(upload_id))
-    return recording
+    return made
 
 
 def _record(

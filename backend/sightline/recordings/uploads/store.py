@@ -1,16 +1,16 @@
 """Uploads on their way in (tus), and what became of each."""
 
-from collections.abc import Mapping
 from typing import Any
 
-from sqlalchemy import delete, select
+from sqlalchemy import ColumnElement, delete, select
 from sqlalchemy.orm import Session
 
 from sightline.enums import UploadPurpose
 from sightline.errors import Conflict
 from sightline.infra.audit import trail
-from sightline.infra.database.people import people
-from sightline.infra.database.rows import add_row, change_row, get_row, missing, who
+from sightline.infra.audit.written import written_rows
+from sightline.infra.by_name import record_of
+from sightline.infra.database.rows import add_row, change_row, get_row, missing
 from sightline.infra.database.types import now
 from sightline.recordings.uploads.records import Upload
 from sightline.recordings.uploads.tables import uploads
@@ -40,22 +40,19 @@ def create_upload(
 
 def get_upload(session: Session, upload_id: int) -> Upload:
     """One upload. Raises NotFound."""
-    row = session.execute(_uploads().where(uploads.c.id == upload_id)).mappings().one_or_none()
-    if row is None:
+    found = _where(session, uploads.c.id == upload_id)
+    if not found:
         raise missing("upload", upload_id)
-    return _upload(row)
+    return found[0]
 
 
 def unfinished_uploads(
     session: Session, survey_id: int | None = None, *, maker: int | None = None
 ) -> tuple[Upload, ...]:
     """The uploads that can go on, of one survey or of all, by one person or by all."""
-    query = _uploads().where(uploads.c.finished_at.is_(None)).order_by(uploads.c.id)
-    if survey_id is not None:
-        query = query.where(uploads.c.survey_id == survey_id)
-    if maker is not None:
-        query = query.where(uploads.c.created_by == maker)
-    return tuple(_upload(row) for row in session.execute(query).mappings())
+    wanted = {uploads.c.survey_id: survey_id, uploads.c.created_by: maker}
+    asked = (column == value for column, value in wanted.items() if value is not None)
+    return _where(session, uploads.c.finished_at.is_(None), *asked)
 
 
 def finish_upload(session: Session, upload_id: int, *, recording_id: int, actor: int | None) -> Upload:
@@ -84,12 +81,8 @@ def strip_arrived(
 
 def strips_waiting(session: Session, survey_id: int | None = None) -> tuple[Upload, ...]:
     """The strips that arrived and belong to no scan yet, of one survey or of all."""
-    query = _uploads().where(
-        uploads.c.purpose == "strip", uploads.c.finished_at.is_not(None), uploads.c.scan_id.is_(None)
-    )
-    if survey_id is not None:
-        query = query.where(uploads.c.survey_id == survey_id)
-    return tuple(_upload(row) for row in session.execute(query.order_by(uploads.c.id)).mappings())
+    waiting = (uploads.c.purpose == "strip", uploads.c.finished_at.is_not(None), uploads.c.scan_id.is_(None))
+    return _where(session, *waiting, *([] if survey_id is None else [uploads.c.survey_id == survey_id]))
 
 
 def upload_content_waits(session: Session, sha256: str) -> bool:
@@ -109,12 +102,5 @@ def remove_upload(session: Session, upload_id: int, *, actor: int | None) -> Upl
     return gone
 
 
-def _uploads() -> Any:
-    return select(uploads, people.c.name.label("maker")).outerjoin(
-        people, people.c.id == uploads.c.created_by
-    )
-
-
-def _upload(row: Mapping[Any, Any]) -> Upload:
-    values = {key: value for key, value in row.items() if key not in ("created_by", "maker")}
-    return Upload(created_by=who(row["created_by"], row["maker"]), **values)
+def _where(session: Session, *conditions: ColumnElement[bool]) -> tuple[Upload, ...]:
+    return tuple(record_of(Upload, row) for row in written_rows(session, uploads, *conditions))

@@ -16,7 +16,7 @@ from sightline.messages.said import Said
 from sightline.recordings.tables import recordings
 from sightline.results.overview.package_query import changes_since_packages
 from sightline.results.overview.records import ChangesSince, Step, SurveyCounts, SurveyOverview
-from sightline.results.sampling.query import pass_answers
+from sightline.results.sampling.query import pass_answers, with_answers
 from sightline.results.tables import exports
 from sightline.scans.progress_query import no_scans, scan_progress_of
 from sightline.scans.records import ScanProgress
@@ -158,36 +158,23 @@ def _answered_vehicles(session: Session, of: Sequence[Survey]) -> dict[int, dict
     Vehicles are counted by what they have, a few dozen ways, and judged by what their survey asks for; where
     a survey takes a sample, each pass is looked at.
     """
-    targets = list(NOT_VISIBLE)
-    seen = [vehicles.c[NOT_VISIBLE[target]].is_(None) for target in targets]
-    has = [func.max(case((measurements.c.target == target, 1), else_=0)).label(target) for target in targets]
-    light = func.coalesce(vehicles.c.lighting, recordings.c.lighting).label("light")
-    unseen = [
-        case((one, 0), else_=1).label(name) for one, name in zip(seen, NOT_VISIBLE.values(), strict=True)
-    ]
-    standing = and_(
-        measurements.c.series_id == measurement_series.c.id, is_current, ~measurements.c.withdrawn
-    )
-    each = (
-        select(vehicles.c.survey_id, light, *unseen, *has)
-        .join(recordings, recordings.c.id == vehicles.c.recording_id)
-        .outerjoin(measurement_series, and_(measurement_series.c.vehicle_id == vehicles.c.id, is_first))
-        .outerjoin(measurements, standing)
-        .where(vehicles.c.survey_id.in_([survey.id for survey in of]), _ALIVE, vehicles.c.discarded.is_(None))
-        .group_by(vehicles.c.id, vehicles.c.survey_id, light, *unseen)
-        .subquery()
-    )
+    of_survey = vehicles.c.survey_id
+    wanted = (of_survey.in_([survey.id for survey in of]), vehicles.c.discarded.is_(None))
+    each = with_answers(of_survey).where(*wanted).subquery()
+    ways = [column for column in each.c if column.name != "id"]
     asked = {survey.id: survey.asked for survey in of}
     found: dict[int, dict[str, int]] = {
         survey.id: {"vehicles": 0, "vehicles_measured": 0, "not_visible": 0} for survey in of
     }
-    for row in session.execute(select(*each.c, func.count().label("count")).group_by(*each.c)).mappings():
+    for row in session.execute(select(*ways, func.count().label("count")).group_by(*ways)).mappings():
         counts = found[row["survey_id"]]
         counts["vehicles"] += row["count"]
-        answered = {t for t in targets if row[t] or row[NOT_VISIBLE[t]]}
-        if answered >= set(asked[row["survey_id"]].of(row["light"])):
+        hidden = {target for target, name in NOT_VISIBLE.items() if row[name] is not None}
+        if hidden | {target for target in NOT_VISIBLE if row[target]} >= set(
+            asked[row["survey_id"]].of(row["light"])
+        ):
             counts["vehicles_measured"] += row["count"]
-        counts["not_visible"] += row["count"] * sum(row[name] for name in NOT_VISIBLE.values())
+        counts["not_visible"] += row["count"] * len(hidden)
     for survey in of:
         if not survey.sampling.takes_all:
             ends = [one.end for one in pass_answers(session, survey)]

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from sqlalchemy import and_, case, func, select
+from typing import Any
+
+from sqlalchemy import ColumnElement, Select, and_, case, func, select
 from sqlalchemy.orm import Session
 
 from sightline.measurements.query import is_current, is_first
@@ -11,31 +13,32 @@ from sightline.recordings.tables import recordings
 from sightline.statistics.sampling import PassAnswers, is_in_sample
 from sightline.surveys.records import Survey
 from sightline.vehicles.records import NOT_VISIBLE
-from sightline.vehicles.store import headways_of
+from sightline.vehicles.store import LIGHT, headways_of
 from sightline.vehicles.tables import vehicles
+
+
+def with_answers(*own: ColumnElement[Any]) -> Select[Any]:
+    """Living vehicles with `id`, `light`, `own`, why each target cannot be seen, and 1 by each target that is
+    measured, else 0.
+    """
+    v, m = vehicles.c, measurements.c
+    each = (v.id, LIGHT, *own, *(v[name] for name in NOT_VISIBLE.values()))
+    has = [func.max(case((m.target == target, 1), else_=0)).label(target) for target in NOT_VISIBLE]
+    return (
+        select(*each, *has)
+        .join(recordings, recordings.c.id == v.recording_id)
+        .outerjoin(measurement_series, and_(measurement_series.c.vehicle_id == v.id, is_first))
+        .outerjoin(measurements, and_(m.series_id == measurement_series.c.id, is_current, ~m.withdrawn))
+        .where(v.deleted_at.is_(None))
+        .group_by(*each)
+    )
 
 
 def pass_answers(session: Session, survey: Survey) -> list[PassAnswers]:
     """Every pass of a survey that was not deleted, but those of check targets."""
-    light = func.coalesce(vehicles.c.lighting, recordings.c.lighting).label("light")
-    has = [
-        func.max(case((measurements.c.target == target, 1), else_=0)).label(target) for target in NOT_VISIBLE
-    ]
     v = vehicles.c
-    own = (v.id, v.number, v.recording_id, v.category, v.discarded, light)
-    unseen = [v[name] for name in NOT_VISIBLE.values()]
-    standing = and_(
-        measurements.c.series_id == measurement_series.c.id, is_current, ~measurements.c.withdrawn
-    )
-    query = (
-        select(*own, *unseen, *has)
-        .join(recordings, recordings.c.id == v.recording_id)
-        .outerjoin(measurement_series, and_(measurement_series.c.vehicle_id == v.id, is_first))
-        .outerjoin(measurements, standing)
-        .where(v.survey_id == survey.id, v.deleted_at.is_(None), ~v.check_target)
-        .group_by(*own, *unseen)
-        .order_by(v.number)
-    )
+    query = with_answers(v.number, v.recording_id, v.category, v.discarded)
+    query = query.where(v.survey_id == survey.id, ~v.check_target).order_by(v.number)
     rows = session.execute(query).mappings().all()
     rule = survey.sampling
     free = rule.free_flowing_s is not None

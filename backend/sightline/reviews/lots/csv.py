@@ -10,7 +10,6 @@ from sightline.enums import Lighting, LotLeaving, LotRole, LotState, Target
 from sightline.infra.csv_package.columns import integer, key, moment, number, person, text, within
 from sightline.infra.csv_package.schema import Column, Table
 from sightline.reviews.lots.records import Decision, Lot, LotItem
-from sightline.statistics.acceptance import Outgoing, outgoing
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,24 +22,6 @@ class ItemOfLot:
 
 def _decided(name: str, meaning: str, of: Callable[[Decision], int]) -> Column[Lot]:
     return integer(name, meaning, lambda lot: of(lot.decision) if lot.decision else None, minimum=0)
-
-
-def outgoing_of(lot: Lot) -> Outgoing | None:
-    """What an accepted lot lets through; None for any other."""
-    made = lot.decision
-    if made is None or made.choice != "accepted":
-        return None
-    return outgoing(made.judged + made.rest, made.judged, made.nonconforming)
-
-
-def _let_through(lot: Lot) -> float | None:
-    found = outgoing_of(lot)
-    return None if found is None else round(found.estimate, 6)
-
-
-def _at_most(lot: Lot) -> int | None:
-    found = outgoing_of(lot)
-    return None if found is None else found.at_most
 
 
 LOTS: Table[Lot] = Table(
@@ -101,12 +82,12 @@ LOTS: Table[Lot] = Table(
             "outgoing_estimate",
             "of an accepted lot: nonconforming heights among the rest, by estimate",
             "",
-            _let_through,
+            lambda lot: round(lot.outgoing.estimate, 6) if lot.outgoing else None,
         ),
         integer(
             "outgoing_at_most",
             "of an accepted lot: nonconforming heights among the rest, upper limit (one-sided, 95 %)",
-            _at_most,
+            lambda lot: lot.outgoing.at_most if lot.outgoing else None,
         ),
         person("decided_by_id", "who decided", lambda lot: lot.decision.created_by if lot.decision else None),
         moment("decided_at", "when", lambda lot: lot.decision.created_at if lot.decision else None),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields
 from typing import Any
 
@@ -118,16 +118,21 @@ def decision_of(row: Any, maker: str | None) -> Decision:
 
 def lot_of(row: Any, maker: str | None, operators: Any, decisions: Iterable[Decision]) -> Lot:
     """The record of a row of `lots`, or of what its event says; `operators`: names by number."""
-    told = dict(row["common"])
-    by = told.pop("operator_id", None)
     plain = ("id", "survey_id", "number", "size", "sample_size", "acceptance_number", "seed", "created_at")
     return Lot(
         **{name: row[name] for name in plain},
-        common=Common(**told, operator=who(by, operators.get(by))),
+        common=common_of(row["common"], operators),
         risks=RiskPoints(**{name: float(row[name]) for name in _RISKS}),
         created_by=who(row["created_by"], maker),
         decisions=tuple(decisions),
     )
+
+
+def common_of(told: Mapping[str, Any], operators: Any) -> Common:
+    """What a lot's heights have in common, as it is stored; `operators`: names by number."""
+    others = {name: value for name, value in told.items() if name != "operator_id"}
+    by = told.get("operator_id")
+    return Common(**others, operator=who(by, operators.get(by)))
 
 
 def items_now(session: Session, lots_: Sequence[Lot]) -> dict[int, list[ItemNow]]:

@@ -11,7 +11,7 @@ from pydantic import Field
 
 from sightline.enums import Lighting, LotChoice, LotLeaving, LotRole, LotState, Target
 from sightline.infra.audit.records import Who
-from sightline.statistics.acceptance import Outgoing, RiskPoints
+from sightline.statistics.acceptance import Outgoing, RiskPoints, outgoing
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -67,6 +67,14 @@ class Lot:
     def state(self) -> LotState:
         """Open until something was decided."""
         return self.decisions[-1].choice if self.decisions else "open"
+
+    @property
+    def outgoing(self) -> Outgoing | None:
+        """What an accepted lot lets through; None for any other."""
+        made = self.decision
+        if made is None or made.choice != "accepted":
+            return None
+        return outgoing(made.judged + made.rest, made.judged, made.nonconforming)
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,13 +8,12 @@ from typing import Any
 
 from sightline.enums import LotGrouping, LotRole
 from sightline.errors import BadInput, Conflict, NotAllowed
-from sightline.infra.audit.records import Who
+from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.infra.database.rows import names
 from sightline.reviews.lots import query, store
 from sightline.reviews.lots.judged import items_of
 from sightline.reviews.lots.records import (
-    Common,
     CurvePoint,
     Lot,
     LotItem,
@@ -25,13 +24,11 @@ from sightline.reviews.lots.records import (
     ShownLot,
 )
 from sightline.statistics.acceptance import (
-    Outgoing,
     RiskPoints,
     SamplingPlan,
     accepted_with,
     best_bad,
     operating_curve,
-    outgoing,
     outgoing_of_lots,
     require_risks,
     single_plan,
@@ -135,14 +132,8 @@ def take_back_lot(session: Session, lot_id: int, *, actor: int) -> Lot:
 
 def shown_lots(session: Session, survey_id: int, *, actor: int | None) -> tuple[ShownLot, ...]:
     """A survey's lots with all that is told of them, newest first."""
-    return tuple(
-        reversed(
-            [
-                _shown(session, lot, items, actor)
-                for lot, items in lots_with_items(session, query.list_lots(session, survey_id))
-            ]
-        )
-    )
+    found = lots_with_items(session, query.list_lots(session, survey_id))
+    return tuple(_shown(session, lot, items, actor) for lot, items in reversed(found))
 
 
 def shown_lot(session: Session, lot: Lot, *, actor: int | None) -> ShownLot:
@@ -185,18 +176,13 @@ def decided_items(lot: Lot, now: Sequence[Any]) -> tuple[LotItem, ...]:
 def lot_summary(session: Session, survey_id: int) -> LotSummary:
     """How many accepted heights rest on what, and what accepted lots let through at most."""
     individual, by_lot = query.accepted_counts(session, survey_id)
-    found = query.list_lots(session, survey_id)
-    held = sum(not place.in_sample for place in places_in_open_lots(session, survey_id).values())
-    return LotSummary(individual=individual, by_lot=by_lot, waiting=held, outgoing=outgoing_of_survey(found))
-
-
-def outgoing_of_survey(found: Sequence[Lot]) -> Outgoing:
-    """What the accepted lots of a survey let through together."""
-    return outgoing_of_lots(
+    passed = outgoing_of_lots(
         (one.judged + one.rest, one.judged, one.nonconforming)
-        for lot in found
+        for lot in query.list_lots(session, survey_id)
         if lot.state == "accepted" and (one := lot.decision) is not None
     )
+    held = sum(not place.in_sample for place in places_in_open_lots(session, survey_id).values())
+    return LotSummary(individual=individual, by_lot=by_lot, waiting=held, outgoing=passed)
 
 
 def places_in_open_lots(session: Session, survey_id: int) -> dict[int, LotPlace]:
@@ -231,16 +217,13 @@ def _shown(session: Session, lot: Lot, items: Sequence[LotItem], actor: int | No
     plan = SamplingPlan(lot.size, lot.sample_size, lot.acceptance_number, 0.0, 0.0)
     shown_to = min(1.0, 2.5 * lot.risks.consumer_quality)
     curve = operating_curve(plan, shown_to)
-    decided = lot.decision if lot.state == "accepted" else None
     return ShownLot(
         lot=lot,
         state=lot.state,
         progress=progress,
         curve=tuple(CurvePoint(*map(float, at)) for at in zip(curve.fraction, curve.accepted, strict=True)),
         kept=_kept(lot),
-        outgoing=None
-        if decided is None
-        else outgoing(decided.judged + decided.rest, decided.judged, decided.nonconforming),
+        outgoing=lot.outgoing,
     )
 
 
@@ -258,13 +241,11 @@ def _progress(session: Session, lot: Lot, items: Sequence[LotItem], actor: int |
         ids = [one.measurement_id for one in items if one.role == "sample"]
         own = query.clicked_by(session, ids, actor) if actor is not None else ()
         return progress_of(lot, items, own)
-    left = dict(Counter(decided.left_out.values()))
-    return Progress(
+    return filled_from(
+        Progress,
+        decided,
         sample=len(decided.sample),
-        judged=decided.judged,
-        nonconforming=decided.nonconforming,
-        rest=decided.rest,
-        left=left,
+        left=dict(Counter(decided.left_out.values())),
         own=0,
         may_accept=False,
         next_measurement=None,
@@ -304,10 +285,8 @@ def _groups(session: Session, survey_id: int, by: Collection[LotGrouping]) -> li
 
 def _planned(common: dict[str, Any], size: int, risks: RiskPoints, people: dict[int, str]) -> PlannedLot:
     plan = single_plan(size, risks)
-    told = dict(common)
-    by = told.pop("operator_id", None)
     return PlannedLot(
-        common=Common(**told, operator=None if by is None else Who(by, people.get(by, ""))),
+        common=query.common_of(common, people),
         size=size,
         sample_size=plan.sample_size,
         acceptance_number=plan.acceptance_number,

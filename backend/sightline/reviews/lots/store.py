@@ -15,7 +15,8 @@ from sqlalchemy.orm import Session
 from sightline.enums import LotChoice, ReviewVerdict
 from sightline.infra.audit import trail
 from sightline.infra.audit.records import survey_chain
-from sightline.infra.database.rows import add_row, add_rows, stored_hash, stored_hashes
+from sightline.infra.audit.written import written_once
+from sightline.infra.database.rows import add_rows, stored_hashes
 from sightline.infra.database.types import now
 from sightline.measurements.tables import lot_decisions, lot_items, lots, reviews
 from sightline.reviews.lots.draw import drawn_order, seed_of
@@ -38,8 +39,8 @@ def add_lot(
     """Draw a lot of (measurement, revision): the seed is the chain's end, which nobody chooses. Its id."""
     head = trail.held(session, survey_chain(survey_id))
     seed = seed_of(head.hash, items)
-    revision = dict(items)
-    order = drawn_order(seed, revision)
+    revisions = dict(items)
+    drawn = [(number, revisions[number]) for number in drawn_order(seed, revisions)]
     last = session.execute(select(func.max(lots.c.number)).where(lots.c.survey_id == survey_id)).scalar_one()
     content = {
         "survey_id": survey_id,
@@ -53,15 +54,12 @@ def add_lot(
         "created_at": now(),
         "created_by": actor,
     }
-    lot_id = add_row(session, lots, content)
+    lot_id = written_once(session, lots, content, "draw", also={"items": drawn}, actor=actor)
     places = [
-        {"lot_id": lot_id, "series_id": number, "revision": revision[number], "place": place}
-        for place, number in enumerate(order, 1)
+        {"lot_id": lot_id, "series_id": number, "revision": revision, "place": place}
+        for place, (number, revision) in enumerate(drawn, 1)
     ]
     add_rows(session, lot_items, places)
-    after = {**content, "items": [(number, revision[number]) for number in order]}
-    after["content_sha256"] = stored_hash(session, lots, lot_id)
-    trail.record(session, actor, "draw", "lot", lot_id, survey_id, None, after)
     return lot_id
 
 
@@ -96,10 +94,10 @@ def _add_decision(
     session: Session, lot: Lot, choice: LotChoice, told: Mapping[str, Any], actor: int | None
 ) -> int:
     content = {"lot_id": lot.id, "choice": choice, **told, "created_at": now(), "created_by": actor}
-    row_id = add_row(session, lot_decisions, content)
-    after = {**content, "content_sha256": stored_hash(session, lot_decisions, row_id)}
-    trail.record(session, actor, choice, "lot_decision", row_id, lot.survey_id, {"choice": lot.state}, after)
-    return row_id
+    then = {"choice": lot.state}
+    return written_once(
+        session, lot_decisions, content, choice, survey_id=lot.survey_id, before=then, actor=actor
+    )
 
 
 def add_verdicts_by_lot(

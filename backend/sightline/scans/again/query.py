@@ -72,6 +72,4 @@ def computed_scan_heights(session: Session, computing_id: int) -> tuple[Computed
         .where(_m.computing_id == computing_id)
         .order_by(_m.id)
     )
-    return tuple(
-        computed_height(row, scan_id=row.scan_id, distance_m=row.distance_m) for row in session.execute(query)
-    )
+    return tuple(computed_height(row, x_m=None, y_m=None) for row in session.execute(query))

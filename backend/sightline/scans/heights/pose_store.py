@@ -6,13 +6,13 @@ from sqlalchemy.orm import Session
 
 from sightline.errors import Conflict
 from sightline.infra.audit.records import name_or_somebody
+from sightline.infra.audit.written import written_once, written_rows
 from sightline.infra.by_name import record_of
 from sightline.infra.database.rows import get_row
 from sightline.scans.heights.records import LinePoseValues, StoredLinePose
 from sightline.scans.heights.tables import line_poses
 from sightline.scans.records import StoredRevision
 from sightline.scans.tables import scans
-from sightline.scans.written_store import written_once, written_rows
 
 
 def append_line_pose(

@@ -9,12 +9,12 @@ from sqlalchemy.orm import Session
 from sightline.enums import JsonObject, ReferenceQuantity, ReferenceSource
 from sightline.errors import Conflict
 from sightline.infra.audit.records import name_or_somebody
+from sightline.infra.audit.written import written_once, written_rows
 from sightline.infra.by_name import record_of
 from sightline.infra.database.rows import missing
 from sightline.scans.references.records import ReferenceValues, StoredReference, require_reference
 from sightline.scans.tables import scan_references, scan_vehicles
 from sightline.scans.vehicles.store import require_scan_vehicle_version
-from sightline.scans.written_store import written_once, written_rows
 
 _KEY = ("vehicle_id", "quantity", "source")
 _later = scan_references.alias("later")

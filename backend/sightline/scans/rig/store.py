@@ -4,12 +4,12 @@ from dataclasses import asdict
 
 from sqlalchemy.orm import Session
 
+from sightline.infra.audit.written import written_once, written_rows
 from sightline.infra.by_name import record_of
 from sightline.scans.records import StoredRevision
 from sightline.scans.rig.records import RigCalibrationValues, StoredRigCalibration
 from sightline.scans.rig.tables import rig_calibrations
 from sightline.scans.store import get_scan
-from sightline.scans.written_store import written_once, written_rows
 
 
 def append_rig_calibration(

@@ -4,13 +4,13 @@ from sqlalchemy.orm import Session
 
 from sightline.enums import ScanVerdict, Verdict
 from sightline.errors import Conflict, NotAllowed
+from sightline.infra.audit.written import written_once
 from sightline.measurements.verdicts import require_verdict
 from sightline.scans.query import reviews_where
 from sightline.scans.records import ScanMeasurement, ScanReview
 from sightline.scans.tables import scan_measurements, scan_reviews
 from sightline.scans.vehicles.measurement_store import get_scan_measurement, is_newest_scan_measurement
 from sightline.scans.vehicles.store import require_scan_vehicle_version
-from sightline.scans.written_store import written_once
 
 
 def add_scan_review(

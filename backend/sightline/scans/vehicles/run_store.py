@@ -7,12 +7,12 @@ from sqlalchemy import ColumnElement, func, select
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
+from sightline.infra.audit.written import written_once, written_rows
 from sightline.infra.by_name import record_of
 from sightline.infra.database.rows import get_row
 from sightline.messages.said import Said
 from sightline.scans.records import RunSummary, ScanRun, ScanRunValues
 from sightline.scans.tables import scan_runs, scans
-from sightline.scans.written_store import written_once, written_rows
 
 
 def add_scan_run(

@@ -10,9 +10,9 @@ from matplotlib.axes import Axes
 from sightline.enums import LengthUnit
 from sightline.export.report import marks
 from sightline.export.report.canvas import FULL, INK, Drawing, svg
-from sightline.export.report.marks import MAIN, RAW, Limit
+from sightline.export.report.marks import MAIN, RAW
 from sightline.export.report.said import said, told
-from sightline.export.report.units import HEIGHT, limit
+from sightline.export.report.units import HEIGHT
 from sightline.export.report.words import TARGETS
 from sightline.statistics.standards import Standard
 from sightline.studies.records import Curve
@@ -43,7 +43,10 @@ def curve_drawing(curve: Curve, standards: Sequence[Standard], unit: LengthUnit)
             ylim=(0, 100),
         )
         axes.margins(x=0.02)
-        limits = _limits(curve, standards, unit)
+        heights_m = [one.value for one in curve.points if one.value is not None]
+        shown = (heights_m[0] - _REACH_M, heights_m[-1] + _REACH_M)
+        named = ((one.height_m, told(one.name)) for one in standards)
+        limits = marks.limits_of(named, shown, unit)
         left, right = axes.get_xlim()
         room = 0.04 * (right - left)  # for the words on a rule's left
         axes.set_xlim(min([left, *(one.at - room for one in limits)]), right)
@@ -51,17 +54,3 @@ def curve_drawing(curve: Curve, standards: Sequence[Standard], unit: LengthUnit)
         axes.legend(loc="lower right")
 
     return Drawing(svg(draw, title, FULL), title, said("report-fig-true-caption"))
-
-
-def _limits(curve: Curve, standards: Sequence[Standard], unit: LengthUnit) -> list[Limit]:
-    """Standards within the figure; those of one height share a rule."""
-    known = [one.value for one in curve.points if one.value is not None]
-    low, high = known[0] - _REACH_M, known[-1] + _REACH_M
-    names: dict[float, list[str]] = {}
-    for one in standards:
-        if low <= one.height_m <= high:
-            names.setdefault(one.height_m, []).append(told(one.name))
-    return [
-        Limit(HEIGHT[unit].factor * at, f"{', '.join(of)} {limit(at, unit)}")
-        for at, of in sorted(names.items())
-    ]

@@ -3,12 +3,14 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sqlalchemy import func, select
+from sqlalchemy import ColumnElement, func, select
 from sqlalchemy.orm import Session
 
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
-from sightline.infra.database.rows import add_row, change_row, get_row, last_change, missing, names, who
+from sightline.infra.audit.written import written_rows
+from sightline.infra.by_name import record_of
+from sightline.infra.database.rows import add_row, change_row, get_row, last_change, missing
 from sightline.infra.database.types import now
 from sightline.surveys.photographs.records import Photograph
 from sightline.surveys.photographs.tables import survey_photographs as photographs
@@ -16,7 +18,6 @@ from sightline.surveys.tables import surveys
 
 MOST_PHOTOGRAPHS = 40
 MOST_CAPTION = 500
-_STORED = ("name", "media_key", "sha256", "size_bytes", "width_px", "height_px")
 
 
 def add_photograph(
@@ -62,17 +63,16 @@ def require_photograph_room(session: Session, survey_id: int) -> None:
 
 def get_photograph(session: Session, photograph_id: int, *, deleted: bool = False) -> Photograph:
     """One photograph; a deleted one only if `deleted`. Raises NotFound."""
-    row = get_row(session, photographs, photograph_id, "photograph")
-    if row["deleted_at"] is not None and not deleted:
+    found = _where(session, photographs.c.id == photograph_id)
+    if not found or (found[0].deleted and not deleted):
         raise missing("photograph", photograph_id)
-    return _records(session, [row])[0]
+    return found[0]
 
 
 def list_photographs(session: Session, survey_id: int) -> tuple[Photograph, ...]:
     """The photographs of a survey in their order."""
-    alive = (photographs.c.survey_id == survey_id, photographs.c.deleted_at.is_(None))
-    query = select(photographs).where(*alive).order_by(photographs.c.position, photographs.c.id)
-    return _records(session, session.execute(query).mappings().all())
+    alive = _where(session, photographs.c.survey_id == survey_id, photographs.c.deleted_at.is_(None))
+    return tuple(sorted(alive, key=lambda one: one.position))
 
 
 def change_photograph_caption(
@@ -144,14 +144,6 @@ def _caption(text: str) -> str:
     return caption
 
 
-def _records(session: Session, rows: Sequence[Mapping[Any, Any]]) -> tuple[Photograph, ...]:
-    people = names(session, (row["created_by"] for row in rows))
-    kept = ("id", "survey_id", "caption", "position", "version", "created_at", *_STORED)
-    return tuple(
-        Photograph(
-            created_by=who(row["created_by"], people.get(row["created_by"])),
-            deleted=row["deleted_at"] is not None,
-            **{name: row[name] for name in kept},
-        )
-        for row in rows
-    )
+def _where(session: Session, *conditions: ColumnElement[bool]) -> tuple[Photograph, ...]:
+    rows = written_rows(session, photographs, *conditions)
+    return tuple(record_of(Photograph, row, deleted=row["deleted_at"] is not None) for row in rows)

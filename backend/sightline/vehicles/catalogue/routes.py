@@ -2,7 +2,7 @@
 
 from typing import Annotated
 
-from fastapi import APIRouter, File, Query, Response, UploadFile
+from fastapi import APIRouter, Depends, File, Query, Response, UploadFile
 from pydantic import Field
 
 from sightline.enums import Category, OnConflict, SizeUnit
@@ -126,34 +126,29 @@ def retire_model(entry_id: PathId, body: Retired, who: Operator, session: Writin
     )
 
 
-@router.post("/catalogue/import/preview")
-def preview_catalogue_import(
-    who: Operator,
-    services: Wired,
+def _given(
     file: Sent,
     column: Column = [],  # noqa: B006
     unit: Unit = None,
     on_conflict: Conflicting = "keep",
-) -> ImportPlan:
-    """What an import of this file would do; nothing is stored."""
+) -> tuple[bytes, str, Choices]:
     name = file.filename or "The file"
-    data = whole_file(file, MOST_BYTES, name)
+    return whole_file(file, MOST_BYTES, name), name, Choices(columns_chosen(column), unit, on_conflict)
+
+
+#: A file's content, its name, and how it is read.
+Given = Annotated[tuple[bytes, str, Choices], Depends(_given)]
+
+
+@router.post("/catalogue/import/preview")
+def preview_catalogue_import(who: Operator, services: Wired, given: Given) -> ImportPlan:
+    """What an import of this file would do; nothing is stored."""
     with services.reading() as session:
-        return plan_import(session, data, name, Choices(columns_chosen(column), unit, on_conflict))
+        return plan_import(session, *given)
 
 
 @router.post("/catalogue/import")
-def import_catalogue(
-    who: Operator,
-    services: Wired,
-    file: Sent,
-    column: Column = [],  # noqa: B006
-    unit: Unit = None,
-    on_conflict: Conflicting = "keep",
-) -> Imported:
+def import_catalogue(who: Operator, services: Wired, given: Given) -> Imported:
     """The rows of a CSV; those that cannot be used are named with their reason, the others are stored."""
-    name = file.filename or "The file"
-    data = whole_file(file, MOST_BYTES, name)
     with services.writing() as session:
-        choices = Choices(columns_chosen(column), unit, on_conflict)
-        return import_csv(session, data, name, choices, actor=who.id)
+        return import_csv(session, *given, actor=who.id)

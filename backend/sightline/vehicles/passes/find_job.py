@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from sightline.detection.classify import FoundPass
-from sightline.enums import JobState
 from sightline.errors import BadInput, Conflict, Damaged
 from sightline.geometry.documents import pose_from_dict
 from sightline.geometry.road_pose import RoadPose
@@ -16,7 +15,7 @@ from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
-from sightline.infra.jobs.store import list_jobs
+from sightline.infra.jobs.store import jobs_under_way
 from sightline.infra.services import Services
 from sightline.media.video.passes import PassesCancelled, find_passes
 from sightline.messages.said import Said
@@ -30,7 +29,6 @@ from sightline.vehicles.store import PassSpan, create_vehicle, pass_spans
 
 KIND = PASSES
 SAME_SHARE = 0.5
-UNDER_WAY: tuple[JobState, ...] = ("queued", "running")
 
 
 def request_passes(session: Session, recording_id: int, *, actor: int) -> Job:
@@ -38,10 +36,8 @@ def request_passes(session: Session, recording_id: int, *, actor: int) -> Job:
     recording = get_recording(session, recording_id)
     if recording.state != "ready":
         raise BadInput("poses-no-frames-yet-wait-until-ready", name=recording.name)
-    for state in UNDER_WAY:
-        for job in list_jobs(session, survey_id=recording.survey_id, state=state):
-            if job.kind == KIND and job.recording_id == recording_id:
-                raise Conflict("vehicles-passes-being-looked-already-wait", name=recording.name)
+    if jobs_under_way(session, KIND, recording_id=recording_id):
+        raise Conflict("vehicles-passes-being-looked-already-wait", name=recording.name)
     return registry.enqueue(
         session, KIND, {}, survey_id=recording.survey_id, recording_id=recording_id, actor=actor
     )
@@ -60,7 +56,7 @@ def look_for_passes(context: JobContext) -> Finish:
     try:
         search = find_passes(
             opened.media.path,
-            rate_hz=_rate_hz(opened.time_s),
+            rate_hz=rate_hz_of(opened.time_s),
             square_at=square_at,
             on_progress=lambda fraction: context.progress(0.98 * fraction, Said("job-passes-searching")),
             is_cancelled=context.is_cancelled,
@@ -142,7 +138,8 @@ def _told(found: int, new: int) -> Said:
     return Said("passes-were-found-again", found=found, new=new, known=found - new)
 
 
-def _rate_hz(time_s: np.ndarray[Any, np.dtype[np.float64]]) -> float | None:
+def rate_hz_of(time_s: np.ndarray[Any, np.dtype[np.float64]]) -> float | None:
+    """How many frames a second are, on average; None where one says nothing of it."""
     span_s = float(time_s[-1] - time_s[0]) if len(time_s) > 1 else 0.0
     return (len(time_s) - 1) / span_s if span_s > 0 else None
 

@@ -25,8 +25,8 @@ _KIND = choice.Kind("free_plan", "free_one_in")
 def get_free_plan(session: Session, survey_id: int) -> FreePlan:
     """The plan in force; version 0 is the usual one. Raises NotFound."""
     get_row(session, surveys, survey_id, "survey")
-    found = choice.chosen(session, _KIND, survey_id)
-    return USUAL if found is None else FreePlan(*found)
+    found = choice.chosen(session, _KIND, [survey_id])
+    return FreePlan(*found[survey_id]) if found else USUAL
 
 
 def choose_free_plan(

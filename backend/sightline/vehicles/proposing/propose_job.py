@@ -12,14 +12,14 @@ from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
-from sightline.infra.jobs.store import list_jobs
+from sightline.infra.jobs.store import jobs_under_way
 from sightline.media.video.proposals import ProposalsCancelled, propose_in_video
 from sightline.messages.said import Said
 from sightline.poses.store import get_pose
 from sightline.proposals.propose import POINTS, Proposals, Proposed
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.store import get_recording
-from sightline.vehicles.passes.find_job import UNDER_WAY
+from sightline.vehicles.passes.find_job import rate_hz_of
 from sightline.vehicles.proposing.records import PointProposal
 from sightline.vehicles.proposing.store import replace_proposals
 from sightline.vehicles.records import Vehicle
@@ -39,10 +39,8 @@ def request_proposals(session: Session, recording_id: int, *, actor: int) -> Job
         raise Conflict("measurements-no-road-pose-yet-make-choose", name=recording.name)
     if not found_passes(session, recording_id):
         raise BadInput("proposals-no-found-passes", name=recording.name)
-    for state in UNDER_WAY:
-        for job in list_jobs(session, survey_id=recording.survey_id, state=state):
-            if job.kind == KIND and job.recording_id == recording_id:
-                raise Conflict("proposals-being-made-already", name=recording.name)
+    if jobs_under_way(session, KIND, recording_id=recording_id):
+        raise Conflict("proposals-being-made-already", name=recording.name)
     return registry.enqueue(
         session, KIND, {}, survey_id=recording.survey_id, recording_id=recording_id, actor=actor
     )
@@ -61,8 +59,6 @@ def make_proposals(context: JobContext) -> Finish:
             raise Conflict("measurements-no-road-pose-yet-make-choose", name=recording.name)
         pose_id = recording.pose_id
         pose = pose_from_dict(get_pose(session, pose_id).document, "the camera pose")
-    times = opened.time_s
-    span_s = float(times[-1] - times[0]) if len(times) > 1 else 0.0
     context.progress(0.0, Said("proposals-looking"))
     made: list[PointProposal] = []
     try:
@@ -70,7 +66,7 @@ def make_proposals(context: JobContext) -> Finish:
             opened.media.path,
             [_found(one) for one in vehicles],
             pose,
-            rate_hz=(len(times) - 1) / span_s if span_s > 0 else None,
+            rate_hz=rate_hz_of(opened.time_s),
             on_progress=lambda fraction: context.progress(0.98 * fraction, Said("proposals-looking")),
             is_cancelled=context.is_cancelled,
             name=recording.name,

@@ -1,11 +1,13 @@
 """Proposals of a recording's found passes: put down and read as a whole."""
 
 from collections.abc import Sequence
+from dataclasses import asdict
 
 from sqlalchemy import Select, delete, select
 from sqlalchemy.orm import Session
 
 from sightline.infra.audit import trail
+from sightline.infra.by_name import record_of
 from sightline.infra.database.rows import add_rows, get_row
 from sightline.infra.database.types import now
 from sightline.infra.version import code_version
@@ -68,20 +70,12 @@ def _rows() -> Select[tuple[object, ...]]:
 
 def _fetch(session: Session, query: Select[tuple[object, ...]]) -> tuple[PointProposal, ...]:
     return tuple(
-        PointProposal(
-            vehicle_id=row["vehicle_id"],
-            point=row["point"],
-            frame=row["frame"],
-            point_px=None if row["x_px"] is None else (row["x_px"], row["y_px"]),
-            expected_px=row["expected_px"],
-            reason=row["reason"],
-            withheld=row["withheld"],
-        )
+        record_of(PointProposal, row, point_px=None if row["x_px"] is None else (row["x_px"], row["y_px"]))
         for row in session.execute(query).mappings()
     )
 
 
 def _row_of(one: PointProposal) -> dict[str, object]:
-    x_px, y_px = one.point_px or (None, None)
-    place = {"vehicle_id": one.vehicle_id, "point": one.point, "frame": one.frame, "x_px": x_px, "y_px": y_px}
-    return {**place, "expected_px": one.expected_px, "reason": one.reason}
+    row = asdict(one)
+    row["x_px"], row["y_px"] = row.pop("point_px") or (None, None)
+    return row

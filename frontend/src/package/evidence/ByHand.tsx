@@ -1,7 +1,7 @@
 /** Both pictures with boundaries that the reader sets, laid over each other, and what these boundaries give. */
-
 import { useState } from "preact/hooks";
 import { decimal } from "../language";
+import { Grid } from "../Section";
 import { say } from "../say";
 import { allSet, type Hand, plainOf, spanOf, speedOf } from "./byHand";
 import type { Evidence, Held, Lines, PictureFacts } from "./document";
@@ -149,57 +149,51 @@ function Table({ evidence, hand, place }: TableProps) {
   const plain = plainOf(hand, evidence.at_vehicle.baseline_m, m.rig.line_rate_hz);
   const none = say(allSet(hand) ? "opened-evidence-no-speed" : "opened-evidence-not-set");
   return (
-    <div class="opened__scroll">
-      <table class="opened__rows evidence__compared">
-        <thead>
-          <tr>
-            <th scope="col">{say("opened-evidence-quantity")}</th>
-            <th scope="col">{say("opened-evidence-hand")}</th>
-            <th scope="col">{say("opened-evidence-file")}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {CAMERAS.flatMap((camera) => EDGES.map((edge) => [edge, camera] as const)).map(([edge, camera]) => {
-            const name = nameOf(edge, camera);
-            return (
-              <tr key={name}>
-                <th scope="row">{say("opened-evidence-line", { edge, camera })}</th>
-                <td>
-                  <input
-                    type="number"
-                    class="evidence__line"
-                    data-line={name}
-                    step={1}
-                    aria-label={say("opened-evidence-line", { edge, camera })}
-                    value={hand[name] ?? ""}
-                    onInput={(event) => {
-                      const { valueAsNumber } = event.currentTarget;
-                      if (Number.isFinite(valueAsNumber)) place(name, valueAsNumber);
-                    }}
-                  />
-                </td>
-                <td>{decimal(m[name].toFixed(1))}</td>
-              </tr>
-            );
-          })}
-          <tr>
-            <th scope="row">{say("opened-evidence-plain-front")}</th>
-            <td data-hand="front">{speedWords(plain?.front_mps ?? null, none)}</td>
-            <td rowSpan={2}>{speedWords(m.speed_mps, NONE)}</td>
-          </tr>
-          <tr>
-            <th scope="row">{say("opened-evidence-plain-rear")}</th>
-            <td data-hand="rear">{speedWords(plain?.rear_mps ?? null, none)}</td>
-          </tr>
-          <tr>
-            <th scope="row">{say("opened-evidence-length")}</th>
-            <td data-hand="length">{lengthWords(plain?.length_m ?? null, none)}</td>
-            <td>{lengthWords(m.length_m, NONE)}</td>
-          </tr>
-        </tbody>
-      </table>
+    <>
+      <Grid
+        class="evidence__compared"
+        heads={[say("opened-evidence-quantity"), say("opened-evidence-hand"), say("opened-evidence-file")]}
+      >
+        {CAMERAS.flatMap((camera) => EDGES.map((edge) => [edge, camera] as const)).map(([edge, camera]) => {
+          const name = nameOf(edge, camera);
+          return (
+            <tr key={name}>
+              <th scope="row">{say("opened-evidence-line", { edge, camera })}</th>
+              <td>
+                <input
+                  type="number"
+                  class="evidence__line"
+                  data-line={name}
+                  step={1}
+                  aria-label={say("opened-evidence-line", { edge, camera })}
+                  value={hand[name] ?? ""}
+                  onInput={(event) => {
+                    const { valueAsNumber } = event.currentTarget;
+                    if (Number.isFinite(valueAsNumber)) place(name, valueAsNumber);
+                  }}
+                />
+              </td>
+              <td>{decimal(m[name].toFixed(1))}</td>
+            </tr>
+          );
+        })}
+        <tr>
+          <th scope="row">{say("opened-evidence-plain-front")}</th>
+          <td data-hand="front">{speedWords(plain?.front_mps ?? null, none)}</td>
+          <td rowSpan={2}>{speedWords(m.speed_mps, NONE)}</td>
+        </tr>
+        <tr>
+          <th scope="row">{say("opened-evidence-plain-rear")}</th>
+          <td data-hand="rear">{speedWords(plain?.rear_mps ?? null, none)}</td>
+        </tr>
+        <tr>
+          <th scope="row">{say("opened-evidence-length")}</th>
+          <td data-hand="length">{lengthWords(plain?.length_m ?? null, none)}</td>
+          <td>{lengthWords(m.length_m, NONE)}</td>
+        </tr>
+      </Grid>
       <p class="opened__quiet">{say("opened-evidence-plain")}</p>
-    </div>
+    </>
   );
 }
 

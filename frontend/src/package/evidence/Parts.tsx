@@ -1,7 +1,6 @@
 /** What the file says, part by part; every number as it stands there. */
-
-import type { ComponentChildren } from "preact";
 import { decimal, told } from "../language";
+import { Facts, Grid, Section } from "../Section";
 import { say } from "../say";
 import type { AuditEvent, Evidence, Measured } from "./document";
 
@@ -19,30 +18,6 @@ function withU(value: number | null, u: number | null, unit: string): string {
 const fixed = (value: number, decimals: number) => decimal(value.toFixed(decimals));
 
 const times = (value: number | null, factor: number) => (value === null ? null : value * factor);
-
-function Section({ id, name, children }: { id: string; name: string; children: ComponentChildren }) {
-  return (
-    <section class="opened__section" id={id}>
-      <h2 class="opened__name">{name}</h2>
-      {children}
-    </section>
-  );
-}
-
-function Facts({ rows }: { rows: readonly (readonly [string, string])[] }) {
-  return (
-    <table class="opened__rows">
-      <tbody>
-        {rows.map(([name, value]) => (
-          <tr key={name}>
-            <th scope="row">{name}</th>
-            <td>{value}</td>
-          </tr>
-        ))}
-      </tbody>
-    </table>
-  );
-}
 
 export function Decision({ evidence }: { evidence: Evidence }) {
   const { answer, words, rule } = evidence.decision;
@@ -141,34 +116,29 @@ export function Budget({ measured }: { measured: Measured }) {
   return (
     <Section id="budget" name={say("opened-evidence-budget")}>
       <p class="opened__quiet">{say("opened-evidence-budget-note")}</p>
-      <div class="opened__scroll">
-        <table class="opened__rows">
-          <thead>
-            <tr>
-              <th scope="col">{say("opened-evidence-source")}</th>
-              <th scope="col">{say("opened-evidence-u-speed")}</th>
-              <th scope="col">{say("opened-evidence-u-acceleration")}</th>
-              <th scope="col">{say("opened-evidence-u-length")}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {measured.budget.map((one) => (
-              <tr key={one.source}>
-                <th scope="row">{told(one.source)}</th>
-                <td>{fixed(one.u_speed_mps, 5)}</td>
-                <td>{fixed(one.u_acceleration_mps2, 5)}</td>
-                <td>{fixed(one.u_length_m, 5)}</td>
-              </tr>
-            ))}
-            <tr>
-              <th scope="row">{say("opened-evidence-combined")}</th>
-              {[measured.u_speed_mps, measured.u_acceleration_mps2, measured.u_length_m].map((u, n) => (
-                <td key={n}>{u === null ? NONE : fixed(u, 5)}</td>
-              ))}
-            </tr>
-          </tbody>
-        </table>
-      </div>
+      <Grid
+        heads={[
+          say("opened-evidence-source"),
+          say("opened-evidence-u-speed"),
+          say("opened-evidence-u-acceleration"),
+          say("opened-evidence-u-length"),
+        ]}
+      >
+        {measured.budget.map((one) => (
+          <tr key={one.source}>
+            <th scope="row">{told(one.source)}</th>
+            <td>{fixed(one.u_speed_mps, 5)}</td>
+            <td>{fixed(one.u_acceleration_mps2, 5)}</td>
+            <td>{fixed(one.u_length_m, 5)}</td>
+          </tr>
+        ))}
+        <tr>
+          <th scope="row">{say("opened-evidence-combined")}</th>
+          {[measured.u_speed_mps, measured.u_acceleration_mps2, measured.u_length_m].map((u, n) => (
+            <td key={n}>{u === null ? NONE : fixed(u, 5)}</td>
+          ))}
+        </tr>
+      </Grid>
     </Section>
   );
 }
@@ -254,30 +224,26 @@ export function Audit({ evidence }: { evidence: Evidence }) {
         {say("opened-evidence-audit-end", { chain: audit.chain, count: audit.count })}{" "}
         <code class="evidence__hash">{audit.hash}</code>
       </p>
-      <div class="opened__scroll opened__list">
-        <table class="opened__rows">
-          <thead>
-            <tr>
-              <th scope="col">{say("opened-evidence-event-number")}</th>
-              <th scope="col">{say("opened-evidence-event-at")}</th>
-              <th scope="col">{say("opened-evidence-event-what")}</th>
-              <th scope="col">{say("opened-evidence-event-hash")}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {audit.events.map((one) => (
-              <tr key={one.number}>
-                <td>{one.number}</td>
-                <td>{one.at.slice(0, 19).replace("T", " ")}</td>
-                <td>{eventWords(one)}</td>
-                <td>
-                  <code class="evidence__hash">{one.hash}</code>
-                </td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </div>
+      <Grid
+        list
+        heads={[
+          say("opened-evidence-event-number"),
+          say("opened-evidence-event-at"),
+          say("opened-evidence-event-what"),
+          say("opened-evidence-event-hash"),
+        ]}
+      >
+        {audit.events.map((one) => (
+          <tr key={one.number}>
+            <td>{one.number}</td>
+            <td>{one.at.slice(0, 19).replace("T", " ")}</td>
+            <td>{eventWords(one)}</td>
+            <td>
+              <code class="evidence__hash">{one.hash}</code>
+            </td>
+          </tr>
+        ))}
+      </Grid>
       <p>{say("opened-evidence-keys")}</p>
       <ol class="opened__sizes">
         {keys.map((one) => (

@@ -1,6 +1,5 @@
 /** What boundaries that a reader placed by hand give, by the plain formula of two lines: speed = baseline / time.
  *  It is the reader's own measurement; the file's numbers come from the server and are not computed here. */
-
 import type { Evidence, Lines } from "./document";
 
 export interface Plain {
@@ -42,8 +41,5 @@ export function speedOf(shift_lines: number, baseline_m: number, line_rate_hz: n
 
 /** Of a camera's picture: from which line to which it goes, each line's own place in the middle of its column. */
 export function spanOf(picture: Evidence["pictures"][number]): { start: number; width: number } {
-  return {
-    start: picture.first_line - picture.step_lines / 2,
-    width: picture.columns * picture.step_lines,
-  };
+  return { start: picture.first_line - picture.step_lines / 2, width: picture.columns * picture.step_lines };
 }

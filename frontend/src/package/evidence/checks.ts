@@ -1,5 +1,4 @@
 /** What the page checks of its own file: hashes always, the signature where the browser has Ed25519. */
-
 import { canonical, type Json } from "../canonical";
 import { handedOn, holds } from "../chain";
 import { say } from "../say";

@@ -1,5 +1,4 @@
 /** The document of an evidence file, as the installation signed it, and the two pictures that it names. */
-
 import type { Json } from "../canonical";
 import type { Handing } from "../chain";
 

@@ -16,7 +16,7 @@ interface Props {
 export function KindField({ value, change, disabled }: Pick<Props, "value" | "change" | "disabled">) {
   return (
     <Segments<BoardKind>
-      label={say("board-kind")}
+      says="board-kind"
       value={value.kind}
       options={[
         { value: "checkerboard", label: say("board-checkerboard") },
@@ -34,11 +34,11 @@ export function MarkerFields({ value, unit, problem, change }: Props) {
   return (
     <div class="markers">
       <SelectField
-        label={say("board-dictionary")}
+        says="board-dictionary"
         {...field("dictionary")}
         options={DICTIONARIES.map((name) => ({ value: name, label: name }))}
       />
-      <TextField label={say("board-marker")} numeric unit={unit} {...field("marker")} problem={problem} />
+      <TextField says="board-marker" unit={unit} {...field("marker")} problem={problem} />
     </div>
   );
 }

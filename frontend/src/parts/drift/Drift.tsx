@@ -125,7 +125,7 @@ function Decide({ recordingId, drift, set, onProblem }: DecideProps) {
         );
       }}
     >
-      <TextField label={say("drift-reason")} value={reason} onInput={setReason} />
+      <TextField says="drift-reason" value={reason} onInput={setReason} />
       <Button says="drift-decide" small type="submit" disabled={reason.trim() === ""} />
     </form>
   );

@@ -143,10 +143,7 @@ function wordsOf(drawn: Drawn, x: number, read: readonly Read[], place?: (x: num
   const interval = (low: string, high: string) => say("interval", { low, high });
   const value = place ? place(x) : fixed(x, digitsOf(xLow, xHigh));
   const values = read.map((one) =>
-    say("figure-read-value", {
-      what: one.word || drawn.yLabel,
-      value: valueWords(one, digits, interval),
-    }),
+    say("figure-read-value", { what: one.word || drawn.yLabel, value: valueWords(one, digits, interval) }),
   );
   return { place: say("figure-read-value", { what: drawn.xLabel, value }), values };
 }

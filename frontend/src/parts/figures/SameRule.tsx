@@ -28,7 +28,7 @@ export function SameRule({ rules }: { rules: readonly Rule[] }) {
   if (there.length === 0) return null;
   const unit = lengthScale()[1];
   return (
-    <Panel title={say("statistics-rule-title")} data-testid="same-rule">
+    <Panel says="statistics-rule-title" data-testid="same-rule">
       {there.every((one) => one.verdict === "unknown") && (
         <p class="stat-notes">{say("statistics-rule-none")}</p>
       )}

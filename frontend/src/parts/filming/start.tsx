@@ -85,11 +85,7 @@ export function useStart(of: Started): StartTyped {
   };
 }
 
-const BUTTONS = wordsOf({
-  confirmed: "filmed-edit",
-  proposed: "filmed-confirm",
-  unknown: "filmed-enter",
-});
+const BUTTONS = wordsOf({ confirmed: "filmed-edit", proposed: "filmed-confirm", unknown: "filmed-enter" });
 
 interface LineProps {
   testId: string;
@@ -159,7 +155,7 @@ export function StartFields({ start, label, hint, step }: Props) {
       </Field>
       {start.twice.length > 0 && (
         <Segments
-          label={say("filmed-which")}
+          says="filmed-which"
           value={start.offset}
           onInput={start.setOffset}
           options={start.twice.map((one, n) => ({
@@ -168,12 +164,7 @@ export function StartFields({ start, label, hint, step }: Props) {
           }))}
         />
       )}
-      <TextField
-        label={say("filmed-zone")}
-        value={start.zone}
-        suggestions={TIME_ZONES}
-        onInput={start.setZone}
-      />
+      <TextField says="filmed-zone" value={start.zone} suggestions={TIME_ZONES} onInput={start.setZone} />
     </>
   );
 }

@@ -28,25 +28,20 @@ export function AddPerson({
     added({ name: made.person.name, link: made.link }, made.person);
   };
   return (
-    <FormDialog title={say("people-add")} action={say("people-add-action")} onClose={close} submit={submit}>
+    <FormDialog says="people-add" action={say("people-add-action")} onClose={close} submit={submit}>
       <TextField
-        label={say("people-add-name")}
+        says="people-add-name"
         {...form.field("name")}
         problem={tried && !name.trim() ? say("people-add-name-problem") : null}
       />
       <TextField
-        label={say("people-add-email")}
+        says="people-add-email"
         type="email"
         {...form.field("email")}
         hint={say("people-add-email-hint")}
         problem={tried && emailWrong ? say("people-add-email-problem") : null}
       />
-      <SelectField
-        label={say("people-add-role")}
-        {...form.field("role")}
-        options={roleOptions()}
-        hint={DOES[role]}
-      />
+      <SelectField says="people-add-role" {...form.field("role")} options={roleOptions()} hint={DOES[role]} />
     </FormDialog>
   );
 }

@@ -75,20 +75,14 @@ export async function startUpload(
     },
   ];
   if (file.size === 0) {
-    change(key, {
-      state: "failed",
-      problem: say("upload-empty", { file: file.name }),
-    });
+    change(key, { state: "failed", problem: say("upload-empty", { file: file.name }) });
     return;
   }
   let recordingId: number | null = null;
   let finished = false;
   const Upload = await tus();
   if (!Upload || !itemOf(key)) {
-    change(key, {
-      state: "failed",
-      problem: say("upload-not-loaded"),
-    });
+    change(key, { state: "failed", problem: say("upload-not-loaded") });
     return;
   }
   const upload = new Upload(file, {

@@ -1,4 +1,5 @@
 /** Which targets a survey asks for, by day and in low light. */
+import { Check } from "../../components";
 import { say } from "../../core/messages";
 import type { Asked, AskedTarget, Lighting } from "../../core/types";
 import { ASKABLE, LIGHTING_WORDS, TARGET_WORDS } from "../../core/words";
@@ -25,14 +26,12 @@ export function AskedFields({ value: asked, onInput }: Props) {
         <div class="row row--wrap" key={lighting}>
           <span class="survey-fields__lighting">{LIGHTING_WORDS[lighting]}</span>
           {ASKABLE.map((target) => (
-            <label key={target}>
-              <input
-                type="checkbox"
-                checked={asked[lighting].includes(target)}
-                onChange={(event) => change(lighting, target, event.currentTarget.checked)}
-              />{" "}
-              {TARGET_WORDS[target]}
-            </label>
+            <Check
+              key={target}
+              label={TARGET_WORDS[target]}
+              checked={asked[lighting].includes(target)}
+              onInput={(on) => change(lighting, target, on)}
+            />
           ))}
         </div>
       ))}

@@ -83,37 +83,25 @@ export function PlaceFields({ value, onInput }: Props) {
     <fieldset class="survey-fields stack" data-testid="place">
       <legend>{say("place-title")}</legend>
       <div class="row row--wrap">
-        <TextField label={say("place-latitude")} numeric {...field("latitude")} placeholder="49.44315" />
-        <TextField label={say("place-longitude")} numeric {...field("longitude")} placeholder="1.09932" />
+        <TextField says="place-latitude" numeric {...field("latitude")} placeholder="49.44315" />
+        <TextField says="place-longitude" numeric {...field("longitude")} placeholder="1.09932" />
       </div>
       <div class="row row--wrap">
-        <TextField
-          label={say("place-road")}
-          {...field("road")}
-          suggestions={say("place-roads").split("; ")}
-        />
-        <TextField label={say("place-limit")} numeric unit={speedScale()[1]} {...field("limit")} />
+        <TextField says="place-road" {...field("road")} suggestions={say("place-roads").split("; ")} />
+        <TextField says="place-limit" unit={speedScale()[1]} {...field("limit")} />
         <OptionalField
-          label={say("place-lamps")}
+          says="place-lamps"
           {...field("lamps")}
           none={say("place-not-said")}
           options={choices(LAMPS)}
         />
       </div>
       <div class="row row--wrap">
-        <TextField
-          label={say("place-lane")}
-          {...field("lane")}
-          suggestions={say("place-lanes").split("; ")}
-        />
-        <TextField
-          label={say("place-travel")}
-          {...field("travel")}
-          placeholder={say("place-travel-example")}
-        />
+        <TextField says="place-lane" {...field("lane")} suggestions={say("place-lanes").split("; ")} />
+        <TextField says="place-travel" {...field("travel")} placeholder={say("place-travel-example")} />
       </div>
       <TextField
-        label={say("place-zone")}
+        says="place-zone"
         hint={say("place-zone-hint")}
         {...field("zone")}
         suggestions={TIME_ZONES}

@@ -22,20 +22,15 @@ export function TrafficFields({ value, onInput }: Props) {
       <legend>{say("traffic-title")}</legend>
       <p class="field__hint">{say("traffic-help")}</p>
       <div class="row row--wrap">
+        <OptionalField says="traffic-side" {...field("traffic_side")} none={none} options={choices(HANDS)} />
         <OptionalField
-          label={say("traffic-side")}
-          {...field("traffic_side")}
-          none={none}
-          options={choices(HANDS)}
-        />
-        <OptionalField
-          label={say("traffic-steering")}
+          says="traffic-steering"
           {...field("steering_side")}
           none={none}
           options={choices(WHEELS)}
         />
         <OptionalField
-          label={say("traffic-camera")}
+          says="traffic-camera"
           {...field("camera_place")}
           none={none}
           options={choices(PLACES)}

@@ -19,7 +19,7 @@ export default function AccountScreen() {
   if (!person) return null;
   return (
     <div class="page page--alone account">
-      <PageHead title={say("page-account")} />
+      <PageHead says="page-account" />
       <section class="panel panel__body">
         <Facts
           of={[
@@ -61,20 +61,20 @@ function PasswordForm({ hasPassword }: { hasPassword: boolean }) {
     });
   };
   return (
-    <Panel title={say(hasPassword ? "account-password-change" : "account-password-choose")}>
+    <Panel says={hasPassword ? "account-password-change" : "account-password-choose"}>
       <form class="panel__body stack" onSubmit={submit} noValidate>
         {!hasPassword && !tried && <Notice>{say("account-no-password")}</Notice>}
         <input type="email" autoComplete="username" value={me.value?.person.email} readOnly hidden />
         {hasPassword && (
           <TextField
-            label={say("account-password-present")}
+            says="account-password-present"
             type="password"
             {...form.field("current")}
             autoComplete="current-password"
           />
         )}
         <TextField
-          label={say("account-password-new")}
+          says="account-password-new"
           type="password"
           {...form.field("next")}
           autoComplete="new-password"
@@ -84,7 +84,7 @@ function PasswordForm({ hasPassword }: { hasPassword: boolean }) {
           }
         />
         <TextField
-          label={say("account-password-again")}
+          says="account-password-again"
           type="password"
           {...form.field("again")}
           autoComplete="new-password"

@@ -30,13 +30,13 @@ export function MakeToken({ close, made }: { close: () => void; made: (token: Ma
     setScopes(yes ? [...scopes, scope] : scopes.filter((one) => one !== scope));
   return (
     <FormDialog
-      title={say("account-token-make")}
+      says="account-token-make"
       action={say("account-token-make-action")}
       onClose={close}
       submit={submit}
     >
       <TextField
-        label={say("account-token-name-field")}
+        says="account-token-name-field"
         {...form.field("name")}
         hint={say("account-token-name-hint")}
         problem={tried && !name.trim() ? say("account-token-name-problem") : null}
@@ -59,7 +59,7 @@ export function MakeToken({ close, made }: { close: () => void; made: (token: Ma
         {tried && scopes.length === 0 && <p class="field__problem">{say("account-token-scopes-problem")}</p>}
       </fieldset>
       <SelectField
-        label={say("account-token-days")}
+        says="account-token-days"
         {...form.field("days")}
         options={DAYS.map((value) => ({
           value,

@@ -27,7 +27,7 @@ export function Tokens() {
   };
   return (
     <Panel
-      title={say("account-tokens")}
+      says="account-tokens"
       aside={
         !!tokens.data?.length && (
           <Button says="account-token-make" icon="add" onClick={() => setMaking(true)} />

@@ -2,16 +2,15 @@ import { useState } from "preact/hooks";
 import {
   Button,
   choices,
+  DataTable,
   DateField,
   Empty,
   Loaded,
   Notice,
   named,
-  num,
   OptionalField,
   PageHead,
   Problem,
-  Table,
 } from "../../components";
 import { CommitField } from "../../components/CommitField";
 import { Said } from "../../components/Said";
@@ -36,10 +35,7 @@ export default function AuditScreen({ surveyId }: ScreenProps) {
   const [older, setOlder] = useState<NamedEvent[]>([]);
   const [atEnd, setAtEnd] = useState(false);
   const { busy, problem, run } = useAction();
-  const filter = {
-    limit: PAGE,
-    ...fromAddress<"GET /audit/events">(filters),
-  };
+  const filter = { limit: PAGE, ...fromAddress<"GET /audit/events">(filters) };
   const first = useResource(
     async (signal) => {
       const page = await api.ask("GET /audit/events", filter, { signal });
@@ -62,7 +58,7 @@ export default function AuditScreen({ surveyId }: ScreenProps) {
   return (
     <div class={surveyId ? "page" : "page page--alone"}>
       <PageHead
-        title={say(surveyId ? "page-history" : "page-audit")}
+        says={surveyId ? "page-history" : "page-audit"}
         lead={say("audit-lead")}
         more={<p class="small muted">{say("audit-numbers")}</p>}
       >
@@ -78,23 +74,40 @@ export default function AuditScreen({ surveyId }: ScreenProps) {
         </div>
       )}
       {events.length > 0 && (
-        <Table
+        <DataTable
           label={say("audit-events")}
           scroll="panel"
           class="audit"
-          heads={[
-            num(say("audit-number")),
-            say("audit-when"),
-            say("audit-who"),
-            say("audit-did"),
-            say("audit-changes"),
-            say("audit-hash"),
+          rows={events}
+          keyOf={({ event }) => event.id}
+          columns={({ col, num }) => [
+            num(say("audit-number"), ({ event }) => event.number, "muted"),
+            {
+              ...col(
+                say("audit-when"),
+                ({ event: { at } }) => (
+                  <>
+                    {formatDay(at)} <span class="muted">{formatClock(new Date(at))}</span>
+                  </>
+                ),
+                "nowrap",
+              ),
+              cellTitle: ({ event }) => event.at,
+            },
+            col(
+              say("audit-who"),
+              ({ event }) => event.actor?.name ?? <span class="muted">{say("person-system")}</span>,
+              "nowrap",
+            ),
+            col(say("audit-did"), (one) => <Did named={one} />, "audit__did"),
+            col(say("audit-changes"), ({ event }) => <Changes event={event} />, "audit__changes"),
+            col(say("audit-hash"), ({ event }) => (
+              <code class="muted" title={hashWords(event)}>
+                {event.hash.slice(0, 8)}
+              </code>
+            )),
           ]}
-        >
-          {events.map((one) => (
-            <EventRow key={one.event.id} named={one} />
-          ))}
-        </Table>
+        />
       )}
       <Problem error={problem} again={() => void more()} />
       {events.length > 0 && !atEnd && (
@@ -123,7 +136,7 @@ function Filters({ surveyId }: ScreenProps) {
     <div class="audit__filters">
       {!surveyId && (
         <OptionalField
-          label={say("audit-survey")}
+          says="audit-survey"
           value={at("survey_id") || null}
           none={say("audit-survey-all")}
           options={named(surveys.data ?? [])}
@@ -131,22 +144,22 @@ function Filters({ surveyId }: ScreenProps) {
         />
       )}
       <OptionalField
-        label={say("audit-what")}
+        says="audit-what"
         value={at("entity") || null}
         none={say("audit-what-all")}
         options={choices<string>(ENTITY_WORDS)}
         onInput={(entity) => setQuery({ entity })}
       />
       <OptionalField
-        label={say("audit-person")}
+        says="audit-person"
         value={at("person_id") || null}
         none={say("audit-person-all")}
         options={named(people.data ?? [])}
         onInput={(person_id) => setQuery({ person_id })}
       />
-      <DateField label={say("audit-day")} value={at("day")} onChange={(day) => setQuery({ day })} />
+      <DateField says="audit-day" value={at("day")} onChange={(day) => setQuery({ day })} />
       <CommitField
-        label={say("audit-vehicle")}
+        says="audit-vehicle"
         numeric
         value={at("vehicle")}
         check={(text) => (/^\d{0,9}$/.test(text) ? null : say("audit-vehicle-problem"))}
@@ -156,58 +169,46 @@ function Filters({ surveyId }: ScreenProps) {
   );
 }
 
-function EventRow({ named }: { named: NamedEvent }) {
-  const { event } = named;
+function Did({ named }: { named: NamedEvent }) {
+  const { event, subject } = named;
   const page = pageOf(named);
   const words = subjectWords(named);
-  const changes = changesOf(event.before, event.after);
-  const at = new Date(event.at);
   return (
-    <tr>
-      <td class="num muted">{event.number}</td>
-      <td class="nowrap" title={event.at}>
-        {formatDay(event.at)} <span class="muted">{formatClock(at)}</span>
-      </td>
-      <td class="nowrap">{event.actor?.name ?? <span class="muted">{say("person-system")}</span>}</td>
-      <td class="audit__did">
-        {actionWords(event)}{" "}
-        <span title={rowWords(event)}>{page ? <a href={page}>{words}</a> : <strong>{words}</strong>}</span>
-        {surveyHere.value === 0 && named.subject.survey && (
-          <div class="small muted">{named.subject.survey}</div>
-        )}
-      </td>
-      <td class="audit__changes">
-        {changes.length > 0 && (
-          <details>
-            <summary>
-              <span class="clip" translate={false} title={changes.map((change) => change.name).join(", ")}>
-                {changes.map((change) => change.name).join(", ")}
-              </span>
-            </summary>
-            <dl>
-              {changes.map((change) => (
-                <div key={change.name}>
-                  <dt translate={false}>{change.name}</dt>
-                  <dd>
-                    {change.before !== null && (
-                      <>
-                        <del>{change.before}</del>{" "}
-                      </>
-                    )}
-                    {change.after !== null && <ins>{change.after}</ins>}
-                  </dd>
-                </div>
-              ))}
-            </dl>
-          </details>
-        )}
-      </td>
-      <td>
-        <code class="muted" title={hashWords(event)}>
-          {event.hash.slice(0, 8)}
-        </code>
-      </td>
-    </tr>
+    <>
+      {actionWords(event)}{" "}
+      <span title={rowWords(event)}>{page ? <a href={page}>{words}</a> : <strong>{words}</strong>}</span>
+      {surveyHere.value === 0 && subject.survey && <div class="small muted">{subject.survey}</div>}
+    </>
+  );
+}
+
+function Changes({ event }: { event: AuditEvent }) {
+  const changes = changesOf(event.before, event.after);
+  if (changes.length === 0) return null;
+  const names = changes.map((change) => change.name).join(", ");
+  return (
+    <details>
+      <summary>
+        <span class="clip" translate={false} title={names}>
+          {names}
+        </span>
+      </summary>
+      <dl>
+        {changes.map((change) => (
+          <div key={change.name}>
+            <dt translate={false}>{change.name}</dt>
+            <dd>
+              {change.before !== null && (
+                <>
+                  <del>{change.before}</del>{" "}
+                </>
+              )}
+              {change.after !== null && <ins>{change.after}</ins>}
+            </dd>
+          </div>
+        ))}
+      </dl>
+    </details>
   );
 }
 

@@ -63,21 +63,17 @@ function CameraDialog({ title, action, first, send, close }: DialogProps) {
   });
   return (
     <FormDialog
-      title={title}
+      label={title}
       action={action}
       onClose={close}
       submit={() => send({ ...words, name })}
       disabled={!name}
     >
-      <TextField
-        label={say("field-name")}
-        {...field("name")}
-        problem={name ? null : say("camera-name-problem")}
-      />
-      <TextField label={say("camera-lens-words")} {...field("lens")} hint={say("camera-lens-words-hint")} />
-      <TextField label={say("camera-zoom")} {...field("zoom")} hint={say("camera-zoom-hint")} />
-      <TextField label={say("camera-focus")} {...field("focus")} hint={say("camera-focus-hint")} />
-      <TextField label={say("field-notes")} {...field("notes")} rows={2} hint={say("camera-notes-hint")} />
+      <TextField says="field-name" {...field("name")} problem={name ? null : say("camera-name-problem")} />
+      <TextField says="camera-lens-words" {...field("lens")} hint={say("camera-lens-words-hint")} />
+      <TextField says="camera-zoom" {...field("zoom")} hint={say("camera-zoom-hint")} />
+      <TextField says="camera-focus" {...field("focus")} hint={say("camera-focus-hint")} />
+      <TextField says="field-notes" {...field("notes")} rows={2} hint={say("camera-notes-hint")} />
     </FormDialog>
   );
 }

@@ -75,15 +75,9 @@ export function BoardFields({ board, change }: { board: TypedBoard; change: (boa
           <Said what="camera-inner-corners" /> {board.kind === "charuco" && say("camera-charuco-corners")}
         </p>
         <div class="board__inputs">
-          <TextField label={say("camera-columns")} numeric {...field("columns")} problem={problems.columns} />
-          <TextField label={say("camera-rows")} numeric {...field("rows")} problem={problems.rows} />
-          <TextField
-            label={say("camera-square")}
-            numeric
-            unit={unit}
-            {...field("square")}
-            problem={problems.square}
-          />
+          <TextField says="camera-columns" numeric {...field("columns")} problem={problems.columns} />
+          <TextField says="camera-rows" numeric {...field("rows")} problem={problems.rows} />
+          <TextField says="camera-square" unit={unit} {...field("square")} problem={problems.square} />
         </div>
         <MarkerFields value={board} unit={unit} problem={problems.marker} change={set} />
         <p class="field__hint">{say("camera-square-hint")}</p>

@@ -57,7 +57,7 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
         (clip ? (
           <div class="calibrate__clip">
             <SelectField
-              label={say("field-recording")}
+              says="field-recording"
               value={String(clip.id)}
               options={usableClips.map((recording) => ({
                 value: String(recording.id),
@@ -68,10 +68,10 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
               }))}
               onInput={setRecordingId}
             />
-            <TextField label={say("camera-every")} numeric {...form.field("every")} />
-            <TextField label={say("camera-first-frame")} numeric {...form.field("first")} placeholder="0" />
+            <TextField says="camera-every" numeric {...form.field("every")} />
+            <TextField says="camera-first-frame" numeric {...form.field("first")} placeholder="0" />
             <TextField
-              label={say("camera-last-frame")}
+              says="camera-last-frame"
               numeric
               {...form.field("last")}
               placeholder={String((clip.frame_count ?? 1) - 1)}
@@ -88,7 +88,7 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
         ))}
       <div class="row row--wrap calibrate__choices">
         <Segments
-          label={say("camera-lens")}
+          says="camera-lens"
           {...form.field("model")}
           options={[
             { value: "brown", label: say("camera-lens-brown") },
@@ -101,7 +101,7 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
       </div>
       <div class="row row--wrap calibrate__choices">
         <Segments
-          label={say("camera-board")}
+          says="camera-board"
           {...form.field("shape")}
           options={[
             { value: "flat", label: say("camera-board-flat") },

@@ -43,13 +43,13 @@ export function CameraBench({ camera, surveyId, reload, set }: Props) {
       <History camera={camera} shownId={work.shownId} show={work.setShownId} />
       {canWork && (
         <Panel
-          title={say(camera.calibrations.length > 0 ? "camera-calibrate-again" : "camera-calibrate")}
+          says={camera.calibrations.length > 0 ? "camera-calibrate-again" : "camera-calibrate"}
           aside={<ImportButton take={(file) => void work.importFile(file)} />}
         >
           <div class="panel__body stack camera-panel">
             <BoardFields board={typed} change={setTyped} />
             <Segments<Source>
-              label={say("camera-where-boards")}
+              says="camera-where-boards"
               value={source}
               onInput={setSource}
               options={[

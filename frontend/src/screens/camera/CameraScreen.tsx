@@ -32,7 +32,7 @@ export default function CameraScreen({ surveyId }: ScreenProps) {
   const canWork = may("operator");
   return (
     <div class="page">
-      <PageHead title={say("page-camera")} lead={say("camera-lead")}>
+      <PageHead says="page-camera" lead={say("camera-lead")}>
         {canWork && list.length > 0 && (
           <div class="row">
             <Button says="camera-take-open" onClick={() => setTaking(true)} />

@@ -16,7 +16,7 @@ export function History({ camera, shownId, show }: Props) {
   const newestFirst = [...camera.calibrations].sort((a, b) => b.id - a.id);
   if (newestFirst.length < 2) return null;
   return (
-    <Panel title={say("camera-calibrations")}>
+    <Panel says="camera-calibrations">
       <DataTable
         label={say("camera-calibrations")}
         class="table--hover"

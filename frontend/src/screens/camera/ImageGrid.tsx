@@ -25,10 +25,7 @@ export function ImageGrid({
                 corners={image.corners_px}
                 columns={image.columns}
                 ids={image.ids}
-                label={say("camera-corners-found", {
-                  count: image.corners_px.length,
-                  image: image.name,
-                })}
+                label={say("camera-corners-found", { count: image.corners_px.length, image: image.name })}
               />
             )}
           </div>

@@ -36,7 +36,7 @@ export function TakeCamera({ surveyId, close, added }: Props) {
   };
   return (
     <FormDialog
-      title={say("camera-take-title")}
+      says="camera-take-title"
       action={say("camera-take")}
       onClose={close}
       submit={send}
@@ -48,7 +48,7 @@ export function TakeCamera({ surveyId, close, added }: Props) {
       {surveys.data && others.length === 0 && <Notice kind="info">{say("camera-take-no-other")}</Notice>}
       {others.length > 0 && (
         <SelectField
-          label={say("camera-take-survey")}
+          says="camera-take-survey"
           value={String(there)}
           onInput={(value) => setFrom(Number(value))}
           options={named(others)}
@@ -59,7 +59,7 @@ export function TakeCamera({ surveyId, close, added }: Props) {
       )}
       {calibrated.length > 0 && (
         <SelectField
-          label={say("camera-take-camera")}
+          says="camera-take-camera"
           value={String(camera?.id)}
           onInput={(value) => setPicked(Number(value))}
           options={named(calibrated)}

@@ -1,5 +1,4 @@
 /** The checkerboard as a person types it, and what is wrong with it in words. */
-
 import { say } from "../../core/messages";
 import { type LengthUnit, lengthUnit, parseNumber, parseSmall, smallText } from "../../core/units";
 import { type BoardKind, markerProblem, markersTold } from "../../parts/boards/markers";

@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { Button, Empty, Loading, num, PageHead, Problem, Segments, Table, TextField } from "../../components";
+import { Button, DataTable, Empty, Loading, PageHead, Problem, Segments, TextField } from "../../components";
 import { useAction } from "../../core/action";
 import { query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
@@ -34,7 +34,7 @@ export default function CatalogueScreen() {
   };
   return (
     <div class="page page--alone catalogue-page">
-      <PageHead title={say("page-catalogue")} lead={say("catalogue-lead")}>
+      <PageHead says="page-catalogue" lead={say("catalogue-lead")}>
         <div class="row">
           <Button says="catalogue-export" href="/api/catalogue/export" icon="download" />
           {canWork.value && (
@@ -52,13 +52,13 @@ export default function CatalogueScreen() {
       </PageHead>
       <div class="catalogue-search">
         <TextField
-          label={say("catalogue-search")}
+          says="catalogue-search"
           type="search"
           value={q}
           onInput={(text) => setQuery({ q: text || null, offset: null })}
         />
         <Segments
-          label={say("catalogue-which")}
+          says="catalogue-which"
           value={retired ? "retired" : "offered"}
           options={[
             { value: "offered", label: say("catalogue-offered") },
@@ -105,30 +105,29 @@ interface ModelsProps {
 function Models({ rows, edit, retire }: ModelsProps) {
   const unit = lengthScale()[1];
   return (
-    <Table
+    <DataTable
       label={say("page-catalogue")}
       class="table--dense"
       data-testid="catalogue"
-      heads={[
-        say("catalogue-model"),
-        say("catalogue-years"),
-        say("catalogue-category"),
-        ...SIZES.map((size) => num(say("catalogue-size-head", { size: SIZE_WORDS[size], unit }))),
-        <span class="visually-hidden">{say("people-actions")}</span>,
-      ]}
-    >
-      {rows.map((row) => (
-        <tr key={row.id}>
-          <td>
+      rows={rows}
+      keyOf={(row) => row.id}
+      columns={({ col, num, actions }) => [
+        col(say("catalogue-model"), (row) => (
+          <>
             <strong>{row.make}</strong> {row.model}
-          </td>
-          <td class="nowrap">{yearsOf(row)}</td>
-          <td>{row.category ? CATEGORY_WORDS[row.category] : ""}</td>
-          {SIZES.map((size) => (
-            <SizeCell key={size} row={row} size={size} />
-          ))}
-          <td class="nowrap">
-            {canWork.value && (
+          </>
+        )),
+        col(say("catalogue-years"), yearsOf, "nowrap"),
+        col(say("catalogue-category"), (row) => (row.category ? CATEGORY_WORDS[row.category] : "")),
+        ...SIZES.map((size) => ({
+          ...num(say("catalogue-size-head", { size: SIZE_WORDS[size], unit }), (row) => sizeWords(row, size)),
+          cellTitle: (row: CatalogueRow) =>
+            row[`${size}_m`] === null ? undefined : (row[`${size}_source`] ?? row.source),
+        })),
+        actions(
+          say("people-actions"),
+          (row) =>
+            canWork.value && (
               <>
                 <Button
                   says="catalogue-correct"
@@ -142,11 +141,11 @@ function Models({ rows, edit, retire }: ModelsProps) {
                   onClick={() => void retire(row)}
                 />
               </>
-            )}
-          </td>
-        </tr>
-      ))}
-    </Table>
+            ),
+          "nowrap",
+        ),
+      ]}
+    />
   );
 }
 
@@ -156,16 +155,15 @@ function yearsOf(row: CatalogueRow): string {
 }
 
 /** A size over its standard uncertainty; where it comes from stands in the title. */
-function SizeCell({ row, size }: { row: CatalogueRow; size: Size }) {
+function sizeWords(row: CatalogueRow, size: Size) {
   const value = row[`${size}_m`];
   const u = row[`u_${size}_m`];
+  if (value === null) return "";
   return (
-    <td class="num" title={value === null ? undefined : (row[`${size}_source`] ?? row.source)}>
-      {value === null ? "" : plainLength(value, 3)}
-      {value !== null && u !== null && (
-        <div class="catalogue-u">{say("catalogue-u", { u: formatSmall(u) })}</div>
-      )}
-    </td>
+    <>
+      {plainLength(value, 3)}
+      {u !== null && <div class="catalogue-u">{say("catalogue-u", { u: formatSmall(u) })}</div>}
+    </>
   );
 }
 

@@ -110,13 +110,13 @@ function Preview({ plan, taken, change }: PreviewProps) {
       {plan.problem && <Notice kind="problem">{sentenceOf(plan.problem)}</Notice>}
       <div class="catalogue-form">
         <OptionalField
-          label={say("catalogue-import-unit")}
+          says="catalogue-import-unit"
           {...field("unit")}
           none={say("catalogue-import-unit-header")}
           options={choices(UNIT_WORDS)}
         />
         <SelectField<Choices["on_conflict"]>
-          label={say("catalogue-import-conflicts")}
+          says="catalogue-import-conflicts"
           {...field("on_conflict")}
           options={[
             { value: "keep", label: say("catalogue-import-keep") },

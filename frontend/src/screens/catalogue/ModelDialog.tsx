@@ -58,23 +58,23 @@ export function ModelDialog({ row, close, saved }: Props) {
   const year = (text: string) => (tried && yearOf(text) === undefined ? say("catalogue-year-problem") : null);
   return (
     <FormDialog
-      title={say(row ? "catalogue-correct-title" : "catalogue-add-title")}
+      says={row ? "catalogue-correct-title" : "catalogue-add-title"}
       action={say(row ? "catalogue-correct-save" : "catalogue-add-save")}
       onClose={close}
       submit={submit}
     >
       <div class="catalogue-form">
-        <TextField label={say("catalogue-make")} {...form.field("make")} problem={empty(make)} />
-        <TextField label={say("catalogue-model-name")} {...form.field("model")} problem={empty(model)} />
-        <TextField label={say("catalogue-year-from")} {...form.field("from")} problem={year(from)} />
-        <TextField label={say("catalogue-year-to")} {...form.field("to")} problem={year(to)} />
+        <TextField says="catalogue-make" {...form.field("make")} problem={empty(make)} />
+        <TextField says="catalogue-model-name" {...form.field("model")} problem={empty(model)} />
+        <TextField says="catalogue-year-from" {...form.field("from")} problem={year(from)} />
+        <TextField says="catalogue-year-to" {...form.field("to")} problem={year(to)} />
         <OptionalField
-          label={say("catalogue-category")}
+          says="catalogue-category"
           {...form.field("category")}
           none={say("catalogue-category-unknown")}
           options={choices(CATEGORY_WORDS)}
         />
-        <TextField label={say("catalogue-source")} {...form.field("source")} />
+        <TextField says="catalogue-source" {...form.field("source")} />
       </div>
       {SIZES.map((size) => (
         <SizeFields
@@ -105,14 +105,12 @@ function SizeFields({ size, typed, tried, change }: SizeProps) {
     <div class="catalogue-sizes">
       <TextField
         label={name}
-        numeric
         unit={lengthUnit.value}
         {...field("size")}
         problem={wrong(typed.size, parseLength(typed.size))}
       />
       <TextField
         label={say("catalogue-u-of", { size: name })}
-        numeric
         unit={smallScale()[1]}
         {...field("u")}
         problem={wrong(typed.u, parseSmall(typed.u))}

@@ -162,7 +162,7 @@ function OfPose({ surveyId, found, busy, put, takeBack }: PoseProps) {
   const camera = found.moved.find((one) => one.name === "camera_height_m");
   return (
     <Panel
-      title={say("adjust-pose", { pose: String(found.pose_id), recordings: allOf([...found.recordings]) })}
+      label={say("adjust-pose", { pose: String(found.pose_id), recordings: allOf([...found.recordings]) })}
       aside={
         <>
           {canWork.value && found.adjusted_from !== null && (

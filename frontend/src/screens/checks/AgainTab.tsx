@@ -75,7 +75,7 @@ function Stale({ found, busy, start }: { found: Computings; busy: boolean; start
 
 function Runs({ computings, shown }: { computings: readonly Computing[]; shown: number }) {
   return (
-    <Panel title={say("computing-runs")}>
+    <Panel says="computing-runs">
       {computings.length === 0 ? (
         <p class="panel__body muted">{say("computing-runs-none")}</p>
       ) : (

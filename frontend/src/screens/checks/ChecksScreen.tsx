@@ -26,7 +26,7 @@ export default function ChecksScreen({ surveyId }: ScreenProps) {
   if (!survey || survey.id !== surveyId) return <Loading what={say("checks-loading")} />;
   return (
     <div class={`page checks checks--${tab}`}>
-      <PageHead title={say("page-checks")} lead={LEADS[tab]} />
+      <PageHead says="page-checks" lead={LEADS[tab]} />
       <PageTabs label={say("page-checks")} tabs={checksTabs(surveyId, tab)} />
       {tab === "insets" && <InsetsTab survey={survey} />}
       {tab === "traffic" && <TrafficTab surveyId={surveyId} />}

@@ -1,5 +1,5 @@
 /** One computing: what it changed in words, as a figure, and height by height, with the undo of all. */
-import { Button, Loading, num, Panel, Problem, Table } from "../../components";
+import { Button, DataTable, Loading, Panel, Problem } from "../../components";
 import { say, sentenceOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { canWork } from "../../core/session";
@@ -28,7 +28,7 @@ export function ComputedHeightsPanel({ surveyId, computing, busy, undo }: Props)
     return read.error ? <Problem error={read.error} /> : <Loading what={say("computing-old-new")} />;
   return (
     <Panel
-      title={say("computing-old-new")}
+      says="computing-old-new"
       aside={
         canWork.value && (
           <Button
@@ -109,11 +109,7 @@ function ChangesOf({ found, of }: { found: ComputedHeights; of: keyof typeof PLA
         const at = { x: (one: ComputedHeight) => (at_m(one) ?? 0) * perX, y: changeIn(perY) };
         return {
           x: { label: say(axis, { unit: long }) },
-          y: {
-            label: say("computing-figure-y", { small }),
-            nice: true,
-            zero: true,
-          },
+          y: { label: say("computing-figure-y", { small }), nice: true, zero: true },
           marks: [
             plot.ruleY([0], { stroke: "var(--line-strong)" }),
             readable(
@@ -160,40 +156,41 @@ function addressOf(surveyId: number, one: ComputedHeight): string {
 function Heights({ surveyId, found }: { surveyId: number; found: ComputedHeights }) {
   return (
     <>
-      <Table
+      <DataTable
         label={say("computing-table")}
         scroll="again-heights"
         data-testid="computed-heights"
-        heads={[
-          say("computing-vehicle"),
-          say("computing-target"),
-          num(say("computing-before")),
-          num(say("computing-after")),
-          num(say("computing-change")),
-          { head: say("computing-by-u"), figures: true, title: say("computing-by-u-help") },
-          <span class="visually-hidden">{say("table-actions")}</span>,
-        ]}
-      >
-        {found.listed.map((one) => (
-          <tr key={one.measurement_id}>
-            <td>
-              <a href={addressOf(surveyId, one)}>#{one.vehicle_number}</a>
-            </td>
-            <td>
+        rows={found.listed}
+        keyOf={(one) => one.measurement_id}
+        columns={({ col, num, actions }) => [
+          col(say("computing-vehicle"), (one) => (
+            <a href={addressOf(surveyId, one)}>#{one.vehicle_number}</a>
+          )),
+          col(say("computing-target"), (one) => (
+            <>
               {TARGET_WORDS[one.target]}{" "}
               {one.scan_id !== null && <span class="badge">{say("computing-line-scan")}</span>}{" "}
               {one.repeat && <span class="badge">{say("computing-repeat")}</span>}
-            </td>
-            <td class="num">{formatHeight(one.height_before_m, one.U95_before_m)}</td>
-            <td class="num" title={one.reason ? sentenceOf(one.reason) : undefined}>
-              {formatHeight(one.height_m, one.U95_height_m)}
-            </td>
-            <td class="num">{formatSmall(one.change_m)}</td>
-            <td class="num">{one.moved_by_u === null ? "–" : fixed(one.moved_by_u, 2)}</td>
-            <td>{one.to_review && <span class="badge">{say("computing-review-yes")}</span>}</td>
-          </tr>
-        ))}
-      </Table>
+            </>
+          )),
+          num(say("computing-before"), (one) => formatHeight(one.height_before_m, one.U95_before_m)),
+          {
+            ...num(say("computing-after"), (one) => formatHeight(one.height_m, one.U95_height_m)),
+            cellTitle: ({ reason }) => (reason ? sentenceOf(reason) : undefined),
+          },
+          num(say("computing-change"), (one) => formatSmall(one.change_m)),
+          {
+            ...num(say("computing-by-u"), (one) =>
+              one.moved_by_u === null ? "–" : fixed(one.moved_by_u, 2),
+            ),
+            title: say("computing-by-u-help"),
+          },
+          actions(
+            say("table-actions"),
+            (one) => one.to_review && <span class="badge">{say("computing-review-yes")}</span>,
+          ),
+        ]}
+      />
       {found.listed.length < found.computing.heights && (
         <p class="panel__body muted small">
           {say("computing-listed", { count: formatCount(found.listed.length) })}

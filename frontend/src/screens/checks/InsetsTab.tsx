@@ -40,7 +40,7 @@ export function InsetsTab({ survey }: { survey: Survey }) {
   return (
     <>
       <Problem error={problem} />
-      <Panel aria-label={say("checks-insets")} title={say("checks-insets-title")}>
+      <Panel aria-label={say("checks-insets")} says="checks-insets-title">
         <Loaded of={check} what={say("checks-insets-loading")} />
         {check.data && (
           <TableScroll label={say("checks-insets-table")}>
@@ -158,7 +158,7 @@ function Vehicles({ one }: { one: Estimate }) {
 
 function Explanation({ check }: { check: InsetCheck }) {
   return (
-    <Panel aria-label={say("checks-inset-what")} title={say("checks-inset-title")}>
+    <Panel aria-label={say("checks-inset-what")} says="checks-inset-title">
       <div class="panel__body inset-words">
         <InsetDrawing />
         <div class="stack">

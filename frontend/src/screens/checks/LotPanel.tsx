@@ -26,7 +26,7 @@ export function LotPanel({ surveyId, shown, done }: Props) {
   const left = leftInWords(shown);
   const title = say("lots-named", { number: String(lot.number), common: commonInWords(lot.common) });
   return (
-    <Panel title={title} data-testid="lot">
+    <Panel label={title} data-testid="lot">
       <div class="panel__body stack">
         <p data-testid="lot-words">{inWords(shown)}</p>
         {left && <p class="small">{say("lots-left", { reasons: left })}</p>}

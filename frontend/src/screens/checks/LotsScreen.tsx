@@ -116,7 +116,7 @@ function Draw({ surveyId, changed, done }: DrawProps) {
   const planned = plan.data ?? [];
   return (
     <Panel
-      title={say("lots-draw-title")}
+      says="lots-draw-title"
       aside={
         may("reviewer") && (
           <Button
@@ -156,7 +156,6 @@ function Draw({ surveyId, changed, done }: DrawProps) {
               key={one}
               label={RISK_WORDS[one]}
               value={typed[one]}
-              numeric
               unit="%"
               onInput={(value) => setTyped({ ...typed, [one]: value })}
             />
@@ -211,7 +210,7 @@ function Planned({ planned }: { planned: readonly PlannedLot[] }) {
 
 function Lots({ lots, shown }: { lots: readonly ShownLot[]; shown: ShownLot | undefined }) {
   return (
-    <Panel title={say("page-lots")}>
+    <Panel says="page-lots">
       <DataTable
         label={say("page-lots")}
         scroll="lots__planned"
@@ -221,10 +220,7 @@ function Lots({ lots, shown }: { lots: readonly ShownLot[]; shown: ShownLot | un
         rowAttributes={(one) => ({ "aria-current": one === shown ? "true" : undefined })}
         columns={({ col, num }) => [
           col(say("lots-lot"), (one) =>
-            say("lots-named", {
-              number: String(one.lot.number),
-              common: commonInWords(one.lot.common),
-            }),
+            say("lots-named", { number: String(one.lot.number), common: commonInWords(one.lot.common) }),
           ),
           num(say("lots-size"), (one) => formatCount(one.lot.size)),
           num(

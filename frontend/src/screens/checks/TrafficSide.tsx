@@ -15,7 +15,7 @@ export function TrafficSide({ model }: { model: TrafficModel }) {
       {model.reel.recordings.value.length > 1 && (
         <div class="traffic__pose">
           <SelectField
-            label={say("field-recording")}
+            says="field-recording"
             hideLabel
             value={String(model.reel.recording.value?.id ?? "")}
             options={named(model.reel.recordings.value)}

@@ -1,17 +1,17 @@
 import { useEffect, useState } from "preact/hooks";
 import {
   Button,
+  Check,
   choices,
+  DataTable,
   Empty,
   JobProgress,
   Loaded,
   Notice,
-  num,
   OptionalField,
   PageHead,
   Panel,
   Problem,
-  Table,
 } from "../../components";
 import { nameOfLanguage } from "../../components/LanguageChoice";
 import { Said } from "../../components/Said";
@@ -82,17 +82,9 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
   const counts = survey.value?.counts;
   return (
     <div class="page">
-      <PageHead title={say("page-export")} lead={say("export-lead")}>
+      <PageHead says="page-export" lead={say("export-lead")}>
         <div class="row row--wrap">
-          <label class="row">
-            <input
-              type="checkbox"
-              checked={crops}
-              disabled={underWay}
-              onChange={(event) => setCrops(event.currentTarget.checked)}
-            />
-            <span>{say("export-crops")}</span>
-          </label>
+          <Check says="export-crops" class="row" checked={crops} disabled={underWay} onInput={setCrops} />
           <Button
             says="export-build"
             kind="primary"
@@ -119,7 +111,7 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
         </div>
       )}
       <Problem error={problem} again={() => void build()} />
-      <Panel title={say("export-packages")}>
+      <Panel says="export-packages">
         <Loaded of={packages} what={say("export-loading")} />
         {packages.data?.length === 0 && (
           <Empty title={say("export-none-title")}>
@@ -129,7 +121,7 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
         {packages.data && packages.data.length > 0 && <Packages list={packages.data} />}
       </Panel>
       {packages.data?.[0] && <Checking newest={packages.data[0]} />}
-      <Panel title={say("export-contents")}>
+      <Panel says="export-contents">
         <table class="table">
           <tbody>
             {CONTENTS.map(({ files, what }) => (
@@ -153,7 +145,7 @@ function Choosing({ wanted, onChange }: { wanted: Wanted; onChange(wanted: Wante
     <section class="panel panel__body" aria-label={say("export-of-title")}>
       <div class="row row--wrap export__of">
         <OptionalField
-          label={say("export-of-lighting")}
+          says="export-of-lighting"
           value={wanted.lighting}
           none={say("statistics-filter-any")}
           options={choices(LIGHTING_WORDS)}
@@ -213,44 +205,43 @@ async function copy(text: string, said: string) {
 
 function Packages({ list }: { list: ExportPackage[] }) {
   return (
-    <Table
+    <DataTable
       label={say("export-packages")}
       class="table--hover"
-      heads={[
-        say("export-made"),
-        say("export-by"),
-        say("export-of"),
-        say("export-language"),
-        num(say("export-size")),
-        <span class="visually-hidden">{say("export-download-column")}</span>,
-        say("export-sha256"),
-        say("export-audit-head"),
+      rows={list}
+      keyOf={(entry) => entry.id}
+      columns={({ col, num, actions }) => [
+        col(
+          say("export-made"),
+          (entry) => (
+            <>
+              {formatMoment(entry.created_at)}
+              <Outdated since={entry.since} />
+            </>
+          ),
+          "nowrap",
+        ),
+        col(say("export-by"), (entry) => entry.created_by?.name ?? "–", "nowrap"),
+        col(say("export-of"), (entry) => wantedWords(entry.selection) || say("export-of-all")),
+        col(say("export-language"), (entry) => nameOfLanguage(entry.language), "nowrap"),
+        num(say("export-size"), (entry) => formatBytes(entry.size_bytes), "nowrap"),
+        actions(say("export-download-column"), (entry) => (
+          <Button says="export-download" small icon="download" href={entry.url} download />
+        )),
+        col(say("export-sha256"), (entry) => <Hash text={entry.sha256} which="sha256" />, "export__hash"),
+        col(
+          say("export-audit-head"),
+          (entry) => <Hash text={entry.audit_head} which="audit-head" />,
+          "export__hash",
+        ),
       ]}
-    >
-      {list.map((entry) => (
-        <tr key={entry.id}>
-          <td class="nowrap">
-            {formatMoment(entry.created_at)}
-            <Outdated since={entry.since} />
-          </td>
-          <td class="nowrap">{entry.created_by?.name ?? "–"}</td>
-          <td>{wantedWords(entry.selection) || say("export-of-all")}</td>
-          <td class="nowrap">{nameOfLanguage(entry.language)}</td>
-          <td class="num nowrap">{formatBytes(entry.size_bytes)}</td>
-          <td>
-            <Button says="export-download" small icon="download" href={entry.url} download />
-          </td>
-          <Hash text={entry.sha256} which="sha256" />
-          <Hash text={entry.audit_head} which="audit-head" />
-        </tr>
-      ))}
-    </Table>
+    />
   );
 }
 
 function Hash({ text, which }: { text: string; which: "sha256" | "audit-head" }) {
   return (
-    <td class="export__hash">
+    <>
       <code title={text}>{text.slice(0, 16)}…</code>
       <Button
         small
@@ -259,7 +250,7 @@ function Hash({ text, which }: { text: string; which: "sha256" | "audit-head" })
         label={say(`export-${which}-copy`)}
         onClick={() => void copy(text, say(`export-${which}-copied`))}
       />
-    </td>
+    </>
   );
 }
 
@@ -267,7 +258,7 @@ function Hash({ text, which }: { text: string; which: "sha256" | "audit-head" })
 function Checking({ newest }: { newest: ExportPackage }) {
   const command = `sightline verify ${newest.filename} --key ${newest.signing_key.slice(0, 32)}`;
   return (
-    <Panel title={say("export-checking")}>
+    <Panel says="export-checking">
       <div class="panel__body stack stack--tight">
         <p>{say("export-checking-help")}</p>
         <p class="export__command">

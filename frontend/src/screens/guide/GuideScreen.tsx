@@ -21,7 +21,7 @@ export default function GuideScreen() {
   }, [page.data, section]);
   return (
     <div class="page page--alone guide">
-      <PageHead title={say(`guide-page-${name}`)}>
+      <PageHead says={`guide-page-${name}`}>
         <Button says="action-print" onClick={() => print()} />
       </PageHead>
       <div class="guide__columns">

@@ -2,6 +2,7 @@
 import {
   Button,
   choices,
+  DataTable,
   Empty,
   Loaded,
   OptionalField,
@@ -9,7 +10,6 @@ import {
   Problem,
   Progress,
   StateMark,
-  Table,
 } from "../../components";
 import { useAction } from "../../core/action";
 import { query, setQuery } from "../../core/address";
@@ -40,9 +40,9 @@ export default function JobsScreen() {
   const nameOf = (id: number | null): string => surveys.data?.find((survey) => survey.id === id)?.name ?? "–";
   return (
     <div class="page page--alone">
-      <PageHead title={say("page-jobs")} lead={say("jobs-lead")}>
+      <PageHead says="page-jobs" lead={say("jobs-lead")}>
         <OptionalField
-          label={say("jobs-show")}
+          says="jobs-show"
           value={state}
           none={say("jobs-all")}
           options={choices<string>(STATE_WORDS, STATES)}
@@ -59,56 +59,47 @@ export default function JobsScreen() {
         </div>
       )}
       {jobs.data && jobs.data.length > 0 && (
-        <Table
+        <DataTable
           label={say("page-jobs")}
           scroll="panel"
-          heads={[
-            say("jobs-column-what"),
-            say("jobs-column-for"),
-            say("jobs-column-state"),
-            say("jobs-column-said"),
-            say("jobs-column-begun"),
-            <span class="visually-hidden">{say("people-actions")}</span>,
+          rows={jobs.data}
+          keyOf={(job) => job.id}
+          rowAttributes={(job) => ({ "data-testid": `job-${job.id}` }) as object}
+          columns={({ col, actions }) => [
+            col(say("jobs-column-what"), (job) => jobName(job.kind)),
+            col(say("jobs-column-for"), (job) => pageLink(job, nameOf(job.survey_id))),
+            col(say("jobs-column-state"), (job) => <StateMark state={job.state} />),
+            col(say("jobs-column-said"), (job) =>
+              isOver(job) ? (
+                toldOf(job)
+              ) : (
+                <Progress value={job.progress} label={sentenceOf(job.message) ?? "…"} />
+              ),
+            ),
+            col(say("jobs-column-begun"), ({ created_at }) => (
+              <span class="muted nowrap" title={formatMoment(created_at)}>
+                {formatAgo(created_at)}
+              </span>
+            )),
+            actions(say("people-actions"), (job) => <Actions job={job} run={run} />, "num"),
           ]}
-        >
-          {jobs.data.map((job) => (
-            <Row key={job.id} job={job} survey={nameOf(job.survey_id)} run={run} />
-          ))}
-        </Table>
+        />
       )}
     </div>
   );
 }
 
-interface RowProps {
+function pageLink(job: Job, survey: string) {
+  const page = pageOf(job);
+  return page ? <a href={page}>{survey}</a> : survey;
+}
+
+interface ActionsProps {
   job: Job;
-  survey: string;
   run(work: () => Promise<unknown>): Promise<void>;
 }
 
-function Row({ job, survey, run }: RowProps) {
-  const page = pageOf(job);
-  return (
-    <tr data-testid={`job-${job.id}`}>
-      <td>{jobName(job.kind)}</td>
-      <td>{page ? <a href={page}>{survey}</a> : survey}</td>
-      <td>
-        <StateMark state={job.state} />
-      </td>
-      <td>
-        {isOver(job) ? toldOf(job) : <Progress value={job.progress} label={sentenceOf(job.message) ?? "…"} />}
-      </td>
-      <td class="muted nowrap" title={formatMoment(job.created_at)}>
-        {formatAgo(job.created_at)}
-      </td>
-      <td class="num">
-        <Actions job={job} run={run} />
-      </td>
-    </tr>
-  );
-}
-
-function Actions({ job, run }: Omit<RowProps, "survey">) {
+function Actions({ job, run }: ActionsProps) {
   if (!may("operator")) return null;
   if (!isOver(job)) {
     return (

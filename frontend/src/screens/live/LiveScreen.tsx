@@ -19,7 +19,7 @@ export default function LiveScreen({ surveyId }: ScreenProps) {
   useEvery(EVERY_MS, streams.reload);
   return (
     <div class="page">
-      <PageHead title={say("page-live")} lead={say("live-lead")}>
+      <PageHead says="page-live" lead={say("live-lead")}>
         <Button says="scans-all" href={`/surveys/${surveyId}/scans`} />
       </PageHead>
       <Loaded of={streams} what={say("live-loading")} />

@@ -37,7 +37,7 @@ function DriverSideChoice({ model, vehicle }: { model: MeasureModel; vehicle: Ve
       <span class="small">{say("measure-inset-side")}</span>
       {canWork.value ? (
         <Segments
-          label={say("measure-inset-side")}
+          says="measure-inset-side"
           value={side ?? ""}
           options={choices<string>(SIDE_WORDS)}
           onInput={(picked) => model.insets.chooseSide(picked as DriverSide)}
@@ -74,12 +74,9 @@ function RoofChoice({ model, target, entry }: Props) {
     <div class="inset-choice" data-testid={`inset-choice-${target}`}>
       <span class="small">{say("measure-inset-roof")}</span>
       <Segments
-        label={say("measure-inset-roof")}
+        says="measure-inset-roof"
         value={String(value)}
-        options={offered.map((choice, i) => ({
-          value: String(i),
-          label: INSET_PLACE_WORDS[choice.place],
-        }))}
+        options={offered.map((choice, i) => ({ value: String(i), label: INSET_PLACE_WORDS[choice.place] }))}
         onInput={(picked) => {
           const choice = offered[Number(picked)];
           if (choice) model.insets.choose(target, { inset_m: choice.inset_m, u_inset_m: choice.u_inset_m });

@@ -1,8 +1,8 @@
 /** Heights of the eye, the lamps and a mark that were known before, and whether the record is a check target. */
-import { CommitField } from "../../components/CommitField";
+import { Check } from "../../components";
+import { CommitField, LengthField } from "../../components/CommitField";
 import { say } from "../../core/messages";
 import type { KnownTarget, Vehicle } from "../../core/types";
-import { lengthProblem, lengthText, lengthUnit, parseLength } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
 import { type Changes, FIELD_WORDS } from "./fields";
 
@@ -29,15 +29,12 @@ export function KnownHeights({ vehicle, locked, edit }: Props) {
           <Known key={target} target={target} vehicle={vehicle} locked={locked} edit={edit} />
         ))}
       </div>
-      <label>
-        <input
-          type="checkbox"
-          checked={vehicle.check_target}
-          disabled={locked}
-          onChange={(event) => edit({ check_target: event.currentTarget.checked })}
-        />{" "}
-        {FIELD_WORDS.check_target}
-      </label>
+      <Check
+        label={FIELD_WORDS.check_target}
+        checked={vehicle.check_target}
+        disabled={locked}
+        onInput={(check_target) => edit({ check_target })}
+      />
       <p class="field__hint">{say("measure-check-target-help")}</p>
       {empty && <p class="field__problem">{say("measure-check-target-empty")}</p>}
     </details>
@@ -45,29 +42,25 @@ export function KnownHeights({ vehicle, locked, edit }: Props) {
 }
 
 function Known({ target, vehicle, locked, edit }: Props & { target: KnownTarget }) {
-  const unit = lengthUnit.value;
   const height = `known_${target}_m` as const;
   const u = `u_known_${target}_m` as const;
   const source = `known_${target}_source` as const;
-  const length = { numeric: true, unit, disabled: locked } as const;
   return (
     <fieldset class="known__row" aria-label={FIELD_WORDS[height]}>
-      <CommitField
-        {...length}
+      <LengthField
         label={target === "other" ? say("measure-known-mark") : TARGET_WORDS[target]}
-        value={lengthText(vehicle[height], unit)}
-        check={(text) => lengthProblem(text, { empty: true })}
-        onCommit={(text) => edit({ [height]: parseLength(text) })}
+        metres={vehicle[height]}
+        disabled={locked}
+        onCommit={(metres) => edit({ [height]: metres })}
+      />
+      <LengthField
+        says="measure-known-u"
+        metres={vehicle[u]}
+        disabled={locked}
+        onCommit={(metres) => edit({ [u]: metres })}
       />
       <CommitField
-        {...length}
-        label={say("measure-known-u")}
-        value={lengthText(vehicle[u], unit)}
-        check={(text) => lengthProblem(text, { empty: true })}
-        onCommit={(text) => edit({ [u]: parseLength(text) })}
-      />
-      <CommitField
-        label={say("measure-known-source")}
+        says="measure-known-source"
         value={vehicle[source] ?? ""}
         disabled={locked}
         onCommit={(text) => edit({ [source]: text || null })}

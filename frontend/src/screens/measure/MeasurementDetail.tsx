@@ -1,9 +1,9 @@
 import { Button, Facts } from "../../components";
-import { CommitField } from "../../components/CommitField";
+import { LengthField } from "../../components/CommitField";
 import { hint } from "../../core/commands";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
-import { fixed, formatLength, lengthProblem, lengthText, lengthUnit, parseLength } from "../../core/units";
+import { fixed, formatLength, lengthProblem } from "../../core/units";
 import { Budget } from "../../parts/vehicles/Budget";
 import { Revisions } from "../../parts/vehicles/Revisions";
 import type { Inset } from "../../viewer/values";
@@ -53,7 +53,6 @@ function pixels(point: readonly number[]): string {
 
 /** How far the target lies behind the side plane: an estimate, with its own uncertainty. */
 function InsetEditor({ model, entry }: { model: MeasureModel; entry: Entry }) {
-  const unit = lengthUnit.value;
   const usual = model.insets.usual(entry.values.target);
   const now: Inset | null = entry.values.inset ?? usual;
   if (!now) return null;
@@ -73,23 +72,19 @@ function InsetEditor({ model, entry }: { model: MeasureModel; entry: Entry }) {
         </span>
       </p>
       <div class="height-detail__inset">
-        <CommitField
-          label={say("measure-inset")}
-          unit={unit}
-          numeric
+        <LengthField
+          says="measure-inset"
           disabled={!canWork.value}
-          value={lengthText(now.inset_m, unit)}
+          metres={now.inset_m}
           check={check}
-          onCommit={(text) => set({ inset_m: parseLength(text) ?? now.inset_m })}
+          onCommit={(metres) => set({ inset_m: metres ?? now.inset_m })}
         />
-        <CommitField
-          label={say("measure-inset-u")}
-          unit={unit}
-          numeric
+        <LengthField
+          says="measure-inset-u"
           disabled={!canWork.value}
-          value={lengthText(now.u_inset_m, unit)}
+          metres={now.u_inset_m}
           check={check}
-          onCommit={(text) => set({ u_inset_m: parseLength(text) ?? now.u_inset_m })}
+          onCommit={(metres) => set({ u_inset_m: metres ?? now.u_inset_m })}
         />
       </div>
       {own && usual && canWork.value && (

@@ -1,9 +1,9 @@
 /** The passes of the survey with their state; filter, order, a new pass. */
 import { useComputed, useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import { Button, Icon, LongList, StateMark } from "../../components";
+import { Button, choices, Icon, LongList, Select, StateMark } from "../../components";
 import { bringInSight } from "../../components/inSight";
-import { late } from "../../components/late";
+import { late, soon } from "../../components/late";
 import { useOneTabStop } from "../../components/oneTabStop";
 import { Said } from "../../components/Said";
 import { hint } from "../../core/commands";
@@ -12,16 +12,7 @@ import { canWork } from "../../core/session";
 import { formatPlaceClock, formatPlaceMoment } from "../../core/times";
 import type { Vehicle } from "../../core/types";
 import { LIGHTING_NOUNS, LIGHTING_WORDS, STATE_WORDS, vehicleName } from "../../core/words";
-import {
-  FILTER_WORDS,
-  FILTERS,
-  type Filter,
-  isOpen,
-  lacksClass,
-  ORDER_WORDS,
-  ORDERS,
-  type Order,
-} from "../../parts/vehicles/passes";
+import { FILTER_WORDS, FILTERS, isOpen, lacksClass, ORDER_WORDS, ORDERS } from "../../parts/vehicles/passes";
 import { SampleQuotas, useSample } from "../../parts/vehicles/SampleQuotas";
 import { filter, type MeasureModel, order } from "./model";
 import { readAgain } from "./passes/actions";
@@ -30,7 +21,7 @@ import { PassMenu } from "./passes/PassMenu";
 import "../../parts/vehicles/passes.css";
 
 const FindPasses = late(async () => (await import("../../parts/vehicles/FindPasses")).FindPasses);
-const ProposeButton = late(async () => (await import("./proposals/ProposeButton")).ProposeButton);
+const ProposeButton = soon(async () => (await import("./proposals/ProposeButton")).ProposeButton);
 
 /** A pass and what stands below it. */
 const ROW_PX = 43;
@@ -58,34 +49,22 @@ export function PassList({ model }: { model: MeasureModel }) {
           />
         </h2>
         <div class="passes__choose">
-          <select
-            class="input"
+          <Select
             aria-label={say("measure-passes-show")}
             value={filter.value}
-            onChange={(event) => {
-              filter.value = event.currentTarget.value as Filter;
+            options={choices(FILTER_WORDS, FILTERS)}
+            onInput={(chosen) => {
+              filter.value = chosen;
             }}
-          >
-            {FILTERS.map((one) => (
-              <option key={one} value={one}>
-                {FILTER_WORDS[one]}
-              </option>
-            ))}
-          </select>
-          <select
-            class="input"
+          />
+          <Select
             aria-label={say("measure-passes-order")}
             value={order.value}
-            onChange={(event) => {
-              order.value = event.currentTarget.value as Order;
+            options={choices(ORDER_WORDS, ORDERS)}
+            onInput={(chosen) => {
+              order.value = chosen;
             }}
-          >
-            {ORDERS.map((one) => (
-              <option key={one} value={one}>
-                {ORDER_WORDS[one]}
-              </option>
-            ))}
-          </select>
+          />
         </div>
       </header>
       <Quotas model={model} />

@@ -27,7 +27,7 @@ export function SpanEditor({ model, vehicle }: { model: MeasureModel; vehicle: V
           return (
             <div key={end}>
               <CommitField
-                label={say(label)}
+                says={label}
                 value={vehicle[end] === null ? "" : String(vehicle[end])}
                 numeric
                 disabled={!canWork.value}

@@ -1,5 +1,6 @@
 /** Below the frame: recording, steps, frame and time, loupe; and the timeline with the passes. */
 import { useEffect } from "preact/hooks";
+import { Select } from "../../components";
 import { CommandButton } from "../../components/CommandButton";
 import { say } from "../../core/messages";
 import type { Vehicle } from "../../core/types";
@@ -73,17 +74,16 @@ function titleOf(vehicle: Vehicle): string {
 
 function RecordingChoice({ model, player }: { model: MeasureModel; player: Player }) {
   return (
-    <select
-      class="input measure__recording"
+    <Select
+      class="measure__recording"
       aria-label={say("field-recording")}
       value={player.recordingId}
-      onChange={(event) => model.chooseRecording(Number(event.currentTarget.value))}
-    >
-      {model.reel.recordings.value.map((recording) => (
-        <option key={recording.id} value={recording.id} disabled={recording.state !== "ready"}>
-          {recording.name}
-        </option>
-      ))}
-    </select>
+      options={model.reel.recordings.value.map(({ id, name, state }) => ({
+        value: id,
+        label: name,
+        disabled: state !== "ready",
+      }))}
+      onInput={(id) => model.chooseRecording(id)}
+    />
   );
 }

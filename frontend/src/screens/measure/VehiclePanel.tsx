@@ -1,6 +1,6 @@
 /** The right side: the vehicle's measurements, and its record, saved by itself. */
 import { Button, StateMark } from "../../components";
-import { late } from "../../components/late";
+import { late, soon } from "../../components/late";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { vehicleName } from "../../core/words";
@@ -12,9 +12,9 @@ import { readAgain } from "./passes/actions";
 const ProposalPanel = late(async () => (await import("./proposals/ProposalPanel")).ProposalPanel);
 const WholePassPanel = late(async () => (await import("./WholePassPanel")).WholePassPanel);
 const VehicleConflict = late(async () => (await import("./Conflicts")).VehicleConflict);
-const SpanEditor = late(async () => (await import("./SpanEditor")).SpanEditor);
+const SpanEditor = soon(async () => (await import("./SpanEditor")).SpanEditor);
 // after the frame, which is what the page is opened for
-const VehicleRecord = late(async () => (await import("./VehicleRecord")).VehicleRecord);
+const VehicleRecord = soon(async () => (await import("./VehicleRecord")).VehicleRecord);
 
 export function VehiclePanel({ model }: { model: MeasureModel }) {
   const vehicle = model.vehicle.value;

@@ -1,14 +1,11 @@
 /** The record of a vehicle: its model, what is known of it, how it was filmed; saved by itself. */
-
 import { useMemo, useRef } from "preact/hooks";
 import { choices, OptionalField } from "../../components";
-
-import { CommitField } from "../../components/CommitField";
+import { CommitField, LengthField } from "../../components/CommitField";
 import { TypingHold } from "../../components/typing";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import type { CatalogueRow, ModelSize, Vehicle } from "../../core/types";
-import { lengthProblem, lengthText, lengthUnit, parseLength } from "../../core/units";
 import { CATEGORY_WORDS, DIRECTION_WORDS, DISCARDED_WORDS, LIGHTING_WORDS } from "../../core/words";
 import { CatalogueField } from "../../parts/vehicles/CatalogueField";
 import { ModelYears } from "../../parts/vehicles/ModelYears";
@@ -21,7 +18,6 @@ import { noteModel, RecentModels } from "./RecentModels";
 import { CannotFit, ModelChosen, useModelFits, WhichModel } from "./WhichModel";
 
 export function VehicleRecord({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
-  const unit = lengthUnit.value;
   const locked = !canWork.value;
   const draft = model.vehicles.drafts.value.get(vehicle.id);
   const hold = useMemo(
@@ -101,23 +97,17 @@ export function VehicleRecord({ model, vehicle }: { model: MeasureModel; vehicle
           <div class="facts-form__wide">
             <ModelYears make={vehicle.make} model={vehicle.model} year={vehicle.year} />
           </div>
-          <CommitField
-            label={say("measure-makers-height")}
-            value={lengthText(vehicle.manufacturer_height_m, unit)}
-            numeric
-            unit={unit}
+          <LengthField
+            says="measure-makers-height"
+            metres={vehicle.manufacturer_height_m}
             disabled={locked}
-            check={(text) => lengthProblem(text, { empty: true })}
-            onCommit={(text) => model.edit({ manufacturer_height_m: parseLength(text) })}
+            onCommit={(manufacturer_height_m) => model.edit({ manufacturer_height_m })}
           />
-          <CommitField
-            label={say("measure-makers-height-u")}
-            value={lengthText(vehicle.u_manufacturer_height_m, unit)}
-            numeric
-            unit={unit}
+          <LengthField
+            says="measure-makers-height-u"
+            metres={vehicle.u_manufacturer_height_m}
             disabled={locked}
-            check={(text) => lengthProblem(text, { empty: true })}
-            onCommit={(text) => model.edit({ u_manufacturer_height_m: parseLength(text) })}
+            onCommit={(u_manufacturer_height_m) => model.edit({ u_manufacturer_height_m })}
           />
           <div class="facts-form__wide">
             <CommitField

@@ -2,7 +2,6 @@
  * The clicking itself as a pure state machine: contact, target, next target, next vehicle.
  * It knows no server and no screen; what has to happen in the world comes out as effects.
  */
-
 import type { Target } from "../../core/types";
 import type { ImagePoint } from "../../viewer/points";
 

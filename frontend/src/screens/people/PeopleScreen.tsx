@@ -2,6 +2,7 @@ import { useState } from "preact/hooks";
 import {
   ask,
   Button,
+  DataTable,
   Facts,
   Loaded,
   Notice,
@@ -9,7 +10,6 @@ import {
   Problem,
   SelectField,
   StateMark,
-  Table,
 } from "../../components";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
@@ -73,35 +73,69 @@ export default function PeopleScreen() {
   };
   return (
     <div class="page page--alone">
-      <PageHead title={say("page-people")} lead={say("people-lead")}>
+      <PageHead says="page-people" lead={say("people-lead")}>
         <Button says="people-add" kind="primary" icon="add" onClick={() => setAdding(true)} />
       </PageHead>
       <Problem error={problem} />
       <Loaded of={people} what={say("people-loading")} />
       {people.data && (
         <div class="panel table-scroll">
-          <Table
+          <DataTable
             class="people"
-            heads={[
-              say("people-name"),
-              say("people-email"),
-              say("people-role"),
-              say("people-state"),
-              say("people-last-seen"),
-              <span class="visually-hidden">{say("people-actions")}</span>,
+            rows={people.data}
+            keyOf={(person) => person.id}
+            columns={({ col, actions }) => [
+              col(say("people-name"), (person) => (
+                <>
+                  <strong>{person.name}</strong>
+                  {isMe(person) && <span class="muted"> {say("people-you")}</span>}
+                </>
+              )),
+              col(say("people-email"), (person) => person.email, "people__mail"),
+              col(
+                say("people-role"),
+                (person) => (
+                  <SelectField
+                    hideLabel
+                    label={say("people-role-of", { person: person.name })}
+                    value={person.role}
+                    options={roleOptions()}
+                    onInput={(role) => void changeRole(person, role)}
+                  />
+                ),
+                "people__role",
+              ),
+              col(say("people-state"), (person) => <StateOf person={person} />),
+              col(say("people-last-seen"), ({ last_seen_at }) => (
+                <span class="muted nowrap" title={last_seen_at ?? undefined}>
+                  {last_seen_at ? formatAgo(last_seen_at) : say("people-never")}
+                </span>
+              )),
+              actions(
+                say("people-actions"),
+                (person) => (
+                  <>
+                    {person.active && (
+                      <Button
+                        says="people-new-link"
+                        small
+                        kind="quiet"
+                        onClick={() => void newLink(person)}
+                      />
+                    )}
+                    <Button
+                      says={person.active ? "people-switch-off" : "people-switch-on"}
+                      small
+                      kind="quiet"
+                      disabled={person.active && isMe(person)}
+                      onClick={() => void (person.active ? switchOff(person) : put(person, { active: true }))}
+                    />
+                  </>
+                ),
+                "num",
+              ),
             ]}
-          >
-            {people.data.map((person) => (
-              <PersonRow
-                key={person.id}
-                person={person}
-                put={put}
-                newLink={newLink}
-                switchOff={switchOff}
-                changeRole={changeRole}
-              />
-            ))}
-          </Table>
+          />
         </div>
       )}
       <Facts class="people__roles" of={roles().map((role) => [ROLE_NAMES[role], DOES[role]])} />
@@ -120,63 +154,12 @@ export default function PeopleScreen() {
   );
 }
 
-interface RowProps {
-  person: Person;
-  put: (person: Person, part: Partial<Person>) => Promise<void>;
-  newLink: (person: Person) => Promise<void>;
-  switchOff: (person: Person) => Promise<void>;
-  changeRole: (person: Person, role: Role) => Promise<void>;
+function isMe({ id }: Person): boolean {
+  return me.value?.person.id === id;
 }
 
-function PersonRow({ person, put, newLink, switchOff, changeRole }: RowProps) {
-  const isMe = me.value?.person.id === person.id;
+function StateOf({ person }: { person: Person }) {
   const state = person.active ? "active" : "inactive";
-  return (
-    <tr>
-      <td>
-        <strong>{person.name}</strong>
-        {isMe && <span class="muted"> {say("people-you")}</span>}
-      </td>
-      <td class="people__mail">{person.email}</td>
-      <td class="people__role">
-        <SelectField
-          hideLabel
-          label={say("people-role-of", { person: person.name })}
-          value={person.role}
-          options={roleOptions()}
-          onInput={(role) => void changeRole(person, role)}
-        />
-      </td>
-      <td>
-        <StateMark
-          state={state}
-          word={person.active && !person.has_password ? say("people-no-password") : STATE_WORDS[state]}
-        />
-      </td>
-      <td class="muted nowrap" title={person.last_seen_at ?? undefined}>
-        {person.last_seen_at ? formatAgo(person.last_seen_at) : say("people-never")}
-      </td>
-      <td class="num">
-        {person.active && (
-          <Button says="people-new-link" small kind="quiet" onClick={() => void newLink(person)} />
-        )}
-        {person.active ? (
-          <Button
-            says="people-switch-off"
-            small
-            kind="quiet"
-            disabled={isMe}
-            onClick={() => void switchOff(person)}
-          />
-        ) : (
-          <Button
-            says="people-switch-on"
-            small
-            kind="quiet"
-            onClick={() => void put(person, { active: true })}
-          />
-        )}
-      </td>
-    </tr>
-  );
+  const word = person.active && !person.has_password ? say("people-no-password") : STATE_WORDS[state];
+  return <StateMark state={state} word={word} />;
 }

@@ -1,10 +1,10 @@
 import { Panel } from "../../components";
-import { type Said, say, sentenceOf } from "../../core/messages";
+import { type Said, sentenceOf } from "../../core/messages";
 
 /** What to do about a plan, what matters most first. */
 export function Advice({ advice }: { advice: readonly Said[] }) {
   return (
-    <Panel title={say("planning-advice")}>
+    <Panel says="planning-advice">
       <ul class="panel__body plan-advice">
         {advice.map(sentenceOf).map((sentence) => (
           <li key={sentence}>{sentence}</li>

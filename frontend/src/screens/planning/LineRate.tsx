@@ -1,5 +1,4 @@
 /** What a rig of line cameras will be worth, and equation (2) of the line-scan paper beside it. */
-
 import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
 import { DataTable, Loaded, Panel, Table } from "../../components";
@@ -107,7 +106,7 @@ function Result({ plan }: { plan: LinePlan }) {
   const { printed, corrected } = plan;
   return (
     <div class="stack" data-testid="line-plan">
-      <Panel title={say("planning-speed-title")}>
+      <Panel says="planning-speed-title">
         <p class="panel__body plan-line__words">
           <Said
             what="planning-lines"
@@ -130,7 +129,7 @@ function Result({ plan }: { plan: LinePlan }) {
       </Panel>
       <ExpectedValues plan={plan} />
       {plan.exposure && <Exposure plan={plan} exposure={plan.exposure} />}
-      <Panel title={say("planning-forms-title")}>
+      <Panel says="planning-forms-title">
         <Table
           label={say("planning-forms-label")}
           class="plan-lines"
@@ -169,7 +168,7 @@ const QUANTITIES = wordsOf("planning-values-", "speed", "length", "time_gap", "d
 /** Speed, length and gaps with what their uncertainty is made of. */
 function ExpectedValues({ plan }: { plan: LinePlan }) {
   return (
-    <Panel title={say("planning-values-title")} note={say("planning-values-note")}>
+    <Panel says="planning-values-title" note={say("planning-values-note")}>
       <DataTable
         label={say("planning-values-title")}
         data-testid="line-plan-values"
@@ -202,7 +201,7 @@ function partWords(quantity: PlannedValue["quantity"], u: number): string {
 
 function Exposure({ plan, exposure }: { plan: LinePlan; exposure: NonNullable<LinePlan["exposure"]> }) {
   return (
-    <Panel title={say("planning-exposure-title")}>
+    <Panel says="planning-exposure-title">
       <div class="panel__body plan-line__words" data-testid="line-plan-exposure">
         <p>
           <Said

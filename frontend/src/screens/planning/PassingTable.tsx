@@ -1,4 +1,4 @@
-import { num, Panel, Table } from "../../components";
+import { DataTable, Panel } from "../../components";
 import { say } from "../../core/messages";
 import { fixed, formatSpeed } from "../../core/units";
 import type { Passing } from "./model";
@@ -6,30 +6,23 @@ import type { Passing } from "./model";
 /** Exposure, motion blur and frames of a pass, by speed. */
 export function PassingTable({ passing }: { passing: readonly Passing[] }) {
   return (
-    <Panel title={say("planning-passing-title")} data-testid="plan-passing">
-      <Table
+    <Panel says="planning-passing-title" data-testid="plan-passing">
+      <DataTable
         label={say("planning-passing-title")}
-        heads={[
-          say("planning-passing-speed"),
-          num(say("planning-passing-exposure")),
-          num(say("planning-passing-blur")),
-          num(say("planning-passing-frames-30")),
-          num(say("planning-passing-frames-60")),
+        rows={passing}
+        keyOf={(one) => one.speed_mps}
+        columns={({ col, num }) => [
+          col(say("planning-passing-speed"), (one) => formatSpeed(one.speed_mps, null, 0)),
+          num(say("planning-passing-exposure"), (one) =>
+            say("planning-passing-fraction", { part: String(one.shutter) }),
+          ),
+          num(say("planning-passing-blur"), (one) =>
+            say("planning-passing-px", { blur: fixed(one.blur_px, 1) }),
+          ),
+          num(say("planning-passing-frames-30"), (one) => one.frames[0]),
+          num(say("planning-passing-frames-60"), (one) => one.frames[1]),
         ]}
-      >
-        {passing.map((one) => (
-          <tr key={one.speed_mps}>
-            <td>{formatSpeed(one.speed_mps, null, 0)}</td>
-            <td class="num">{say("planning-passing-fraction", { part: String(one.shutter) })}</td>
-            <td class="num">{say("planning-passing-px", { blur: fixed(one.blur_px, 1) })}</td>
-            {one.frames.map((count, at) => (
-              <td key={at} class="num">
-                {count}
-              </td>
-            ))}
-          </tr>
-        ))}
-      </Table>
+      />
       <p class="field__hint plan-note">{say("planning-passing-note")}</p>
     </Panel>
   );

@@ -62,7 +62,7 @@ function CameraChoice({ cameras, values }: Props) {
   const known = chosen === "plain" || found !== undefined;
   return (
     <SelectField
-      label={say("planning-camera")}
+      says="planning-camera"
       hint={sentenceOf(found?.summary) ?? undefined}
       value={chosen}
       options={[
@@ -111,7 +111,6 @@ export function Value({ name, label, unit, values, placeholder, hint }: ValuePro
   return (
     <TextField
       label={label}
-      numeric
       unit={unit}
       value={text}
       placeholder={placeholder}

@@ -23,7 +23,7 @@ export default function PlanningScreen({ surveyId }: ScreenProps) {
   return (
     <div class="page">
       <PageHead
-        title={say("page-planning")}
+        says="page-planning"
         lead={
           <>
             {say(what === "heights" ? "planning-lead-heights" : "planning-lead-lines")}{" "}
@@ -32,7 +32,7 @@ export default function PlanningScreen({ surveyId }: ScreenProps) {
         }
       >
         <Segments<What>
-          label={say("planning-what")}
+          says="planning-what"
           value={what}
           options={[
             { value: "heights", label: say("planning-what-heights") },
@@ -80,9 +80,7 @@ function Planned({ surveyId, values }: { surveyId: number; values: Values }) {
   const plan = useResource(
     (signal) => askPlan(surveyId, values, signal),
     [surveyId, JSON.stringify(values)],
-    {
-      keep: true,
-    },
+    { keep: true },
   );
   if (plan.error || !plan.data) return <Loaded of={plan} what={say("planning-loading")} />;
   return <Result plan={plan.data} />;

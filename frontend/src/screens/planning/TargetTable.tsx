@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { num, Panel, Table } from "../../components";
+import { DataTable, num, Panel, Table } from "../../components";
 import { say, sentenceOf } from "../../core/messages";
 import { formatLength, formatSmall } from "../../core/units";
 import { type PlannedTarget, wordOf } from "./model";
@@ -12,51 +12,39 @@ interface Props {
 /** Each target's expected uncertainty; the parts it is made of below. */
 export function TargetTable({ targets, travelM }: Props) {
   return (
-    <Panel title={say("planning-targets-title")}>
-      <Table
+    <Panel says="planning-targets-title">
+      <DataTable
         label={say("planning-targets-title")}
-        heads={[
-          say("planning-target"),
-          num(say("planning-planned-height")),
-          num(say("planning-inset")),
-          num("u"),
-          num("U95"),
-          num(say("planning-two-frames")),
-          num(say("planning-inset-ignored")),
+        rows={targets}
+        keyOf={(one) => one.target}
+        columns={({ col, num }) => [
+          col(
+            say("planning-target"),
+            ({ target, reason, two_frames }) => (
+              <>
+                {wordOf(target)}
+                {(reason ?? two_frames.reason) && (
+                  <div class="field__hint">{sentenceOf(reason ?? two_frames.reason)}</div>
+                )}
+              </>
+            ),
+            "plan-target",
+          ),
+          num(say("planning-planned-height"), (one) => formatLength(one.height_m, 2)),
+          num(say("planning-inset"), (one) =>
+            say("with-u", { value: formatLength(one.inset_m, 2), u: formatLength(one.u_inset_m, 2) }),
+          ),
+          num("u", (one) => formatSmall(one.u_height_m)),
+          num("U95", (one) => <strong>{formatSmall(one.U95_height_m)}</strong>),
+          num(say("planning-two-frames"), (one) => formatSmall(one.two_frames.U95_height_m)),
+          num(say("planning-inset-ignored"), (one) => formatSmall(one.bias_if_ignored_m)),
         ]}
-      >
-        {targets.map((one) => (
-          <Row key={one.target} one={one} />
-        ))}
-      </Table>
+      />
       <p class="field__hint plan-note">
         {say("planning-targets-note", { travel: formatLength(travelM, 2) })}
       </p>
       <Contributions targets={targets} />
     </Panel>
-  );
-}
-
-function Row({ one }: { one: PlannedTarget }) {
-  const two = one.two_frames;
-  const reason = one.reason ?? two.reason;
-  return (
-    <tr>
-      <td class="plan-target">
-        {wordOf(one.target)}
-        {reason && <div class="field__hint">{sentenceOf(reason)}</div>}
-      </td>
-      <td class="num">{formatLength(one.height_m, 2)}</td>
-      <td class="num">
-        {say("with-u", { value: formatLength(one.inset_m, 2), u: formatLength(one.u_inset_m, 2) })}
-      </td>
-      <td class="num">{formatSmall(one.u_height_m)}</td>
-      <td class="num">
-        <strong>{formatSmall(one.U95_height_m)}</strong>
-      </td>
-      <td class="num">{formatSmall(two.U95_height_m)}</td>
-      <td class="num">{formatSmall(one.bias_if_ignored_m)}</td>
-    </tr>
   );
 }
 

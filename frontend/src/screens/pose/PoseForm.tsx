@@ -1,5 +1,4 @@
 /** The questions about the board, in the order of work, in words and with a drawing. */
-
 import { Button, JobProgress, Notice, Segments, SelectField, TextField } from "../../components";
 import { hint } from "../../core/commands";
 import { fieldsOf } from "../../core/form";
@@ -42,7 +41,7 @@ function LensQuestions({ model }: { model: PoseModel }) {
     <fieldset disabled={locked}>
       <legend>{say("pose-lens")}</legend>
       <SelectField
-        label={say("field-recording")}
+        says="field-recording"
         value={String(model.reel.recording.value?.id ?? "")}
         options={model.reel.recordings.value.map((one) => ({
           value: String(one.id),
@@ -52,7 +51,7 @@ function LensQuestions({ model }: { model: PoseModel }) {
         onInput={(id) => void model.openRecording(Number(id))}
       />
       <SelectField
-        label={say("field-calibration")}
+        says="field-calibration"
         value={String(form.calibrationId ?? "")}
         problem={shown(model, problems.calibration)}
         options={[
@@ -88,21 +87,20 @@ function BoardQuestions({ model }: { model: PoseModel }) {
       <KindField value={form} change={(part) => model.set(part)} disabled={locked} />
       <div class="pose-form__three">
         <TextField
-          label={say("pose-columns")}
+          says="pose-columns"
           numeric
           value={String(form.columns || "")}
           onInput={(text) => model.set({ columns: count(text) })}
         />
         <TextField
-          label={say("pose-rows")}
+          says="pose-rows"
           numeric
           value={String(form.rows || "")}
           onInput={(text) => model.set({ rows: count(text) })}
           problem={problems.board}
         />
         <TextField
-          label={say("pose-square")}
-          numeric
+          says="pose-square"
           unit={unit}
           value={form.square}
           onInput={(square) => model.set({ square })}
@@ -174,7 +172,7 @@ function HeightQuestions({ model }: { model: PoseModel }) {
     <fieldset disabled={locked}>
       <legend>{say("pose-height")}</legend>
       <Segments
-        label={say("pose-reference")}
+        says="pose-reference"
         {...field("reference")}
         options={[
           { value: "bottom", label: say("pose-reference-bottom") },
@@ -190,7 +188,6 @@ function HeightQuestions({ model }: { model: PoseModel }) {
       />
       <TextField
         label={say("pose-reference-height", { reference: form.reference })}
-        numeric
         unit={unit}
         {...field("referenceHeight")}
         hint={say("pose-reference-height-hint")}
@@ -211,33 +208,19 @@ function SurenessQuestions({ model }: { model: PoseModel }) {
       <summary>{say("pose-sure")}</summary>
       <div class="pose-form__two">
         <TextField
-          label={say("pose-u-tape")}
-          numeric
+          says="pose-u-tape"
           unit={unit}
           {...field("uReferenceHeight")}
           placeholder={smallText(U_TAPE_M)}
         />
+        <TextField says="pose-u-lean" unit="°" {...field("uLean")} problem={problems.uncertainty} />
         <TextField
-          label={say("pose-u-lean")}
-          numeric
-          unit="°"
-          {...field("uLean")}
-          problem={problems.uncertainty}
-        />
-        <TextField
-          label={say("pose-u-square")}
-          numeric
+          says="pose-u-square"
           unit={unit}
           {...field("uSquare")}
           placeholder={say("percent", { percent: fixed(0.1, 1) })}
         />
-        <TextField
-          label={say("pose-u-bow")}
-          numeric
-          unit={unit}
-          {...field("uBow")}
-          placeholder={smallText(U_BOW_M)}
-        />
+        <TextField says="pose-u-bow" unit={unit} {...field("uBow")} placeholder={smallText(U_BOW_M)} />
       </div>
       <p class="field__hint">{say("pose-u-hint")}</p>
     </details>

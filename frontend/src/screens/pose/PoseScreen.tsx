@@ -34,18 +34,8 @@ export default function PoseScreen({ surveyId }: ScreenProps) {
   }, [model]);
   const player = model.reel.player.value;
   useCommands([
-    {
-      id: "passBegin",
-      label: say("pose-mark-first"),
-      run: () => model.mark("first"),
-      enabled: mayMark,
-    },
-    {
-      id: "passEnd",
-      label: say("pose-mark-last"),
-      run: () => model.mark("last"),
-      enabled: mayMark,
-    },
+    { id: "passBegin", label: say("pose-mark-first"), run: () => model.mark("first"), enabled: mayMark },
+    { id: "passEnd", label: say("pose-mark-last"), run: () => model.mark("last"), enabled: mayMark },
     ...frameCommands(model.stage, player),
   ]);
   if (model.problem.value) {

@@ -1,5 +1,4 @@
 /** What the operator says about the board, as typed; checked here only for being there and readable, judged by the server. */
-
 import { say } from "../../core/messages";
 import type { BodyOf } from "../../core/routes";
 import type { Pose } from "../../core/types";

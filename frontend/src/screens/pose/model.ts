@@ -74,11 +74,7 @@ export class PoseModel {
   >(
     ({ recordingId, frame, board }) => {
       const { calibrationId } = this.form.value;
-      const body = {
-        frame,
-        ...board,
-        ...(calibrationId === null ? {} : { calibration_id: calibrationId }),
-      };
+      const body = { frame, ...board, ...(calibrationId === null ? {} : { calibration_id: calibrationId }) };
       return api.ask("POST /recordings/{recording_id}/board", { recording_id: recordingId }, { body });
     },
     (finding, wish) => {

@@ -1,5 +1,4 @@
 /** When and in what weather a recording was filmed: proposed from its file, confirmed by a person. */
-
 import { choices, FormDialog, OptionalField, TextField } from "../../components";
 import { useForm } from "../../core/form";
 import { say, wordsOf } from "../../core/messages";
@@ -52,7 +51,7 @@ function FilmedDialog({ recording, change, close }: Props & { close: () => void 
   };
   return (
     <FormDialog
-      title={say("filmed-title", { recording: recording.name })}
+      label={say("filmed-title", { recording: recording.name })}
       action={say(local && !recording.started_at ? "filmed-confirm-action" : "action-save")}
       onClose={close}
       submit={submit}
@@ -68,12 +67,12 @@ function FilmedDialog({ recording, change, close }: Props & { close: () => void 
         step="1"
       />
       <TextField
-        label={say("filmed-weather")}
+        says="filmed-weather"
         {...field("weather")}
         suggestions={say("filmed-weathers").split(", ")}
       />
       <OptionalField
-        label={say("filmed-lamps")}
+        says="filmed-lamps"
         {...field("street_lighting")}
         none={say("filmed-not-said")}
         options={choices(LAMPS)}

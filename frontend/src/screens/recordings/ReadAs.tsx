@@ -99,18 +99,17 @@ function RateDialog({
   };
   return (
     <FormDialog
-      title={say("recordings-filming-rate-title", { recording: recording.name })}
+      label={say("recordings-filming-rate-title", { recording: recording.name })}
       action={say("recordings-filming-rate-action")}
       onClose={close}
       submit={submit}
       disabled={!fits}
     >
       <TextField
-        label={say("recordings-filming-rate")}
+        says="recordings-filming-rate"
         hint={say("recordings-filming-rate-hint")}
         problem={typed && !fits ? say("recordings-filming-rate-bounds") : undefined}
         value={typed}
-        numeric
         unit={say("recordings-filming-rate-unit")}
         onInput={setTyped}
       />

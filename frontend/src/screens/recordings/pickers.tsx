@@ -27,7 +27,7 @@ export function CameraPick({
   return (
     <div class="recording__pick">
       <OptionalField
-        label={say("recordings-camera")}
+        says="recordings-camera"
         value={recording.camera_id === null ? null : String(recording.camera_id)}
         disabled={!may("operator")}
         none={say("recordings-camera-unsaid")}

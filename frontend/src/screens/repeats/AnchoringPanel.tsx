@@ -1,11 +1,11 @@
 /** How far people lean on proposals that they are shown: heights shown against those measured free, with the goal beside it. */
-import { num, Panel, Problem, Table } from "../../components";
+import { DataTable, Panel, Problem, Select } from "../../components";
 import { api } from "../../core/api";
 import { say, sayCode } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { may } from "../../core/session";
 import { toastProblem } from "../../core/toasts";
-import type { Anchoring, ProposedTarget } from "../../core/types";
+import type { Anchoring } from "../../core/types";
 import { formatSmall } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
 import { shiftWords } from "./words";
@@ -28,26 +28,37 @@ export function AnchoringPanel({ surveyId }: { surveyId: number }) {
   };
   if (!data) return <Problem error={found.error} again={found.reload} />;
   return (
-    <Panel
-      title={say("anchoring-title")}
-      aside={<Plan plan={data.plan} choose={choose} />}
-      data-testid="anchoring"
-    >
-      <Table
+    <Panel says="anchoring-title" aside={<Plan plan={data.plan} choose={choose} />} data-testid="anchoring">
+      <DataTable
         label={say("anchoring-title")}
         class="repeats"
-        heads={[
-          say("repeats-target"),
-          num(say("anchoring-shown")),
-          num(say("anchoring-free")),
-          say("anchoring-shift"),
-          say("anchoring-goal", { goal: formatSmall(data.goal_m) }),
+        rows={data.targets}
+        keyOf={(one) => one.target ?? "all"}
+        columns={({ col, num }) => [
+          col(say("repeats-target"), ({ target }) => (
+            <strong>{target === null ? say("repeats-all-targets") : TARGET_WORDS[target]}</strong>
+          )),
+          num(
+            say("anchoring-shown"),
+            ({ shift }) => <Mean count={shift.shown} mean_m={shift.shown_m} />,
+            "nowrap",
+          ),
+          num(
+            say("anchoring-free"),
+            ({ shift }) => <Mean count={shift.free} mean_m={shift.free_m} />,
+            "nowrap",
+          ),
+          col(say("anchoring-shift"), ({ shift }) => shiftWords(shift) ?? "–", "nowrap"),
+          col(
+            say("anchoring-goal", { goal: formatSmall(data.goal_m) }),
+            ({ verdict, shift }) =>
+              verdict
+                ? say("anchoring-verdict", { verdict })
+                : sayCode({ code: shift.reason ?? "", values: {} }),
+            "small",
+          ),
         ]}
-      >
-        {data.targets.map((one) => (
-          <Row key={one.target ?? "all"} one={one} />
-        ))}
-      </Table>
+      />
       <p class="repeats__note small muted">
         {say("anchoring-help")}{" "}
         {say("anchoring-counts", { confirmed: data.confirmed, moved: data.moved, afresh: data.afresh })}
@@ -56,33 +67,13 @@ export function AnchoringPanel({ surveyId }: { surveyId: number }) {
   );
 }
 
-function Row({ one }: { one: ProposedTarget }) {
-  const { shift } = one;
-  const told = shiftWords(shift);
-  return (
-    <tr>
-      <td>
-        <strong>{one.target === null ? say("repeats-all-targets") : TARGET_WORDS[one.target]}</strong>
-      </td>
-      <Mean count={shift.shown} mean_m={shift.shown_m} />
-      <Mean count={shift.free} mean_m={shift.free_m} />
-      <td class="nowrap">{told ?? "–"}</td>
-      <td class="small">
-        {one.verdict
-          ? say("anchoring-verdict", { verdict: one.verdict })
-          : sayCode({ code: shift.reason ?? "", values: {} })}
-      </td>
-    </tr>
-  );
-}
-
 /** How many vehicles, and by how much they were stored above what was proposed. */
 function Mean({ count, mean_m }: { count: number; mean_m: number | null }) {
   return (
-    <td class="num nowrap">
+    <>
       {say("anchoring-vehicles", { count })}
       {mean_m !== null && <p class="small muted">{formatSmall(mean_m)}</p>}
-    </td>
+    </>
   );
 }
 
@@ -94,19 +85,16 @@ function Plan({ plan, choose }: { plan: Anchoring["plan"]; choose: (one_in: numb
   const words = (one_in: number) => say("anchoring-plan", { one_in });
   if (!may("manager")) return <span class="muted small">{words(oneIn)}</span>;
   return (
-    <select
-      class="input"
+    <Select
       aria-label={say("anchoring-plan-choose")}
       title={say("anchoring-plan-choose")}
       data-testid="free-plan"
       value={oneIn}
-      onChange={(event) => choose(Number(event.currentTarget.value))}
-    >
-      {(PLANS.includes(oneIn) ? PLANS : [oneIn, ...PLANS]).map((one) => (
-        <option key={one} value={one}>
-          {words(one)}
-        </option>
-      ))}
-    </select>
+      options={(PLANS.includes(oneIn) ? PLANS : [oneIn, ...PLANS]).map((value) => ({
+        value,
+        label: words(value),
+      }))}
+      onInput={choose}
+    />
   );
 }

@@ -15,7 +15,7 @@ interface Props {
 /** Per person: clicks and heights of their own repeats, how they lean, and which sigma their clicks count with. */
 export function PeopleTable({ people, busy, choose }: Props) {
   return (
-    <Panel title={say("repeats-people-title")} note={say("repeats-people-note")}>
+    <Panel says="repeats-people-title" note={say("repeats-people-note")}>
       <Table
         label={say("repeats-people-title")}
         class="repeats"

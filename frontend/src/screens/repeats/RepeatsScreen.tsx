@@ -31,7 +31,7 @@ export default function RepeatsScreen({ surveyId }: ScreenProps) {
   const data = found.data;
   return (
     <div class="page">
-      <PageHead title={say("page-repeats")} lead={say("repeats-lead", { people: data?.people.length ?? 0 })}>
+      <PageHead says="page-repeats" lead={say("repeats-lead", { people: data?.people.length ?? 0 })}>
         {canWork.value && data !== null && data.repeats > 0 && <Again surveyId={surveyId} />}
       </PageHead>
       <PageTabs label={say("page-checks")} tabs={checksTabs(surveyId, "repeats")} />

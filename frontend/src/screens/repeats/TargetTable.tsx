@@ -8,7 +8,7 @@ import { claimVerdict, spreadWords } from "./words";
 /** Per target: the same person again, another person, and what the budgets claim for the clicks. */
 export function TargetTable({ found }: { found: Repeats }) {
   return (
-    <Panel title={say("repeats-targets-title")} note={say("repeats-targets-note")}>
+    <Panel says="repeats-targets-title" note={say("repeats-targets-note")}>
       <Table
         label={say("repeats-targets-title")}
         class="repeats"

@@ -1,7 +1,7 @@
 /** The queue: which measurements, in which state, and which of them are one's own. */
 import { useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import { Button, StateMark } from "../../components";
+import { Button, choices, Select, StateMark } from "../../components";
 import { bringInSight } from "../../components/inSight";
 import { useOneTabStop } from "../../components/oneTabStop";
 import { PageTabs } from "../../components/PageTabs";
@@ -43,28 +43,18 @@ export function Queue({ model }: { model: ReviewModel }) {
           )}
         </h2>
         <div class="review__choose">
-          <select
-            class="input"
+          <Select
             aria-label={say("review-show")}
             value={model.queue.shown.value}
-            onChange={(event) => void model.show(event.currentTarget.value as Shown)}
-          >
-            {STATES.map((one) => (
-              <option key={one} value={one}>
-                {SHOWN_WORDS[one]}
-              </option>
-            ))}
-          </select>
+            options={choices(SHOWN_WORDS, STATES)}
+            onInput={(shown) => void model.show(shown)}
+          />
         </div>
         <Plan model={model} />
         <LotLine model={model} />
         {work && (
           <p class="small muted" data-testid="review-counts">
-            {say("review-counts", {
-              accepted: work.accepted,
-              rejected: work.rejected,
-              count: work.heights,
-            })}{" "}
+            {say("review-counts", { accepted: work.accepted, rejected: work.rejected, count: work.heights })}{" "}
             {work.own > 0 && say("review-own-waiting", { count: work.own })}
           </p>
         )}
@@ -136,19 +126,16 @@ function Plan({ model }: { model: ReviewModel }) {
   return (
     <label class="review__plan small" title={say("review-plan-choose")}>
       {say("review-plan-name")}
-      <select
-        class="input"
+      <Select
         aria-label={say("review-plan-choose")}
         data-testid="blind-plan"
         value={oneIn}
-        onChange={(event) => void model.choosePlan(Number(event.currentTarget.value))}
-      >
-        {plansWith(oneIn).map((one) => (
-          <option key={one} value={one}>
-            {say("review-plan-choice", { one_in: one })}
-          </option>
-        ))}
-      </select>
+        options={plansWith(oneIn).map((one_in) => ({
+          value: one_in,
+          label: say("review-plan-choice", { one_in }),
+        }))}
+        onInput={(one_in) => void model.choosePlan(one_in)}
+      />
     </label>
   );
 }

@@ -1,5 +1,4 @@
 /** The picture with the reviewed points, their axes and ladder; the points can be dragged while fixing. */
-
 import { say } from "../../core/messages";
 import { TARGET_NOUNS } from "../../core/words";
 import { AnswerLines } from "../../viewer/AnswerLines";

@@ -66,7 +66,7 @@ export function AddScan({ surveyId, onClose, added }: Props) {
       <header class="panel__head">
         <h2>{say("scans-new")}</h2>
         <Segments
-          label={say("scans-new-from")}
+          says="scans-new-from"
           value={source}
           options={[
             { value: "strips", label: say("scans-new-strips") },
@@ -93,7 +93,7 @@ export function AddScan({ surveyId, onClose, added }: Props) {
           setProblems({});
         }}
       />
-      <TextField label={say("field-name")} value={name} onInput={setName} hint={say("scans-new-name-hint")} />
+      <TextField says="field-name" value={name} onInput={setName} hint={say("scans-new-name-hint")} />
       <Problem error={problem} />
       <div class="row">
         <Button says="scans-new-read" type="submit" kind="primary" busy={busy} disabled={chosen === null} />
@@ -148,15 +148,15 @@ function Strips({ surveyId, choose }: { surveyId: number; choose: (chosen: Chose
       ))}
       <Problem error={waiting.error} again={waiting.reload} />
       <div class="scan__fields">
-        <OptionalField label={say("scans-new-camera-1")} {...field("first")} {...offered} />
+        <OptionalField says="scans-new-camera-1" {...field("first")} {...offered} />
         <OptionalField
-          label={say("scans-new-camera-2")}
+          says="scans-new-camera-2"
           {...field("second")}
           {...offered}
           problem={sameStrip(picked) ? say("scans-new-same-strip") : null}
         />
         <SelectField
-          label={say("scans-new-time-axis")}
+          says="scans-new-time-axis"
           {...field("axis")}
           options={[
             { value: "width", label: say("scans-new-time-width") },
@@ -236,21 +236,20 @@ function Cuts({ surveyId, choose }: { surveyId: number; choose: (chosen: ChosenC
       <Problem error={recordings.error} again={recordings.reload} />
       <div class="scan__fields">
         <OptionalField
-          label={say("field-recording")}
+          says="field-recording"
           {...field("recording")}
           none={say(ready.length === 0 ? "scans-new-no-recording" : "scans-new-choose-recording")}
           options={named(ready)}
           hint={say("scans-new-recording-hint")}
         />
         <SelectField
-          label={say("scans-new-cut-along")}
+          says="scans-new-cut-along"
           {...field("along")}
           options={ALONG.map((value) => ({ value, label: say(ALONG_WORDS[value]) }))}
         />
         <TextField
           label={say("scans-new-cut-1", { along })}
           {...field("one")}
-          numeric
           unit={say("unit-px")}
           hint={
             size_px
@@ -258,12 +257,7 @@ function Cuts({ surveyId, choose }: { surveyId: number; choose: (chosen: ChosenC
               : say("scans-new-cut-1-hint")
           }
         />
-        <TextField
-          label={say("scans-new-cut-2", { along })}
-          {...field("two")}
-          numeric
-          unit={say("unit-px")}
-        />
+        <TextField label={say("scans-new-cut-2", { along })} {...field("two")} unit={say("unit-px")} />
       </div>
     </>
   );

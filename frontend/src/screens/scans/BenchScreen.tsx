@@ -249,9 +249,5 @@ function addVehicle(model: ScanModel): ButtonCommand {
 }
 
 function calibrateHeight(model: ScanModel): ButtonCommand {
-  return {
-    id: "scanRod",
-    run: () => model.start("rod"),
-    pressed: () => model.mode.value === "rod",
-  };
+  return { id: "scanRod", run: () => model.start("rod"), pressed: () => model.mode.value === "rod" };
 }

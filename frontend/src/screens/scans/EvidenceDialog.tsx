@@ -66,14 +66,14 @@ function EvidenceDialog({ vehicle, close }: { vehicle: ScanVehicle; close: () =>
   };
   return (
     <FormDialog
-      title={say("scan-evidence-title", { vehicle: vehicleName(vehicle.number) })}
+      label={say("scan-evidence-title", { vehicle: vehicleName(vehicle.number) })}
       action={say("scan-evidence-make")}
       onClose={close}
       submit={submit}
     >
       <p class="small muted">{say("scan-evidence-what")}</p>
       <Segments
-        label={say("scan-evidence-limit-of")}
+        says="scan-evidence-limit-of"
         value={quantity}
         options={[
           { value: "none", label: say("scan-evidence-none") },
@@ -89,9 +89,8 @@ function EvidenceDialog({ vehicle, close }: { vehicle: ScanVehicle; close: () =>
       {quantity !== "none" && (
         <>
           <TextField
-            label={say(quantity === "speed" ? "scan-evidence-most" : "scan-evidence-least")}
+            says={quantity === "speed" ? "scan-evidence-most" : "scan-evidence-least"}
             unit={unit}
-            numeric
             value={limit}
             problem={problem}
             onInput={(limit) => {
@@ -100,14 +99,13 @@ function EvidenceDialog({ vehicle, close }: { vehicle: ScanVehicle; close: () =>
             }}
           />
           <TextField
-            label={say("scan-evidence-risk")}
+            says="scan-evidence-risk"
             unit="%"
-            numeric
             {...field("risk")}
             hint={say("scan-evidence-risk-hint")}
           />
           <TextField
-            label={say("scan-evidence-source")}
+            says="scan-evidence-source"
             {...field("source")}
             hint={say("scan-evidence-source-hint")}
           />

@@ -21,13 +21,13 @@ export function FindDialog({ model, scan, onClose }: Props) {
   };
   return (
     <FormDialog
-      title={say("scan-find-title")}
+      says="scan-find-title"
       action={say(search === "search" ? "scan-find-and-measure" : "scan-find-again")}
       onClose={onClose}
       submit={submit}
     >
       <Segments
-        label={say("scan-find-method")}
+        says="scan-find-method"
         value={method}
         options={[
           { value: "direct", label: say("scan-find-direct") },
@@ -38,7 +38,7 @@ export function FindDialog({ model, scan, onClose }: Props) {
       <p class="small muted">{say(method === "direct" ? "scan-find-direct-what" : "scan-find-paper-what")}</p>
       {known && (
         <Segments
-          label={say("scan-find-what")}
+          says="scan-find-what"
           value={search}
           options={[
             { value: "search", label: say("scan-find-all") },

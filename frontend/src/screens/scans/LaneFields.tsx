@@ -59,26 +59,24 @@ function Lane({ number, lane, problems, put, remove }: LaneProps) {
     <fieldset class="scan__lane">
       <legend class="visually-hidden">{say("scans-lane-of", { number: String(number) })}</legend>
       <div class="scan__pairs">
-        <TextField label={say("scans-lane-name")} {...typed("name")} />
+        <TextField says="scans-lane-name" {...typed("name")} />
         <SelectField
-          label={say("scan-direction")}
+          says="scan-direction"
           value={lane.direction}
           options={WAYS.map((value) => ({ value, label: say("scans-lane-way", { way: value }) }))}
           onInput={(direction) => put({ direction })}
         />
-        <TextField label={say("scans-lane-distance")} numeric unit={unit} {...typed("distance")} />
-        <TextField label={say("scans-rig-u")} numeric unit={unit} {...typed("uDistance")} />
+        <TextField says="scans-lane-distance" unit={unit} {...typed("distance")} />
+        <TextField says="scans-rig-u" unit={unit} {...typed("uDistance")} />
         <TextField
-          label={say("scans-lane-from")}
-          numeric
+          says="scans-lane-from"
           unit={say("unit-px")}
           hint={say("scans-lane-rows-hint")}
           {...typed("from")}
         />
-        <TextField label={say("scans-lane-to")} numeric unit={say("unit-px")} {...typed("to")} />
+        <TextField says="scans-lane-to" unit={say("unit-px")} {...typed("to")} />
         <TextField
-          label={say("scans-rig-shadow")}
-          numeric
+          says="scans-rig-shadow"
           unit="%"
           placeholder={say("scans-lane-shadow-rig")}
           {...typed("shadow")}

@@ -29,7 +29,7 @@ export function MatchPictures({ detail }: { detail: ScanVehicleDetail }) {
       <header class="panel__head">
         <h3 id="scan-match">{say("scan-match-title")}</h3>
         <Segments
-          label={say("scan-match-picture")}
+          says="scan-match-picture"
           value={shown}
           options={[
             { value: "first", label: say("scan-match-1") },

@@ -1,5 +1,4 @@
 /** Speed along the vehicle with the fitted motion, and what is left over; blocks outside the fit are hollow. */
-
 import { say } from "../../core/messages";
 import type { ScanVehicleDetail } from "../../core/types";
 import { speedScale } from "../../core/units";

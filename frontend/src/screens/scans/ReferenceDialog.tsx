@@ -45,7 +45,7 @@ export function ReferenceDialog({ model, vehicle, before, onClose }: Props) {
   };
   return (
     <FormDialog
-      title={say(before ? "scan-reference-edit-title" : "scan-reference-add-title", {
+      label={say(before ? "scan-reference-edit-title" : "scan-reference-add-title", {
         vehicle: String(vehicle.number),
       })}
       action={say("scan-reference-store")}
@@ -54,33 +54,31 @@ export function ReferenceDialog({ model, vehicle, before, onClose }: Props) {
     >
       <div class="scan__fields">
         <SelectField
-          label={say("scan-reference-quantity")}
+          says="scan-reference-quantity"
           {...form.field("quantity")}
           options={choices(QUANTITY_WORDS)}
           disabled={before !== null}
         />
         <SelectField
-          label={say("scan-reference-source")}
+          says="scan-reference-source"
           {...form.field("source")}
           options={choices(SOURCE_WORDS)}
           disabled={before !== null}
         />
         <TextField
-          label={say("scan-reference-value")}
+          says="scan-reference-value"
           {...form.field("value")}
-          numeric
           unit={units.value[1]}
           problem={asked && read.value === null ? say("scan-reference-value-problem") : null}
         />
         <TextField
-          label={say("scan-reference-u")}
+          says="scan-reference-u"
           {...form.field("u")}
-          numeric
           unit={units.u[1]}
           problem={asked && read.u === null ? say("scan-reference-u-problem") : null}
         />
       </div>
-      <TextField label={say("scan-reference-device")} {...form.field("device")} />
+      <TextField says="scan-reference-device" {...form.field("device")} />
       <p class="small muted">
         {say(quantity === "speed" ? "scan-reference-note-speed" : "scan-reference-note-length")}
       </p>

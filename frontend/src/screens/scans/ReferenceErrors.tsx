@@ -10,7 +10,7 @@ import { formatMeasured } from "./words";
 export function ReferenceErrors({ found }: { found: ScanStatistics }) {
   if (found.references.length === 0) return null;
   return (
-    <Panel title={say("motion-references-title")} note={say("motion-references-note")}>
+    <Panel says="motion-references-title" note={say("motion-references-note")}>
       <DataTable
         label={say("motion-references-title")}
         data-testid="scan-reference-errors"
@@ -53,7 +53,7 @@ function percent(share: number): string {
 export function RunsOfCars({ found }: { found: ScanStatistics }) {
   if (found.cars.length === 0) return null;
   return (
-    <Panel title={say("motion-cars-title")} note={say("motion-cars-note")}>
+    <Panel says="motion-cars-title" note={say("motion-cars-note")}>
       <div class="stack" data-testid="scan-cars">
         {found.cars.map((car) => (
           <Car key={car.car} car={car} />

@@ -1,6 +1,6 @@
 /** Reference values from a CSV: what each line would do, before anything is stored. */
 import { useState } from "preact/hooks";
-import { Button, Dialog, DropFiles, Loading, Notice, num, Problem, Table } from "../../components";
+import { Button, DataTable, Dialog, DropFiles, Loading, Notice, Problem } from "../../components";
 import { CommitField } from "../../components/CommitField";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
@@ -75,9 +75,8 @@ export function ReferenceImport({ model, onClose }: { model: ScanModel; onClose:
         {busy && !plan && <Loading what={say("scan-references-looking")} />}
         {plan && !done && plan.tolerance_s !== null && (
           <CommitField
-            label={say("scan-references-tolerance")}
+            says="scan-references-tolerance"
             value={String(tolerance_s)}
-            numeric
             unit="s"
             hint={say("scan-references-tolerance-hint")}
             check={(text) => (toleranceOf(text) === null ? say("scan-references-tolerance-problem") : null)}
@@ -112,39 +111,32 @@ function Preview({ plan }: { plan: ReferencePlan }) {
           </span>
         ))}
       </p>
-      <Table
+      <DataTable
         label={say("scan-references-lines")}
         scroll="scan__lines"
         class="table--dense"
         data-testid="reference-lines"
-        heads={[
-          num(say("scan-references-line")),
-          ...(timed ? [say("scan-references-time")] : []),
-          num(say("scan-references-vehicle")),
-          ...(timed ? [num(say("scan-references-apart"))] : []),
-          say("scan-references-given"),
-          say("scan-references-what"),
-          say("scan-references-why"),
+        rows={plan.rows}
+        keyOf={(row) => row.line}
+        columns={({ col, num }) => [
+          num(say("scan-references-line"), (row) => row.line),
+          ...(timed ? [col(say("scan-references-time"), (row) => row.time, "nowrap")] : []),
+          num(say("scan-references-vehicle"), (row) =>
+            row.by_time ? say("scan-references-by-time", row) : row.number,
+          ),
+          ...(timed ? [num(say("scan-references-apart"), (row) => apartSeconds(row.apart_s), "nowrap")] : []),
+          col(say("scan-references-given"), givenWords),
+          col(say("scan-references-what"), (row) => CHANGES[row.change], "nowrap"),
+          col(say("scan-references-why"), (row) => sentencesOf(row.words)),
         ]}
-      >
-        {plan.rows.map((row) => (
-          <tr key={row.line}>
-            <td class="num">{row.line}</td>
-            {timed && <td class="nowrap">{row.time}</td>}
-            <td class="num">{row.by_time ? say("scan-references-by-time", row) : row.number}</td>
-            {timed && <td class="num nowrap">{row.apart_s === null ? "–" : apartSeconds(row.apart_s)}</td>}
-            <td>{givenWords(row)}</td>
-            <td class="nowrap">{CHANGES[row.change]}</td>
-            <td>{sentencesOf(row.words)}</td>
-          </tr>
-        ))}
-      </Table>
+      />
     </>
   );
 }
 
 /** "+0.3 s": how much later the line's time is than the vehicle's. */
-function apartSeconds(apart_s: number): string {
+function apartSeconds(apart_s: number | null): string {
+  if (apart_s === null) return "–";
   return `${apart_s < 0 ? "−" : "+"}${fixed(Math.abs(apart_s), 2)} s`;
 }
 

@@ -34,7 +34,7 @@ export function References({ model, vehicle }: { model: ScanModel; vehicle: Scan
         </div>
       )}
       <CommitField
-        label={say("scan-run-of")}
+        says="scan-run-of"
         value={vehicle.run_of ?? ""}
         hint={say("scan-run-of-hint")}
         disabled={!canWork.value}

@@ -32,10 +32,10 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
   const vehicles = data?.table.length ?? 0;
   return (
     <div class="page">
-      <PageHead title={say("page-scan-results")} lead={say("motion-lead")}>
+      <PageHead says="page-scan-results" lead={say("motion-lead")}>
         <div class="row row--wrap">
           <Segments
-            label={say("motion-which")}
+            says="motion-which"
             value={which}
             options={[
               { value: "accepted", label: say("motion-which-accepted") },

@@ -1,5 +1,4 @@
 /** What passes of a staff or board say of the rig: its figures, how well each pass agrees, and the rows that were refused. */
-
 import type { components } from "#schema";
 import { DataTable, Facts, Notice } from "../../components";
 import { say, sentenceOf } from "../../core/messages";

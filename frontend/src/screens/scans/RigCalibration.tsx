@@ -92,7 +92,7 @@ export function RigCalibration({ scan, onClose, put, take }: Props) {
       <div class="stack">
         <p class="small">{say("scans-calibrate-how")}</p>
         <Segments
-          label={say("scans-calibrate-way")}
+          says="scans-calibrate-way"
           value={way}
           options={WAYS.map((value) => ({ value, label: say(`scans-calibrate-way-${value}`) }))}
           onInput={(chosen) => {
@@ -204,18 +204,18 @@ function Beside({ typed, change }: BesideProps) {
   return (
     <div class="scan__fields">
       <TextField
-        label={say("scans-rig-distance")}
+        says="scans-rig-distance"
         unit={lengthUnit.value}
         {...wired("distance", say("scans-calibrate-distance-problem"))}
       />
       <TextField
-        label={say("scans-rig-u")}
+        says="scans-rig-u"
         unit={lengthUnit.value}
         hint={say("scans-rig-distance-u-hint")}
         {...wired("uDistance", say("scans-rig-problem-length"))}
       />
       <TextField
-        label={say("scans-calibrate-tape")}
+        says="scans-calibrate-tape"
         unit="%"
         hint={say("scans-calibrate-tape-hint")}
         {...wired("tape", say("scans-calibrate-tape-problem"))}

@@ -93,13 +93,8 @@ export function RigDialog({ model, scan, onClose, changed, offered }: Props) {
     );
   }
   return (
-    <FormDialog
-      title={say("scans-rig-title")}
-      action={say("scans-rig-store")}
-      onClose={onClose}
-      submit={submit}
-    >
-      <TextField label={say("field-name")} value={name} onInput={setName} />
+    <FormDialog says="scans-rig-title" action={say("scans-rig-store")} onClose={onClose} submit={submit}>
+      <TextField says="field-name" value={name} onInput={setName} />
       <RigFields typed={typed} problems={problems} noRate={scan.source === "video"} change={change} />
       <LaneFields
         lanes={lanes}

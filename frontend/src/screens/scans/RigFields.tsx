@@ -54,8 +54,7 @@ function Fields({ of, names }: { of: Typing; names: readonly RigFieldName[] }) {
         return (
           <TextField
             key={name}
-            numeric
-            label={say(label)}
+            says={label}
             unit={unit()}
             hint={hint && say(hint)}
             placeholder={placeholder?.()}

@@ -1,5 +1,4 @@
 /** What the vehicles say of the rig, beside what is in force. Nothing changes unless somebody takes a value over. */
-
 import { Button, Loaded, Notice, num, Table } from "../../components";
 import { api } from "../../core/api";
 import { say, sentenceOf } from "../../core/messages";

@@ -1,17 +1,9 @@
 /** The line camera's calibration: where the rod stood, its marks with their residuals, and what they give. */
 import { Button, DataTable, Empty, Facts, Notice } from "../../components";
-import { CommitField } from "../../components/CommitField";
+import { CommitField, LengthField } from "../../components/CommitField";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
 import type { RodMark } from "../../core/types";
-import {
-  fixed,
-  formatHeight,
-  formatLength,
-  lengthText,
-  lengthUnit,
-  parseLength,
-  parseNumber,
-} from "../../core/units";
+import { fixed, formatHeight, formatLength, parseLength, parseNumber } from "../../core/units";
 import type { ScanModel } from "./model";
 
 const DEGREE = Math.PI / 180;
@@ -63,9 +55,7 @@ const NEXT: readonly { name: NextName; check: Check }[] = [
 
 function NextMark({ model }: { model: ScanModel }) {
   const { next } = model.rod;
-  const unit = lengthUnit.value;
-  const put = (name: NextName) => (text: string) => {
-    const value = parseLength(text);
+  const put = (name: NextName, value: number | null): void => {
     if (value === null) return;
     // another distance begins at the foot
     next.value = { ...next.value, ...(name === "distance_m" ? { height_m: 0 } : {}), [name]: value };
@@ -74,14 +64,12 @@ function NextMark({ model }: { model: ScanModel }) {
     <section aria-label={say("scan-rod-next")}>
       <div class="rod__fields">
         {NEXT.map(({ name, check }) => (
-          <CommitField
+          <LengthField
             key={name}
             label={NEXT_WORDS[name]}
-            value={lengthText(next.value[name])}
-            numeric
-            unit={unit}
+            metres={next.value[name]}
             check={check}
-            onCommit={put(name)}
+            onCommit={(metres) => put(name, metres)}
           />
         ))}
       </div>
@@ -177,7 +165,6 @@ function Result({ model }: { model: ScanModel }) {
 
 function Uncertainties({ model }: { model: ScanModel }) {
   const { rod } = model;
-  const unit = lengthUnit.value;
   const { sigma_px, u_distance_m, u_lean_rad } = rod.values.value;
   const atLeast = (least: number) => (text: string) => {
     const value = parseNumber(text);
@@ -186,25 +173,21 @@ function Uncertainties({ model }: { model: ScanModel }) {
   return (
     <section class="rod__fields" aria-label={say("scan-rod-u")}>
       <CommitField
-        label={say("scan-rod-u-row")}
+        says="scan-rod-u-row"
         value={String(sigma_px)}
-        numeric
         unit={say("unit-px")}
         check={atLeast(0.01)}
         onCommit={(text) => rod.change({ sigma_px: parseNumber(text) ?? sigma_px })}
       />
-      <CommitField
-        label={say("scan-rod-u-distance")}
-        value={lengthText(u_distance_m)}
-        numeric
-        unit={unit}
+      <LengthField
+        says="scan-rod-u-distance"
+        metres={u_distance_m}
         check={(text) => ((parseLength(text) ?? -1) < 0 ? say("length-problem", { example: "0.005" }) : null)}
-        onCommit={(text) => rod.change({ u_distance_m: parseLength(text) ?? u_distance_m })}
+        onCommit={(metres) => rod.change({ u_distance_m: metres ?? u_distance_m })}
       />
       <CommitField
-        label={say("scan-rod-u-lean")}
+        says="scan-rod-u-lean"
         value={String(Number((u_lean_rad / DEGREE).toFixed(3)))}
-        numeric
         unit="°"
         check={atLeast(0)}
         onCommit={(text) => rod.change({ u_lean_rad: (parseNumber(text) ?? 0) * DEGREE })}

@@ -61,7 +61,7 @@ function StartDialog({ scan, changed, close }: Props & { close: () => void }) {
   };
   return (
     <FormDialog
-      title={say("filmed-title", { recording: scan.name })}
+      label={say("filmed-title", { recording: scan.name })}
       action={say(start.local && !scan.started_at ? "filmed-confirm-action" : "action-save")}
       onClose={close}
       submit={submit}
@@ -77,9 +77,8 @@ function StartDialog({ scan, changed, close }: Props & { close: () => void }) {
         step="0.001"
       />
       <TextField
-        label={say("scans-start-u")}
+        says="scans-start-u"
         unit="s"
-        numeric
         value={u}
         hint={say("scans-start-u-hint")}
         problem={problem}

@@ -10,7 +10,7 @@ export function ScannedHeights({ heights }: { heights: ScanStatistics["heights"]
   const waiting = heights.reduce((sum, one) => sum + one.to_review, 0);
   return (
     <Panel
-      title={say("scan-heights")}
+      says="scan-heights"
       aside={
         waiting > 0 && <span class="muted small">{say("motion-heights-waiting", { count: waiting })}</span>
       }

@@ -26,7 +26,7 @@ export default function ScansScreen({ surveyId }: ScreenProps) {
   const none = scans.data?.length === 0;
   return (
     <div class="page">
-      <PageHead title={say("page-scans")} lead={say("scans-lead")}>
+      <PageHead says="page-scans" lead={say("scans-lead")}>
         <div class="row row--wrap">
           <Button says="page-planning" href={`/surveys/${surveyId}/planning?plan=lines`} />
           <Button says="page-live" href={`/surveys/${surveyId}/live`} />

@@ -16,7 +16,7 @@ const HEADS = wordsOf({
 
 export function SizeErrors({ found }: { found: ScanStatistics }) {
   return (
-    <Panel title={say("motion-errors-title")} note={say("motion-errors-note")}>
+    <Panel says="motion-errors-title" note={say("motion-errors-note")}>
       <Table
         label={say("motion-errors-table")}
         data-testid="scan-errors"

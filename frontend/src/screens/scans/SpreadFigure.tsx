@@ -1,5 +1,4 @@
 /** The cumulative distribution of one quantity with its band, and the percentiles that are asked for. */
-
 import { apart, say, sentenceOf, wordsOf } from "../../core/messages";
 import type { ScanSpread } from "../../core/types";
 import { fixed, lengthScale, plainPercent, type Scale, speedScale } from "../../core/units";

@@ -1,33 +1,23 @@
-/** Both strips on one time axis: drag to pan, wheel to zoom the time, with Shift the height; boundaries are dragged. */
-import { say } from "../../core/messages";
+/** Both strips of a scan with its vehicles; boundaries are dragged. */
 import { theme } from "../../core/theme";
 import { draw } from "../../parts/strips/draw";
-import { OverStrips } from "../../parts/strips/OverStrips";
+import { StripsPicture } from "../../parts/strips/StripsPicture";
 import { tilesSeen } from "../../parts/strips/tiles";
 import type { StripsView } from "../../parts/strips/view";
-import { Picture } from "../../viewer/Picture";
 import { Asked } from "./Asked";
 import { drawHeights } from "./drawHeights";
 import type { ScanModel } from "./model";
 
 export function StripView({ model }: { model: ScanModel }) {
   return (
-    <Picture
+    <StripsPicture
       stage={model.stage}
-      class="strips"
-      testId="strips"
-      what={say("scan-strips")}
-      label={say("scan-strips-label")}
-      panByDrag
+      tiles={model.tiles}
       draw={(canvas, view) => drawStrips(canvas, model, view)}
-      onDblClick={() => model.show("fit")}
-      above={
-        <>
-          <OverStrips tiles={model.tiles} />
-          <Asked model={model} />
-        </>
-      }
-    />
+      fit={() => model.show("fit")}
+    >
+      <Asked model={model} />
+    </StripsPicture>
   );
 }
 

@@ -8,7 +8,7 @@ import { SOURCE_WORDS } from "./referenceWords";
 
 export function TableOne({ found }: { found: ScanStatistics }) {
   return (
-    <Panel title={say("motion-paper-title")}>
+    <Panel says="motion-paper-title">
       <div class="scan-tables">
         <Own found={found} />
         <Printed found={found} />

@@ -34,7 +34,7 @@ export function Traffic({ surveyId, acceptedOnly, filmed }: Props) {
           <p class="small muted">{say("flows-note")}</p>
         </div>
         <Segments
-          label={say("flows-minutes")}
+          says="flows-minutes"
           value={minutes}
           options={MINUTES.map((one) => ({ value: one, label: say("flows-minutes-of", { minutes: one }) }))}
           onInput={setMinutes}

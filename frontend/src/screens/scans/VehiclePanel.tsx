@@ -165,7 +165,7 @@ interface ChooseLaneProps {
 function ChooseLane({ model, m, lanes }: ChooseLaneProps) {
   return (
     <OptionalField
-      label={say("scan-lane-choose")}
+      says="scan-lane-choose"
       value={laneByPerson(m)}
       none={say("scan-lane-by-program")}
       options={lanes.map(({ name }) => ({ value: name, label: name }))}

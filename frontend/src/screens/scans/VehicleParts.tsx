@@ -23,12 +23,9 @@ import { causeWords } from "./words";
 
 export function Known({ model, vehicle }: { model: ScanModel; vehicle: ScanVehicle }) {
   const disabled = !canWork.value;
-  const unit = lengthUnit.value;
   const length = (value: number | null) => (value === null ? "" : plainLength(value, 3));
   const wrong = (text: string) =>
     text === "" || (parseLength(text) ?? 0) > 0 ? null : say("scan-known-problem");
-  const put = (name: "true_length_m" | "true_wheelbase_m") => (text: string) =>
-    void model.edits.fillIn({ [name]: text.trim() === "" ? null : parseLength(text) });
   return (
     <section class="scan__known" aria-label={say("scan-known")}>
       <CatalogueField
@@ -47,26 +44,18 @@ export function Known({ model, vehicle }: { model: ScanModel; vehicle: ScanVehic
         onChoose={(row) => void model.edits.fillIn(fromCatalogue(row))}
         onCommit={(name) => void model.edits.fillIn({ model: name || null })}
       />
-      <CommitField
-        label={say("scan-known-length")}
-        value={length(vehicle.true_length_m)}
-        numeric
-        unit={unit}
-        disabled={disabled}
-        check={wrong}
-        hint={off(vehicle.length_error_m)}
-        onCommit={put("true_length_m")}
-      />
-      <CommitField
-        label={say("scan-known-wheelbase")}
-        value={length(vehicle.true_wheelbase_m)}
-        numeric
-        unit={unit}
-        disabled={disabled}
-        check={wrong}
-        hint={off(vehicle.wheelbase_error_m)}
-        onCommit={put("true_wheelbase_m")}
-      />
+      {(["length", "wheelbase"] as const).map((name) => (
+        <CommitField
+          key={name}
+          says={`scan-known-${name}`}
+          value={length(vehicle[`true_${name}_m`])}
+          unit={lengthUnit.value}
+          disabled={disabled}
+          check={wrong}
+          hint={off(vehicle[`${name}_error_m`])}
+          onCommit={(text) => void model.edits.fillIn({ [`true_${name}_m`]: parseLength(text) })}
+        />
+      ))}
     </section>
   );
 }

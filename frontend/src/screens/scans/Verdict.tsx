@@ -79,7 +79,7 @@ function Reject({ model: { judging } }: { model: ScanModel }) {
           </Button>
         ))}
       </div>
-      <TextField label={say("scan-verdict-reason")} value={reason} onInput={setReason} />
+      <TextField says="scan-verdict-reason" value={reason} onInput={setReason} />
       <div class="row">
         <Button says="scan-verdict-reject" type="submit" kind="primary" disabled={reason.trim() === ""} />
         <Button says="scan-verdict-leave" onClick={leave} />

@@ -1,5 +1,4 @@
 /** Draws over camera 1 what belongs to heights: clicks, the ladder above the contact, the rod's marks. */
-
 import { say } from "../../core/messages";
 import type { LineHeight } from "../../core/types";
 import { formatHeight, formatLength } from "../../core/units";

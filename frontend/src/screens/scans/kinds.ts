@@ -102,11 +102,7 @@ async function readHeight(
 }
 
 export function clicksOf(one: LineHeight): Clicks {
-  return {
-    contact: placeOf(one.contact),
-    point: placeOf(one.target_point),
-    inset: insetSaid(one),
-  };
+  return { contact: placeOf(one.contact), point: placeOf(one.target_point), inset: insetSaid(one) };
 }
 
 /** What was said of a height's inset; null: nothing, so it is the survey's, whatever that is by now. */

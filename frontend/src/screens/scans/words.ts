@@ -1,5 +1,4 @@
 /** Figures of a line scan in words and units; every number is the server's. */
-
 import { say } from "../../core/messages";
 import type { ScanMotion, ScanVehicle } from "../../core/types";
 import { fixed, formatHeight } from "../../core/units";

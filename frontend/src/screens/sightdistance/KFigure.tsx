@@ -34,14 +34,8 @@ export function KFigure({ sight }: { sight: Sight }) {
         const [perY, long] = lengthScale(unit);
         const rows = new Map(shown.map((one) => [one.name, rowsOf(one, sight, perX, perY)]));
         return {
-          x: {
-            label: say("sight-figure-x", { unit: speedUnit }),
-          },
-          y: {
-            label: say("sight-figure-y", { unit: long }),
-            zero: true,
-            nice: true,
-          },
+          x: { label: say("sight-figure-x", { unit: speedUnit }) },
+          y: { label: say("sight-figure-y", { unit: long }), zero: true, nice: true },
           marks: shown.flatMap((one) => {
             const points = rows.get(one.name) ?? [];
             const banded = points.filter((point) => point.low !== null);

@@ -1,8 +1,8 @@
 import { Button, SelectField } from "../../components";
-import { CommitField } from "../../components/CommitField";
+import { CommitField, LengthField } from "../../components/CommitField";
 import { navigate, query, setQuery } from "../../core/address";
 import { say } from "../../core/messages";
-import { lengthText, lengthUnit, parseLength, parseNumber, speedScale } from "../../core/units";
+import { parseLength, parseNumber, speedScale } from "../../core/units";
 import { CATEGORY_WORDS, LIGHTING_WORDS, STATE_WORDS, TARGET_WORDS } from "../../core/words";
 import { formatLimit, STANDARD_OF, standardKey } from "../../parts/figures/standards";
 import type { Standard } from "../../parts/figures/types";
@@ -92,7 +92,7 @@ function SurveyRule() {
       <legend>{say("sight-form-survey")}</legend>
       <Plain name="eye_percent" label={say("sight-eye-percent")} usual="10" unit="%" above={0} below={100} />
       <SelectField
-        label={say("sight-object-target")}
+        says="sight-object-target"
         value={at.get("object_target") ?? usualObject(kind)}
         options={[
           { value: "taillight", label: TARGET_WORDS.taillight },
@@ -112,7 +112,7 @@ function SurveyRule() {
         below={100}
       />
       <SelectField
-        label={say("statistics-filter-state")}
+        says="statistics-filter-state"
         value={at.get("state") ?? ""}
         options={[
           { value: "", label: STATE_WORDS.accepted },
@@ -121,7 +121,7 @@ function SurveyRule() {
         onInput={(value) => setQuery({ state: value || null })}
       />
       <SelectField
-        label={say("statistics-filter-lighting")}
+        says="statistics-filter-lighting"
         value={at.get("lighting") ?? ""}
         options={[
           { value: "", label: say("statistics-filter-any") },
@@ -147,14 +147,13 @@ function Road() {
     <fieldset>
       <legend>{say("sight-form-road")}</legend>
       <SelectField<Kind>
-        label={say("sight-kind")}
+        says="sight-kind"
         value={(at.get("kind") ?? "stopping") as Kind}
         options={Object.entries(KIND_WORDS).map(([value, label]) => ({ value: value as Kind, label }))}
         onInput={(value) => setQuery({ kind: value === "stopping" ? null : value })}
       />
       <CommitField
-        label={say("sight-speed")}
-        numeric
+        says="sight-speed"
         unit={unit}
         value={String(Number((speed * perSecond).toFixed(1)))}
         check={(text) => numberProblem(text, 0, 400)}
@@ -193,7 +192,6 @@ function Fleet({ found }: { found: Sight }) {
         <CommitField
           key={one.category}
           label={CATEGORY_WORDS[one.category]}
-          numeric
           unit="%"
           hint={say("sight-fleet-measured", { eyes: one.eyes, objects: one.objects })}
           value={String(shares.get(one.category) ?? 0)}
@@ -231,16 +229,15 @@ interface LengthProps {
 function Length({ name, label, usual, most = 10 }: LengthProps) {
   const stands = Number(query.value.get(name) ?? usual);
   return (
-    <CommitField
+    <LengthField
       label={label}
-      numeric
-      unit={lengthUnit.value}
-      value={lengthText(stands, lengthUnit.value, 3)}
+      metres={stands}
+      digits={3}
       check={(text) => {
         const metres = parseLength(text);
         return metres === null || metres < 0 || metres > most ? say("sight-number-problem") : null;
       }}
-      onCommit={(text) => setQuery({ [name]: parseLength(text) })}
+      onCommit={(metres) => setQuery({ [name]: metres })}
     />
   );
 }
@@ -258,7 +255,6 @@ function Plain({ name, label, usual, unit, above, below }: PlainProps) {
   return (
     <CommitField
       label={label}
-      numeric
       unit={unit}
       value={query.value.get(name) ?? usual}
       check={(text) => numberProblem(text, above, below)}

@@ -33,7 +33,7 @@ export default function SightScreen(_props: ScreenProps) {
   const data = found.data;
   return (
     <div class="page page--alone sight-page">
-      <PageHead title={say("page-sight-distance")} lead={say("sight-lead")} />
+      <PageHead says="page-sight-distance" lead={say("sight-lead")} />
       <PageTabs label={say("page-statistics")} tabs={resultsTabs("sight-distance")} />
       {query.value.getAll("survey").map((id) => (
         <OutOfDateNotice key={id} surveyId={Number(id)} computed={found.reload} />
@@ -98,7 +98,7 @@ function Cases({ sight }: { sight: Sight }) {
   const unit = lengthScale()[1];
   return (
     <Panel
-      title={say("sight-cases-title")}
+      says="sight-cases-title"
       note={say("sight-cases-distance", {
         speed: formatSpeed(Number(query.value.get("speed_mps") ?? 100 / 3.6), null, 0),
         distance: formatLength(sight.distance.distance_m, 1),
@@ -167,7 +167,7 @@ function Cell({ of, print, strong }: { of: Bounded; print: (metres: number) => s
 function Besides({ sight }: { sight: Sight }) {
   const unit = lengthScale()[1];
   return (
-    <Panel title={say("sight-besides-title")} class="sight-besides">
+    <Panel says="sight-besides-title" class="sight-besides">
       <Facts
         of={[
           [

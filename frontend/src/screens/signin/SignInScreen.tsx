@@ -68,15 +68,9 @@ function PasswordSignIn() {
     <form class="stack" onSubmit={submit}>
       <h1>{say("page-sign-in")}</h1>
       {problem !== null && <Notice kind="problem">{explain(problem)}</Notice>}
+      <TextField says="signin-email" type="email" {...form.field("email")} autoComplete="username" required />
       <TextField
-        label={say("signin-email")}
-        type="email"
-        {...form.field("email")}
-        autoComplete="username"
-        required
-      />
-      <TextField
-        label={say("signin-password")}
+        says="signin-password"
         type="password"
         {...form.field("password")}
         autoComplete="current-password"

@@ -65,8 +65,8 @@ function reasonOf(parts: Record<string, { n: number } | Reason>): string | null 
 export function ErrorFigures({ errors }: { errors: Errors }) {
   return (
     <div class="stat-figures">
-      <AbsoluteFigure errors={errors} />
-      <RelativeFigure errors={errors} />
+      <ShareFigure errors={errors} of="absolute" />
+      <ShareFigure errors={errors} of="relative" />
       <DensityFigure errors={errors} />
       <TrendFigure errors={errors} />
     </div>
@@ -79,59 +79,38 @@ function counts(list: readonly Drawn<{ n: number }>[]): string {
     .join(", ");
 }
 
-function AbsoluteFigure({ errors }: { errors: Errors }) {
-  const list = drawn<Ecdf>(errors.absolute);
+interface ShareProps {
+  errors: Errors;
+  of: "absolute" | "relative";
+}
+
+/** Which share of the errors is no larger, by size or by their part of the height. */
+function ShareFigure({ errors, of }: ShareProps) {
+  const list = drawn<Ecdf>(errors[of]);
+  const groups = counts(list);
   return (
     <PlotFigure
-      name="absolute-error-ecdf"
-      title={say("statistics-absolute-title")}
-      says={say("statistics-absolute-says", { groups: counts(list) })}
-      note={say("statistics-absolute-note", { groups: counts(list) })}
+      name={`${of}-error-ecdf`}
+      title={say(`statistics-${of}-title`)}
+      says={say(`statistics-${of}-says`, { groups })}
+      note={say(`statistics-${of}-note`, { groups })}
       legend={legendOf(list)}
-      reason={reasonOf(errors.absolute)}
+      reason={reasonOf(errors[of])}
       data={errors}
       options={(plot, unit) => {
         const [perX, small] = smallScale(unit);
+        const [factor, label] =
+          of === "absolute"
+            ? [perX, say("statistics-absolute-x", { unit: small })]
+            : [100, say("statistics-relative-x")];
         return {
-          x: {
-            label: say("statistics-absolute-x", { unit: small }),
-            zero: true,
-            nice: true,
-          },
+          x: { label, zero: true, nice: true },
           y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
-          marks: [...list.flatMap((one) => ecdfMarks(plot, one.part, one.curve, perX))],
+          marks: list.flatMap((one) => ecdfMarks(plot, one.part, one.curve, factor)),
         };
       }}
       table={() => ({
-        columns: ["lighting", "absolute_error_m", ...ECDF_COLUMNS],
-        rows: list.flatMap((one) => ecdfRows(one.group, one.part)),
-      })}
-    />
-  );
-}
-
-function RelativeFigure({ errors }: { errors: Errors }) {
-  const list = drawn<Ecdf>(errors.relative);
-  return (
-    <PlotFigure
-      name="relative-error-ecdf"
-      title={say("statistics-relative-title")}
-      says={say("statistics-relative-says", { groups: counts(list) })}
-      note={say("statistics-relative-note", { groups: counts(list) })}
-      legend={legendOf(list)}
-      reason={reasonOf(errors.relative)}
-      data={errors}
-      options={(plot) => ({
-        x: {
-          label: say("statistics-relative-x"),
-          zero: true,
-          nice: true,
-        },
-        y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
-        marks: [...list.flatMap((one) => ecdfMarks(plot, one.part, one.curve, 100))],
-      })}
-      table={() => ({
-        columns: ["lighting", "relative_error", ...ECDF_COLUMNS],
+        columns: ["lighting", of === "absolute" ? "absolute_error_m" : "relative_error", ...ECDF_COLUMNS],
         rows: list.flatMap((one) => ecdfRows(one.group, one.part)),
       })}
     />
@@ -164,9 +143,7 @@ function DensityFigure({ errors }: { errors: Errors }) {
       options={(plot, unit) => {
         const [perX, small] = smallScale(unit);
         return {
-          x: {
-            label: say("statistics-signed-error", { unit: small }),
-          },
+          x: { label: say("statistics-signed-error", { unit: small }) },
           y: {
             label: say("statistics-density-y", { unit: shareStep(unit, true).name }),
             zero: true,

@@ -3,6 +3,7 @@ import { Said } from "../../components/Said";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { formatCount, formatSmall, smallScale } from "../../core/units";
 import { csvOf, download } from "../../parts/figures/csv";
+import { FigureCell } from "../../parts/figures/FigureCell";
 import { NONE, range, scaled, squareScale } from "../../parts/figures/numbers";
 import { asInPaper } from "./filters";
 import { type ErrorGroup, type Errors, GROUP_WORDS, isThere } from "./model";
@@ -31,12 +32,7 @@ const COLUMNS: readonly Column[] = [
   { key: "bias_m", scale: length, unit: inSmall },
   { key: "mae_m", scale: length, unit: inSmall, paper: "mae_m" },
   { key: "rmse_m", scale: length, unit: inSmall, paper: "rmse_m" },
-  {
-    key: "mse_m2",
-    scale: () => [squareScale()[0], 2],
-    unit: () => squareScale()[1],
-    paper: "mse_m2",
-  },
+  { key: "mse_m2", scale: () => [squareScale()[0], 2], unit: () => squareScale()[1], paper: "mse_m2" },
   { key: "sd_m", scale: length, unit: inSmall, paper: "sd_m" },
   { key: "pearson_error_vs_height", scale: () => [1, 2], unit: () => "" },
   { key: "pearson_abs_error_vs_height", scale: () => [1, 2], unit: () => "" },
@@ -50,7 +46,7 @@ function headOf({ key, unit }: Column): string {
 export function ErrorTable({ errors }: { errors: Errors }) {
   return (
     <Panel
-      title={say("statistics-errors-title")}
+      says="statistics-errors-title"
       aside={
         <Button
           small
@@ -108,10 +104,9 @@ function Holds({ errors }: { errors: Errors }) {
   ) : null;
 }
 
+const strong = (text: string) => <strong>{text}</strong>;
 /** A figure without an interval is of too few vehicles to be stressed. */
-function Value({ text, sure }: { text: string; sure: boolean }) {
-  return sure ? <strong>{text}</strong> : <span class="muted">{text}</span>;
-}
+const muted = (text: string) => <span class="muted">{text}</span>;
 
 function Rows({ group, errors }: { group: ErrorGroup; errors: Errors }) {
   const paper = asInPaper() ? errors.paper.find((one) => one.group === group.group) : undefined;
@@ -128,11 +123,9 @@ function Rows({ group, errors }: { group: ErrorGroup; errors: Errors }) {
         {COLUMNS.map((column) => {
           const figure = group.figures[column.key];
           const [factor, digits] = column.scale();
+          const drawn = figure?.ci95 ? strong : muted;
           return (
-            <td key={column.key} class="num">
-              <Value text={scaled(figure?.value ?? null, factor, digits)} sure={figure?.ci95 != null} />
-              <div class="stat-ci">{range(figure?.ci95 ?? null, factor, digits) ?? NONE}</div>
-            </td>
+            <FigureCell key={column.key} figure={figure} factor={factor} digits={digits} drawn={drawn} />
           );
         })}
       </tr>
@@ -186,9 +179,15 @@ function Shares({ errors }: { errors: Errors }) {
       {errors.groups.map(({ group, figures }) => (
         <tr key={group}>
           <th scope="row">{GROUP_WORDS[group] ?? group}</th>
-          <Figure figure={figures["skewness"]} factor={1} digits={2} />
+          <FigureCell figure={figures["skewness"]} factor={1} digits={2} drawn={strong} />
           {WITHIN_MM.map((mm) => (
-            <Figure key={mm} figure={figures[`share_within_${mm}_mm`]} factor={100} digits={0} />
+            <FigureCell
+              key={mm}
+              figure={figures[`share_within_${mm}_mm`]}
+              factor={100}
+              digits={0}
+              drawn={strong}
+            />
           ))}
         </tr>
       ))}
@@ -197,21 +196,6 @@ function Shares({ errors }: { errors: Errors }) {
 }
 
 const WITHIN_MM = [10, 15, 20, 30, 40] as const;
-
-interface FigureProps {
-  figure: ErrorGroup["figures"][string] | undefined;
-  factor: number;
-  digits: number;
-}
-
-function Figure({ figure, factor, digits }: FigureProps) {
-  return (
-    <td class="num">
-      <strong>{scaled(figure?.value ?? null, factor, digits)}</strong>
-      <div class="stat-ci">{range(figure?.ci95 ?? null, factor, digits) ?? NONE}</div>
-    </td>
-  );
-}
 
 /** The reference's own part of the variance, and Bland and Altman's limits. */
 function Agreement({ errors }: { errors: Errors }) {

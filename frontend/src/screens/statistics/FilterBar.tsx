@@ -119,13 +119,7 @@ function Surveys({ found, chosen }: { found: Statistics | null; chosen: readonly
       label={say("statistics-filter-surveys")}
       words={word}
       help={say("statistics-filter-surveys-help")}
-      groups={[
-        {
-          options: named(list),
-          chosen,
-          onChange: (survey) => setFilter({ survey }),
-        },
-      ]}
+      groups={[{ options: named(list), chosen, onChange: (survey) => setFilter({ survey }) }]}
     />
   );
 }
@@ -163,9 +157,8 @@ function ReferenceU({ value }: { value: string | null }) {
   };
   return (
     <TextField
-      label={say("statistics-reference-u")}
+      says="statistics-reference-u"
       hint={say("statistics-reference-u-hint", { limit: fixedRange(Math.sqrt(3) * now) })}
-      numeric
       unit={unit}
       value={text ?? smallText(now, lengthUnit.value, 2)}
       problem={problem}

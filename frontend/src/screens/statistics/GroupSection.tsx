@@ -31,17 +31,17 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
   const title = TARGET_TITLES[target.target];
   return (
     <Panel
-      title={say("statistics-groups-title")}
+      says="statistics-groups-title"
       aside={
         <div class="row row--wrap stat-noprint">
           <Segments
-            label={say("statistics-groups-target")}
+            says="statistics-groups-target"
             value={target.target}
             options={there.map((one) => ({ value: one.target, label: TARGET_TITLES[one.target] }))}
             onInput={setChosen}
           />
           <Segments
-            label={say("statistics-groups-by")}
+            says="statistics-groups-by"
             value={grouping}
             options={GROUPINGS.map((value) => ({ value, label: GROUPING_WORDS[value] }))}
             onInput={setGrouping}
@@ -70,11 +70,7 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
           options={(plot, unit) => {
             const [perX, long] = lengthScale(unit);
             return {
-              x: {
-                label: say("statistics-height-x", { unit: long }),
-                nice: true,
-                inset: 6,
-              },
+              x: { label: say("statistics-height-x", { unit: long }), nice: true, inset: 6 },
               y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
               marks: [...curves.flatMap(({ ecdf, curve }) => ecdfMarks(plot, ecdf, curve, perX))],
             };
@@ -100,10 +96,7 @@ export function drawn(groups: readonly Group[], grouping: string): { ecdf: Ecdf;
       const band = groups.length <= MOST_BANDS; // more of them hide each other; the CSV has them all
       const word = groupWord(grouping, one.word);
       return [
-        {
-          ecdf: one.ecdf,
-          curve: { word, hue: (i % HUES) as Hue, dash: i < HUES ? undefined : "6 4", band },
-        },
+        { ecdf: one.ecdf, curve: { word, hue: (i % HUES) as Hue, dash: i < HUES ? undefined : "6 4", band } },
       ];
     });
 }

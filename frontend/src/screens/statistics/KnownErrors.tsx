@@ -1,11 +1,12 @@
 /** Errors against heights that were known before, a row a target, its lightings and classes below; check targets. */
 import type { ComponentChildren } from "preact";
 import { num, Panel, Table } from "../../components";
-import { type Said, say, sentenceOf, wordsOf } from "../../core/messages";
+import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { formatCount, smallScale } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
-import { NONE, range, scaled } from "../../parts/figures/numbers";
-import { type ErrorGroup, groupWord, isThere, type KnownErrors } from "./model";
+import { FigureCell } from "../../parts/figures/FigureCell";
+import { NONE, range } from "../../parts/figures/numbers";
+import { groupWord, isThere, type KnownErrors } from "./model";
 
 type KnownGroup = KnownErrors["groups"][number];
 
@@ -20,7 +21,7 @@ const HEADS = wordsOf({
 export function KnownErrorsTable({ found }: { found: readonly KnownErrors[] }) {
   const unit = smallScale()[1];
   return (
-    <Panel title={say("statistics-known-title")}>
+    <Panel says="statistics-known-title">
       {found.length === 0 ? (
         <p class="stat-notes small">{say("statistics-known-none")}</p>
       ) : (
@@ -85,6 +86,7 @@ interface RowProps {
 }
 
 function Row({ id, name, group, inside }: RowProps) {
+  const [factor, unit] = smallScale();
   return (
     <tr data-testid={id}>
       <th scope="row">
@@ -93,26 +95,16 @@ function Row({ id, name, group, inside }: RowProps) {
       </th>
       <td class="num">{formatCount(group.n)}</td>
       {FIGURES.map((key) => (
-        <Length key={key} figure={group.figures[key]} words={group.words} />
+        <FigureCell
+          key={key}
+          figure={group.figures[key]}
+          factor={factor}
+          digits={unit === "in" ? 2 : 1}
+          title={group.words ? say("statistics-known-holds", { words: sentenceOf(group.words) }) : undefined}
+        />
       ))}
       {inside}
     </tr>
-  );
-}
-
-interface LengthProps {
-  figure: ErrorGroup["figures"][string] | undefined;
-  words: Said | null;
-}
-
-function Length({ figure, words }: LengthProps) {
-  const [factor, unit] = smallScale();
-  const digits = unit === "in" ? 2 : 1;
-  return (
-    <td class="num" title={words ? say("statistics-known-holds", { words: sentenceOf(words) }) : undefined}>
-      {scaled(figure?.value ?? null, factor, digits)}
-      <div class="stat-ci">{range(figure?.ci95 ?? null, factor, digits) ?? NONE}</div>
-    </td>
   );
 }
 

@@ -17,7 +17,7 @@ export function LateralSection({ lateral }: { lateral: Lateral }) {
   const lanes = lateral.lanes.groups;
   const curves = drawn(lanes, "lane");
   return (
-    <Panel title={say("statistics-lateral-title")} data-testid="lateral">
+    <Panel says="statistics-lateral-title" data-testid="lateral">
       <div class="stat-groups">
         <PlotFigure
           name="lateral-position"

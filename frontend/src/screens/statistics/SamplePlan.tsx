@@ -43,11 +43,11 @@ export function SamplePlan({ sdM }: { sdM: number | null }) {
     };
   }, asked);
   return (
-    <Panel title={say("statistics-plan-title")} class="stat-noprint">
+    <Panel says="statistics-plan-title" class="stat-noprint">
       <form class="stat-plan" onSubmit={(event) => event.preventDefault()}>
-        <TextField label={say("statistics-plan-percentile")} numeric {...form.field("percent")} />
-        <TextField label={say("statistics-plan-width")} numeric unit={unit} {...form.field("width")} />
-        <TextField label={say("statistics-plan-sd")} numeric unit={unit} {...form.field("sd")} />
+        <TextField says="statistics-plan-percentile" numeric {...form.field("percent")} />
+        <TextField says="statistics-plan-width" unit={unit} {...form.field("width")} />
+        <TextField says="statistics-plan-sd" unit={unit} {...form.field("sd")} />
         <p class="stat-plan__answer" data-testid="sample-size" role="status">
           {!complete ? say("statistics-plan-incomplete") : error ? "" : sentenceOf(found?.words)}
         </p>

@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { Button, choices, num, Panel, SelectField, Table, TextField } from "../../components";
+import { Button, choices, DataTable, Panel, SelectField, TextField } from "../../components";
 import { query } from "../../core/address";
 import { useForm } from "../../core/form";
 import { say } from "../../core/messages";
@@ -34,7 +34,7 @@ export function Standards({ standards, surveyId, reload }: Props) {
     setFilter({ off: on ? off.filter((one) => one !== key) : [...off, key] });
   return (
     <Panel
-      title={say("statistics-standards-title")}
+      says="statistics-standards-title"
       aside={
         surveyId &&
         canWork.value &&
@@ -70,61 +70,56 @@ interface DrawnProps {
 
 function Drawn({ standards, off, toggle }: DrawnProps) {
   return (
-    <Table
+    <DataTable
       label={say("statistics-standards-title")}
       data-testid="standards"
-      heads={[
-        say("statistics-standards-drawn"),
-        say("statistics-standards-standard"),
-        say("statistics-standards-for"),
-        num(say("statistics-standards-height")),
-        say("statistics-standards-rule"),
-        say("statistics-standards-source"),
-        <span class="visually-hidden">{say("statistics-standards-remove")}</span>,
+      rows={standards}
+      keyOf={standardKey}
+      columns={({ col, num, actions }) => [
+        col(
+          say("statistics-standards-drawn"),
+          (one) =>
+            one.drawn &&
+            COMPARED.includes(one.what) && (
+              <input
+                type="checkbox"
+                aria-label={say("statistics-standard-draw", {
+                  standard: one.name,
+                  what: WHAT[one.what],
+                  height: formatLimit(one.height_m),
+                })}
+                checked={!off.includes(standardKey(one))}
+                onChange={(event) => toggle(standardKey(one), event.currentTarget.checked)}
+              />
+            ),
+        ),
+        col(say("statistics-standards-standard"), (one) => one.name),
+        col(say("statistics-standards-for"), (one) => WHAT[one.what]),
+        num(say("statistics-standards-height"), (one) => formatLimit(one.height_m)),
+        col(say("statistics-standards-rule"), ruleOf),
+        col(say("statistics-standards-source"), (one) => (
+          <>
+            {sourceOf(one)}
+            {one.cited_by && (
+              <div class="muted small">{say("statistics-standard-cited", { by: one.cited_by })}</div>
+            )}
+          </>
+        )),
+        actions(
+          say("statistics-standards-remove"),
+          (one) =>
+            one.name === "own value" && (
+              <Button
+                small
+                icon="close"
+                label={say("statistics-standard-remove", { standard: formatLimit(one.height_m) })}
+                onClick={() => remove(one)}
+              />
+            ),
+          "num",
+        ),
       ]}
-    >
-      {standards.map((one) => {
-        const key = standardKey(one);
-        return (
-          <tr key={key}>
-            <td>
-              {one.drawn && COMPARED.includes(one.what) && (
-                <input
-                  type="checkbox"
-                  aria-label={say("statistics-standard-draw", {
-                    standard: one.name,
-                    what: WHAT[one.what],
-                    height: formatLimit(one.height_m),
-                  })}
-                  checked={!off.includes(key)}
-                  onChange={(event) => toggle(key, event.currentTarget.checked)}
-                />
-              )}
-            </td>
-            <td>{one.name}</td>
-            <td>{WHAT[one.what]}</td>
-            <td class="num">{formatLimit(one.height_m)}</td>
-            <td>{ruleOf(one)}</td>
-            <td>
-              {sourceOf(one)}
-              {one.cited_by && (
-                <div class="muted small">{say("statistics-standard-cited", { by: one.cited_by })}</div>
-              )}
-            </td>
-            <td class="num">
-              {one.name === "own value" && (
-                <Button
-                  small
-                  icon="close"
-                  label={say("statistics-standard-remove", { standard: formatLimit(one.height_m) })}
-                  onClick={() => remove(one)}
-                />
-              )}
-            </td>
-          </tr>
-        );
-      })}
-    </Table>
+    />
   );
 }
 
@@ -178,13 +173,12 @@ function AddOwn() {
       }}
     >
       <SelectField
-        label={say("statistics-standard-own")}
+        says="statistics-standard-own"
         {...form.field("what")}
         options={choices(WHAT, ["eye_car", "object_stopping"])}
       />
       <TextField
-        label={say("statistics-standard-height")}
-        numeric
+        says="statistics-standard-height"
         unit={lengthUnit.value}
         {...form.field("text")}
         problem={problem}

@@ -114,33 +114,28 @@ function RowFields({ row, change, remove }: RowProps) {
   return (
     <fieldset class="stat-editor__row">
       <legend class="visually-hidden">{row.name || say("statistics-standard-new")}</legend>
-      <TextField label={say("statistics-standard-name")} {...field("name")} required />
-      <SelectField label={say("statistics-standard-for")} {...field("what")} options={choices(STANDARD_OF)} />
+      <TextField says="statistics-standard-name" {...field("name")} required />
+      <SelectField says="statistics-standard-for" {...field("what")} options={choices(STANDARD_OF)} />
+      <TextField says="statistics-standard-height" unit={lengthUnit.value} {...field("height")} />
+      <TextField says="statistics-standard-source" {...field("source")} />
+      <TextField says="statistics-standard-edition-field" {...field("edition")} />
       <TextField
-        label={say("statistics-standard-height")}
-        numeric
-        unit={lengthUnit.value}
-        {...field("height")}
-      />
-      <TextField label={say("statistics-standard-source")} {...field("source")} />
-      <TextField label={say("statistics-standard-edition-field")} {...field("edition")} />
-      <TextField
-        label={say("statistics-standard-year")}
+        says="statistics-standard-year"
         {...field("year")}
         problem={/^(\d{4})?$/.test(row.year.trim()) ? null : say("catalogue-year-problem")}
       />
       <TextField
-        label={say("statistics-percentile")}
+        says="statistics-percentile"
         numeric
         {...field("percent")}
         problem={
           row.percent.trim() && parseNumber(row.percent) === null ? say("catalogue-number-problem") : null
         }
       />
-      <TextField label={say("statistics-standard-class")} {...field("vehicle_class")} />
-      <TextField label={say("statistics-standard-cited-by")} {...field("cited_by")} />
+      <TextField says="statistics-standard-class" {...field("vehicle_class")} />
+      <TextField says="statistics-standard-cited-by" {...field("cited_by")} />
       <SelectField
-        label={say("statistics-standards-drawn")}
+        says="statistics-standards-drawn"
         value={row.drawn ? "yes" : "no"}
         options={[
           { value: "yes", label: say("statistics-standard-drawn-yes") },

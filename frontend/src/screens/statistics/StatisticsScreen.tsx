@@ -1,6 +1,6 @@
 /** Errors against known heights and the distributions of what was measured, for the measurements a filter leaves. */
 import { useEffect } from "preact/hooks";
-import { Button, Empty, Loaded, Notice, PageHead } from "../../components";
+import { Button, Check, Empty, Loaded, Notice, PageHead } from "../../components";
 import { PageTabs } from "../../components/PageTabs";
 import { Said } from "../../components/Said";
 import { query } from "../../core/address";
@@ -39,7 +39,7 @@ export default function StatisticsScreen() {
   return (
     <div class="page page--alone stat-page">
       <PageHead
-        title={say("page-statistics")}
+        says="page-statistics"
         more={
           <p class="page__lead" data-testid="stat-counted">
             {data ? countedWords(data) : say("statistics-lead")}
@@ -47,14 +47,13 @@ export default function StatisticsScreen() {
         }
       >
         <div class="row stat-noprint">
-          <label class="row" title={say("results-paper-help")}>
-            <input
-              type="checkbox"
-              checked={asInPaper()}
-              onChange={(event) => setFilter({ paper: event.currentTarget.checked ? "1" : null })}
-            />
-            {say("results-paper")}
-          </label>
+          <Check
+            says="results-paper"
+            class="row"
+            title={say("results-paper-help")}
+            checked={asInPaper()}
+            onInput={(on) => setFilter({ paper: on ? "1" : null })}
+          />
           <Button says="action-print" onClick={() => window.print()} />
         </div>
       </PageHead>
@@ -68,9 +67,7 @@ export default function StatisticsScreen() {
           <Said
             what="statistics-without-time"
             values={{ count: data.counted.without_time }}
-            parts={{
-              link: (text) => (only ? <a href={`/surveys/${only}/recordings`}>{text}</a> : text),
-            }}
+            parts={{ link: (text) => (only ? <a href={`/surveys/${only}/recordings`}>{text}</a> : text) }}
           />
         </Notice>
       )}
@@ -79,9 +76,7 @@ export default function StatisticsScreen() {
           <Said
             what="statistics-without-class"
             values={{ count: data.counted.without_class }}
-            parts={{
-              link: (text) => (only ? <a href={`/surveys/${only}/measure`}>{text}</a> : text),
-            }}
+            parts={{ link: (text) => (only ? <a href={`/surveys/${only}/measure`}>{text}</a> : text) }}
           />
         </Notice>
       )}

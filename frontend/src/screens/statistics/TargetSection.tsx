@@ -25,11 +25,7 @@ import type { Density, Ecdf, Standard } from "../../parts/figures/types";
 import { asInPaper } from "./filters";
 import { isThere, type OfTarget, type Percentile, TARGET_TITLES } from "./model";
 
-const rawCurve = (): Curve => ({
-  word: say("statistics-curve-raw"),
-  dash: "6 4",
-  faint: true,
-});
+const rawCurve = (): Curve => ({ word: say("statistics-curve-raw"), dash: "6 4", faint: true });
 const correctedCurve = (): Curve => ({ word: say("statistics-curve-corrected"), band: true });
 
 interface Props {
@@ -45,7 +41,7 @@ export function TargetSection({ target, standards }: Props) {
   return (
     <Panel
       id={`stat-${target.target}`}
-      title={title}
+      label={title}
       note={heightsWords(target)}
       class="stat-target"
       data-testid={`target-${target.target}`}
@@ -98,11 +94,7 @@ function EcdfFigure({ target, standards, title }: Props & { title: string }) {
         return {
           marginTop: marginOf(tiers),
           height: 296 + marginOf(tiers),
-          x: {
-            label: say("statistics-height-x", { unit: long }),
-            nice: true,
-            inset: 16,
-          },
+          x: { label: say("statistics-height-x", { unit: long }), nice: true, inset: 16 },
           y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
           marks: [
             ...standardMarks(plot, tiers),
@@ -132,15 +124,8 @@ function HeightDensity({ target, title }: { target: OfTarget; title: string }) {
       options={(plot, unit) => {
         const [perX, long] = lengthScale(unit);
         return {
-          x: {
-            label: say("statistics-height-x", { unit: long }),
-            nice: true,
-          },
-          y: {
-            label: say("statistics-density-y", { unit: shareStep(unit).name }),
-            zero: true,
-            nice: true,
-          },
+          x: { label: say("statistics-height-x", { unit: long }), nice: true },
+          y: { label: say("statistics-density-y", { unit: shareStep(unit).name }), zero: true, nice: true },
           marks: [...(density ? densityMarks(plot, density, correctedCurve(), perX, shareStep(unit).m) : [])],
         };
       }}

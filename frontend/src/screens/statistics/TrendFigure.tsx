@@ -40,16 +40,8 @@ export function TrendFigure({ errors }: { errors: Errors }) {
           high: (line.high[i] ?? 0) * perY,
         }));
         return {
-          x: {
-            label: say("statistics-trend-x", { unit: long }),
-            nice: true,
-            inset: 4,
-          },
-          y: {
-            label: say("statistics-signed-error", { unit: small }),
-            nice: true,
-            inset: 4,
-          },
+          x: { label: say("statistics-trend-x", { unit: long }), nice: true, inset: 4 },
+          y: { label: say("statistics-signed-error", { unit: small }), nice: true, inset: 4 },
           symbol: { domain: Object.keys(SYMBOLS), range: Object.values(SYMBOLS), legend: false },
           marks: [
             plot.ruleY([0], { stroke: "var(--line-strong)" }),

@@ -1,5 +1,4 @@
 /** What the server says of many measurements; lengths in metres. */
-
 import type { components } from "#schema";
 import { wordsOf } from "../../core/messages";
 import type { Category, ClassSet, Lighting } from "../../core/types";

@@ -18,7 +18,7 @@ export default function StudiesScreen() {
   );
   return (
     <div class="page page--alone">
-      <PageHead title={say("page-studies")} lead={say("studies-lead")}>
+      <PageHead says="page-studies" lead={say("studies-lead")}>
         {studies.data && studies.data.length > 0 && make}
       </PageHead>
       <Loaded of={studies} what={say("studies-loading")} />
@@ -73,9 +73,9 @@ function NewStudy({ close }: { close: () => void }) {
     navigate(`/study?id=${made.id}`);
   };
   return (
-    <FormDialog title={say("studies-new")} action={say("studies-new-make")} onClose={close} submit={make}>
-      <TextField label={say("study-name")} {...form.field("name")} />
-      <TextField label={say("study-description")} {...form.field("description")} rows={3} />
+    <FormDialog says="studies-new" action={say("studies-new-make")} onClose={close} submit={make}>
+      <TextField says="study-name" {...form.field("name")} />
+      <TextField says="study-description" {...form.field("description")} rows={3} />
     </FormDialog>
   );
 }

@@ -2,7 +2,7 @@ import { useState } from "preact/hooks";
 import { Loaded, Notice, named, OptionalField, Panel, Problem } from "../../components";
 import { say } from "../../core/messages";
 import { useAsked } from "../../core/resource";
-import { Differences } from "./Differences";
+import { Differences } from "../../parts/figures/Differences";
 import { Section } from "./Section";
 
 /** This study less another one that the person chooses. */
@@ -11,15 +11,11 @@ export function Beside({ studyId }: { studyId: number }) {
   const [other, setOther] = useState<string | null>(null);
   const others = (studies.data ?? []).filter((one) => one.id !== studyId && one.computed_at !== null);
   return (
-    <Panel
-      title={say("study-beside")}
-      class={other === null ? "stat-noprint" : undefined}
-      data-testid="study-beside"
-    >
+    <Panel says="study-beside" class={other === null ? "stat-noprint" : undefined} data-testid="study-beside">
       <div class="panel__body stack stack--tight">
         <Problem error={studies.error} again={studies.reload} />
         <OptionalField
-          label={say("study-beside-with")}
+          says="study-beside-with"
           value={other}
           none={say(others.length === 0 ? "study-beside-none" : "study-beside-choose")}
           options={named(others)}

@@ -53,13 +53,7 @@ export function CurveFigure({ curve, rules }: { curve: Curve; rules: Found["rule
           y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
           marks: [
             ...standardMarks(plot, tiers),
-            plot.areaX(band, {
-              y: "y",
-              x1: "low",
-              x2: "high",
-              fill: hueOf(TRUE_HEIGHTS),
-              fillOpacity: 0.13,
-            }),
+            plot.areaX(band, { y: "y", x1: "low", x2: "high", fill: hueOf(TRUE_HEIGHTS), fillOpacity: 0.13 }),
             readable(
               plot.line(points, {
                 x: "raw",

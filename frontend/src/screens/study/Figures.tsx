@@ -3,11 +3,12 @@ import { say, sentenceOf } from "../../core/messages";
 import type { Category, StudyResult } from "../../core/types";
 import { fixed, formatCount, formatSmall, lengthScale, plainHeight, plainPercent } from "../../core/units";
 import { CATEGORY_WORDS, LIGHTING_WORDS, TARGET_WORDS } from "../../core/words";
+import { Differences } from "../../parts/figures/Differences";
+import { Bounded } from "../../parts/figures/FigureCell";
 import { NONE, percent } from "../../parts/figures/numbers";
 import { SameRule } from "../../parts/figures/SameRule";
 import { CurveFigure } from "./CurveFigure";
-import { Differences } from "./Differences";
-import { Bounded, Section } from "./Section";
+import { Section } from "./Section";
 
 type Found = StudyResult["found"];
 type Row = Found["figures"][number];
@@ -77,12 +78,13 @@ function Percentiles({ found, targets }: { found: Found; targets: readonly Row["
                 <td colSpan={columns.length}>{reason}</td>
               ) : (
                 rows.map((one) => (
-                  <Bounded
-                    key={nameOf(one)}
-                    value={plainHeight(one.value_m)}
-                    low={one.low_m === null ? null : plainHeight(one.low_m)}
-                    high={one.high_m === null ? null : plainHeight(one.high_m)}
-                  />
+                  <td key={nameOf(one)} class="num">
+                    <Bounded
+                      value={plainHeight(one.value_m)}
+                      low={one.low_m === null ? null : plainHeight(one.low_m)}
+                      high={one.high_m === null ? null : plainHeight(one.high_m)}
+                    />
+                  </td>
                 ))
               )}
             </tr>
@@ -174,12 +176,13 @@ function Errors({ rows }: { rows: Found["errors"] }) {
               {ERRORS.map((figure) => {
                 const one = of.find((row) => row.figure === figure);
                 return (
-                  <Bounded
-                    key={figure}
-                    value={one ? formatSmall(one.value_m) : NONE}
-                    low={one && one.low_m !== null ? formatSmall(one.low_m) : null}
-                    high={one && one.high_m !== null ? formatSmall(one.high_m) : null}
-                  />
+                  <td key={figure} class="num">
+                    <Bounded
+                      value={one ? formatSmall(one.value_m) : NONE}
+                      low={one && one.low_m !== null ? formatSmall(one.low_m) : null}
+                      high={one && one.high_m !== null ? formatSmall(one.high_m) : null}
+                    />
+                  </td>
                 );
               })}
             </tr>
@@ -199,27 +202,24 @@ function Classes({ rows }: { rows: Found["classes"] }) {
   const all = rows.filter((one) => one.group === "all");
   return (
     <Section id="study-classes" title={say("study-classes")} note={say("study-classes-note")}>
-      <Table
-        heads={[
-          say("study-class"),
-          num(say("study-vehicles")),
-          num(say("study-share")),
-          num(say("study-fleet-share")),
-        ]}
-      >
-        {all.map((one) => (
-          <tr key={one.category}>
-            <th scope="row">{CATEGORY_WORDS[one.category as Category] ?? one.category}</th>
-            <td class="num">{formatCount(one.n)}</td>
+      <DataTable
+        rows={all}
+        keyOf={(one) => one.category}
+        columns={({ num, rowHead }) => [
+          rowHead(say("study-class"), (one) => CATEGORY_WORDS[one.category as Category] ?? one.category),
+          num(say("study-vehicles"), (one) => formatCount(one.n)),
+          num(say("study-share"), ({ share, low, high }) => (
             <Bounded
-              value={percent(one.share)}
-              low={one.low === null ? null : percent(one.low)}
-              high={one.high === null ? null : percent(one.high)}
+              value={percent(share)}
+              low={low === null ? null : percent(low)}
+              high={high === null ? null : percent(high)}
             />
-            <td class="num">{one.fleet_share === null ? NONE : percent(one.fleet_share)}</td>
-          </tr>
-        ))}
-      </Table>
+          )),
+          num(say("study-fleet-share"), (one) =>
+            one.fleet_share === null ? NONE : percent(one.fleet_share),
+          ),
+        ]}
+      />
     </Section>
   );
 }

@@ -1,4 +1,4 @@
-import { Button, num, Panel, Table } from "../../components";
+import { Button, DataTable, Panel } from "../../components";
 import { say, sentenceOf } from "../../core/messages";
 import type { Study, StudyResult } from "../../core/types";
 import { formatSmall } from "../../core/units";
@@ -13,9 +13,10 @@ interface Props {
 /** The surveys of a study with what they brought, its fleet and its goal. */
 export function Joined({ study, result, edit, remove }: Props) {
   const counted = new Map(result?.found.packages.map((one) => [one.place, one]));
+  const countOf = ({ survey_id }: Study["surveys"][number]) => counted.get(`survey ${survey_id}`);
   return (
     <Panel
-      title={say("study-joined")}
+      says="study-joined"
       aside={
         <div class="row">
           {remove && (
@@ -33,37 +34,22 @@ export function Joined({ study, result, edit, remove }: Props) {
       data-testid="study-joined"
     >
       {study.surveys.length > 0 && (
-        <Table
+        <DataTable
           label={say("study-joined")}
-          heads={[
-            say("study-survey"),
-            say("study-site"),
-            say("study-stratum"),
-            say("study-year"),
-            num(say("study-counted")),
-            num(say("study-outside")),
-            <span class="visually-hidden">{say("page-statistics")}</span>,
+          rows={study.surveys}
+          keyOf={(one) => one.survey_id}
+          columns={({ col, num, rowHead, actions }) => [
+            rowHead(say("study-survey"), (one) => <a href={`/surveys/${one.survey_id}`}>{one.name}</a>),
+            col(say("study-site"), (one) => one.site),
+            col(say("study-stratum"), (one) => one.stratum || "–"),
+            col(say("study-year"), (one) => one.year ?? "–"),
+            num(say("study-counted"), (one) => countOf(one)?.counted ?? "–"),
+            num(say("study-outside"), (one) => countOf(one)?.out_of_sample ?? "–"),
+            actions(say("page-statistics"), (one) => (
+              <a href={`/statistics?survey=${one.survey_id}`}>{say("page-statistics")}</a>
+            )),
           ]}
-        >
-          {study.surveys.map((one) => {
-            const row = counted.get(`survey ${one.survey_id}`);
-            return (
-              <tr key={one.survey_id}>
-                <th scope="row">
-                  <a href={`/surveys/${one.survey_id}`}>{one.name}</a>
-                </th>
-                <td>{one.site}</td>
-                <td>{one.stratum || "–"}</td>
-                <td>{one.year ?? "–"}</td>
-                <td class="num">{row?.counted ?? "–"}</td>
-                <td class="num">{row?.out_of_sample ?? "–"}</td>
-                <td>
-                  <a href={`/statistics?survey=${one.survey_id}`}>{say("page-statistics")}</a>
-                </td>
-              </tr>
-            );
-          })}
-        </Table>
+        />
       )}
       <div class="stat-notes small">
         <p>{say(study.fleet_csv ? "study-weighted" : "study-not-weighted")}</p>

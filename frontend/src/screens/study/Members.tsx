@@ -18,7 +18,7 @@ export function Members({ studyId }: { studyId: number }) {
   const { members, others, open_to_all } = found.data;
   const person = (id: number) => ({ ...here, person_id: id });
   return (
-    <Panel title={say("study-members")} class="stat-noprint" data-testid="study-members">
+    <Panel says="study-members" class="stat-noprint" data-testid="study-members">
       <div class="panel__body stack stack--tight">
         <label class="row">
           <input
@@ -55,7 +55,7 @@ export function Members({ studyId }: { studyId: number }) {
         </ul>
         {may("operator") && (
           <OptionalField
-            label={say("study-members-add")}
+            says="study-members-add"
             value={null}
             none={say(others.length > 0 ? "study-members-choose" : "study-members-nobody")}
             options={named(others)}

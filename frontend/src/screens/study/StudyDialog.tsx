@@ -43,15 +43,9 @@ export function StudyDialog({ study, close, saved }: Props) {
     saved();
   };
   return (
-    <FormDialog
-      wide
-      title={say("study-edit-title")}
-      action={say("action-save")}
-      onClose={close}
-      submit={submit}
-    >
-      <TextField label={say("study-name")} {...field("name")} />
-      <TextField label={say("study-description")} {...field("description")} rows={2} />
+    <FormDialog wide says="study-edit-title" action={say("action-save")} onClose={close} submit={submit}>
+      <TextField says="study-name" {...field("name")} />
+      <TextField says="study-description" {...field("description")} rows={2} />
       <Surveys rows={rows} change={setRows} />
       <Table
         label={say("study-fleet")}
@@ -66,10 +60,9 @@ export function StudyDialog({ study, close, saved }: Props) {
         example="site,stratum"
       />
       <TextField
-        label={say("study-goal")}
+        says="study-goal"
         hint={say("study-goal-hint")}
         {...field("goal")}
-        numeric
         unit={say("study-goal-unit")}
       />
     </FormDialog>
@@ -94,9 +87,9 @@ function Surveys({ rows, change }: { rows: readonly Row[]; change: (rows: readon
       {rows.map((one) => (
         <div class="study-surveys__row" key={one.survey_id}>
           <span class="study-surveys__name">{one.name}</span>
-          <TextField label={say("study-site")} {...field(one)("site")} />
-          <TextField label={say("study-stratum")} {...field(one)("stratum")} />
-          <TextField label={say("study-year")} {...field(one)("year")} numeric />
+          <TextField says="study-site" {...field(one)("site")} />
+          <TextField says="study-stratum" {...field(one)("stratum")} />
+          <TextField says="study-year" {...field(one)("year")} numeric />
           <Button
             small
             kind="quiet"
@@ -108,7 +101,7 @@ function Surveys({ rows, change }: { rows: readonly Row[]; change: (rows: readon
       ))}
       <Problem error={surveys.error} again={surveys.reload} />
       <OptionalField
-        label={say("study-add-survey")}
+        says="study-add-survey"
         value={null}
         none={say(others.length > 0 ? "study-choose-survey" : "study-no-more-surveys")}
         options={named(others)}

@@ -93,7 +93,7 @@ function Head({ page, running, compute }: { page: StudyPage; running: boolean; c
   const fresh = result !== null && !isOld(result);
   return (
     <PageHead
-      title={
+      label={
         <>
           {study.name} {study.simulated && <span class="badge">{say("study-simulated")}</span>}
         </>
@@ -126,7 +126,7 @@ function Removing({ study, close }: { study: Study; close: () => void }) {
     navigate("/studies");
   };
   return (
-    <FormDialog title={say("study-remove")} action={say("study-remove-now")} onClose={close} submit={remove}>
+    <FormDialog says="study-remove" action={say("study-remove-now")} onClose={close} submit={remove}>
       <p>{say("study-remove-words", { name: study.name })}</p>
     </FormDialog>
   );

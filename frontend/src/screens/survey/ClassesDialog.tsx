@@ -1,10 +1,9 @@
 /** What a survey makes of the classes of its vehicles: the set that each counts in, and what the EU and FHWA call it. */
 import { useState } from "preact/hooks";
 import { choices, FormDialog, OptionalField, Table, TextField } from "../../components";
-import { api } from "../../core/api";
 import { fieldsOf } from "../../core/form";
 import { say } from "../../core/messages";
-import { refreshSurvey } from "../../core/survey";
+import { changeSurvey } from "../../core/survey";
 import type { Survey, VehicleClass } from "../../core/types";
 import { CATEGORY_WORDS, CLASS_SET_WORDS } from "../../core/words";
 
@@ -22,10 +21,11 @@ export function ClassesDialog({ survey, close }: { survey: Survey; close: () => 
     setRows(rows.map((row) => (row.category === category ? { ...row, ...part } : row)));
   const submit = () => {
     const read = rows.map(readClass);
-    return read.every((one) => one !== null) ? save(survey, read, close) : null;
+    const classes = read.filter((one) => one !== null);
+    return classes.length === read.length ? changeSurvey(survey, { classes }).then(close) : null;
   };
   return (
-    <FormDialog wide title={say("classes-title")} action={say("action-save")} onClose={close} submit={submit}>
+    <FormDialog wide says="classes-title" action={say("action-save")} onClose={close} submit={submit}>
       <p class="field__hint">{say("classes-help")}</p>
       <Table
         label={say("classes-title")}
@@ -108,16 +108,4 @@ export function fhwaOf(text: string): number[] | null {
 function readClass({ category, class_set, eu, fhwa }: Typed): VehicleClass | null {
   const [inEu, inFhwa] = [euOf(eu), fhwaOf(fhwa)];
   return inEu && inFhwa ? { category, class_set, eu: inEu, fhwa: inFhwa } : null;
-}
-
-async function save(survey: Survey, classes: (VehicleClass | null)[], close: () => void): Promise<void> {
-  const { id, name, site, description, version } = survey;
-  const changed = classes.filter((one) => one !== null);
-  await api.write(
-    "PUT /surveys/{survey_id}",
-    { survey_id: id },
-    { body: { name, site, description, version, classes: changed } },
-  );
-  await refreshSurvey();
-  close();
 }

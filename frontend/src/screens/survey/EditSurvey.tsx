@@ -1,9 +1,8 @@
 import { useState } from "preact/hooks";
 import { FormDialog, num, Table, TextField } from "../../components";
-import { api } from "../../core/api";
 import { useForm } from "../../core/form";
 import { say } from "../../core/messages";
-import { refreshSurvey } from "../../core/survey";
+import { changeSurvey } from "../../core/survey";
 import type { Inset, InsetName, Place, Survey } from "../../core/types";
 import { lengthText, lengthUnit, parseLength } from "../../core/units";
 import { INSET_NAMES, INSET_WORDS } from "../../core/words";
@@ -31,26 +30,21 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
     return save(read, placed);
   };
   const save = async (read: Record<InsetName, Inset>, placed: Place) => {
-    await api.write(
-      "PUT /surveys/{survey_id}",
-      { survey_id: survey.id },
-      { body: { ...values, place: placed, insets: read, version: survey.version } },
-    );
-    await refreshSurvey();
+    await changeSurvey(survey, { ...values, place: placed, insets: read });
     close();
   };
   const unit = lengthUnit.value;
   const change = (key: InsetName, part: "inset" | "u", value: string) =>
     setInsets({ ...insets, [key]: { ...insets[key], [part]: value } });
   return (
-    <FormDialog title={say("survey-edit-title")} action={say("action-save")} onClose={close} submit={submit}>
+    <FormDialog says="survey-edit-title" action={say("action-save")} onClose={close} submit={submit}>
       <TextField
-        label={say("survey-name")}
+        says="survey-name"
         {...field("name")}
         problem={values.name.trim() ? null : say("survey-name-problem")}
       />
-      <TextField label={say("survey-site")} {...field("site")} />
-      <TextField label={say("survey-description")} {...field("description")} rows={3} />
+      <TextField says="survey-site" {...field("site")} />
+      <TextField says="survey-description" {...field("description")} rows={3} />
       <PlaceFields {...field("place")} />
       {misplaced && <p class="field__problem">{misplaced}</p>}
       <TrafficFields {...field("traffic")} />

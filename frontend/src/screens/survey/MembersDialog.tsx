@@ -3,6 +3,7 @@ import { useState } from "preact/hooks";
 import {
   ask,
   Button,
+  Check,
   DataTable,
   Dialog,
   Loaded,
@@ -97,15 +98,13 @@ export function MembersDialog({ surveyId, close }: { surveyId: number; close: ()
       {data && (
         <>
           <p class="field__hint">{say(data.open_to_all ? "members-lead-open" : "members-lead")}</p>
-          <label class="check">
-            <input
-              type="checkbox"
-              checked={data.open_to_all}
-              disabled={!manages}
-              onChange={(event) => void open(event.currentTarget.checked)}
-            />
-            <span>{say("members-open-to-all")}</span>
-          </label>
+          <Check
+            says="members-open-to-all"
+            class="check"
+            checked={data.open_to_all}
+            disabled={!manages}
+            onInput={(on) => void open(on)}
+          />
           {data.members.length === 0 ? (
             <p class="muted">{say("members-none")}</p>
           ) : (
@@ -192,14 +191,14 @@ export function AddMember({ others, add }: AddProps) {
   return (
     <div class="members__add">
       <OptionalField
-        label={say("members-add-person")}
+        says="members-add-person"
         value={person}
         none={say("members-choose")}
         options={named(others)}
         onInput={choose}
       />
       <SelectField
-        label={say("members-add-role")}
+        says="members-add-role"
         value={role}
         options={roleOptions()}
         hint={accountRole === "admin" ? say("members-admin") : DOES[role]}

@@ -12,7 +12,7 @@ export function SampleSection({ survey, edit }: { survey: Survey; edit(): void }
   const rows = (found.data?.response ?? []).filter(isShown);
   return (
     <Panel
-      title={say("sample-title")}
+      says="sample-title"
       aside={may("operator") && <Button says="sample-edit" small onClick={edit} />}
       data-testid="sample"
     >

@@ -1,10 +1,9 @@
 /** Which passes of a survey are to be measured, and how many of each lighting and set of classes. */
 import { useState } from "preact/hooks";
-import { choices, FormDialog, SelectField, TextField } from "../../components";
-import { api } from "../../core/api";
+import { Check, choices, FormDialog, SelectField, TextField } from "../../components";
 import { fieldsOf } from "../../core/form";
 import { say, wordsOf } from "../../core/messages";
-import { refreshSurvey } from "../../core/survey";
+import { changeSurvey } from "../../core/survey";
 import type { ClassSet, Lighting, Quota, Sampling, Survey } from "../../core/types";
 import { parseNumber } from "../../core/units";
 import { CLASS_SET_WORDS, LIGHTING_WORDS } from "../../core/words";
@@ -33,50 +32,43 @@ export function SamplingDialog({ survey, close }: { survey: Survey; close: () =>
   const [typed, setTyped] = useState<Typed>(() => typedOf(survey.sampling));
   const change = (part: Partial<Typed>) => setTyped({ ...typed, ...part });
   const wrong = problemsOf(typed);
-  const submit = () => (Object.values(wrong).some(Boolean) ? null : save(survey, samplingOf(typed), close));
+  const submit = () =>
+    Object.values(wrong).some(Boolean)
+      ? null
+      : changeSurvey(survey, { sampling: samplingOf(typed) }).then(close);
   const field = fieldsOf(typed, change);
   return (
-    <FormDialog title={say("sample-dialog")} action={say("action-save")} onClose={close} submit={submit}>
+    <FormDialog says="sample-dialog" action={say("action-save")} onClose={close} submit={submit}>
       <SelectField
-        label={say("sample-method")}
+        says="sample-method"
         {...field("method")}
         options={choices(METHODS)}
         hint={say("sample-method-help")}
       />
       {typed.method === "nth" && (
         <div class="row row--wrap">
-          <TextField numeric label={say("sample-step")} {...field("step")} problem={wrong.step} />
-          <TextField numeric label={say("sample-start")} {...field("start")} problem={wrong.start} />
+          <TextField numeric says="sample-step" {...field("step")} problem={wrong.step} />
+          <TextField numeric says="sample-start" {...field("start")} problem={wrong.start} />
         </div>
       )}
       {typed.method === "share" && (
         <div class="row row--wrap">
-          <TextField
-            numeric
-            unit="%"
-            label={say("sample-share-percent")}
-            {...field("share")}
-            problem={wrong.share}
-          />
-          <TextField numeric label={say("sample-seed")} {...field("seed")} problem={wrong.seed} />
+          <TextField unit="%" says="sample-share-percent" {...field("share")} problem={wrong.share} />
+          <TextField numeric says="sample-seed" {...field("seed")} problem={wrong.seed} />
         </div>
       )}
       <TextField
-        numeric
         unit="s"
-        label={say("sample-free")}
+        says="sample-free"
         hint={say("sample-free-help")}
         {...field("free")}
         problem={wrong.free}
       />
-      <label>
-        <input
-          type="checkbox"
-          checked={typed.outside}
-          onChange={(event) => change({ outside: event.currentTarget.checked })}
-        />{" "}
-        {say("sample-outside-counts")}
-      </label>
+      <Check
+        says="sample-outside-counts"
+        checked={typed.outside}
+        onInput={(outside) => change({ outside })}
+      />
       <p class="field__hint">{say("sample-outside-counts-help")}</p>
       <fieldset class="survey-fields">
         <legend>{say("sample-quotas")}</legend>
@@ -158,15 +150,4 @@ function samplingOf(typed: Typed): Sampling {
       return wanted === null ? [] : [{ ...kind, wanted }];
     }),
   };
-}
-
-async function save(survey: Survey, sampling: Sampling, close: () => void): Promise<void> {
-  const { id, name, site, description, version } = survey;
-  await api.write(
-    "PUT /surveys/{survey_id}",
-    { survey_id: id },
-    { body: { name, site, description, version, sampling } },
-  );
-  await refreshSurvey();
-  close();
 }

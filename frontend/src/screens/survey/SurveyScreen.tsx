@@ -33,7 +33,7 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
   return (
     <div class="page">
       <PageHead
-        title={
+        label={
           <>
             {survey.name}{" "}
             {survey.is_demo && <span class="badge title-badge">{say("survey-demonstration")}</span>}

@@ -10,14 +10,7 @@ import { NO_PLACE, PlaceFields, readPlace } from "../../parts/vehicles/PlaceFiel
 import { TrafficFields } from "../../parts/vehicles/TrafficFields";
 
 const UNSAID: Traffic = { traffic_side: null, steering_side: null, camera_place: null };
-const EMPTY = {
-  name: "",
-  site: "",
-  description: "",
-  place: NO_PLACE,
-  traffic: UNSAID,
-  asked: USUALLY_ASKED,
-};
+const EMPTY = { name: "", site: "", description: "", place: NO_PLACE, traffic: UNSAID, asked: USUALLY_ASKED };
 
 export function NewSurvey({ close }: { close: () => void }) {
   const { values, field } = useForm(EMPTY);
@@ -36,20 +29,16 @@ export function NewSurvey({ close }: { close: () => void }) {
     navigate(`/surveys/${made.id}`);
   };
   return (
-    <FormDialog title={say("surveys-new")} action={say("surveys-new-make")} onClose={close} submit={submit}>
+    <FormDialog says="surveys-new" action={say("surveys-new-make")} onClose={close} submit={submit}>
       <TextField
-        label={say("surveys-new-name")}
+        says="surveys-new-name"
         {...field("name")}
         placeholder={say("surveys-new-name-example")}
         problem={missing && !name ? say("surveys-new-name-problem") : null}
       />
+      <TextField says="surveys-new-site" {...field("site")} placeholder={say("surveys-new-site-example")} />
       <TextField
-        label={say("surveys-new-site")}
-        {...field("site")}
-        placeholder={say("surveys-new-site-example")}
-      />
-      <TextField
-        label={say("surveys-new-description")}
+        says="surveys-new-description"
         {...field("description")}
         rows={3}
         hint={say("surveys-new-description-hint")}

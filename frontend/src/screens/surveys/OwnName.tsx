@@ -22,7 +22,7 @@ export function OwnName() {
       <h2>{say("own-name-title")}</h2>
       <p class="muted small">{say("own-name-why")}</p>
       <div class="row">
-        <TextField hideLabel label={say("own-name")} value={name} onInput={setName} autoComplete="name" />
+        <TextField hideLabel says="own-name" value={name} onInput={setName} autoComplete="name" />
         <Button says="action-save" type="submit" disabled={!name.trim()} />
       </div>
       <Problem error={problem} />

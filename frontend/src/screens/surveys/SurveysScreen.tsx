@@ -57,7 +57,7 @@ function SurveyList({ surveys, lastDemo, children }: SurveyListProps) {
   const onlyDemo = surveys.every((survey) => survey.is_demo);
   return (
     <div class="page page--alone">
-      <PageHead title={say("page-surveys")} lead={!nothing && say("surveys-lead")}>
+      <PageHead says="page-surveys" lead={!nothing && say("surveys-lead")}>
         {!nothing && may("operator") && <AddSurvey primary={!onlyDemo} make={make} />}
       </PageHead>
       <OwnName />

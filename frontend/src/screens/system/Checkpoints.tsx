@@ -1,6 +1,5 @@
 /** What the installation signed: where its audit chains ended, to be kept in another place. */
-
-import { Button, Empty, Facts, Loading, num, Panel, Problem, Table } from "../../components";
+import { Button, DataTable, Empty, Facts, Loading, Panel, Problem } from "../../components";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
@@ -22,7 +21,7 @@ export function Checkpoints() {
     });
   return (
     <Panel
-      title={say("system-checkpoints")}
+      says="system-checkpoints"
       aside={<Button says="system-checkpoints-sign" busy={busy} onClick={() => void sign()} />}
       data-testid="checkpoints"
     >
@@ -60,32 +59,28 @@ function Key({ listed }: { listed: Listed }) {
 function List({ listed }: { listed: Listed }) {
   if (listed.newest.length === 0) return <Empty title={say("system-checkpoints-none")} />;
   return (
-    <Table
+    <DataTable
       label={say("system-checkpoints")}
       scroll="checkpoints__list"
-      heads={[
-        say("audit-when"),
-        say("audit-who"),
-        num(say("system-checkpoints-chains")),
-        num(say("system-checkpoints-events")),
-        say("system-checkpoints-root"),
-        <span class="visually-hidden">{say("table-actions")}</span>,
-      ]}
-    >
-      {listed.newest.map((one) => (
-        <tr key={one.id}>
-          <td class="nowrap" title={one.at}>
-            {formatMoment(one.at)}
-          </td>
-          <td class="nowrap">{one.by?.name ?? <span class="muted">{say("person-system")}</span>}</td>
-          <td class="num">{formatCount(one.chains)}</td>
-          <td class="num">{formatCount(one.events)}</td>
-          <td>
-            <code class="muted" title={one.root}>
-              {one.root.slice(0, 16)}
-            </code>
-          </td>
-          <td class="nowrap">
+      rows={listed.newest}
+      keyOf={(one) => one.id}
+      columns={({ col, num, actions }) => [
+        { ...col(say("audit-when"), (one) => formatMoment(one.at), "nowrap"), cellTitle: (one) => one.at },
+        col(
+          say("audit-who"),
+          (one) => one.by?.name ?? <span class="muted">{say("person-system")}</span>,
+          "nowrap",
+        ),
+        num(say("system-checkpoints-chains"), (one) => formatCount(one.chains)),
+        num(say("system-checkpoints-events"), (one) => formatCount(one.events)),
+        col(say("system-checkpoints-root"), (one) => (
+          <code class="muted" title={one.root}>
+            {one.root.slice(0, 16)}
+          </code>
+        )),
+        actions(
+          say("table-actions"),
+          (one) => (
             <Button
               says="system-checkpoints-download"
               small
@@ -94,9 +89,10 @@ function List({ listed }: { listed: Listed }) {
               download
               label={say("system-checkpoints-download-of", { when: formatMoment(one.at) })}
             />
-          </td>
-        </tr>
-      ))}
-    </Table>
+          ),
+          "nowrap",
+        ),
+      ]}
+    />
   );
 }

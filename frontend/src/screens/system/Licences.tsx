@@ -9,7 +9,7 @@ export function Licences() {
   const [open, setOpen] = useState(false);
   return (
     <Panel
-      title={say("system-licences")}
+      says="system-licences"
       aside={
         <Button
           says={open ? "system-licences-hide" : "system-licences-show"}

@@ -17,11 +17,11 @@ export default function SystemScreen() {
   const state = found.data;
   return (
     <div class="page page--alone">
-      <PageHead title={say("page-system")} lead={say("system-lead")} />
+      <PageHead says="page-system" lead={say("system-lead")} />
       <Loaded of={found} what={say("system-loading")} />
       {state && (
         <>
-          <Panel title={say("system-program")}>
+          <Panel says="system-program">
             <div class="panel__body">
               <Facts
                 data-testid="system-facts"
@@ -64,7 +64,7 @@ export default function SystemScreen() {
               />
             </div>
           </Panel>
-          <Panel title={say("system-jobs")}>
+          <Panel says="system-jobs">
             <div class="panel__body">
               <Facts
                 of={STATES.map((one) => [

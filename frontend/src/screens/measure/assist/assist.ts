@@ -107,10 +107,7 @@ export class Assist implements Tool<ImagePoint> {
       const answer = await api.ask(
         "POST /recordings/{recording_id}/frames/{n}/contact",
         { recording_id: asked.recordingId, n: asked.frame },
-        {
-          body: { pointer: [pointer[0], pointer[1]], vehicle_id: this.desk.vehicleId.value },
-          retry: true,
-        },
+        { body: { pointer: [pointer[0], pointer[1]], vehicle_id: this.desk.vehicleId.value }, retry: true },
       );
       this.answered.value = { ...asked, pointer, answer };
     } catch (error) {

@@ -1,5 +1,4 @@
 /** Passes taken apart, put together and confirmed; each a step that can be undone. */
-
 import type { ChangeSet } from "../../../core/history";
 import { say } from "../../../core/messages";
 import { toast, toastProblem } from "../../../core/toasts";

@@ -1,5 +1,4 @@
 /** Asks for proposals of the recording that is open, follows the work, and reads what came of it. */
-
 import { api } from "../../../core/api";
 import { say } from "../../../core/messages";
 import { RecordingJob } from "../../../parts/vehicles/RecordingJob";

@@ -1,0 +1,64 @@
+/** Differences of figures, each with its interval and whether it is more than noise. */
+import { DataTable } from "../../components";
+import { type Said, say, sentenceOf } from "../../core/messages";
+import type { Target } from "../../core/types";
+import { formatSmall, plainPercent } from "../../core/units";
+import { TARGET_WORDS } from "../../core/words";
+import { Bounded } from "./FigureCell";
+import { NONE } from "./numbers";
+
+interface Difference {
+  target: Target;
+  /** Of the percentile; null: the mean. */
+  percent: number | null;
+  n_first: number;
+  n_second: number;
+  value_m: number | null;
+  low_m: number | null;
+  high_m: number | null;
+  verdict: "higher" | "lower" | "not_told_apart" | "unknown" | null;
+  reason: Said | null;
+  /** What the row compares, where the rows are not all of the same two. */
+  between?: string;
+}
+
+interface Props {
+  rows: readonly Difference[];
+  label?: string;
+  /** The head over what is compared. */
+  column?: string;
+}
+
+export function Differences({ rows, label, column }: Props) {
+  const small = (metres: number | null) => (metres === null ? null : formatSmall(metres));
+  return (
+    <DataTable
+      label={label}
+      rows={rows}
+      keyOf={(one) => `${one.target}|${one.between}|${one.percent}`}
+      columns={({ col, num, rowHead }) => [
+        rowHead(say("statistics-compared-figure"), ({ target, percent }) => (
+          <>
+            {TARGET_WORDS[target]},{" "}
+            {percent === null ? say("statistics-compared-mean") : `P${plainPercent(percent)}`}
+          </>
+        )),
+        ...(column ? [col(column, (one) => one.between)] : []),
+        num(say("statistics-compared-heights"), ({ n_first: first, n_second: second }) =>
+          say("statistics-compared-of", { first, second }),
+        ),
+        num(say("statistics-compared-difference"), ({ value_m, low_m, high_m }) => (
+          <Bounded value={small(value_m) ?? NONE} low={small(low_m)} high={small(high_m)} />
+        )),
+        col(say("statistics-compared-verdict"), verdictOf),
+      ]}
+    />
+  );
+}
+
+function verdictOf({ verdict, reason }: Difference): string {
+  if (verdict === "higher") return say("statistics-compared-higher");
+  if (verdict === "lower") return say("statistics-compared-lower");
+  if (verdict === "not_told_apart") return say("statistics-compared-alike");
+  return say("statistics-compared-unknown", { reason: sentenceOf(reason) ?? "" });
+}

@@ -1,0 +1,36 @@
+/** A figure with its interval below it. */
+import type { ComponentChildren } from "preact";
+import { say } from "../../core/messages";
+import { NONE, range, scaled } from "./numbers";
+import type { Interval } from "./types";
+
+interface FigureCellProps {
+  figure: { value: number | null; ci95?: Interval | null } | undefined;
+  /** What a number is multiplied by to be shown, and its decimals. */
+  factor: number;
+  digits: number;
+  title?: string;
+  /** How the number stands out. */
+  drawn?: (text: string) => ComponentChildren;
+}
+
+export function FigureCell({ figure, factor, digits, title, drawn = (text) => text }: FigureCellProps) {
+  return (
+    <td class="num" title={title}>
+      {drawn(scaled(figure?.value ?? null, factor, digits))}
+      <div class="stat-ci">{range(figure?.ci95 ?? null, factor, digits) ?? NONE}</div>
+    </td>
+  );
+}
+
+/** The same of words that are written already. */
+export function Bounded({ value, low, high }: { value: string; low: string | null; high: string | null }) {
+  return (
+    <>
+      <strong>{value}</strong>
+      {low !== null && high !== null && (
+        <div class="stat-ci">{say("statistics-compared-interval", { low, high })}</div>
+      )}
+    </>
+  );
+}
