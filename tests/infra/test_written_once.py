@@ -252,7 +252,7 @@ TAMPERED: dict[str, tuple[tuple[str, ...], str]] = {
     "the chain's end removed": (("DELETE FROM audit_chains",), "not where it ended"),
     "a maker's height": (
         ("UPDATE vehicles SET manufacturer_height_m = 1.7 WHERE id = 1",),
-        "vehicle 1 differs from its audit events",
+        "vehicle 1 is not what its audit events state",
     ),
     "a deleted vehicle": (("UPDATE vehicles SET deleted_at = created_at WHERE id = 2",), "vehicle 2 is not"),
     "a vehicle removed": (("DELETE FROM vehicles WHERE id = 2",), "vehicle 2 was removed"),
@@ -281,15 +281,15 @@ TAMPERED: dict[str, tuple[tuple[str, ...], str]] = {
     ),
     "a scanned vehicle's speed": (
         ("UPDATE scan_measurements SET speed_mps = 12.5 WHERE id = 1",),
-        "scanned vehicle's measurement 1 is not",
+        "scanned vehicle’s measurement 1 is not",
     ),
     "a scanned vehicle's boundary": (
         ("UPDATE scan_measurements SET front_line_2 = front_line_2 + 0.5 WHERE id = 1",),
-        "scanned vehicle's measurement 1 is not",
+        "scanned vehicle’s measurement 1 is not",
     ),
     "a maker's length": (
         ("UPDATE scan_vehicles SET true_length_m = 4.5 WHERE id = 1",),
-        "scanned vehicle 1 differs from its audit events",
+        "scanned vehicle 1 is not what its audit events state",
     ),
     "a baseline": (("UPDATE scans SET baseline_m = 0.6 WHERE id = 1",), "line-scan recording 1 is not"),
     "a run removed": (
@@ -298,7 +298,7 @@ TAMPERED: dict[str, tuple[tuple[str, ...], str]] = {
     ),
     "a verdict on a scanned vehicle": (
         ("UPDATE scan_reviews SET verdict = 'reopened' WHERE id = 1",),
-        "scanned vehicle's review 1 is not",
+        "scanned vehicle’s review 1 is not",
     ),
     "a line camera's height": (
         ("UPDATE line_poses SET camera_height_m = 1.2 WHERE id = 1",),
@@ -360,7 +360,7 @@ def test_a_tail_cut_with_its_anchor_moved_is_found_by_an_export(filled: SessionF
     )
     with reading(filled) as session:
         found = verify_records(session)
-    assert not found.ok and "export 1" in str(found.problem)
+    assert not found.ok and "package 1" in str(found.problem)
 
 
 def test_a_sound_database_verifies_with_its_head(filled: SessionFactory, database_url: str) -> None:

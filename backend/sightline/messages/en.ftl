@@ -4338,8 +4338,8 @@ audit-event-changed = Audit event { $number } of { $chain } was changed after it
 audit-chain-ends-elsewhere = The audit chain of { $chain } ends at event { $count }, which is not where it ended; restore a backup.
 audit-chains-not-signed = The audit chains are not those signed on { $at }; restore a backup.
 audit-chain-not-in-export = The audit chain is not the one in package { $id }; restore a backup.
-audit-row-not-events = The { audit-thing } { $id } differs from its audit events; restore a backup.
-audit-row-not-first = The { audit-thing } { $id } differs from what was first written; restore a backup.
+audit-row-not-events = The { audit-thing } { $id } is not what its audit events state; restore a backup.
+audit-row-not-first = The { audit-thing } { $id } is not what was first written; restore a backup.
 audit-row-removed = The { audit-thing } { $id } was removed without an audit event; restore a backup.
 audit-thing = { $entity ->
     [calibration] calibration
