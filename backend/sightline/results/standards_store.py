@@ -5,7 +5,7 @@ figures that nothing refers to, seldom changed, and who changed them when is as 
 """
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Annotated
 
@@ -17,7 +17,7 @@ from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.database.rows import get_row
-from sightline.results.usual_standards import STANDARDS
+from sightline.results.usual_standards import STANDARDS, stored_standards
 from sightline.statistics.standards import Standard
 from sightline.surveys.tables import surveys
 
@@ -63,7 +63,8 @@ def choose_standards(
     before = get_standards(session, survey_id)
     if version != before.version:
         raise Conflict("results-somebody-changed-standards-meanwhile-load-them")
-    table = tuple(_stripped(one) for one in standards)
+    known = {one.code: one.words for one in (*STANDARDS, *before.standards)}
+    table = tuple(_kept_code(_stripped(one), known) for one in standards)
     _refuse(table)
     then, now = ({"standards": [asdict(one) for one in listed]} for listed in (before.standards, table))
     made = trail.record(session, actor, "choose", _ENTITY, survey_id, survey_id, then, now)
@@ -73,6 +74,11 @@ def choose_standards(
 def _stripped(one: Standard) -> Standard:
     words = ("name", "source", "edition", "vehicle_class", "cited_by")
     return replace(one, **{word: getattr(one, word).strip() for word in words})
+
+
+def _kept_code(one: Standard, known: Mapping[str | None, tuple[str, ...]]) -> Standard:
+    """Without its code once its words are a person's."""
+    return one if one.code is None or known.get(one.code) == one.words else replace(one, code=None)
 
 
 def _refuse(table: Sequence[Standard]) -> None:
@@ -99,8 +105,6 @@ def _newest(session: Session, survey_ids: Sequence[int]) -> dict[int, StandardsO
     )
     rows = session.execute(select(e.id, e.entity_id, e.after).where(e.id.in_(last)))
     return {
-        row.entity_id: StandardsOfSurvey(
-            tuple(Standard(**one) for one in json.loads(row.after)["standards"]), row.id
-        )
+        row.entity_id: StandardsOfSurvey(stored_standards(json.loads(row.after)["standards"]), row.id)
         for row in rows
     }

@@ -11,9 +11,10 @@ from sightline.enums import LengthUnit, StatisticsTarget
 from sightline.export.report import labels, marks
 from sightline.export.report.canvas import FULL, HALF, INK, MUTED, NOTE_PT, Drawing, Sheet, svg
 from sightline.export.report.marks import MAIN, Limit
-from sightline.export.report.said import said, told
+from sightline.export.report.said import said, spoken, told
 from sightline.export.report.units import HEIGHT, Scale, count, fixed, limit, percent
 from sightline.export.report.words import GROUPINGS, TARGETS, apart, group_word, heading
+from sightline.results.usual_standards import in_language
 from sightline.statistics.distributions import Density, Percentile
 from sightline.statistics.standards import Standard
 from sightline.statistics.summary import Groups, Target
@@ -53,7 +54,7 @@ def _limits(target: Target, standards: Sequence[Standard], unit: LengthUnit) -> 
     by_height: dict[float, list[str]] = {}
     for one in standards:
         if low - reach <= one.height_m <= high + reach:
-            by_height.setdefault(one.height_m, []).append(_short(told(one.name)))
+            by_height.setdefault(one.height_m, []).append(_short(in_language(one, spoken()).name))
     return [_limit(at, names, shares.get(at), unit) for at, names in sorted(by_height.items())]
 
 

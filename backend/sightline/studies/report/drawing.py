@@ -11,9 +11,10 @@ from sightline.enums import LengthUnit
 from sightline.export.report import marks
 from sightline.export.report.canvas import FULL, INK, Drawing, svg
 from sightline.export.report.marks import MAIN, RAW, Limit
-from sightline.export.report.said import said, told
+from sightline.export.report.said import said, spoken
 from sightline.export.report.units import HEIGHT, limit
 from sightline.export.report.words import TARGETS
+from sightline.results.usual_standards import in_language
 from sightline.statistics.standards import Standard
 from sightline.studies.records import Curve
 
@@ -60,7 +61,7 @@ def _limits(curve: Curve, standards: Sequence[Standard], unit: LengthUnit) -> li
     names: dict[float, list[str]] = {}
     for one in standards:
         if low <= one.height_m <= high:
-            names.setdefault(one.height_m, []).append(told(one.name))
+            names.setdefault(one.height_m, []).append(in_language(one, spoken()).name)
     return [
         Limit(HEIGHT[unit].factor * at, f"{', '.join(of)} {limit(at, unit)}")
         for at, of in sorted(names.items())

@@ -5,7 +5,7 @@ import { useForm } from "../../core/form";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { formatLength, lengthUnit, parseLength, plainPercent } from "../../core/units";
-import { formatLimit, standardKey, STANDARD_OF as WHAT } from "../../parts/figures/standards";
+import { formatLimit, inWords, standardKey, STANDARD_OF as WHAT } from "../../parts/figures/standards";
 import type { Standard } from "../../parts/figures/types";
 import { setFilter } from "./filters";
 import { STANDARD_FOR } from "./model";
@@ -83,8 +83,8 @@ function Drawn({ standards, off, toggle }: DrawnProps) {
         <span class="visually-hidden">{say("statistics-standards-remove")}</span>,
       ]}
     >
-      {standards.map((one) => {
-        const key = standardKey(one);
+      {standards.map((stored) => {
+        const [one, key] = [inWords(stored), standardKey(stored)];
         return (
           <tr key={key}>
             <td>
@@ -112,7 +112,7 @@ function Drawn({ standards, off, toggle }: DrawnProps) {
               )}
             </td>
             <td class="num">
-              {one.name === "own value" && (
+              {one.code === "own" && (
                 <Button
                   small
                   icon="close"
