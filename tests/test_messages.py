@@ -18,12 +18,26 @@ import sightline
 from sightline import errors, messages
 from sightline.export.package_tables import tables_of
 from sightline.export.page import explained
+from sightline.geometry.insets import USUAL_INSETS
 from sightline.infra.web.error_handlers import _complaint
 from sightline.messages.recognised import COLUMNS, TOLD, translated, translated_meaning
 from sightline.messages.said import Said
+from sightline.results.usual_standards import STANDARDS
+from sightline.statistics.standards import Standard
 
 PACKAGE = Path(sightline.__file__).parent
 SOURCE = PACKAGE / "messages/en.ftl"
+OWN = Standard("own value", "eye_car", 1.0, "entered on the page", code="own")  # a reader's own limit
+#: What standards are called and cited by in every language.
+TITLES = {
+    "A Policy on Geometric Design of Highways and Streets",
+    "Austroads, Guide to Road Design Part 3",
+    "Capaldo, Procedia Social and Behavioral Sciences 53, 2012",
+    "Dupuis et al., Sensors 2019",
+    "France",
+    "ICTAAL",
+    "Rogers, Highway Engineering, 2003",
+}
 
 
 class _Named(Visitor):  # type: ignore[misc]
@@ -397,9 +411,23 @@ def test_what_the_framework_says_of_a_request_is_said_in_every_language() -> Non
 
 def test_what_code_says_in_english_is_said_in_every_language() -> None:
     """A sentence that code writes otherwise than the catalogue would stay English on a French screen."""
-    standards = (PACKAGE / "results/standards.csv").read_text("utf-8")
-    written = "\n".join((*templates(), standards))
+    written = "\n".join(templates())
     assert [key for key, text in told().items() if text not in written] == []
+
+
+def test_the_words_of_the_program_s_standards_and_insets_stand_in_the_catalogue() -> None:
+    """Each key is a standard's or an inset's and says its English; titles of works need none."""
+    kinds = ("name", "class", "source", "cited")
+    words = {
+        f"standard-{kind}-{one.code}": word
+        for one in (*STANDARDS, OWN)
+        for kind, word in zip(kinds, one.words, strict=True)
+    }
+    words |= {f"inset-note-{name}": note for name, (_, _, note) in USUAL_INSETS.items()}
+    keys = [key for key in known() if key.startswith(("inset-note-", *(f"standard-{one}-" for one in kinds)))]
+    assert {key: messages.say(key, {}) for key in keys} == {key: words[key] for key in keys}
+    english = {key for key in words if words[key] and key not in keys}
+    assert {words[key] for key in english} == TITLES
 
 
 def told() -> dict[str, str]:

@@ -17,6 +17,7 @@ from sightline.measurements import store
 from sightline.results.csv import STANDARDS, standards_in
 from sightline.results.standards_store import get_standards
 from sightline.results.usual_standards import STANDARDS as USUAL
+from sightline.results.usual_standards import in_language, stored_standards
 from sightline.reviews.store import add_review
 from sightline.surveys.store import create_survey
 from sightline.vehicles.store import create_vehicle, update_vehicle
@@ -293,7 +294,38 @@ REST = {
     "vehicle_class": "",
     "cited_by": "",
     "drawn": True,
+    "code": None,
 }
+
+
+@pytest.mark.once
+def test_a_standard_of_the_program_keeps_its_code_until_its_words_change(
+    operator: Client, ground: Ground
+) -> None:
+    path = f"/surveys/{ground.one.survey.id}/standards"
+    first, second, third, *_ = operator.seen(path)["standards"]
+    assert [one["code"] for one in (first, second)] == ["usa_eye_car", "usa_object_stopping"]
+    kept, written = {**first, "height_m": 1.1, "drawn": False}, {**second, "vehicle_class": "my class"}
+    made_up = {**third, "code": "usa_eye_car"}
+    told = operator.put(path, json={"version": 0, "standards": [kept, written, made_up]}).json()
+    assert told["standards"] == [kept, {**written, "code": None}, {**made_up, "code": None}]
+
+
+def test_standards_of_before_codes_get_them_by_their_words() -> None:
+    stored = [{name: value for name, value in asdict(one).items() if name != "code"} for one in USUAL]
+    stored[0]["name"] = "AASHTO"
+    read = stored_standards(stored)
+    assert [one.code for one in read] == [None, *(one.code for one in USUAL[1:])]
+    assert stored_standards([asdict(replace(USUAL[1], code=None))])[0].code is None
+
+
+def test_the_words_of_the_program_s_standards_are_said_in_each_language() -> None:
+    french = {one.code: in_language(one, "fr") for one in USUAL}
+    assert all(in_language(one, "en") is one for one in USUAL) and None not in french
+    assert french["uk_object_low"].name == "Royaume-Uni, bas"
+    assert french["germany_eye_car"].source == "RAL (auparavant RAS-L)"
+    written = replace(USUAL[9], code=None)
+    assert written.name == "United Kingdom" and in_language(written, "fr") is written
 
 
 def test_a_survey_has_its_own_standards(

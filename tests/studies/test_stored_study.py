@@ -19,11 +19,13 @@ from sightline.infra.audit.verification import verify_records
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
+from sightline.results.usual_standards import STANDARDS
 from tests.export.report.pdf_text import pages
 from tests.support.app import Client, error_of
 
 FLEET_CSV = "category,share\nhatchback,0.4\nsaloon,0.2\nestate,0.1\nsuv,0.3\nvan,0\nlorry,0\n"
 Work = Callable[[], list[Job]]
+CODES = {None, *(one.code for one in STANDARDS)}
 TABLES = ("figures", "rules", "years", "errors", "classes", "plan")
 
 
@@ -143,6 +145,7 @@ def _are_the_same(mine: dict[str, Any], told: dict[str, Any]) -> None:
     for name in TABLES:
         assert len(mine[name]) == len(told[name])
         for one, other in zip(mine[name], told[name], strict=True):
+            assert one.pop("standard_code", None) in CODES  # by which pages say it; no column
             said = {key: value["message"] for key, value in one.items() if isinstance(value, dict)}
             assert {key: value for key, value in {**one, **said}.items() if value is not None} == {
                 key: value for key, value in other.items() if value is not None and key in one

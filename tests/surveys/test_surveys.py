@@ -90,10 +90,20 @@ def test_insets_left_out_stay(operator: Client, survey_id: int) -> None:
         "insets": {"roof": {"inset_m": 0.2, "u_inset_m": 0.05, "note": "tape"}},
     }
     after = operator.put(path, body).json()["insets"]
-    assert after["roof"] == {"inset_m": 0.2, "u_inset_m": 0.05, "note": "tape"}
+    assert after["roof"] == {"inset_m": 0.2, "u_inset_m": 0.05, "note": "tape", "code": None}
     assert {k: v for k, v in after.items() if k != "roof"} == {k: v for k, v in before.items() if k != "roof"}
     for bad in ({"bonnet": {"inset_m": 0, "u_inset_m": 0}}, {"roof": {"inset_m": 0.1, "u_inset_m": -0.1}}):
         assert operator.put(path, {"name": "Rouen", "version": 2, "insets": bad}).status_code == 422
+
+
+def test_an_inset_keeps_its_code_until_its_note_changes(operator: Client, survey_id: int) -> None:
+    path = f"/surveys/{survey_id}"
+    before = operator.seen(path)["insets"]
+    assert {name: one["code"] for name, one in before.items()} == {name: name for name in before}
+    moved, written = {**before["roof"], "inset_m": 0.2}, {**before["headlight"], "note": "tape"}
+    body = {"name": "Rouen", "version": 1, "insets": {"roof": moved, "headlight": written}}
+    after = operator.put(path, body).json()["insets"]
+    assert (after["roof"], after["headlight"]) == (moved, {**written, "code": None})
 
 
 # Insets that were spoiled, made up before their reader was read: each is refused in words, and none is stored

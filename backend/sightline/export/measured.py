@@ -23,7 +23,7 @@ from sightline.infra.csv_package.forms import read_json
 from sightline.measurements.sheets.csv import counting_in
 from sightline.poses.csv import pose_path
 from sightline.recordings.filming import hour_filmed
-from sightline.results.csv import selection_in, standards_in
+from sightline.results.csv import selection_in
 from sightline.results.measured_columns_query import (
     CATEGORIES,
     CLASS_SETS,
@@ -36,6 +36,7 @@ from sightline.results.measured_columns_query import (
 )
 from sightline.results.selection import Selection
 from sightline.results.survey_statistics import Filter, Statistics, StatisticsOptions, filtered, made_of
+from sightline.results.usual_standards import standards_in
 from sightline.scans.statistics.heights import ScannedHeights
 from sightline.scans.statistics.service import ScanStatistics
 from sightline.scans.statistics.traffic import ScanTraffic

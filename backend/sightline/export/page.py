@@ -32,7 +32,10 @@ from sightline.infra.version import code_version
 from sightline.messages import SOURCE, languages, name_of
 from sightline.messages.recognised import translated, translated_meaning
 from sightline.results.csv import selection_in
+from sightline.results.usual_standards import in_language, standards_in
 from sightline.settings import default_frontend_dir
+from sightline.surveys.csv import INSETS
+from sightline.surveys.records import note_in
 
 _MARK = "<!--package-->"
 _FILE = "package.html"
@@ -210,9 +213,12 @@ def _about_block(
 
 def _said(files: Files, tables: Sequence[AnyTable], carried: Set[str], language: str) -> dict[str, str]:
     """What the tables say in English that the page shows as sentences, in a language: by the code beside it,
-    else found again by its text; and what their columns mean.
+    else found again by its text; what their columns mean; the words of the program's standards and insets.
     """
     said: dict[str, str] = {}
+    for one in standards_in(files):
+        said |= dict(zip(one.words, in_language(one, language).words, strict=True))
+    said |= {note: note_in(note, language) for (note,) in read_columns(files, INSETS.key, ("note",))}
     for table in explained(tables):
         if table.path not in carried:
             continue

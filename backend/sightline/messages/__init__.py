@@ -39,8 +39,12 @@ def name_of(kind: str, name: str, language: str) -> str:
     """What a name in stored data is called, by its key: "click, target" of "budget-of" is
     budget-of-click-target. The name itself where there is no such key.
     """
-    key = f"{kind}-{_BETWEEN.sub('-', name)}"
-    return say(key, {}, language) if _bundle(language).has(key) else name
+    return say_or(f"{kind}-{_BETWEEN.sub('-', name)}", name, language)
+
+
+def say_or(key: str, otherwise: str, language: str) -> str:
+    """The sentence of a key without values; what is given where the language has no such key."""
+    return say(key, {}, language) if _bundle(language).has(key) else otherwise
 
 
 @cache

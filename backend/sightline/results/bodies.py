@@ -135,6 +135,10 @@ class StandardIn(In):
     vehicle_class: Annotated[str, Field(max_length=200)] = ""
     cited_by: Annotated[str, Field(max_length=500, description="Empty: the source itself was read.")] = ""
     drawn: Annotated[bool, Field(description="Whether distributions are read against it.")] = True
+    code: Annotated[
+        str | None,
+        Field(max_length=100, description="The program's for its words; null once these are changed."),
+    ] = None
 
 
 class StandardsIn(In):

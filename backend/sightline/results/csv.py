@@ -34,7 +34,7 @@ STANDARDS: Table[Standard] = Table(
 
 
 def standards_in(files: Files) -> tuple[Standard, ...]:
-    """The table of a package. Raises Damaged."""
+    """The table of a package, or the program's own, which has codes. Raises Damaged."""
     return tuple(_standard(row) for row in read_rows(files, STANDARDS.key))
 
 
@@ -43,7 +43,7 @@ def _standard(row: dict[str, str]) -> Standard:
     what = kinds.get(row["what"])
     if what is None or not row["height_m"] or row["drawn"] not in ("true", "false"):
         raise Damaged("results-cannot-read-take-whole-export-again", path=STANDARDS.key, name=row["name"])
-    return record_in(Standard, row, what=what)
+    return record_in(Standard, row, what=what, code=row.get("code"))
 
 
 #: What is chosen by, and one word of it.

@@ -109,7 +109,7 @@ def _own(what: StandardHeight, limits_m: list[float]) -> tuple[Standard, ...]:
         raise BadInput("results-more-values-your-own-cannot-drawn", most_own=MOST_OWN)
     if any(not 0.0 < limit < 10.0 for limit in limits_m):
         raise BadInput("results-value-your-own-must-lie-between")
-    return tuple(Standard("own value", what, limit, "entered on the page") for limit in limits_m)
+    return tuple(Standard("own value", what, limit, "entered on the page", code="own") for limit in limits_m)
 
 
 def statistics_body(found: Statistics, correction: Correction) -> StatisticsBody:

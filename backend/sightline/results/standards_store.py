@@ -4,7 +4,7 @@ They have no table of their own (`infra/audit/choice`): they are words and figur
 seldom changed, and who changed them when is as much asked for as they are.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Annotated
 
@@ -15,7 +15,7 @@ from sqlalchemy.orm import Session
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import choice
 from sightline.infra.database.rows import get_row
-from sightline.results.usual_standards import STANDARDS
+from sightline.results.usual_standards import STANDARDS, stored_standards
 from sightline.statistics.standards import Standard
 from sightline.surveys.tables import surveys
 
@@ -61,7 +61,8 @@ def choose_standards(
     before = get_standards(session, survey_id)
     if version != before.version:
         raise Conflict("results-somebody-changed-standards-meanwhile-load-them")
-    table = tuple(_stripped(one) for one in standards)
+    known = {one.code: one.words for one in (*STANDARDS, *before.standards)}
+    table = tuple(_kept_code(_stripped(one), known) for one in standards)
     _refuse(table)
     then, now = ([asdict(one) for one in listed] for listed in (before.standards, table))
     return StandardsOfSurvey(table, choice.choose(session, _KIND, survey_id, then, now, actor))
@@ -70,6 +71,11 @@ def choose_standards(
 def _stripped(one: Standard) -> Standard:
     words = ("name", "source", "edition", "vehicle_class", "cited_by")
     return replace(one, **{word: getattr(one, word).strip() for word in words})
+
+
+def _kept_code(one: Standard, known: Mapping[str | None, tuple[str, ...]]) -> Standard:
+    """Without its code once its words are a person's."""
+    return one if one.code is None or known.get(one.code) == one.words else replace(one, code=None)
 
 
 def _refuse(table: Sequence[Standard]) -> None:
@@ -91,6 +97,6 @@ def _refuse(table: Sequence[Standard]) -> None:
 def _newest(session: Session, survey_ids: Sequence[int]) -> dict[int, StandardsOfSurvey]:
     """By survey, of those that have a table of their own."""
     return {
-        survey_id: StandardsOfSurvey(tuple(Standard(**one) for one in table), version)
+        survey_id: StandardsOfSurvey(stored_standards(table), version)
         for survey_id, (table, version) in choice.chosen(session, _KIND, survey_ids).items()
     }

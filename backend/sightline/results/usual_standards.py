@@ -1,14 +1,45 @@
 """The heights of standards that a survey is read against until it has a table of its own.
 
-They lie in `standards.csv`, in the form that a package has it: an editable beginning.
+They lie in `standards.csv`, in the form that a package has it, with codes: an editable beginning.
 
 Nothing in it was read in the standards themselves unless `cited_by` is empty: it says who cites the value, or
 that nobody was seen to. A percentile is the rule behind a value where a source states it.
 """
 
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
-from sightline.infra.csv_package.files import FolderFiles
-from sightline.results.csv import standards_in
+from sightline.infra.csv_package.files import Files, FolderFiles
+from sightline.messages import SOURCE, say_or
+from sightline.results import csv
+from sightline.statistics.standards import Standard
 
-STANDARDS = standards_in(FolderFiles(Path(__file__).parent))
+STANDARDS = csv.standards_in(FolderFiles(Path(__file__).parent))
+_CODES = {one.words: one.code for one in STANDARDS}
+
+
+def standards_in(files: Files) -> tuple[Standard, ...]:
+    """The table of a package, which has no codes: who has the program's words gets one. Raises Damaged."""
+    return tuple(_coded(one) for one in csv.standards_in(files))
+
+
+def stored_standards(stored: Iterable[Mapping[str, Any]]) -> tuple[Standard, ...]:
+    """A table as an audit event holds it; one of before there were codes gets them by its words."""
+    return tuple(Standard(**one) if "code" in one else _coded(Standard(**one)) for one in stored)
+
+
+def in_language(one: Standard, language: str) -> Standard:
+    """With the program's words in a language; as it is where they are a person's."""
+    if one.code is None or language == SOURCE:
+        return one
+    name, vehicle_class, source, cited_by = (
+        say_or(f"standard-{kind}-{one.code}", word, language)
+        for kind, word in zip(("name", "class", "source", "cited"), one.words, strict=True)
+    )
+    return replace(one, name=name, vehicle_class=vehicle_class, source=source, cited_by=cited_by)
+
+
+def _coded(one: Standard) -> Standard:
+    return replace(one, code=_CODES.get(one.words))

@@ -1,6 +1,6 @@
 """A height that a standard of road design is set by, to be drawn into distributions."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from sightline.enums import StandardHeight
 
@@ -11,7 +11,8 @@ class Standard:
 
     `what`: what it is a height of; `percent`: which percentile of `vehicle_class` it stands for, None where
     no source says; `cited_by`: who cites it, "" where the source itself was read; `drawn`: whether
-    distributions are read against it (not what is superseded, nor the upper end of a range).
+    distributions are read against it (not what is superseded, nor the upper end of a range). `code`: by
+    which its words, if they are the program's, are said in other languages; None where a person wrote them.
     """
 
     name: str
@@ -24,3 +25,9 @@ class Standard:
     vehicle_class: str = ""
     cited_by: str = ""
     drawn: bool = True
+    code: str | None = field(default=None, compare=False)
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        """What of it can be said in another language."""
+        return self.name, self.vehicle_class, self.source, self.cited_by

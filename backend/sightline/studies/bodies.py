@@ -110,6 +110,7 @@ class FigureRow(Out):
 class RuleRow(Out):
     target: StatisticsTarget
     standard: str
+    standard_code: str | None = None
     what: StandardHeight
     percent: float
     vehicle_class: str

@@ -8,21 +8,24 @@ from sightline.enums import JsonObject
 from sightline.export.report.said import speaking
 from sightline.messages import languages
 from sightline.studies.consequence import consequence
-from sightline.studies.csv import TABLES, study_rows
+from sightline.studies.csv import RULES, TABLES, study_rows
 from sightline.studies.records import Curve, StudyRule
 from sightline.studies.stored import Computed
 
 
 def document_of(found: Computed) -> JsonObject:
-    """Plain JSON; the rows are those of the package, to the last digit."""
-    rows = study_rows(found.study)
+    """Plain JSON; the rows are those of the package, to the last digit; rules have their standard's code."""
+    written = study_rows(found.study)
+    rows = {table.name: list(written[table.path]) for table in TABLES}
+    for row, of in zip(rows[RULES.name], found.study.rules, strict=True):
+        row["standard_code"] = of.rule.standard.code
     return {
         "heights": found.study.heights,
         "vehicles": found.study.vehicles,
         "notes": found.study.notes,
         "consequence": _consequences(found.study.rules),
         "curves": [_curve(one) for one in found.study.curves],
-        **{table.name: list(rows[table.path]) for table in TABLES},
+        **rows,
     }
 
 

@@ -13,7 +13,7 @@ from sightline.export.seal import read_seal
 from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.files import Files, open_package, read_rows
 from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, parquet_path
-from sightline.results.csv import standards_in
+from sightline.results.usual_standards import standards_in
 from sightline.studies.query import READ, columns_of
 from sightline.studies.records import StudiedPackage
 

@@ -29,6 +29,10 @@ class InsetIn(In):
     inset_m: Metres
     u_inset_m: Uncertainty
     note: Annotated[str, Field(max_length=1000)] = ""
+    code: Annotated[
+        str | None,
+        Field(max_length=100, description="The program's for its note; null once that is changed."),
+    ] = None
 
 
 class Insets(Out):

@@ -1,13 +1,14 @@
 """What a survey is."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any, get_args
 
 from sightline.enums import USUALLY_ASKED, AskedTarget, Lighting
-from sightline.geometry.insets import ROOF_OF_CLASS
+from sightline.geometry.insets import ROOF_OF_CLASS, USUAL_INSETS
 from sightline.geometry.sides import TrafficFacts
+from sightline.messages import say_or
 from sightline.statistics.sampling import Sampling
 from sightline.surveys.classes import VehicleClass
 from sightline.surveys.place import Place
@@ -15,18 +16,34 @@ from sightline.surveys.place import Place
 
 @dataclass(frozen=True, slots=True)
 class Inset:
-    """How far a target lies behind the side plane, metres, and its standard uncertainty."""
+    """How far a target lies behind the side plane, metres, and its standard uncertainty; `code`: by which its
+    note, if it is the program's, is said in other languages, None where a person wrote it.
+    """
 
     inset_m: float
     u_inset_m: float
     note: str = ""
+    code: str | None = field(default=None, compare=False)
+
+
+_CODES: dict[str, str] = {note: name for name, (_, _, note) in USUAL_INSETS.items()}
+
+
+def note_in(note: str, language: str) -> str:
+    """The note of an inset of a package, which has no codes: the program's in a language, else as it is."""
+    return say_or(f"inset-note-{_CODES.get(note)}", note, language)
+
+
+def _inset(values: Mapping[str, Any]) -> Inset:
+    """As it is stored; one of before there were codes gets it by its note."""
+    return Inset(**{"code": _CODES.get(values.get("note", "")), **values})
 
 
 def insets_of(told: Mapping[str, Mapping[str, Any]]) -> dict[str, Inset]:
     """A survey's insets as its row or an event of it has them; one from before roofs had insets by class has
     the one of all.
     """
-    found = {name: Inset(**values) for name, values in told.items()}
+    found = {name: _inset(values) for name, values in told.items()}
     return {**dict.fromkeys((*ROOF_OF_CLASS.values(), "roof_unknown"), found["roof"]), **found}
 
 

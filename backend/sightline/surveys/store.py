@@ -1,7 +1,7 @@
 """Surveys: their words, traffic, place and insets."""
 
 from collections.abc import Mapping
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import Any
 
 from sqlalchemy import select
@@ -22,6 +22,8 @@ from sightline.surveys.place import PLACE, Place, checked_place
 from sightline.surveys.records import Asked, Inset, Survey, SurveyContent, insets_of
 from sightline.surveys.tables import surveys
 
+#: The insets of a survey that says none: estimates.
+_USUAL: dict[str, Inset] = {name: Inset(*usual, code=name) for name, usual in USUAL_INSETS.items()}
 TRAFFIC = ("traffic_side", "steering_side", "camera_place")
 EDITABLE = ("name", "site", "description", *TRAFFIC, *PLACE, "asked", "classes", "sampling", "insets")
 
@@ -115,7 +117,7 @@ def update_survey(session: Session, changed: Survey, *, actor: int | None) -> Su
     if before["version"] != changed.version:
         who, when = last_change(session, before)
         raise Conflict("surveys-changed-survey-look-again-redo", name=who, when=when)
-    content = _content(changed, changed.insets)
+    content = _content(changed, _with_codes_of(changed.insets, insets_of(before["insets"])))
     stamps = {"version": changed.version + 1, "updated_at": now(), "updated_by": actor}
     change_row(session, surveys, changed.id, {**content, **stamps})
     what = trail.changed(before, content, EDITABLE)
@@ -131,8 +133,7 @@ def _content(told: SurveyContent, insets: Mapping[str, Inset]) -> dict[str, Any]
     for target, inset in insets.items():
         if target not in USUAL_INSETS or not inset.u_inset_m >= 0:
             raise BadInput("surveys-inset-cannot-used-give-known-target", target=target)
-    whole: dict[str, Inset] = {name: Inset(*usual) for name, usual in USUAL_INSETS.items()}  # estimates
-    whole.update(insets)
+    whole = {**_USUAL, **insets}
     return {
         "name": told.name.strip(),
         "site": told.site.strip(),
@@ -143,6 +144,15 @@ def _content(told: SurveyContent, insets: Mapping[str, Inset]) -> dict[str, Any]
         "classes": stored_classes(told.classes),
         "sampling": stored_sampling(told.sampling),
         "insets": {target: asdict(inset) for target, inset in whole.items()},
+    }
+
+
+def _with_codes_of(insets: Mapping[str, Inset], before: Mapping[str, Inset]) -> dict[str, Inset]:
+    """Each without its code once its note is a person's."""
+    known = {(one.code, one.note) for one in (*_USUAL.values(), *before.values()) if one.code}
+    return {
+        name: one if (one.code, one.note) in known else replace(one, code=None)
+        for name, one in insets.items()
     }
 
 

@@ -26,7 +26,7 @@ const person = (role: Role): Me => ({
   demo_survey_id: null,
 });
 
-const inset = { inset_m: 0, u_inset_m: 0, note: "" };
+const inset = { inset_m: 0, u_inset_m: 0, note: "", code: null };
 const survey: Survey = {
   id: 5,
   name: "Rouen south",

@@ -11,6 +11,7 @@ import type {
   InsetPlace,
   Lighting,
   NotVisible,
+  Survey,
   Target,
 } from "./types";
 
@@ -87,6 +88,13 @@ export const INSET_WORDS: Readonly<Record<InsetName, string>> = wordsOf({
   headlight: "target-headlight",
   other: "target-other",
 });
+
+const INSET_NOTES: Readonly<Record<string, string>> = wordsOf("inset-note-");
+
+/** Where an inset comes from: what the program says of its own, or what a person wrote. */
+export function insetNote({ code, note }: Pick<Survey["insets"][InsetName], "code" | "note">): string {
+  return (code && INSET_NOTES[code]) || note;
+}
 
 export const CATEGORY_WORDS: Readonly<Record<Category, string>> = wordsOf("category-");
 

@@ -240,6 +240,13 @@ function Tables({ found }: { found: Opened }) {
 
 const MOST_ROWS = 200;
 
+/** Cells with names and notes, some of which the program brought: these are said in the reader's language. */
+const WORDS: Readonly<Record<string, readonly string[]>> = {
+  insets: ["note"],
+  same_rule: ["standard", "class"],
+  shares: ["standard", "source"],
+};
+
 interface TableProps {
   path: string;
   name: TableName;
@@ -266,7 +273,7 @@ function Table({ path, name: table, columns, rows }: TableProps) {
             <tr key={names.map((name) => row[name]).join()}>
               {names.map((name) => (
                 <td key={name} title={row[name]}>
-                  {shown(path, name, row)}
+                  {WORDS[table]?.includes(name) ? told(shown(path, name, row)) : shown(path, name, row)}
                 </td>
               ))}
             </tr>

@@ -69,7 +69,7 @@ def runs(parts: Any) -> Iterator[str]:
 
 def english_only() -> set[str]:
     """The runs of the English report that no French message has."""
-    beginnings = ("report-", "told-", "sight-verdict-")
+    beginnings = ("report-", "standard-", "inset-note-", "sight-verdict-")
     french = "\n".join(
         flat(run) for one in beginnings for said in parts_of(one, "fr").values() for run in runs(said)
     )

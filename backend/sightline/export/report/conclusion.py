@@ -11,9 +11,10 @@ from sightline.enums import LengthUnit
 from sightline.export.report import words
 from sightline.export.report.crest import consequence
 from sightline.export.report.facts import ReportFacts
-from sightline.export.report.said import said, told
+from sightline.export.report.said import said, spoken, told
 from sightline.export.report.units import HEIGHT, SMALL, Scale, decimal, limit, percent
 from sightline.results.survey_statistics import RULE_OF, Statistics
+from sightline.results.usual_standards import in_language
 from sightline.statistics.errors import Interval
 from sightline.statistics.rules import RuleToday
 
@@ -53,11 +54,11 @@ def _asked(result: Statistics) -> tuple[RuleToday, ...]:
 
 
 def _of_rule(one: RuleToday, unit: LengthUnit) -> str:
-    standard, scale = one.standard, HEIGHT[unit]
+    standard, scale = in_language(one.standard, spoken()), HEIGHT[unit]
     target = RULE_OF[standard.what][0]
     key: dict[str, str | int] = {
         "of": words.MANY[target],
-        "classes": told(standard.vehicle_class) if one.by_class else said("report-all-vehicles"),
+        "classes": standard.vehicle_class if one.by_class else said("report-all-vehicles"),
         "percent": decimal(f"{standard.percent:g}"),
         "n": one.n,
     }
@@ -68,7 +69,7 @@ def _of_rule(one: RuleToday, unit: LengthUnit) -> str:
         **key,
         value=scale.length(one.value_m),
         interval=in_brackets(one.U95_low_m, one.U95_high_m, scale),
-        standard=told(standard.name),
+        standard=standard.name,
         limit=limit(standard.height_m, unit),
         verdict=verdict_of(one),
     )

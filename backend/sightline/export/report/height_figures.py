@@ -11,9 +11,10 @@ from sightline.enums import LengthUnit, StatisticsTarget
 from sightline.export.report import labels, marks
 from sightline.export.report.canvas import FULL, HALF, INK, MUTED, NOTE_PT, Drawing, Sheet, svg
 from sightline.export.report.marks import MAIN, Limit
-from sightline.export.report.said import said, told
+from sightline.export.report.said import said, spoken, told
 from sightline.export.report.units import HEIGHT, Scale, count, fixed, percent
 from sightline.export.report.words import GROUPINGS, TARGETS, apart, group_word, heading
+from sightline.results.usual_standards import in_language
 from sightline.statistics.distributions import Density, Percentile
 from sightline.statistics.standards import Standard
 from sightline.statistics.summary import Groups, Target
@@ -49,7 +50,7 @@ def _limits(target: Target, standards: Sequence[Standard], unit: LengthUnit) -> 
     if target.total is not None:
         told_of = zip(target.corrected.shares, target.total.shares, strict=True)
         shares |= {one.limit: total.value for one, total in told_of if total.U95_low is not None}
-    named = ((one.height_m, _short(told(one.name))) for one in standards)
+    named = ((one.height_m, _short(in_language(one, spoken()).name)) for one in standards)
     return marks.limits_of(named, (low - reach, high + reach), unit, shares)
 
 

@@ -22,13 +22,14 @@ from sightline.export.report.lateral import lateral
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.response import response
 from sightline.export.report.results import as_in_the_paper, errors, heights, known_errors
-from sightline.export.report.said import catalogue_json, speaking, spoken, told
+from sightline.export.report.said import catalogue_json, speaking, spoken
 from sightline.export.report.scans import line_scans
 from sightline.export.report.settable import Values, settable
 from sightline.export.report.setup import exclusions, title
 from sightline.export.report.sight import FIGURE, crest_of, sight
 from sightline.export.report.units import unit_words
 from sightline.infra.typesetting import pdf
+from sightline.surveys.records import note_in
 
 Drawn = Mapping[str, Drawing | str]
 _TEMPLATES = Path(__file__).parent
@@ -73,7 +74,7 @@ def _values(facts: ReportFacts, pictures: Pictures) -> bytes:
         "response": response(facts),
         "lenses": facts.calibrations,
         "poses": facts.poses,
-        "insets": [{**row, "note": told(row["note"] or "")} for row in facts.insets],
+        "insets": [{**row, "note": note_in(row["note"] or "", spoken())} for row in facts.insets],
         "errors": errors(facts, pictures),
         "known_errors": known_errors(facts),
         "heights": heights(facts, pictures),

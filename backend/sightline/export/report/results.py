@@ -7,11 +7,12 @@ from sightline.export.report import words
 from sightline.export.report.conclusion import verdict_of
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.pictures import Pictures
-from sightline.export.report.said import said, told
+from sightline.export.report.said import said, spoken, told
 from sightline.export.report.settable import Values
 from sightline.export.report.units import decimal, limit
 from sightline.messages.said import Said
 from sightline.results.survey_statistics import RULE_OF, standards_of
+from sightline.results.usual_standards import in_language
 from sightline.statistics.distributions import Share
 from sightline.statistics.errors import GROUPS
 from sightline.statistics.figures import TotalFigure
@@ -32,14 +33,14 @@ _GROUPINGS = ("category", "class_set", "site", "operator")
 
 def rule_values(one: RuleToday) -> Values:
     """The rule of a standard on the survey's heights, with its verdict."""
-    standard = one.standard
+    standard = in_language(one.standard, spoken())
     return {
-        "name": told(standard.name),
+        "name": standard.name,
         "rule": said(
             "statistics-rule-of",
             what=words.heading(words.TARGETS[RULE_OF[standard.what][0]]),
             percent=decimal(f"{standard.percent:g}"),
-            **{"class": told(standard.vehicle_class) if one.by_class else said("report-all-vehicles")},
+            **{"class": standard.vehicle_class if one.by_class else said("report-all-vehicles")},
         ),
         "today": one,
         "verdict": verdict_of(one),
@@ -143,7 +144,7 @@ def _standards(facts: ReportFacts, name: StatisticsTarget, target: Target) -> li
     """The standards that speak of a target, with the share below each."""
     if not target.corrected.shares:
         return []
-    standards = standards_of(facts.statistics.standards, name)
+    standards = [in_language(one, spoken()) for one in standards_of(facts.statistics.standards, name)]
     totals = [None] * len(standards) if target.total is None else target.total.shares
     each = zip(standards, target.corrected.shares, totals, strict=True)
     return [_standard(standard, share, total, facts.unit) for standard, share, total in each]
@@ -152,12 +153,12 @@ def _standards(facts: ReportFacts, name: StatisticsTarget, target: Target) -> li
 def _source(standard: Standard) -> str:
     """Where a value comes from, by what rule, and who cites it."""
     edition = standard.edition or (str(standard.year) if standard.year else "")
-    rule = told(standard.vehicle_class)
+    rule = standard.vehicle_class
     if standard.percent is not None:
         percentile = decimal(f"{standard.percent:g}")
         rule = said("report-percentile-of", percent=percentile, of=rule) if rule else f"P{percentile}"
-    cited = said("report-cited-by", who=told(standard.cited_by)) if standard.cited_by else ""
-    source, edition = told(standard.source), told(edition)
+    cited = said("report-cited-by", who=standard.cited_by) if standard.cited_by else ""
+    source = standard.source
     named = f"{source}{f', {edition}' if edition and edition not in source else ''}"
     return words.apart([one for one in (named, rule, cited) if one])
 
@@ -166,7 +167,7 @@ def _standard(standard: Standard, share: Share, total: TotalFigure | None, unit:
     """A share of the true heights with its total interval; of the corrected ones where that has none."""
     known = total is not None and total.U95_low is not None and total.U95_high is not None
     return {
-        "name": told(standard.name),
+        "name": standard.name,
         "height": limit(standard.height_m, unit),
         "below": share.below,
         "n": share.n,

@@ -9,13 +9,14 @@ from sightline.export.report import marks
 from sightline.export.report.canvas import FULL, INK, MUTED, Drawing, svg
 from sightline.export.report.crest import cases_of
 from sightline.export.report.facts import ReportFacts
-from sightline.export.report.said import said, told
+from sightline.export.report.said import said, spoken
 from sightline.export.report.settable import Values
 from sightline.export.report.units import HEIGHT, SPEED, decimal, limit
 from sightline.export.report.words import TARGETS
 from sightline.results.sightdistance.records import CaseOfHeights, SightQuestion
 from sightline.results.sightdistance.service import design_speeds, distance_of
 from sightline.results.survey_statistics import Statistics
+from sightline.results.usual_standards import in_language
 from sightline.sightdistance.distances import GREEN_BOOK
 
 FIGURE = "crest-k"
@@ -28,14 +29,14 @@ def sight(facts: ReportFacts) -> Values | None:
         return None
     eye, thing, question, standard, survey = found
     return {
-        "standard": ", ".join(dict.fromkeys(told(one.name) for one in (eye, thing))),
+        "standard": ", ".join(dict.fromkeys(in_language(one, spoken()).name for one in (eye, thing))),
         "eye": limit(eye.height_m, facts.unit),
         "object": limit(thing.height_m, facts.unit),
         "eye_percent": decimal(f"{question.eye_percent:g}"),
         "object_percent": decimal(f"{question.object_percent:g}"),
         "own_rule": all(one in facts.statistics.standards for one in (eye, thing)),
         "classes": _classes(facts.statistics),
-        "source": told(GREEN_BOOK),
+        "source": GREEN_BOOK,
         "missing": [TARGETS[target] for target in survey.missing],
         "rows": _rows(question, standard, survey, facts.unit),
     }

@@ -20,7 +20,7 @@ from sightline.messages.recognised import translated
 
 _API = "/api/"
 #: The fields of answers that hold texts of the program.
-SENTENCES = frozenset({"cited_by", "error", "values", "vehicle_class"})
+SENTENCES = frozenset({"error", "values"})
 
 
 class Spoken:
@@ -116,8 +116,6 @@ def _said(value: dict[str, Any], language: str) -> dict[str, Any]:
     of = value if value.get("said") else job if isinstance(job, dict) and job.get("error") == error else {}
     if of.get("said") and isinstance(error, str):
         return {"error": said_by_key(of["said"], error, language)}
-    if "inset_m" in value and isinstance(value.get("note"), str):
-        return {"note": translated(value["note"], language)}
     if isinstance(value.get("source"), str) and any(name.startswith("u_") for name in value):
         return {
             "source": messages.name_of("budget-of", value["source"], language)

@@ -11,9 +11,10 @@ from sightline.enums import LengthUnit
 from sightline.export.report import marks
 from sightline.export.report.canvas import FULL, INK, Drawing, svg
 from sightline.export.report.marks import MAIN, RAW
-from sightline.export.report.said import said, told
+from sightline.export.report.said import said, spoken
 from sightline.export.report.units import HEIGHT
 from sightline.export.report.words import TARGETS
+from sightline.results.usual_standards import in_language
 from sightline.statistics.standards import Standard
 from sightline.studies.records import Curve
 
@@ -45,7 +46,7 @@ def curve_drawing(curve: Curve, standards: Sequence[Standard], unit: LengthUnit)
         axes.margins(x=0.02)
         heights_m = [one.value for one in curve.points if one.value is not None]
         shown = (heights_m[0] - _REACH_M, heights_m[-1] + _REACH_M)
-        named = ((one.height_m, told(one.name)) for one in standards)
+        named = ((one.height_m, in_language(one, spoken()).name) for one in standards)
         limits = marks.limits_of(named, shown, unit)
         left, right = axes.get_xlim()
         room = 0.04 * (right - left)  # for the words on a rule's left

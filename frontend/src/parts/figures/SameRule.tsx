@@ -3,11 +3,12 @@ import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { lengthScale, plainHeight, plainPercent, plainSmall, smallScale } from "../../core/units";
 import "./figures.css";
 import { NONE, percent } from "./numbers";
+import { inWords } from "./standards";
 import type { RuleToday } from "./types";
 
 /** What is shown of a rule; the server says more of its standard. */
 export type Rule = Omit<RuleToday, "standard" | "by_pose_m"> & {
-  standard: Pick<RuleToday["standard"], "name" | "what" | "height_m" | "percent" | "vehicle_class">;
+  standard: Pick<RuleToday["standard"], "name" | "what" | "height_m" | "percent" | "vehicle_class" | "code">;
 };
 
 /** The height that the rule of a standard is a percentile of. */
@@ -37,12 +38,12 @@ export function SameRule({ rules }: { rules: readonly Rule[] }) {
         rows={there}
         keyOf={(one) => `${one.standard.name}|${one.standard.what}`}
         columns={({ col, num, rowHead }) => [
-          rowHead(say("statistics-rule-standard"), (one) => one.standard.name),
+          rowHead(say("statistics-rule-standard"), (one) => inWords(one.standard).name),
           col(say("statistics-rule-rule"), (one) =>
             say("statistics-rule-of", {
               what: HEIGHT_OF[one.standard.what],
               percent: plainPercent(one.standard.percent),
-              class: one.by_class ? one.standard.vehicle_class : say("statistics-rule-all"),
+              class: one.by_class ? inWords(one.standard).vehicle_class : say("statistics-rule-all"),
             }),
           ),
           num(say("statistics-rule-height", { unit }), (one) => plainHeight(one.standard.height_m)),

@@ -7,6 +7,7 @@ import type { Cell } from "./csv";
 import { type Hue, hueOf, inkOf } from "./hues";
 import type { Plot } from "./PlotFigure";
 import { readable } from "./reading";
+import { inWords } from "./standards";
 import type { Density, Ecdf, Standard } from "./types";
 
 export interface Curve {
@@ -141,7 +142,7 @@ export function standardTiers(
   middle_m: number,
 ): Tier[] {
   const byHeight = new Map<number, string[]>();
-  for (const one of standards) byHeight.set(one.height_m, [...(byHeight.get(one.height_m) ?? []), one.name]);
+  for (const one of standards) byHeight.set(one.height_m, [...(byHeight.get(one.height_m) ?? []), inWords(one).name]);
   const tiers = [...byHeight].map(
     ([height, names]): Tier => ({
       x: height * perX,

@@ -11,7 +11,7 @@ import { refreshSurvey } from "../../core/survey";
 import { toast } from "../../core/toasts";
 import type { InsetName, Survey } from "../../core/types";
 import { formatLength, formatSmall } from "../../core/units";
-import { INSET_PLACE_WORDS, INSET_WORDS } from "../../core/words";
+import { INSET_PLACE_WORDS, INSET_WORDS, insetNote } from "../../core/words";
 import { InsetDrawing } from "./InsetDrawing";
 import { type Estimate, type InsetCheck, TARGET_NAMES, type TargetInsets } from "./types";
 
@@ -91,7 +91,7 @@ function TargetRows({ target, busy, use }: RowsProps) {
               <td rowSpan={rows} class="insets-check__force">
                 <span class="nowrap">{insetWithU(target.in_force)}</span>{" "}
                 {target.is_default && <span class="badge">{say("checks-estimate")}</span>}
-                {target.in_force.note && <div class="small muted">{target.in_force.note}</div>}
+                {target.in_force.note && <div class="small muted">{insetNote(target.in_force)}</div>}
               </td>
             </>
           )}

@@ -4,7 +4,7 @@ import { navigate, query, setQuery } from "../../core/address";
 import { say } from "../../core/messages";
 import { parseLength, parseNumber, speedScale } from "../../core/units";
 import { CATEGORY_WORDS, LIGHTING_WORDS, STATE_WORDS, TARGET_WORDS } from "../../core/words";
-import { formatLimit, STANDARD_OF, standardKey } from "../../parts/figures/standards";
+import { formatLimit, inWords, STANDARD_OF, standardKey } from "../../parts/figures/standards";
 import type { Standard } from "../../parts/figures/types";
 import { ClassChoice } from "../../parts/vehicles/ClassChoice";
 import { KIND_WORDS, type Kind, type Sight, STANDARDS_OBJECT, sharesOf, usualObject } from "./model";
@@ -59,7 +59,7 @@ function StandardChoice({ name, usual, label, options }: StandardChoiceProps) {
           ...options.map((one) => ({
             value: standardKey(one),
             label: say("sight-standard-option", {
-              standard: one.name,
+              standard: inWords(one).name,
               what: STANDARD_OF[one.what],
               height: formatLimit(one.height_m),
             }),

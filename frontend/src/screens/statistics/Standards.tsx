@@ -5,7 +5,7 @@ import { useForm } from "../../core/form";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { formatLength, lengthUnit, parseLength, plainPercent } from "../../core/units";
-import { formatLimit, standardKey, STANDARD_OF as WHAT } from "../../parts/figures/standards";
+import { formatLimit, inWords, standardKey, STANDARD_OF as WHAT } from "../../parts/figures/standards";
 import type { Standard } from "../../parts/figures/types";
 import { setFilter } from "./filters";
 import { STANDARD_FOR } from "./model";
@@ -84,7 +84,7 @@ function Drawn({ standards, off, toggle }: DrawnProps) {
               <input
                 type="checkbox"
                 aria-label={say("statistics-standard-draw", {
-                  standard: one.name,
+                  standard: inWords(one).name,
                   what: WHAT[one.what],
                   height: formatLimit(one.height_m),
                 })}
@@ -93,22 +93,23 @@ function Drawn({ standards, off, toggle }: DrawnProps) {
               />
             ),
         ),
-        col(say("statistics-standards-standard"), (one) => one.name),
+        col(say("statistics-standards-standard"), (one) => inWords(one).name),
         col(say("statistics-standards-for"), (one) => WHAT[one.what]),
         num(say("statistics-standards-height"), (one) => formatLimit(one.height_m)),
-        col(say("statistics-standards-rule"), ruleOf),
-        col(say("statistics-standards-source"), (one) => (
-          <>
-            {sourceOf(one)}
-            {one.cited_by && (
-              <div class="muted small">{say("statistics-standard-cited", { by: one.cited_by })}</div>
-            )}
-          </>
-        )),
+        col(say("statistics-standards-rule"), (one) => ruleOf(inWords(one))),
+        col(say("statistics-standards-source"), (one) => {
+          const { cited_by: by, ...words } = inWords(one);
+          return (
+            <>
+              {sourceOf({ ...words, cited_by: by })}
+              {by && <div class="muted small">{say("statistics-standard-cited", { by })}</div>}
+            </>
+          );
+        }),
         actions(
           say("statistics-standards-remove"),
           (one) =>
-            one.name === "own value" && (
+            one.code === "own" && (
               <Button
                 small
                 icon="close"

@@ -6,7 +6,7 @@ import { fieldsOf } from "../../core/form";
 import { say } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { formatLength, lengthText, lengthUnit, parseLength, parseNumber } from "../../core/units";
-import { STANDARD_OF } from "../../parts/figures/standards";
+import { inWords, STANDARD_OF } from "../../parts/figures/standards";
 import type { Standard } from "../../parts/figures/types";
 
 /** A standard with its numbers as they are typed. */
@@ -27,7 +27,16 @@ const EMPTY: Row = {
   vehicle_class: "",
   cited_by: "",
   drawn: true,
+  code: null,
 };
+
+const WORDS = ["name", "source", "vehicle_class", "cited_by"] as const;
+
+/** A row with what was typed: the words become a person's, all as they were shown, with the first that changes. */
+function changed(row: Row, changes: Partial<Row>): Row {
+  const written = row.code !== null && WORDS.some((word) => word in changes);
+  return written ? { ...inWords(row), ...changes, code: null } : { ...row, ...changes };
+}
 
 /** A survey's own table of standards: rows to change, add and remove, saved as a whole. */
 export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (saved: boolean) => void }) {
@@ -39,7 +48,7 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
   const { version, standards } = found.data;
   const rows = typed ?? standards.map(rowOf);
   const change = (at: number, changes: Partial<Row>) =>
-    setTyped(rows.map((row, i) => (i === at ? { ...row, ...changes } : row)));
+    setTyped(rows.map((row, i) => (i === at ? changed(row, changes) : row)));
   const save = async () => {
     const wrong = rows.find((row) => parseLength(row.height) === null);
     if (wrong) {
@@ -89,7 +98,8 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
 const shown = (metres: number) => lengthText(metres, lengthUnit.value, 3);
 const EXAMPLE_M = 1.08;
 
-function heightProblem({ name }: Row): string {
+function heightProblem(row: Row): string {
+  const { name } = inWords(row);
   const example = formatLength(EXAMPLE_M, 2);
   return name
     ? say("statistics-standard-problem", { standard: name, example })
@@ -109,7 +119,8 @@ interface RowProps {
   remove: () => void;
 }
 
-function RowFields({ row, change, remove }: RowProps) {
+function RowFields({ row: stored, change, remove }: RowProps) {
+  const row = inWords(stored);
   const field = fieldsOf(row, change);
   return (
     <fieldset class="stat-editor__row">

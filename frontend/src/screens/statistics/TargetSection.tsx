@@ -20,7 +20,7 @@ import {
 } from "../../parts/figures/curves";
 import { percent } from "../../parts/figures/numbers";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
-import { formatLimit } from "../../parts/figures/standards";
+import { formatLimit, inWords } from "../../parts/figures/standards";
 import type { Density, Ecdf, Standard } from "../../parts/figures/types";
 import { asInPaper } from "./filters";
 import { isThere, type OfTarget, type Percentile, TARGET_TITLES } from "./model";
@@ -163,7 +163,7 @@ function Shares({ target, standards }: Props) {
             values={{
               target: of,
               height: formatLimit(one.standard.height_m),
-              standard: one.standard.name,
+              standard: inWords(one.standard).name,
               share: percent(one.share),
               low: fixed(100 * one.low, 1),
               high: fixed(100 * one.high, 1),

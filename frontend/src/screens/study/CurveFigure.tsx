@@ -23,7 +23,7 @@ export function CurveFigure({ curve, rules }: { curve: Curve; rules: Found["rule
   const standards = rules
     .filter((one) => one.target === curve.target)
     .filter((one) => one.standard_m > first - REACH_M && one.standard_m < last + REACH_M)
-    .map((one) => ({ name: one.standard, height_m: one.standard_m }) as Standard);
+    .map((one) => ({ name: one.standard, code: one.standard_code, height_m: one.standard_m }) as Standard);
   const known = curve.points.filter((one) => one.low_m !== null && one.high_m !== null);
   return (
     <PlotFigure

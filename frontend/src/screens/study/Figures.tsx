@@ -45,10 +45,10 @@ export function Figures({ found, sites }: { found: Found; sites: number }) {
 }
 
 function asRule(one: Found["rules"][number]) {
-  const { standard: name, what, percent: at, vehicle_class, standard_m } = one;
+  const { standard: name, standard_code: code, what, percent: at, vehicle_class, standard_m } = one;
   return {
     ...one,
-    standard: { name, what, percent: at, vehicle_class, height_m: standard_m },
+    standard: { name, code, what, percent: at, vehicle_class, height_m: standard_m },
     U95_low_m: one.low_m,
     U95_high_m: one.high_m,
   };

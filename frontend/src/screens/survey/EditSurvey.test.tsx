@@ -5,7 +5,7 @@ import { lengthUnit } from "../../core/units";
 import { type Body, FakeServer } from "../../testing/server";
 import { EditSurvey } from "./EditSurvey";
 
-const inset = { inset_m: 0.12, u_inset_m: 0.05, note: "" };
+const inset = { inset_m: 0.12, u_inset_m: 0.05, note: "", code: "roof" };
 const survey = {
   id: 5,
   name: "Rouen south",

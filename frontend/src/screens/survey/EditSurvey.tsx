@@ -5,7 +5,7 @@ import { say } from "../../core/messages";
 import { changeSurvey } from "../../core/survey";
 import type { Inset, InsetName, Place, Survey } from "../../core/types";
 import { lengthText, lengthUnit, parseLength } from "../../core/units";
-import { INSET_NAMES, INSET_WORDS } from "../../core/words";
+import { INSET_NAMES, INSET_WORDS, insetNote } from "../../core/words";
 import { AskedFields } from "../../parts/vehicles/AskedFields";
 import { PlaceFields, readPlace, typedPlace } from "../../parts/vehicles/PlaceFields";
 import { TrafficFields } from "../../parts/vehicles/TrafficFields";
@@ -63,7 +63,7 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
             <tr key={key}>
               <td>
                 {INSET_WORDS[key]}
-                {survey.insets[key]?.note && <div class="field__hint">{survey.insets[key].note}</div>}
+                {survey.insets[key]?.note && <div class="field__hint">{insetNote(survey.insets[key])}</div>}
               </td>
               <td>
                 <TextField
@@ -113,7 +113,7 @@ function readInsets(typed: Typed, survey: Survey): Record<InsetName, Inset> | st
       const u_inset = lengthText(0.05, unit, 2);
       return say("survey-inset-problem", { target: INSET_WORDS[key], unit, inset, u_inset });
     }
-    read[key] = { inset_m, u_inset_m, note: before?.note ?? "" };
+    read[key] = { inset_m, u_inset_m, note: before?.note ?? "", code: before?.code ?? null };
   }
   return read;
 }
