@@ -1,4 +1,4 @@
-import type { ComponentChildren, Ref } from "preact";
+import type { ComponentChildren } from "preact";
 import { type PlainKey, say } from "../core/messages";
 import { Icon, type IconName } from "./Icon";
 
@@ -24,7 +24,6 @@ export interface ButtonProps {
   beside?: boolean;
   class?: string;
   onClick?: (event: MouseEvent) => void;
-  buttonRef?: Ref<HTMLButtonElement>;
 }
 
 function tabOf({ beside }: ButtonProps) {
@@ -71,7 +70,6 @@ export function Button(props: ButtonProps) {
   }
   return (
     <button
-      ref={props.buttonRef}
       type={props.type ?? "button"}
       class={className}
       disabled={props.disabled || busy}

@@ -1,6 +1,6 @@
 /** Review by lots: what could be drawn, the lots, and one of them with its curve, its progress and its decision in words. */
 import { useState } from "preact/hooks";
-import { Button, DataTable, Loading, Notice, Panel, Problem, TextField } from "../../components";
+import { Button, Check, DataTable, Loading, Notice, Panel, Problem, TextField } from "../../components";
 import { PageTabs } from "../../components/PageTabs";
 import { useAction } from "../../core/action";
 import { query, setQuery } from "../../core/address";
@@ -134,20 +134,13 @@ function Draw({ surveyId, changed, done }: DrawProps) {
         <fieldset class="lots__by row">
           <legend class="field__label">{say("lots-by")}</legend>
           {GROUPINGS.map((one) => (
-            <label key={one} class="row">
-              <input
-                type="checkbox"
-                checked={by.includes(one)}
-                onChange={(event) =>
-                  setBy(
-                    GROUPINGS.filter((each) =>
-                      each === one ? event.currentTarget.checked : by.includes(each),
-                    ),
-                  )
-                }
-              />
-              {GROUPING_WORDS[one]}
-            </label>
+            <Check
+              key={one}
+              label={GROUPING_WORDS[one]}
+              class="row"
+              checked={by.includes(one)}
+              onInput={(on) => setBy(GROUPINGS.filter((each) => (each === one ? on : by.includes(each))))}
+            />
           ))}
         </fieldset>
         <div class="lots__risks">

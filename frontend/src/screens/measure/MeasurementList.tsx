@@ -1,15 +1,16 @@
 /** What has been measured of a vehicle: one line per target, its value, its state; more on demand. */
+
 import { useSignal } from "@preact/signals";
 import { Button, Icon, StateMark } from "../../components";
 import { late } from "../../components/late";
-import { keyMap, showChord } from "../../core/commands";
 import { say, sentenceOf } from "../../core/messages";
 import { outbox } from "../../core/outbox";
 import { canWork } from "../../core/session";
 import type { Target } from "../../core/types";
 import { formatLength } from "../../core/units";
-import { TARGET_NOUNS, TARGET_WORDS, TARGETS } from "../../core/words";
+import { TARGET_NOUNS, TARGETS } from "../../core/words";
 import { StaleMarks } from "../../parts/again/StaleMarks";
+import { TargetButton, targetKey } from "../../parts/vehicles/TargetButton";
 import { InsetChoice } from "./InsetChoice";
 import type { MeasureModel } from "./model";
 import type { Entry } from "./records";
@@ -66,7 +67,7 @@ export function MeasurementList({ model }: { model: MeasureModel }) {
         {idle.length > 0 && (
           <li class="heights__idle" title={say("measure-targets-idle")}>
             {idle.map((target) => (
-              <TargetButton key={target} model={model} target={target} again={false} />
+              <Choose key={target} model={model} target={target} again={false} />
             ))}
           </li>
         )}
@@ -87,31 +88,19 @@ interface RowProps {
   onOpen?(): void;
 }
 
-interface TargetButtonProps {
-  model: MeasureModel;
-  target: Target;
-  /** There is a height of it already. */
-  again: boolean;
-}
-
 /** Chooses what the next click measures. */
-function TargetButton({ model, target, again }: TargetButtonProps) {
+function Choose({ model, target, again }: { model: MeasureModel; target: Target; again: boolean }) {
   return (
-    <button
-      type="button"
-      class="height-row__target"
-      data-testid={`target-${target}`}
-      aria-pressed={model.flow.value.target === target}
-      disabled={!canWork.value}
+    <TargetButton
+      target={target}
+      pressed={model.flow.value.target === target}
       title={say(again ? "measure-target-afresh" : "measure-target", { target: TARGET_NOUNS[target] })}
+      testId={`target-${target}`}
       onClick={() => {
         model.dispatch({ type: "choose", target });
         model.stage.focus();
       }}
-    >
-      <kbd>{keyOf(TARGETS.indexOf(target))}</kbd>
-      <span>{TARGET_WORDS[target]}</span>
-    </button>
+    />
   );
 }
 
@@ -124,7 +113,7 @@ function Row({ model, target, entry, open, onOpen }: RowProps) {
       data-testid={`measurement-row-${target}`}
       data-state={entry?.state ?? "missing"}
     >
-      <TargetButton model={model} target={target} again={entry !== null} />
+      <Choose model={model} target={target} again={entry !== null} />
       {entry ? (
         <button
           type="button"
@@ -157,16 +146,8 @@ function Row({ model, target, entry, open, onOpen }: RowProps) {
   );
 }
 
-const KEYS = ["target1", "target2", "target3", "target4", "target5"] as const;
-
-/** The key of a target, as a keycap shows it; empty if it has none. */
-function keyOf(index: number): string {
-  const key = keyMap.value[KEYS[index] ?? "target1"][0];
-  return key ? showChord(key) : "";
-}
-
 function clickAgain(target: Target): string {
-  const key = keyOf(TARGETS.indexOf(target));
+  const key = targetKey(target);
   return key ? say("measure-click-again-key", { key }) : say("measure-click-again");
 }
 

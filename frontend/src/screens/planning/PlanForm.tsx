@@ -81,13 +81,12 @@ interface ValueProps {
   unit: string;
   values: Values;
   placeholder?: string;
-  hint?: string;
 }
 
 const PAUSE_MS = 350;
 
 /** One number. It goes into the address when typing pauses, or at once on Enter and when the field is left. */
-export function Value({ name, label, unit, values, placeholder, hint }: ValueProps) {
+export function Value({ name, label, unit, values, placeholder }: ValueProps) {
   const stands = shown(name, values[name]);
   const [text, setText] = useState(stands);
   const [wrong, setWrong] = useState(false);
@@ -114,7 +113,6 @@ export function Value({ name, label, unit, values, placeholder, hint }: ValuePro
       unit={unit}
       value={text}
       placeholder={placeholder}
-      hint={hint}
       problem={wrong ? say("planning-number-problem") : null}
       onInput={(value) => {
         setText(value);

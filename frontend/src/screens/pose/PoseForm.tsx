@@ -1,8 +1,9 @@
 /** The questions about the board, in the order of work, in words and with a drawing. */
+import type { ComponentChildren } from "preact";
 import { Button, JobProgress, Notice, Segments, SelectField, TextField } from "../../components";
 import { hint } from "../../core/commands";
 import { fieldsOf } from "../../core/form";
-import { say } from "../../core/messages";
+import { type PlainKey, say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { fixed, lengthUnit, smallScale, smallText } from "../../core/units";
 import { KindField, MarkerFields } from "../../parts/boards/MarkerFields";
@@ -28,6 +29,16 @@ export function PoseForm({ model }: { model: PoseModel }) {
   );
 }
 
+/** Some of the questions under their name; who may only look answers none. */
+function Questions({ says, children }: { says: PlainKey; children: ComponentChildren }) {
+  return (
+    <fieldset disabled={!canWork.value}>
+      <legend>{say(says)}</legend>
+      {children}
+    </fieldset>
+  );
+}
+
 /** A problem is said once the person has tried, not while the form is being filled in. */
 function shown(model: PoseModel, problem: string | null): string | null {
   return model.tried.value ? problem : null;
@@ -36,10 +47,8 @@ function shown(model: PoseModel, problem: string | null): string | null {
 function LensQuestions({ model }: { model: PoseModel }) {
   const form = model.form.value;
   const problems = model.problems.value;
-  const locked = !canWork.value;
   return (
-    <fieldset disabled={locked}>
-      <legend>{say("pose-lens")}</legend>
+    <Questions says="pose-lens">
       <SelectField
         says="field-recording"
         value={String(model.reel.recording.value?.id ?? "")}
@@ -67,7 +76,7 @@ function LensQuestions({ model }: { model: PoseModel }) {
         ]}
         onInput={(id) => model.set({ calibrationId: id === "" ? null : Number(id) })}
       />
-    </fieldset>
+    </Questions>
   );
 }
 
@@ -80,11 +89,9 @@ function BoardQuestions({ model }: { model: PoseModel }) {
   const form = model.form.value;
   const problems = model.problems.value;
   const [, unit] = smallScale();
-  const locked = !canWork.value;
   return (
-    <fieldset disabled={locked}>
-      <legend>{say("pose-board")}</legend>
-      <KindField value={form} change={(part) => model.set(part)} disabled={locked} />
+    <Questions says="pose-board">
+      <KindField value={form} change={(part) => model.set(part)} />
       <div class="pose-form__three">
         <TextField
           says="pose-columns"
@@ -116,31 +123,27 @@ function BoardQuestions({ model }: { model: PoseModel }) {
       <p class="field__hint">
         {say("pose-corners-hint")} {form.kind === "charuco" && say("pose-charuco-hint")}
       </p>
-    </fieldset>
+    </Questions>
   );
 }
 
 function SpanQuestions({ model }: { model: PoseModel }) {
   const form = model.form.value;
   const problems = model.problems.value;
-  const locked = !canWork.value;
   return (
-    <fieldset disabled={locked}>
-      <legend>{say("pose-still")}</legend>
+    <Questions says="pose-still">
       <div class="row row--wrap">
         <Button
           says="pose-begins"
           small
           title={say("pose-begins-title") + hint("passBegin")}
           onClick={() => model.mark("first")}
-          disabled={locked}
         />
         <Button
           says="pose-ends"
           small
           title={say("pose-ends-title") + hint("passEnd")}
           onClick={() => model.mark("last")}
-          disabled={locked}
         />
         <span class="nowrap" data-testid="pose-span">
           {span(form.first, form.last)}
@@ -158,7 +161,7 @@ function SpanQuestions({ model }: { model: PoseModel }) {
         </p>
       )}
       {shown(model, problems.span) && <p class="field__problem">{problems.span}</p>}
-    </fieldset>
+    </Questions>
   );
 }
 
@@ -166,11 +169,9 @@ function HeightQuestions({ model }: { model: PoseModel }) {
   const form = model.form.value;
   const problems = model.problems.value;
   const unit = lengthUnit.value;
-  const locked = !canWork.value;
   const field = fieldsOf(form, (part) => model.set(part));
   return (
-    <fieldset disabled={locked}>
-      <legend>{say("pose-height")}</legend>
+    <Questions says="pose-height">
       <Segments
         says="pose-reference"
         {...field("reference")}
@@ -178,7 +179,6 @@ function HeightQuestions({ model }: { model: PoseModel }) {
           { value: "bottom", label: say("pose-reference-bottom") },
           { value: "top", label: say("pose-reference-top") },
         ]}
-        disabled={locked}
       />
       <BoardDrawing
         reference={form.reference}
@@ -194,7 +194,7 @@ function HeightQuestions({ model }: { model: PoseModel }) {
         problem={shown(model, problems.referenceHeight)}
       />
       <SurenessQuestions model={model} />
-    </fieldset>
+    </Questions>
   );
 }
 

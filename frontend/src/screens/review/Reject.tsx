@@ -1,24 +1,38 @@
 /** A rejection needs a reason that the operator can act on: a digit chooses one, Enter gives it; or in one's own words. */
 import { useEffect, useRef } from "preact/hooks";
 import { Button } from "../../components";
+import type { ButtonProps } from "../../components/Button";
 import { type ActionId, commandName, hint, keyMap, showChord } from "../../core/commands";
 import { say } from "../../core/messages";
 import type { ReviewModel } from "./model";
 import { REASONS } from "./reasons";
 
-export function RejectButton({ model }: { model: ReviewModel }) {
-  const key = keyMap.value.reviewReject[0];
+interface JudgeProps extends Pick<ButtonProps, "kind" | "icon" | "disabled" | "onClick"> {
+  of: ActionId;
+  testId: string;
+}
+
+/** The button of a verdict, with its key on it. */
+export function JudgeButton({ of, testId, ...rest }: JudgeProps) {
+  const key = keyMap.value[of][0];
   return (
-    <span data-testid="review-reject">
-      <Button
-        icon="close"
-        disabled={!model.mayReject}
-        title={commandName("reviewReject") + hint("reviewReject")}
-        onClick={() => model.startReject()}
-      >
-        {commandName("reviewReject")} {key && <kbd>{showChord(key)}</kbd>}
+    <span data-testid={testId}>
+      <Button {...rest} title={commandName(of) + hint(of)}>
+        {commandName(of)} {key && <kbd>{showChord(key)}</kbd>}
       </Button>
     </span>
+  );
+}
+
+export function RejectButton({ model }: { model: ReviewModel }) {
+  return (
+    <JudgeButton
+      of="reviewReject"
+      testId="review-reject"
+      icon="close"
+      disabled={!model.mayReject}
+      onClick={() => model.startReject()}
+    />
   );
 }
 

@@ -1,6 +1,5 @@
 /** What is known of the reviewed measurement, and the verdict: accept, fix, reject with a reason. */
 import { Button, Facts, Icon, Notice, StateMark } from "../../components";
-import { type ActionId, commandName, hint, keyMap, showChord } from "../../core/commands";
 import { allOf, say, sentenceOf } from "../../core/messages";
 import { may } from "../../core/session";
 import { survey } from "../../core/survey";
@@ -16,7 +15,7 @@ import { BlindPanel, Comparisons } from "./Comparisons";
 import { type Height, isOfFrame, isOfLine } from "./kinds";
 import type { ReviewModel } from "./model";
 import { Pieces } from "./Pieces";
-import { Reject, RejectButton } from "./Reject";
+import { JudgeButton, Reject, RejectButton } from "./Reject";
 
 export function VerdictPanel({ model, item }: { model: ReviewModel; item: ReviewItem }) {
   const m = item.measurement;
@@ -143,11 +142,6 @@ function Signs({ item }: { item: ReviewItem }) {
   );
 }
 
-function Key({ of }: { of: ActionId }) {
-  const key = keyMap.value[of][0];
-  return key ? <kbd>{showChord(key)}</kbd> : null;
-}
-
 function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
   if (!may("reviewer")) {
     return <footer class="review__verdict small muted">{say("review-look-only")}</footer>;
@@ -187,27 +181,21 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
   return (
     <footer class="review__verdict">
       <div class="review__buttons">
-        <span data-testid="review-accept">
-          <Button
-            kind="primary"
-            icon="check"
-            disabled={!model.mayJudge}
-            title={commandName("reviewAccept") + hint("reviewAccept")}
-            onClick={() => void model.judge("accepted")}
-          >
-            {commandName("reviewAccept")} <Key of="reviewAccept" />
-          </Button>
-        </span>
+        <JudgeButton
+          of="reviewAccept"
+          testId="review-accept"
+          kind="primary"
+          icon="check"
+          disabled={!model.mayJudge}
+          onClick={() => void model.judge("accepted")}
+        />
         {model.ofFrame.value && (
-          <span data-testid="review-fix">
-            <Button
-              disabled={!model.mayJudge}
-              title={commandName("reviewFix") + hint("reviewFix")}
-              onClick={() => model.startFix()}
-            >
-              {commandName("reviewFix")} <Key of="reviewFix" />
-            </Button>
-          </span>
+          <JudgeButton
+            of="reviewFix"
+            testId="review-fix"
+            disabled={!model.mayJudge}
+            onClick={() => model.startFix()}
+          />
         )}
         <RejectButton model={model} />
       </div>

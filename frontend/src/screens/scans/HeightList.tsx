@@ -1,7 +1,7 @@
 /** The chosen vehicle's heights: one line per target; budget, inset and history on demand. */
+
 import { useEffect, useRef, useState } from "preact/hooks";
 import { Button, Facts, Notice, Segments, StateMark } from "../../components";
-import { keyMap, showChord } from "../../core/commands";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { outbox } from "../../core/outbox";
 import { canWork, may } from "../../core/session";
@@ -12,6 +12,7 @@ import { INSET_PLACE_WORDS, STATE_WORDS, TARGET_WORDS, TARGETS } from "../../cor
 import { Budget } from "../../parts/vehicles/Budget";
 import { insetChoices, usualInset } from "../../parts/vehicles/insets";
 import { Revisions } from "../../parts/vehicles/Revisions";
+import { TargetButton } from "../../parts/vehicles/TargetButton";
 import { heightKey } from "./keptHeights";
 import type { Inset } from "./kinds";
 import type { ScanModel } from "./model";
@@ -35,8 +36,8 @@ export function HeightList({ model }: { model: ScanModel }) {
       {pose && <Older model={model} />}
       {pose ? (
         <ul>
-          {TARGETS.map((target, index) => (
-            <Row key={target} model={model} target={target} index={index} />
+          {TARGETS.map((target) => (
+            <Row key={target} model={model} target={target} />
           ))}
         </ul>
       ) : (
@@ -45,8 +46,6 @@ export function HeightList({ model }: { model: ScanModel }) {
     </section>
   );
 }
-
-const KEYS = ["target1", "target2", "target3", "target4", "target5"] as const;
 
 function Older({ model }: { model: ScanModel }) {
   const count = model.heights.kept.older.value.length;
@@ -68,7 +67,7 @@ function Uncalibrated({ model }: { model: ScanModel }) {
   );
 }
 
-function Row({ model, target, index }: { model: ScanModel; target: Target; index: number }) {
+function Row({ model, target }: { model: ScanModel; target: Target }) {
   const [open, setOpen] = useState(false);
   const { heights } = model;
   const one = heights.of(target);
@@ -81,7 +80,13 @@ function Row({ model, target, index }: { model: ScanModel; target: Target; index
   return (
     <li ref={place} class={active ? "line-heights__row line-heights__row--active" : "line-heights__row"}>
       <div class="height-row line-heights__line">
-        <TargetButton model={model} target={target} index={index} measured={one !== null} />
+        <TargetButton
+          target={target}
+          pressed={active}
+          title={say(one ? "scan-height-measure-again" : "scan-height-measure", { target })}
+          testId={`line-target-${target}`}
+          onClick={() => heights.begin(target)}
+        />
         <span class="line-heights__value" data-testid={`line-height-${target}`}>
           {valueWords(one, live?.answer ?? null)}
         </span>
@@ -116,31 +121,6 @@ function Standing({ one: { id, review, mine } }: { one: LineHeight }) {
         <a href={`/surveys/${survey.value?.id}/review?measurement=${id}`}>{say("page-review")}</a>
       )}
     </div>
-  );
-}
-
-interface TargetButtonProps {
-  model: ScanModel;
-  target: Target;
-  index: number;
-  measured: boolean;
-}
-
-function TargetButton({ model, target, index, measured }: TargetButtonProps) {
-  const key = showChord(keyMap.value[KEYS[index] ?? "target1"][0] ?? "");
-  return (
-    <button
-      type="button"
-      class="height-row__target"
-      data-testid={`line-target-${target}`}
-      aria-pressed={model.heights.target.value === target}
-      disabled={!canWork.value}
-      title={say(measured ? "scan-height-measure-again" : "scan-height-measure", { target })}
-      onClick={() => model.heights.begin(target)}
-    >
-      <kbd>{key}</kbd>
-      <span>{TARGET_WORDS[target]}</span>
-    </button>
   );
 }
 

@@ -1,4 +1,4 @@
-import { Button, named, OptionalField, Panel, Problem } from "../../components";
+import { Button, Check, named, OptionalField, Panel, Problem } from "../../components";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
@@ -16,25 +16,19 @@ export function Members({ studyId }: { studyId: number }) {
     });
   if (!found.data) return <Problem error={found.error} again={found.reload} />;
   const { members, others, open_to_all } = found.data;
+  const openToAll = (open: boolean) =>
+    api.write("PUT /studies/{study_id}/open-to-all", here, { body: { open_to_all: open } });
   const person = (id: number) => ({ ...here, person_id: id });
   return (
     <Panel says="study-members" class="stat-noprint" data-testid="study-members">
       <div class="panel__body stack stack--tight">
-        <label class="row">
-          <input
-            type="checkbox"
-            checked={open_to_all}
-            disabled={!may("operator")}
-            onChange={(event) =>
-              void change(
-                api.write("PUT /studies/{study_id}/open-to-all", here, {
-                  body: { open_to_all: event.currentTarget.checked },
-                }),
-              )
-            }
-          />
-          <span>{say("study-members-open")}</span>
-        </label>
+        <Check
+          says="study-members-open"
+          class="row"
+          checked={open_to_all}
+          disabled={!may("operator")}
+          onInput={(on) => void change(openToAll(on))}
+        />
         <ul class="study-members">
           {members.map((one) => (
             <li key={one.id}>

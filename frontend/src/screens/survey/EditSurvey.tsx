@@ -10,6 +10,8 @@ import { AskedFields } from "../../parts/vehicles/AskedFields";
 import { PlaceFields, readPlace, typedPlace } from "../../parts/vehicles/PlaceFields";
 import { TrafficFields } from "../../parts/vehicles/TrafficFields";
 
+const PART_WORDS = { inset: "survey-inset-label", u: "survey-inset-u-label" } as const;
+
 type Typed = Record<InsetName, { inset: string; u: string }>;
 
 /** Name, site, description, and how far each target usually lies behind the side plane. */
@@ -65,24 +67,17 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
                 {INSET_WORDS[key]}
                 {survey.insets[key]?.note && <div class="field__hint">{insetNote(survey.insets[key])}</div>}
               </td>
-              <td>
-                <TextField
-                  hideLabel
-                  numeric
-                  label={say("survey-inset-label", { target: INSET_WORDS[key], unit })}
-                  value={insets[key].inset}
-                  onInput={(v) => change(key, "inset", v)}
-                />
-              </td>
-              <td>
-                <TextField
-                  hideLabel
-                  numeric
-                  label={say("survey-inset-u-label", { target: INSET_WORDS[key], unit })}
-                  value={insets[key].u}
-                  onInput={(v) => change(key, "u", v)}
-                />
-              </td>
+              {(["inset", "u"] as const).map((part) => (
+                <td key={part}>
+                  <TextField
+                    hideLabel
+                    numeric
+                    label={say(PART_WORDS[part], { target: INSET_WORDS[key], unit })}
+                    value={insets[key][part]}
+                    onInput={(text) => change(key, part, text)}
+                  />
+                </td>
+              ))}
             </tr>
           ))}
         </Table>

@@ -1,0 +1,38 @@
+/** Chooses what the next click measures. */
+import { keyMap, showChord } from "../../core/commands";
+import { canWork } from "../../core/session";
+import type { Target } from "../../core/types";
+import { TARGET_WORDS, TARGETS } from "../../core/words";
+
+const KEYS = ["target1", "target2", "target3", "target4", "target5"] as const;
+
+/** The key of a target, as a keycap shows it; empty if it has none. */
+export function targetKey(target: Target): string {
+  const key = keyMap.value[KEYS[TARGETS.indexOf(target)] ?? "target1"][0];
+  return key ? showChord(key) : "";
+}
+
+interface Props {
+  target: Target;
+  pressed: boolean;
+  title: string;
+  testId: string;
+  onClick: () => void;
+}
+
+export function TargetButton({ target, pressed, title, testId, onClick }: Props) {
+  return (
+    <button
+      type="button"
+      class="height-row__target"
+      data-testid={testId}
+      aria-pressed={pressed}
+      disabled={!canWork.value}
+      title={title}
+      onClick={onClick}
+    >
+      <kbd>{targetKey(target)}</kbd>
+      <span>{TARGET_WORDS[target]}</span>
+    </button>
+  );
+}
