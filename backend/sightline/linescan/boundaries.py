@@ -57,6 +57,9 @@ BUMPY_M = 0.0005
 # metres behind the edge, a boundary is off by half its change over a step as wide as SOFT_EDGE_M (optics of
 # 4 mm)
 NEAR_M, FAR_M, SOFT_EDGE_M = (0.010, 0.020), (0.028, 0.040), 0.010
+# What differs from the road lies at most so far before its half-way edge, metres, by optics alone. What lies
+# farther before it, or is brighter where the vehicle is darker, may be the vehicle's own edge or a shadow.
+AHEAD_M = 0.008
 # of seven bands as many change independently of each other
 OWN_BANDS = 3.0
 CAUCHY, ROBUST_ROUNDS = 2.385, 6
@@ -136,9 +139,9 @@ def edge_near(
     smooth = _box(differs, soft)
     sigma = 1.15 * noise_dn / np.sqrt(height * soft)
     least = np.maximum((LEAST_SHARE, CLEAR_GREY_SHARE), LIGHT_TIMES * unrest) * float(np.median(lit))
-    edges, u, clear = _band_edges(smooth, sigma, (float(least[0]), float(least[1])), lines_per_m)
+    edges, u, ahead, clear = _band_edges(smooth, sigma, (float(least[0]), float(least[1])), lines_per_m)
     uneven = _uneven(smooth, edges, lines_per_m)
-    found = _foremost(edges, np.hypot(u, BUMPY_M * lines_per_m), uneven, clear, lines_per_m)
+    found = _foremost(edges, np.hypot(u, BUMPY_M * lines_per_m), uneven, ahead, clear, lines_per_m)
     if found.line is None:
         return found
     return Edge(hi - 1 - found.line if rear else lo + found.line, found.doubtful, found.u_lines)
@@ -181,9 +184,10 @@ def _box(values: Array, size: int) -> Array:
 
 def _band_edges(
     smooth: Array, sigma: float, least: tuple[float, float], lines_per_m: float
-) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """(bands,) line at which each band is half the way to the vehicle's grey, u of that line by noise, and
-    whether it is clear. `least`: grey values by which something, and something clear, differs from the road.
+) -> tuple[Array, Array, Array, NDArray[np.bool_]]:
+    """(bands,) line at which each band is half the way to the vehicle's grey, u of that line by noise, lines
+    before it in which something else differs from the road, and whether it is clear. `least`: grey values by
+    which something, and something clear, differs from the road.
     """
     count, bands = smooth.shape
     every = np.arange(bands)
@@ -206,7 +210,10 @@ def _band_edges(
     inside = beyond.any(0) & below.any(0) & (last > 0) & (start + near < count)
     # of the level, half of whose noise comes on top, and of the line itself
     steep = np.maximum(np.maximum(y1 - y0, np.abs(level) / max(EDGE_M * lines_per_m, 1.5)), 1e-9)
-    return last + part, 1.2 * sigma / steep, steady & inside
+    lead = last + part - start
+    turns = smooth[start, every] * level < 0
+    ahead = np.where(turns, lead, np.maximum(lead - AHEAD_M * lines_per_m, 0)) * inside
+    return last + part, 1.2 * sigma / steep, ahead, steady & inside
 
 
 def _of_three(values: Array) -> Array:
@@ -231,7 +238,9 @@ def _uneven(smooth: Array, edges: Array, lines_per_m: float) -> Array:
     return np.minimum(SOFT_EDGE_M * np.abs(change) / level / 2, BEFORE_M / 10) * lines_per_m
 
 
-def _foremost(edges: Array, u: Array, uneven: Array, clear: NDArray[np.bool_], lines_per_m: float) -> Edge:
+def _foremost(
+    edges: Array, u: Array, uneven: Array, ahead: Array, clear: NDArray[np.bool_], lines_per_m: float
+) -> Edge:
     """The smallest line of the outline through the edges around the foremost bands, all (bands,)."""
     bands = np.flatnonzero(clear)
     if len(bands) < 3:
@@ -249,13 +258,14 @@ def _foremost(edges: Array, u: Array, uneven: Array, clear: NDArray[np.bool_], l
     doubtful = float(np.mean(clear[max(middle - 2 * REACH, 0) : middle + 2 * REACH + 1])) < CLEAR_SHARE
     end = _end_of(kept - middle, edges[kept], u[kept], uneven[kept])
     hidden = HIDDEN_M * lines_per_m * (2 * REACH + 1 - len(kept)) ** 2
-    line, u_lines = end.line, hypot(end.u_lines, hidden)
+    other = float(np.max(ahead[kept[np.abs(kept - middle) <= 1]], initial=0.0)) / 2
+    line, u_lines = end.line, hypot(end.u_lines, hidden, other)
     for reach in FLAT_REACHES if end.flat else ():
         near = bands[np.abs(bands - middle) <= reach]
         wider = _end_of(near - middle, edges[near], u[near], uneven[near])
         if not wider.flat or abs(wider.line - end.line) > STAYS * end.u_lines:
             break
-        end, line, u_lines = wider, wider.line, wider.u_lines
+        end, line, u_lines = wider, wider.line, hypot(wider.u_lines, other)
     return Edge(line, doubtful, u_lines)
 
 
