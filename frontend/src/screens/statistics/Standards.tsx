@@ -98,11 +98,13 @@ function Drawn({ standards, off, toggle }: DrawnProps) {
         num(say("statistics-standards-height"), (one) => formatLimit(one.height_m)),
         col(say("statistics-standards-rule"), (one) => ruleOf(inWords(one))),
         col(say("statistics-standards-source"), (one) => {
-          const { cited_by: by, ...words } = inWords(one);
+          const said = inWords(one);
           return (
             <>
-              {sourceOf({ ...words, cited_by: by })}
-              {by && <div class="muted small">{say("statistics-standard-cited", { by })}</div>}
+              {sourceOf(said)}
+              {said.cited_by && (
+                <div class="muted small">{say("statistics-standard-cited", { by: said.cited_by })}</div>
+              )}
             </>
           );
         }),
