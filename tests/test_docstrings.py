@@ -37,7 +37,7 @@ NEED_NO_SOURCE = {
     "linescan": {"brightest_of", "median", "points_at"},
     "proposals": set[str](),
     "sightdistance": set[str](),
-    "statistics": {"sorted_values", "codes_of"},
+    "statistics": {"sorted_values", "codes_of", "compact"},
 }
 
 SIZE = r"\w+(?: [+*-] \w+)?"

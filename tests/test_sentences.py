@@ -22,7 +22,7 @@ ELSEWHERE = (
 )
 #: Calls whose words describe columns, options and fields, go to the log, or tell a programmer of a mistake.
 DESCRIBING = re.compile(
-    r"(?:Column|Table|statistics_table|Other|Doc|Field|text|whole|number|column|flag|moment|option|argument|echo|log\w*|debug"
+    r"(?:Column|Table|statistics_table|study_table|Other|Doc|Field|text|whole|number|column|flag|moment|option|argument|echo|log\w*|debug"
     r"|info|warning|error|exception|ValueError|RuntimeError|TypeError|KeyError|LookupError|AssertionError)$"
 )
 #: Texts beside fields of answers, which the description of the interface alone shows.

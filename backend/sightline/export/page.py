@@ -80,9 +80,9 @@ _LATER = (PAGE, DESCRIPTION, AUDIT.path, AUDIT_SCRIPT, CHECKPOINT, CHECKSUMS)
 
 
 @cache
-def template(file: str = _FILE) -> str | None:
-    """A page without its data; None where the front end is not built (a checkout without Node)."""
-    place = default_frontend_dir() / file
+def template() -> str | None:
+    """The page without a package; None where the front end is not built (a checkout without Node)."""
+    place = default_frontend_dir() / _FILE
     return place.read_text("utf-8") if place.is_file() else None
 
 

@@ -115,8 +115,12 @@ def _ranks(n: int, p: tuple[float, ...]) -> tuple[NDArray[np.int64], NDArray[np.
 def _percentile(ordered: Floats, percent: float, value: float, low: int, high: int) -> Percentile:
     n, needs = len(ordered), vehicles_for_interval(percent)
     if low < 0 or high >= n:
-        return Percentile(percent, None, None, None, needs, too_few_for(percent, n))
-    return Percentile(percent, value, float(ordered[low]), float(ordered[high]), needs)
+        return Percentile(
+            percent=percent, value=None, low=None, high=None, needs=needs, reason=too_few_for(percent, n)
+        )
+    return Percentile(
+        percent=percent, value=value, low=float(ordered[low]), high=float(ordered[high]), needs=needs
+    )
 
 
 def too_few_for(percent: float, n: int, like: int | None = None) -> Said:

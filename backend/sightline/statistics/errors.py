@@ -277,7 +277,7 @@ def _totals(
                 found |= _spread_totals(ErrorTotals(error, measured.shared, measured.site), names)
     there = {"sites": sites is not None, "shared_errors": shared}
     parts = tuple(part for part in get_args(IntervalPart) if there.get(part, True))
-    return found, parts, holding(parts, sites, "stat-random-errors")
+    return found, parts, holding(parts, sites, Said("stat-random-errors"))
 
 
 def _spread_totals(totals: ErrorTotals, names: tuple[str, ...]) -> dict[str, Interval]:

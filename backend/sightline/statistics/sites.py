@@ -176,7 +176,7 @@ def _moments(weight: Floats, emphasis: Floats, working: Floats) -> tuple[float, 
 
 
 def compact(code: Ints) -> Ints:
-    """Codes (N,) from 0 without gaps."""
+    """Numbers (N,) from 0 without gaps, in the order of code (N,)."""
     if int(code.max()) > 8 * len(code) + 1000:
         return np.asarray(np.unique(code, return_inverse=True)[1], dtype=np.int64)
     return np.asarray((np.cumsum(np.bincount(code) > 0) - 1)[code], dtype=np.int64)

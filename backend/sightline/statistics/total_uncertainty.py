@@ -204,7 +204,7 @@ class TotalUncertainty:
     @property
     def holds_in_words(self) -> Said:
         """What the intervals hold, and for which roads, as the end of a sentence."""
-        return holding(self.holds, self.sites, "stat-random-error-removed")
+        return holding(self.holds, self.sites, Said("stat-random-error-removed"))
 
     def percentile(self, percent: float) -> TotalPercentile:
         """THE percentile, 0 < percent < 100, metres: of the true heights, with its total 95 % interval.
@@ -220,9 +220,19 @@ class TotalUncertainty:
         found = self._known(percent)
         if isinstance(found, Said):
             value = self._at(percent / 100.0) if self._supported(percent) else None
-            return TotalPercentile(percent, value, None, None, raw, needs, found)
+            return TotalPercentile(
+                percent=percent, value=value, U95_low=None, U95_high=None, raw=raw, needs=needs, reason=found
+            )
         low, high = (found.value_m + end for end in ends_of(found.error_m))
-        return TotalPercentile(percent, found.value_m, low, high, raw, needs, effect=found.effect)
+        return TotalPercentile(
+            percent=percent,
+            value=found.value_m,
+            U95_low=low,
+            U95_high=high,
+            raw=raw,
+            needs=needs,
+            effect=found.effect,
+        )
 
     def percentile_draws(self, percent: float) -> tuple[float, Floats] | Said:
         """A percentile's value and draws of its error (D,), metres, ascending, or the reason why there are

@@ -6,15 +6,15 @@ from sightline.enums import IntervalPart
 from sightline.messages.said import Said, listed
 
 
-def holding(parts: Sequence[IntervalPart], sites: int | None, random: str) -> Said:
+def holding(parts: Sequence[IntervalPart], sites: int | None, random: Said) -> Said:
     """What intervals hold, one part or more, and for which roads, as the end of a sentence; sites: how many
-    clusters, None: one site; random: the code of what is said of the random error.
+    clusters, None: one site; random: what is said of the random error.
     """
     words: dict[IntervalPart, Said] = {
         "sampling": Said("stat-sampling"),
         "sites": Said("stat-sites", sites=sites),
         "shared_errors": Said("stat-shared-errors"),
-        "random_error": Said(random),
+        "random_error": random,
         "known_heights": Said("stat-known-heights"),
     }
     said = [words[part] for part in parts]

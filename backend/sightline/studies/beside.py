@@ -9,7 +9,7 @@ import numpy as np
 
 from sightline.messages.said import Said
 from sightline.statistics.comparison import difference_of_figures
-from sightline.statistics.figures import Figure, TotalPercentile
+from sightline.statistics.figures import Figure, TotalFigure
 from sightline.studies.records import StudyDifference, StudyResult
 
 Row = Mapping[str, Any]
@@ -69,4 +69,4 @@ def no_difference(reason: Said | None) -> dict[str, Any]:
 
 def _figure(row: Row) -> Figure:
     reason = Said.read(row["reason"]) if row.get("reason") else None
-    return TotalPercentile(0.0, row["value_m"], row["low_m"], row["high_m"], 0.0, 0, reason)
+    return TotalFigure(row["value_m"], row["low_m"], row["high_m"], reason)

@@ -19,11 +19,12 @@ _EFFECTIVE = number(
 )
 
 
-def _table(name: str, meaning: str, *columns: Column) -> Table:
+def study_table(name: str, meaning: str, *columns: Column) -> Table:
+    """A table of a study's package, which has no folder of its own."""
     return Table(name, meaning, columns, folder="")
 
 
-PACKAGES = _table(
+PACKAGES = study_table(
     "packages",
     "The surveys of the study: packages, each verified before it was read, or surveys of an installation.",
     text("place", "folder or ZIP as it was named, or which survey of the installation", required=True),
@@ -37,7 +38,7 @@ PACKAGES = _table(
     integer("counted", "accepted heights that count by what the survey says of its sample"),
     integer("out_of_sample", "accepted heights of vehicles out of the sample, which do not count"),
 )
-FIGURES = _table(
+FIGURES = study_table(
     "figures",
     "Figures of the true heights of each target, weighted to the fleet where one was given: 95 % intervals "
     "hold sampling, differences between sites, errors that heights share, and random error (taken out).",
@@ -54,7 +55,7 @@ FIGURES = _table(
     number("weighting_effect", "how much unequal weights alone widen an interval's square"),
     REASON,
 )
-ERRORS = _table(
+ERRORS = study_table(
     "errors",
     "Errors (measured minus maker's height) of roofs, not rounded, by lighting and overall. Intervals hold "
     "sampling, sites and the errors that heights share; random errors, and those of the makers' heights, are "
@@ -65,7 +66,7 @@ ERRORS = _table(
     metres("value_m", "value"),
     *INTERVAL_M,
 )
-CLASSES = _table(
+CLASSES = study_table(
     "classes",
     "Shares of the classes of vehicles on the road as they were drawn, beside the fleet's that was given.",
     text("group", "lighting, or all", required=True),
@@ -76,7 +77,7 @@ CLASSES = _table(
     _EFFECT,
     number("fleet_share", "its share in the fleet that was given"),
 )
-PLANS = _table(
+PLANS = study_table(
     "plan",
     "How many sites, with how many vehicles each, a further study would need for the U95 that was asked for, "
     "if its sites and vehicles differ as these do.",
@@ -87,7 +88,7 @@ PLANS = _table(
     integer("vehicles_each", "so many vehicles each; empty: no number is enough"),
     metres("U95_m", "the U95 that is then expected"),
 )
-RULES = _table(
+RULES = study_table(
     "rules",
     "The same rule today: the percentile that a standard is set by, of its class, with a verdict.",
     text("target", "what was measured", required=True),
@@ -106,7 +107,7 @@ RULES = _table(
     text("verdict", "verdict", required=True, enum=get_args(RuleVerdict)),
     REASON,
 )
-YEARS = _table(
+YEARS = study_table(
     "years",
     "A later year less the first one, where the surveys of a study were given years: differences of true "
     "heights with total 95 % intervals, and whether each is more than noise.",

@@ -12,13 +12,14 @@ import json
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 
 from sightline.enums import JsonObject
 from sightline.errors import BadInput, Damaged
 from sightline.export.evidence.pictures import StripPicture
-from sightline.export.page import template
 from sightline.infra.audit.hashing import canonical_json
 from sightline.infra.csv_package.schema import sha256_hex
+from sightline.settings import default_frontend_dir
 
 _MARK = "<!--evidence-->"
 _FILE = "evidence.html"
@@ -43,9 +44,16 @@ class ReadPage:
     pictures: Mapping[str, bytes]
 
 
+@cache
+def template() -> str | None:
+    """The page without its data; None where the front end is not built (a checkout without Node)."""
+    place = default_frontend_dir() / _FILE
+    return place.read_text("utf-8") if place.is_file() else None
+
+
 def program_of_page() -> str:
     """The hash of the page's program, which the document names. Raises BadInput where it is not built."""
-    found = template(_FILE)
+    found = template()
     if found is None:
         raise BadInput("evidence-pages-not-built")
     return sha256_hex(found.encode())
@@ -54,7 +62,7 @@ def program_of_page() -> str:
 def written_page(document: JsonObject, signature: str, pictures: Sequence[StripPicture]) -> bytes:
     """The file. Raises BadInput where the page's program is not built."""
     program_of_page()
-    before, _, after = (template(_FILE) or "").partition(_MARK)
+    before, _, after = (template() or "").partition(_MARK)
     data = [
         f'<script type="application/json" id="evidence">{_escaped(canonical_json(document))}</script>',
         f'<script type="text/plain" id="signature">{signature}</script>',
