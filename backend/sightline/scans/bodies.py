@@ -20,7 +20,7 @@ from sightline.enums import (
     Verdict,
 )
 from sightline.infra.audit.records import Who
-from sightline.infra.web.bodies import Finite, Id, In, JobBody, Name, Out, Text
+from sightline.infra.web.bodies import Finite, Id, In, JobBody, Name, Text
 from sightline.infra.web.named import RecordingId, UploadId
 from sightline.infra.web.quantities import Word
 from sightline.linescan.parts import USUAL_SHADOW_SHARE, Entry, Gap
@@ -355,7 +355,8 @@ class NewScanReview(In):
     )
 
 
-class StripUploadBody(Out):
+@dataclass(frozen=True, slots=True)
+class StripUploadBody:
     """A strip that arrived and waits for its scan."""
 
     id: int
