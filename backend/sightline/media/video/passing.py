@@ -8,14 +8,7 @@ import numpy as np
 
 from sightline.errors import BadInput
 from sightline.geometry.follow_pass import PassFrame
-from sightline.media.video.decode import (
-    NO_PTS,
-    decoded,
-    frame_pts,
-    open_container,
-    same_size,
-    video_stream,
-)
+from sightline.media.video.decode import NO_PTS, decoded, frame_pts, open_container, same_size, video_stream
 from sightline.media.video.picture import layout_of, upright_gray
 from sightline.media.video.report import clock_doubt_of, require_clock_of_filming, times_of_filming
 from sightline.media.video.stated import stated_of

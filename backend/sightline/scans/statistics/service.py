@@ -12,13 +12,7 @@ from typing import get_args
 
 import numpy as np
 
-from sightline.enums import (
-    KnownLength,
-    ReferenceQuantity,
-    ReferenceSource,
-    ScanDirection,
-    ScanVehicleState,
-)
+from sightline.enums import KnownLength, ReferenceQuantity, ReferenceSource, ScanDirection, ScanVehicleState
 from sightline.linescan.clock import since_start_s
 from sightline.linescan.parts import Rig
 from sightline.linescan.rig import RigEstimate, alone, baseline_of, baseline_ratio, speed_ratio_of
