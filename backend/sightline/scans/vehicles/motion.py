@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import asdict, fields, replace
+from typing import Any
 
 from sightline.enums import Cause, JsonObject
 from sightline.infra.version import code_version
@@ -15,7 +16,8 @@ from sightline.scans.records import ScanMeasurement, ScanValues, ScanVehicle
 from sightline.scans.store import rig_for
 
 _NUMBERS = tuple(one.name for one in fields(Motion) if one.type == float | None)
-_NO_WHEELS = dict.fromkeys(("front_wheel_line", "rear_wheel_line", "wheelbase_m", "u_wheelbase_m"))
+_WHEELS = ("front_wheel_line", "rear_wheel_line", "wheelbase_m", "u_wheelbase_m")
+_NO_WHEELS: dict[str, Any] = dict.fromkeys(_WHEELS)
 
 
 def values_of(
@@ -23,6 +25,8 @@ def values_of(
 ) -> ScanValues:
     """A motion as it is stored, with the scan's rig as it is at its lane; no wheels yet."""
     crossings = motion.crossings
+    numbers: dict[str, Any] = {name: float(line) for name, line in asdict(crossings).items()}
+    numbers |= {name: _number(getattr(motion, name)) for name in _NUMBERS}
     return ScanValues(
         cause=cause,
         placed_by=placed_by,
@@ -30,8 +34,7 @@ def values_of(
         method=motion.method,
         rig=rig_for(rig, motion.lane, crossings.direction),
         direction=crossings.direction,
-        **{name: float(line) for name, line in asdict(crossings).items()},
-        **{name: _number(getattr(motion, name)) for name in _NUMBERS},
+        **numbers,
         **_NO_WHEELS,
         axle_lines=None if motion.axle_lines is None else [float(line) for line in motion.axle_lines],
         axles_by=None if motion.axle_lines is None else "machine",
