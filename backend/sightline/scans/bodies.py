@@ -27,7 +27,7 @@ from sightline.linescan.parts import USUAL_SHADOW_SHARE, Entry, Gap
 from sightline.linescan.rig import LIMITS
 from sightline.measurements.records import ReviewState
 from sightline.recordings.bodies import StartIn
-from sightline.scans.records import FoundMotion, ScanRun, ScanVehicleFacts, StripPair
+from sightline.scans.records import FoundMotion, ScanReviewFacts, ScanRun, ScanVehicleFacts, StripPair
 from sightline.scans.references.records import ShownReference
 
 Version = Annotated[int, Field(ge=1, le=2**31 - 1, description="The version that you saw.")]
@@ -254,15 +254,6 @@ class ProfileBody:
 
 
 @dataclass(frozen=True, slots=True)
-class ScanReviewBody:
-    revision: int
-    verdict: ScanVerdict
-    reason: str | None
-    reviewer: Who | None
-    at: datetime
-
-
-@dataclass(frozen=True, slots=True)
 class MatchBody:
     """Where the pictures of the match lie: pixel (x, y) is line `first_line + step x`, row y, of strip 1."""
 
@@ -282,7 +273,7 @@ class ScanVehicleDetailBody:
     budget: list[Entry]
     match: MatchBody | None
     history: list[ScanMotionBody]
-    reviews: list[ScanReviewBody]
+    reviews: list[ScanReviewFacts]
 
 
 class BoundariesIn(In):
