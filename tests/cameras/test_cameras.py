@@ -180,11 +180,12 @@ def test_a_calibration_that_cannot_work_fails_with_a_sentence(
 def test_frames_are_spread_and_bounded() -> None:
     from sightline.errors import BadInput
 
-    wish = CalibrationRequest(COLUMNS, ROWS, SQUARE_M, "brown", recording_id=1)
+    asked = {**BOARD, "model": "brown", "recording_id": 1}
+    wish = CalibrationRequest(**asked)
     assert len(frames_of(wish, 10_000)) <= 24
     assert frames_of(wish, 3) == [0, 1, 2]
     with pytest.raises(BadInput, match="every 167th"):
-        frames_of(CalibrationRequest(COLUMNS, ROWS, SQUARE_M, "brown", recording_id=1, every=1), 10_000)
+        frames_of(CalibrationRequest(**asked, every=1), 10_000)
 
 
 def test_import_and_choice(operator: Client, camera_id: int, survey_id: int) -> None:

@@ -482,7 +482,7 @@ NO_EVENT = {
     "change_times": "part of recordings.ingested, whose event holds the frame table's fingerprint",
     "state_filming_rate": "writes an event, before the one of restart_ingest",
     "append_measurement_revision": "writes an event; part of revise, withdraw, restore and reviews.add",
-    "written_once": "writes an event; part of every write of what is written once in line scans",
+    "written_once": "writes an event; part of every write of what is written once",
     "append_computed_again": "writes an event of each, after the one of add_computing",
     "append_revision": "writes an event; part of adding, revising, withdrawing and restoring",
     "note_key": "the key of the request that an event came by; part of record",

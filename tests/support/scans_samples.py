@@ -259,7 +259,7 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
     "add_scan_run": (ready, lambda s, o, made: run(s, o, made.id)),
     "create_scan_vehicle": (
         ready,
-        lambda s, o, made: create_scan_vehicle(s, made.id, {"make": "Fiat"}, actor=o.olga.id),
+        lambda s, o, made: create_scan_vehicle(s, made.id, actor=o.olga.id),
     ),
     "create_scan_vehicles": (
         ready,

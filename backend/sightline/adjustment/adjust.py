@@ -7,14 +7,7 @@ import numpy as np
 import scipy
 
 from sightline.adjustment.local_tests import FAILED, Cleaned, cleaned
-from sightline.adjustment.observed import (
-    DEFAULT_U_COMMON_M,
-    LENGTHS,
-    POINTS,
-    ROOF,
-    ObservedPass,
-    unusable,
-)
+from sightline.adjustment.observed import DEFAULT_U_COMMON_M, LENGTHS, POINTS, ROOF, ObservedPass, unusable
 from sightline.adjustment.shared_errors import Part, SharedErrors, covariance_at, moved_pose, shared_errors
 from sightline.adjustment.traffic_model import HEADING, Traffic, arranged, on_road
 from sightline.errors import BadInput

@@ -7,8 +7,7 @@ from fastapi import APIRouter, Query, Request, Response, UploadFile
 from pydantic import Field
 
 from sightline.cameras import store, taking
-from sightline.cameras.board_bodies import BoardIn, Dictionary, KindAsked, MarkerM, SquareM
-from sightline.cameras.boards import board_told
+from sightline.cameras.board_bodies import BoardIn
 from sightline.cameras.calibrations import images as calibration_images
 from sightline.cameras.calibrations.calibrating import under_way
 from sightline.cameras.calibrations.records import CalibrationImage, ImageFacts
@@ -25,7 +24,6 @@ from sightline.surveys.store import get_survey
 router = APIRouter()
 
 MOST_IMAGE_BYTES = 64_000_000
-Corners = Annotated[int, Query(ge=2, le=100, description="Inner corners.")]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -43,6 +41,11 @@ class CameraDetail(CameraFacts):
     calibrating: Annotated[
         JobBody | None, Field(description="A calibration that waits or runs, to be followed.")
     ]
+
+
+class UsualBoard(BoardIn):
+    columns: int = Field(default=9, ge=2, le=100, description="Inner corners.")
+    rows: int = Field(default=6, ge=2, le=100, description="Inner corners.")
 
 
 class NewCamera(In):
@@ -104,18 +107,12 @@ def add_image(
     file: UploadFile,
     who: Operator,
     services: Wired,
-    columns: Corners = 9,
-    rows: Corners = 6,
-    square_m: SquareM = None,
-    board_kind: KindAsked = "checkerboard",
-    dictionary: Dictionary = None,
-    marker_m: MarkerM = None,
+    asked: Annotated[UsualBoard, Query()],
 ) -> CalibrationImageBody:
     """One picture of the board; the answer says at once whether the board was found in it."""
-    board = board_told(columns, rows, square_m, board_kind, dictionary, marker_m)
     name = clean_name(file.filename or "picture")
     content = whole_file(file, MOST_IMAGE_BYTES, name)
-    made = calibration_images.add_image(services, camera_id, name, content, board, who.id)
+    made = calibration_images.add_image(services, camera_id, name, content, asked.board, who.id)
     return image_body(made)
 
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
-
-from sightline.cameras.calibrations.records import CalibrationImage, Detection
+from sightline.cameras.calibrations.records import Detection
 from sightline.cameras.calibrations.store import add_calibration, get_calibration
 from sightline.cameras.records import Camera
 from sightline.cameras.store import add_calibration_image, create_camera, get_camera, list_calibration_images
 from sightline.enums import JsonObject
 from sightline.errors import BadInput, Conflict
+from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.surveys.store import get_survey
 
@@ -56,13 +55,9 @@ def _images(
             media_key=image.media_key,
             width_px=image.width_px,
             height_px=image.height_px,
-            detection=_detection(image),
+            detection=filled_from(Detection, image),
             actor=actor,
         ).id
         for image in list_calibration_images(session, there)
         if image.id in looked_at
     }
-
-
-def _detection(image: CalibrationImage) -> Detection:
-    return Detection(**{one.name: getattr(image, one.name) for one in fields(Detection)})

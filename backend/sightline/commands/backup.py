@@ -7,12 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from sightline.commands.options import (
-    data_dir_option,
-    progress_told,
-    require_database,
-    settings_of,
-)
+from sightline.commands.options import data_dir_option, progress_told, require_database, settings_of
 from sightline.errors import Damaged
 
 if TYPE_CHECKING:

@@ -33,9 +33,9 @@ from sightline.enums import ScanMethod, TimeAxis
 from sightline.errors import BadInput
 from sightline.linescan import faults
 from sightline.linescan.finding import Finder
-from sightline.linescan.parts import Crossings, Passage, Rig
+from sightline.linescan.parts import Passage, Rig
 from sightline.linescan.passing import Vehicle, measured
-from sightline.media.strips.notes import column_of, lost_lines
+from sightline.media.strips.notes import columns_of, lost_lines
 from sightline.media.strips.reader import Strip, bits_of, check_pair, open_strip
 from sightline.messages.said import Said
 
@@ -87,7 +87,8 @@ def linescan(
         finder = Finder(one.rows, rig, max(bits_of(one), bits_of(two)))
         table = _Table(as_json, begun, rig)
         passages = (_without_losses(passage, one, two) for passage in _passages(one, two, finder))
-        for vehicle in measured(passages, rig, method, lambda lines: _columns(lines, one, two)):
+        lost = one.notes.dropped, two.notes.dropped
+        for vehicle in measured(passages, rig, method, lambda lines: columns_of(lines, *lost)):
             table.add(vehicle)
         said = {"method": method, "lines": one.lines, "rows": one.rows, **about_rig(rig)}
         said["duration_s"] = one.lines / rig.line_rate_hz
@@ -165,13 +166,3 @@ def _without_losses(passage: Passage, one: Strip, two: Strip) -> Passage:
     }
     said = [Said("scan-lines-of", count=count, name=name) for name, count in lost.items() if count]
     return faults.lines_lost(passage, said)
-
-
-def _columns(crossings: Crossings, one: Strip, two: Strip) -> Crossings:
-    first, second = one.notes.dropped, two.notes.dropped
-    return Crossings(
-        column_of(crossings.front_line_1, first),
-        column_of(crossings.rear_line_1, first),
-        column_of(crossings.front_line_2, second),
-        column_of(crossings.rear_line_2, second),
-    )

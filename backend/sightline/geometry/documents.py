@@ -1,6 +1,7 @@
 """camera.json and pose.json (docs/formats.md) as dicts, both ways. Reading refuses by key, in a sentence."""
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from typing import Any, cast, get_args
 
 import numpy as np
@@ -286,16 +287,7 @@ def camera_from_dict(data: object, what: str = "camera.json") -> Camera:
         covariance=None,
         views=_views(read),
     )
-    return _with_covariance(camera, _covariance(read, camera.parameters))
-
-
-def _with_covariance(camera: Camera, covariance: Floats | None) -> Camera:
-    return camera if covariance is None else Camera(**{**_fields(camera), "covariance": covariance})
-
-
-def _fields(camera: Camera) -> dict[str, Any]:
-    names = Camera.__dataclass_fields__
-    return {name: getattr(camera, name) for name in names}
+    return replace(camera, covariance=_covariance(read, camera.parameters))
 
 
 def _board(data: object, what: str) -> BoardOnRoad | None:

@@ -99,15 +99,20 @@ def fit_motion(before_px: Floats, after_px: Floats, size_px: tuple[int, int]) ->
         return _too_few(int(kept.sum()))
     found = _solve(design, moves, weights)
     u = _jackknife(design, moves, weights, blocks, found, size_px)
-    x, y, s, t = (float(value) for value in found)
+    return motion_of(found, size_px, u, int(kept.sum()))
+
+
+def motion_of(parameters: Floats, size_px: tuple[int, int], u_px: float, points: int) -> Motion:
+    """The motion with these `parameters` (4,): x, y (px), s, t."""
+    x, y, s, t = (float(value) for value in parameters)
     return Motion(
         x_px=x,
         y_px=y,
         turn_rad=t,
         scale=1.0 + s,
-        moved_px=displacement_px(found, size_px),
-        u_px=u,
-        points=int(kept.sum()),
+        moved_px=displacement_px(parameters, size_px),
+        u_px=u_px,
+        points=points,
     )
 
 

@@ -12,7 +12,7 @@ from itertools import pairwise
 import numpy as np
 
 from sightline.geometry.arrays import Floats
-from sightline.geometry.drift import Motion, displacement_px
+from sightline.geometry.drift import Motion, displacement_px, motion_of
 from sightline.messages.said import Said
 
 LEAST_PX = 0.05
@@ -150,18 +150,8 @@ def _nearest_told(middle: int, low: int, high: int, look_at: LookAt) -> tuple[in
 
 def _mean(motions: Sequence[Motion], size_px: Size) -> Motion:
     mean = np.mean([_parameters(one) for one in motions], axis=0)
-    u = float(np.median([one.u_px for one in motions])) / np.sqrt(len(motions))
-    points = int(np.median([one.points for one in motions]))
-    x, y, s, t = (float(value) for value in mean)
-    return Motion(
-        x_px=x,
-        y_px=y,
-        turn_rad=t,
-        scale=1.0 + s,
-        moved_px=displacement_px(mean, size_px),
-        u_px=float(u),
-        points=points,
-    )
+    u_px = float(np.median([one.u_px for one in motions])) / float(np.sqrt(len(motions)))
+    return motion_of(mean, size_px, u_px, int(np.median([one.points for one in motions])))
 
 
 def _spans_of(

@@ -50,14 +50,14 @@ class Height:
 
     status: MeasurementStatus
     reason: Said | None
-    height_m: float | None
-    u_height_m: float | None
-    U95_height_m: float | None
-    x_m: float | None
-    y_m: float | None
-    distance_m: float | None
-    inset_m: float
-    u_inset_m: float
+    height_m: float | None = None
+    u_height_m: float | None = None
+    U95_height_m: float | None = None
+    x_m: float | None = None
+    y_m: float | None = None
+    distance_m: float | None = None
+    inset_m: float = 0.0
+    u_inset_m: float = 0.0
     budget: tuple[BudgetEntry, ...] = field(default=())
     flags: tuple[Said, ...] = field(default=())
 
@@ -95,18 +95,7 @@ class Heights:
 
 def not_measurable(reason: Said, inset_m: float = 0.0, u_inset_m: float = 0.0) -> Height:
     """A height that is not there, and why."""
-    return Height(
-        status="not_measurable",
-        reason=reason,
-        height_m=None,
-        u_height_m=None,
-        U95_height_m=None,
-        x_m=None,
-        y_m=None,
-        distance_m=None,
-        inset_m=inset_m,
-        u_inset_m=u_inset_m,
-    )
+    return Height("not_measurable", reason, inset_m=inset_m, u_inset_m=u_inset_m)
 
 
 def _entries(pose: RoadPose, g: Gradient, sigma_px: Floats, u_inset_m: Floats) -> dict[str, Floats]:

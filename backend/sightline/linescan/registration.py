@@ -5,7 +5,7 @@ to fine; weights follow the residuals of single pixels and of whole blocks, so t
 the cameras), windows (through which each camera sees its own background) and drops lose their say.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -213,14 +213,7 @@ def levelled(seen: Look, value: Array, weight: Array, cell: NDArray[np.intp]) ->
     for k in range(3):
         jacobian[:, k] = cleared(jacobian[:, k])
     jacobian[:, 3:] = 0.0
-    return Look(
-        residual=cleared(seen.residual),
-        jacobian=jacobian,
-        inside=seen.inside,
-        first_s=seen.first_s,
-        second_s=seen.second_s,
-        along=seen.along,
-    )
+    return replace(seen, residual=cleared(seen.residual), jacobian=jacobian)
 
 
 def _normal(seen: Look, weight: Array, prior: Prior, state: State, scale: float) -> tuple[Array, Array]:

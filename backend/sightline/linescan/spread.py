@@ -12,6 +12,7 @@ until 1.96 times it covers what Student's t covers. Of t's degrees of freedom th
 equal information would be (Kish 1965): of a white van's fifteen, four may hold nearly all that is to be seen.
 """
 
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -20,7 +21,7 @@ from numpy.typing import NDArray
 
 from sightline.coverage import COVERAGE_95
 from sightline.linescan.masks import Points, Sheet, sampled, shifted, slopes_along
-from sightline.linescan.registration import TUKEY, Clock, Fit, Look, Prior, levelled
+from sightline.linescan.registration import TUKEY, Clock, Fit, Prior, levelled
 
 Array = NDArray[np.float64]
 # rows up and down between which the slope across the lines is taken
@@ -47,14 +48,7 @@ def second_slopes(
     slopes = np.stack(columns).T
     if cell is None:
         return slopes
-    own = Look(
-        residual=seen.residual,
-        jacobian=slopes,
-        inside=seen.inside,
-        first_s=seen.first_s,
-        second_s=seen.second_s,
-        along=along,
-    )
+    own = replace(seen, jacobian=slopes, along=along)
     return levelled(own, points.value, fit.weight * seen.inside, cell).jacobian
 
 

@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from sightline.cameras.boards import board_told
+from sightline.cameras.boards import BoardTold
 from sightline.cameras.calibrations.store import get_calibration
-from sightline.enums import BoardKind, BoardSide
+from sightline.enums import BoardSide
 from sightline.errors import BadInput
 from sightline.geometry.board import Board, require_board
 from sightline.geometry.camera import Camera
@@ -39,39 +39,27 @@ from sightline.recordings.store import get_recording, update_recording
 KIND = "pose"
 
 
-@dataclass(frozen=True)
-class PoseRequest:
+@dataclass(frozen=True, kw_only=True)
+class PoseRequest(BoardTold):
     """A span of frames, the board that stood in it, and the tape's measure."""
 
     recording_id: int
     calibration_id: int
     first_frame: int
     last_frame: int
-    columns: int
-    rows: int
-    square_m: float
     reference: BoardSide
     reference_height_m: float
     u_reference_height_m: float
     u_lean_rad: float
     u_square_m: float | None = None
     u_bow_m: float = DEFAULT_U_BOW_M
-    board_kind: BoardKind = "checkerboard"
-    dictionary: str | None = None
-    marker_m: float | None = None
-
-    @property
-    def board(self) -> Board:
-        markers = self.dictionary, self.marker_m
-        return board_told(self.columns, self.rows, self.square_m, self.board_kind, *markers)
 
     @property
     def tape(self) -> Reference:
-        height_m, u_height_m = self.reference_height_m, self.u_reference_height_m
         return Reference(
             side=self.reference,
-            height_m=height_m,
-            u_height_m=u_height_m,
+            height_m=self.reference_height_m,
+            u_height_m=self.u_reference_height_m,
             u_lean_rad=self.u_lean_rad,
             u_square_m=self.u_square_m,
             u_bow_m=self.u_bow_m,

@@ -8,7 +8,7 @@ from sqlalchemy import ColumnElement, select
 from sqlalchemy.orm import Session
 
 from sightline.cameras.tables import cameras
-from sightline.enums import StreetLighting
+from sightline.enums import JsonObject, StreetLighting
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, change_row, get_row, is_held, name_of, named_table
@@ -112,11 +112,7 @@ def update_recording(
             _same_survey(session, named_table(column), row_id, word, before["survey_id"])
     if change.get("pose_id") is not None:
         _same_size(session, before, cast(int, change["pose_id"]))
-    if change:
-        change_row(session, recordings, recording_id, change)
-    what = trail.changed(before, change, change)
-    trail.record(session, actor, "update", "recording", recording_id, before["survey_id"], *what)
-    return get_recording(session, recording_id)
+    return _write(session, before, change, "update", actor, trail.changed(before, change, change))
 
 
 def note_ingested(
@@ -140,12 +136,9 @@ def note_ingested(
     else:
         replace_frames(session, recording_id, found)
     values = {**asdict(facts), "frame_count": len(found), "state": "ready", "error": None}
-    change_row(session, recordings, recording_id, values)
     told = {key: values[key] for key in _INGESTED}
     after = {"state": "ready", **told, "frames_sha256": fingerprint}
-    then = {"state": before["state"]}
-    trail.record(session, actor, "ingest", "recording", recording_id, before["survey_id"], then, after)
-    return get_recording(session, recording_id)
+    return _write(session, before, values, "ingest", actor, ({"state": before["state"]}, after))
 
 
 def note_ingest_failed(session: Session, recording_id: int, error: str, *, actor: int | None) -> Recording:
@@ -174,9 +167,7 @@ def state_filming_rate(
             raise Conflict("recordings-times-not-in-doubt", name=before["name"])
         if is_held(session, recordings, recording_id, (HOLDS, KEEPS_TIMES)):
             raise Conflict("recordings-rate-was-measured-with", name=before["name"])
-    change_row(session, recordings, recording_id, {"filmed_hz": filmed_hz})
-    change = {"filmed_hz": before["filmed_hz"]}, {"filmed_hz": filmed_hz}
-    trail.record(session, actor, "update", "recording", recording_id, before["survey_id"], *change)
+    _write(session, before, {"filmed_hz": filmed_hz}, "update", actor)
     return restart_ingest(session, recording_id, actor=actor)
 
 
@@ -204,14 +195,13 @@ def store_drift(
     none: DriftChecks = {"checks": {}}
     known: DriftChecks = before["drift"] or none
     drift: DriftChecks = {"checks": {**known["checks"], str(pose_id): check}}
-    change_row(session, recordings, recording_id, {"drift": drift})
     old = drift_check_of(known, pose_id)
     then = {"pose_id": pose_id, "drift": None if old is None else old["words"]}
     seen: dict[str, Any] = {"drift": check["words"], "bumps": check["bumps"], "found": drift_figures(check)}
     seen["spans"] = spans_told(check)
-    after = {"pose_id": pose_id, **seen}
-    trail.record(session, actor, "check_drift", "recording", recording_id, before["survey_id"], then, after)
-    return get_recording(session, recording_id)
+    return _write(
+        session, before, {"drift": drift}, "check_drift", actor, (then, {"pose_id": pose_id, **seen})
+    )
 
 
 def decide_drift(session: Session, recording_id: int, reason: str, *, actor: int | None) -> Recording:
@@ -230,7 +220,7 @@ def decide_drift(session: Session, recording_id: int, reason: str, *, actor: int
         "by_id": actor,
         "at": now().isoformat(timespec="seconds"),
     }
-    return _drift_decision(session, before, decision, "decide_drift", actor)
+    return _write(session, before, {"drift_decision": decision}, "decide_drift", actor)
 
 
 def take_back_drift_decision(session: Session, recording_id: int, *, actor: int | None) -> Recording:
@@ -238,21 +228,7 @@ def take_back_drift_decision(session: Session, recording_id: int, *, actor: int 
     before = _row(session, recording_id)
     if before["drift_decision"] is None:
         raise Conflict("recordings-nothing-decided-about-recordings-camera-nothing")
-    return _drift_decision(session, before, None, "take_back_drift_decision", actor)
-
-
-def _drift_decision(
-    session: Session,
-    before: Mapping[str, Any],
-    decision: DriftDecision | None,
-    action: str,
-    actor: int | None,
-) -> Recording:
-    recording_id = before["id"]
-    change_row(session, recordings, recording_id, {"drift_decision": decision})
-    then, after = {"drift_decision": before["drift_decision"]}, {"drift_decision": decision}
-    trail.record(session, actor, action, "recording", recording_id, before["survey_id"], then, after)
-    return get_recording(session, recording_id)
+    return _write(session, before, {"drift_decision": None}, "take_back_drift_decision", actor)
 
 
 def recording_media_in_use(session: Session, media_key: str) -> bool:
@@ -271,11 +247,24 @@ def recording_content_in_use(session: Session, sha256: str, stream_number: int |
 def _state(
     session: Session, recording_id: int, state: str, error: str | None, action: str, actor: int | None
 ) -> Recording:
-    before = _row(session, recording_id)
-    change_row(session, recordings, recording_id, {"state": state, "error": error})
-    then, after = {"state": before["state"]}, {"state": state, "error": error}
-    trail.record(session, actor, action, "recording", recording_id, before["survey_id"], then, after)
-    return get_recording(session, recording_id)
+    before, change = _row(session, recording_id), {"state": state, "error": error}
+    return _write(session, before, change, action, actor, ({"state": before["state"]}, change))
+
+
+def _write(
+    session: Session,
+    before: Mapping[str, Any],
+    change: Mapping[str, Any],
+    action: str,
+    actor: int | None,
+    told: tuple[JsonObject, JsonObject] | None = None,
+) -> Recording:
+    """Change a row; its event has what changes, before and after, or what is to be `told`."""
+    then, after = told or ({name: before[name] for name in change}, dict(change))
+    if change:
+        change_row(session, recordings, before["id"], change)
+    trail.record(session, actor, action, "recording", before["id"], before["survey_id"], then, after)
+    return get_recording(session, before["id"])
 
 
 def _row(session: Session, recording_id: int) -> dict[str, Any]:

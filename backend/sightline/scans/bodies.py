@@ -20,14 +20,14 @@ from sightline.enums import (
     Verdict,
 )
 from sightline.infra.audit.records import Who
-from sightline.infra.web.bodies import Finite, Id, In, JobBody, Name, Out, Text
+from sightline.infra.web.bodies import Finite, Id, In, JobBody, Name, Text
 from sightline.infra.web.named import RecordingId, UploadId
 from sightline.infra.web.quantities import Word
 from sightline.linescan.parts import USUAL_SHADOW_SHARE, Entry, Gap
 from sightline.linescan.rig import LIMITS
 from sightline.measurements.records import ReviewState
 from sightline.recordings.bodies import StartIn
-from sightline.scans.records import FoundMotion, ScanRun, ScanVehicleFacts, StripPair
+from sightline.scans.records import FoundMotion, ScanReviewFacts, ScanRun, ScanVehicleFacts, StripPair
 from sightline.scans.references.records import ShownReference
 
 Version = Annotated[int, Field(ge=1, le=2**31 - 1, description="The version that you saw.")]
@@ -254,15 +254,6 @@ class ProfileBody:
 
 
 @dataclass(frozen=True, slots=True)
-class ScanReviewBody:
-    revision: int
-    verdict: ScanVerdict
-    reason: str | None
-    reviewer: Who | None
-    at: datetime
-
-
-@dataclass(frozen=True, slots=True)
 class MatchBody:
     """Where the pictures of the match lie: pixel (x, y) is line `first_line + step x`, row y, of strip 1."""
 
@@ -282,7 +273,7 @@ class ScanVehicleDetailBody:
     budget: list[Entry]
     match: MatchBody | None
     history: list[ScanMotionBody]
-    reviews: list[ScanReviewBody]
+    reviews: list[ScanReviewFacts]
 
 
 class BoundariesIn(In):
@@ -355,7 +346,8 @@ class NewScanReview(In):
     )
 
 
-class StripUploadBody(Out):
+@dataclass(frozen=True, slots=True)
+class StripUploadBody:
     """A strip that arrived and waits for its scan."""
 
     id: int

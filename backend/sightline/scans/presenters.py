@@ -17,13 +17,12 @@ from sightline.scans.bodies import (
     ProfileBody,
     ScanBody,
     ScanMotionBody,
-    ScanReviewBody,
     ScanVehicleBody,
     ScanVehicleDetailBody,
 )
 from sightline.scans.live.state import live_state
 from sightline.scans.match import window_of
-from sightline.scans.records import Scan, ScanMeasurement, ScanValues
+from sightline.scans.records import Scan, ScanMeasurement, ScanReviewFacts, ScanValues
 from sightline.scans.references.service import shown_reference
 from sightline.scans.store import rig_for
 from sightline.scans.vehicles.listing import ShownDetail, ShownVehicle, one_of
@@ -102,7 +101,7 @@ def detail_body(detail: ShownDetail, asker: int) -> ScanVehicleDetailBody:
         budget=[] if measured is None else [Entry(**one) for one in measured.values.budget],
         match=None if measured is None else _match(measured, detail.scan),
         history=[motion_body(one, shown.rig, asker) for one in detail.history],
-        reviews=[filled_from(ScanReviewBody, one) for one in detail.reviews],
+        reviews=[filled_from(ScanReviewFacts, one) for one in detail.reviews],
     )
 
 

@@ -359,17 +359,23 @@ def state_of(status: str | None, verdict: str | None) -> ScanVehicleState:
 
 
 @dataclass(frozen=True, slots=True)
-class ScanReview:
-    """One verdict given on a revision."""
+class ScanReviewFacts:
+    """A verdict given on a revision."""
 
-    id: int
-    measurement_id: int
-    vehicle_id: int
     revision: int
     verdict: ScanVerdict
     reason: str | None
     reviewer: Who | None
     at: datetime
+
+
+@dataclass(frozen=True, slots=True)
+class ScanReview(ScanReviewFacts):
+    """One as it is stored."""
+
+    id: int
+    measurement_id: int
+    vehicle_id: int
 
 
 @dataclass(frozen=True, slots=True)

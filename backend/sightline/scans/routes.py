@@ -5,6 +5,7 @@ from typing import Annotated
 
 from fastapi import APIRouter, Path, Query, Request, Response
 
+from sightline.infra.by_name import filled_from
 from sightline.infra.web.bodies import JobBody
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
 from sightline.infra.web.pictures import JPEG, is_held, picture_response, unchanged
@@ -45,7 +46,7 @@ def list_scans(survey_id: PathId, who: Viewer, session: Reading) -> list[ScanBod
 def list_strip_uploads(survey_id: PathId, who: Viewer, session: Reading) -> list[StripUploadBody]:
     """The strips that arrived and wait for their scan."""
     get_survey(session, survey_id)
-    return [StripUploadBody.model_validate(one) for one in strips_waiting(session, survey_id)]
+    return [filled_from(StripUploadBody, one) for one in strips_waiting(session, survey_id)]
 
 
 @router.post("/surveys/{survey_id}/scans", status_code=201)
@@ -61,18 +62,10 @@ def add_scan_from_video(
     survey_id: PathId, body: NewScanFromVideo, who: Operator, session: Writing
 ) -> ScanBody:
     """A scan cut from a video along two pixel columns or rows."""
-    made = service.create_from_video(
-        session,
-        survey_id,
-        name=body.name,
-        source=CutSource(body.recording_id, body.cut_along, body.cut_1_px, body.cut_2_px),
-        baseline_m=body.baseline_m,
-        u_baseline_m=body.u_baseline_m,
-        lighting=body.lighting,
-        find=body.find,
-        actor=who.id,
-    )
-    return scan_body(made)
+    of_source = set(CutSource.__dataclass_fields__)
+    source = CutSource(**body.model_dump(include=of_source))
+    given = body.model_dump(exclude=of_source)
+    return scan_body(service.create_from_video(session, survey_id, source=source, actor=who.id, **given))
 
 
 @router.get("/scans/{scan_id}")

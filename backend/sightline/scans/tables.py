@@ -14,15 +14,7 @@ from sqlalchemy import (
     UniqueConstraint,
 )
 
-from sightline.enums import (
-    CutAlong,
-    Lighting,
-    ScanSource,
-    ScanState,
-    ScanVerdict,
-    TimeAxis,
-    VehicleOrigin,
-)
+from sightline.enums import CutAlong, Lighting, ScanSource, ScanState, ScanVerdict, TimeAxis, VehicleOrigin
 from sightline.infra.audit.vouched import ChangedByEvents, WrittenOnce, vouched
 from sightline.infra.database.types import (
     KEEPS_TIMES,

@@ -5,11 +5,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sightline.cameras.boards import board_told
+from sightline.cameras.boards import BoardTold
 from sightline.cameras.calibrations.records import Calibration, CalibrationImage
 from sightline.cameras.calibrations.store import add_calibration
 from sightline.cameras.store import get_camera
-from sightline.enums import BoardKind, JsonObject, LensModel
+from sightline.enums import JsonObject, LensModel
 from sightline.errors import BadInput
 from sightline.geometry.board import Board
 from sightline.geometry.calibration import CalibrationResult
@@ -32,27 +32,16 @@ CHECKS = "checks"
 MOST_IMPORT_BYTES = 2_000_000
 
 
-@dataclass(frozen=True)
-class CalibrationRequest:
+@dataclass(frozen=True, kw_only=True)
+class CalibrationRequest(BoardTold):
     """What to calibrate from: the camera's images, or every n-th frame of a span of a recording."""
 
-    columns: int
-    rows: int
-    square_m: float
     model: LensModel
     recording_id: int | None = None
     every: int | None = None
     first_frame: int | None = None
     last_frame: int | None = None
     bent_board: bool = False
-    board_kind: BoardKind = "checkerboard"
-    dictionary: str | None = None
-    marker_m: float | None = None
-
-    @property
-    def board(self) -> Board:
-        markers = self.dictionary, self.marker_m
-        return board_told(self.columns, self.rows, self.square_m, self.board_kind, *markers)
 
 
 @dataclass(frozen=True, eq=False)

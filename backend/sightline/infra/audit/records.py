@@ -3,9 +3,7 @@
 from dataclasses import dataclass
 from datetime import datetime
 
-from sightline.enums import (
-    JsonObject,
-)
+from sightline.enums import JsonObject
 from sightline.messages.said import Said
 
 

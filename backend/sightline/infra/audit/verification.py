@@ -31,8 +31,8 @@ from sightline.infra.audit.vouched import (
     marked,
 )
 from sightline.infra.database.engine import (
+    engine_at,
     explained,
-    make_engine,
     newest_revision,
     reading,
     session_factory,
@@ -74,16 +74,13 @@ def verify_database(url: str, name: str = "This address") -> Verification:
 
     Raises BadInput for what is not ours or of another version, Damaged by table, DatabaseAway.
     """
-    engine = make_engine(url, must_exist=True)
-    try:
+    with engine_at(url, must_exist=True) as engine:
         if not _holds_a_chain(engine):
             raise BadInput("audit-not-sightline-database-name-sightline-db", name=name)
         with reading(session_factory(engine)) as session:
             _require_version(session)
             require_whole_pages(session.connection())
             return verify_records(session)
-    finally:
-        engine.dispose()
 
 
 def _require_version(session: Session) -> None:

@@ -38,7 +38,7 @@ from sightline.infra.backup.media_copy import MediaCopies, prune
 from sightline.infra.backup.postgres_copy import copy_out
 from sightline.infra.backup.sqlite_copy import copy_sqlite, settle
 from sightline.infra.backup.state import continues, heads_of, needed_media, require_this_version
-from sightline.infra.database.engine import make_engine, reading, session_factory, sqlite_file
+from sightline.infra.database.engine import engine_at, reading, session_factory, sqlite_file
 from sightline.infra.database.pages import require_whole_pages
 from sightline.infra.services import Services
 from sightline.infra.version import code_version
@@ -149,13 +149,12 @@ def _copy_database(
             return _described(session, before, copy_out(session.connection(), place, told))
     with no_room_told("the backup"):
         copy_sqlite(path, place / DATABASE, told)
-    engine = make_engine(sqlite_url(place / DATABASE))
-    try:
-        with reading(session_factory(engine)) as session:
-            require_whole_pages(session.connection())
-            state = _described(session, before, {})
-    finally:
-        engine.dispose()
+    with (
+        engine_at(sqlite_url(place / DATABASE)) as engine,
+        reading(session_factory(engine)) as session,
+    ):
+        require_whole_pages(session.connection())
+        state = _described(session, before, {})
     settle(place / DATABASE)
     return state
 

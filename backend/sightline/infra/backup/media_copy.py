@@ -3,7 +3,7 @@
 import hashlib
 import json
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import IO
 from uuid import uuid4
@@ -105,19 +105,16 @@ def prune(folder: Path, manifests: Sequence[Manifest]) -> int:
 
 def put_back(folder: Path, manifest: Manifest, store: MediaStore, told: Told) -> None:
     """Put every file into an empty store, after its hash was held against the manifest. Raises Damaged."""
+    for key, path in whole_media(folder, manifest, told):
+        store.put_file(key, path)
+
+
+def whole_media(folder: Path, manifest: Manifest, told: Told) -> Iterator[tuple[str, Path]]:
+    """Every key of the manifest with its file, read back. Raises Damaged with the first that is not whole."""
     whole, done = sum(one.size for one in manifest.media.values()) or 1, 0
     for key, one in manifest.media.items():
         told(done / whole)
         path = media_file(folder, one.sha256)
         require_whole(folder, path, one)
-        store.put_file(key, path)
-        done += one.size
-
-
-def check_media(folder: Path, manifest: Manifest, told: Told) -> None:
-    """Read every file of the manifest back. Raises Damaged with the name of the first that is not whole."""
-    whole, done = sum(one.size for one in manifest.media.values()) or 1, 0
-    for one in manifest.media.values():
-        told(done / whole)
-        require_whole(folder, media_file(folder, one.sha256), one)
+        yield key, path
         done += one.size

@@ -24,13 +24,13 @@ from sightline.infra.backup.manifest import (
     read_manifest,
     require_whole,
 )
-from sightline.infra.backup.media_copy import check_media, put_back
+from sightline.infra.backup.media_copy import put_back, whole_media
 from sightline.infra.backup.postgres_copy import copy_in
 from sightline.infra.backup.state import heads_of
 from sightline.infra.database.engine import (
+    engine_at,
     explained,
     lift_limits,
-    make_engine,
     migrate,
     newest_revision,
     reading,
@@ -59,7 +59,8 @@ def check_backup(folder: Path, tell: Tell) -> ReadBackup:
     Raises BadInput for what is no backup, Damaged with the name of what is not whole.
     """
     manifest = read_manifest(folder)
-    check_media(folder, manifest, lambda share: tell(0.8 * share, "media"))
+    for _ in whole_media(folder, manifest, lambda share: tell(0.8 * share, "media")):
+        pass
     state = _whole_state(folder, manifest, tell, 0.8)
     if manifest.database != "sqlite":
         tell(1.0, "read")
@@ -127,12 +128,8 @@ def _require_empty(manifest: Manifest, settings: Settings) -> None:
     if path is not None and path.exists():
         raise BadInput("backup-place-not-empty", place=path)
     if path is None:
-        engine = make_engine(settings.database_url)
-        try:
-            with explained(), engine.connect() as connection:
-                _require_no_tables(connection)
-        finally:
-            engine.dispose()
+        with engine_at(settings.database_url) as engine, explained(), engine.connect() as connection:
+            _require_no_tables(connection)
 
 
 def _require_no_tables(connection: Connection) -> None:
@@ -164,46 +161,49 @@ def _put_keys(state: Path, manifest: Manifest, data_dir: Path) -> None:
         os.chmod(data_dir / name, 0o600)
 
 
-def _sqlite_in(source: Path, target: Path, manifest: Manifest) -> Verification:
-    """Copy a SQLite database, migrate it, check its chains; only then does it get its name."""
+@contextmanager
+def _named_when_whole(target: Path) -> Iterator[Path]:
+    """Where to make a SQLite file; it gets its name at the end, and after an error nothing of it is left."""
     waiting = target.with_name(f"{target.name}.restoring")
     try:
-        copy_whole(source, waiting)
-        engine = make_engine(sqlite_url(waiting))
-        try:
-            migrate(engine)
-            with reading(session_factory(engine)) as session:
-                require_whole_pages(session.connection())
-                found = _verified(session, manifest)
-        finally:
-            engine.dispose()
+        yield waiting
         os.replace(waiting, target)
     finally:
         for left in target.parent.glob(f"{waiting.name}*"):
             left.unlink()
-    return found
+
+
+def _sqlite_in(source: Path, target: Path, manifest: Manifest) -> Verification:
+    """Copy a SQLite database, migrate it, check its chains; only then does it get its name."""
+    with _named_when_whole(target) as waiting:
+        copy_whole(source, waiting)
+        with engine_at(sqlite_url(waiting)) as engine:
+            migrate(engine)
+            with reading(session_factory(engine)) as session:
+                require_whole_pages(session.connection())
+                return _verified(session, manifest)
 
 
 def _into_postgresql(
     state: Path, url: str, manifest: Manifest, told: Callable[[float], None]
 ) -> Verification:
     """Make the backup's schema, fill it, migrate it and check its chains, all in one transaction."""
-    with _rows_for_postgresql(state, manifest, told) as (rows, tables, revision):
-        engine = make_engine(url)
-        try:
-            with explained(), engine.begin() as connection:
-                lift_limits(connection)
-                _require_no_tables(connection)
-                upgrade(connection, revision)
-                copy_in(connection, rows, tables, told)
-                upgrade(connection)
-                with Session(connection, autoflush=False) as session:
-                    found = _verified(session, manifest)
-                    if manifest.database == "sqlite":
-                        deliver_anew(session)
-                    return found
-        finally:
-            engine.dispose()
+    with (
+        _rows_for_postgresql(state, manifest, told) as (rows, tables, revision),
+        engine_at(url) as engine,
+        explained(),
+        engine.begin() as connection,
+    ):
+        lift_limits(connection)
+        _require_no_tables(connection)
+        upgrade(connection, revision)
+        copy_in(connection, rows, tables, told)
+        upgrade(connection)
+        with Session(connection, autoflush=False) as session:
+            found = _verified(session, manifest)
+            if manifest.database == "sqlite":
+                deliver_anew(session)
+            return found
 
 
 @contextmanager
@@ -218,12 +218,11 @@ def _rows_for_postgresql(
         scratch = Path(made)
         check_room(scratch, 2 * (state / DATABASE).stat().st_size, "the rows on their way to PostgreSQL")
         _sqlite_in(state / DATABASE, scratch / DATABASE, manifest)  # of the newest schema, and whole
-        engine = make_engine(sqlite_url(scratch / DATABASE))
-        try:
-            with reading(session_factory(engine)) as session:
-                tables = copy_files_of_sqlite(session.connection(), scratch, told)
-        finally:
-            engine.dispose()
+        with (
+            engine_at(sqlite_url(scratch / DATABASE)) as engine,
+            reading(session_factory(engine)) as session,
+        ):
+            tables = copy_files_of_sqlite(session.connection(), scratch, told)
         yield scratch, tables, "head"
 
 
@@ -233,22 +232,13 @@ def _into_sqlite(
     """Fill a new SQLite file with PostgreSQL's rows; only when its chains hold does it get its name."""
     if manifest.revision != newest_revision():
         raise BadInput("backup-older-crosses-later")
-    waiting = target.with_name(f"{target.name}.restoring")
-    try:
-        engine = make_engine(sqlite_url(waiting))
-        try:
-            migrate(engine)
-            with writing(session_factory(engine)) as session:
-                fill_sqlite(session.connection(), state, manifest.tables, told)
-                found = _verified(session, manifest)
-            with engine.connect() as connection:
-                connection.exec_driver_sql("PRAGMA wal_checkpoint(TRUNCATE)")
-        finally:
-            engine.dispose()
-        os.replace(waiting, target)
-    finally:
-        for left in target.parent.glob(f"{waiting.name}*"):
-            left.unlink()
+    with _named_when_whole(target) as waiting, engine_at(sqlite_url(waiting)) as engine:
+        migrate(engine)
+        with writing(session_factory(engine)) as session:
+            fill_sqlite(session.connection(), state, manifest.tables, told)
+            found = _verified(session, manifest)
+        with engine.connect() as connection:
+            connection.exec_driver_sql("PRAGMA wal_checkpoint(TRUNCATE)")
     return found
 
 

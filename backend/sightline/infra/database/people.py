@@ -1,16 +1,6 @@
 """The accounts: who did what is kept by id everywhere, so these two tables lie below every other."""
 
-from sqlalchemy import (
-    Boolean,
-    Column,
-    ForeignKey,
-    Integer,
-    String,
-    Table,
-    Text,
-    UniqueConstraint,
-    true,
-)
+from sqlalchemy import Boolean, Column, ForeignKey, Integer, String, Table, Text, UniqueConstraint, true
 
 from sightline.enums import Role
 from sightline.infra.database.types import UtcDateTime, enum_check, identity, metadata

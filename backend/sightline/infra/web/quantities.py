@@ -4,7 +4,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from sightline.infra.web.bodies import Finite, In, Out
+from sightline.infra.web.bodies import Finite, In
 
 SigmaPx = Annotated[Finite, Field(gt=0, le=100, description="Standard uncertainty of each coordinate, px.")]
 
@@ -28,10 +28,3 @@ Word = Annotated[str, Field(max_length=200)]
 
 class AtRevision(In):
     revision: Revision
-
-
-class BudgetEntryBody(Out):
-    """What one source adds to a standard uncertainty, metres."""
-
-    source: str
-    u_m: float

@@ -16,6 +16,7 @@ from pathlib import Path
 import numpy as np
 
 from sightline.errors import BadInput
+from sightline.linescan.parts import Crossings
 from sightline.media.strips.sheet import Pixels
 
 _SIDECAR_BYTES = 10_000_000
@@ -128,3 +129,15 @@ def column_of(line: float, dropped: Sequence[Dropped]) -> float:
             return gap.line - 0.5
         lost += gap.count
     return line - lost
+
+
+def columns_of(crossings: Crossings, first: Sequence[Dropped], second: Sequence[Dropped]) -> Crossings:
+    """The same crossings as columns of both files; what was lost of each."""
+    if not first and not second:
+        return crossings
+    return Crossings(
+        column_of(crossings.front_line_1, first),
+        column_of(crossings.rear_line_1, first),
+        column_of(crossings.front_line_2, second),
+        column_of(crossings.rear_line_2, second),
+    )

@@ -18,15 +18,7 @@ import tifffile
 from numpy.typing import NDArray
 
 from sightline.errors import BadInput
-from sightline.media.strips.sheet import (
-    PIECE_BYTES,
-    Pixels,
-    RawSheet,
-    Sheet,
-    check_claim,
-    cut_off,
-    damaged,
-)
+from sightline.media.strips.sheet import PIECE_BYTES, Pixels, RawSheet, Sheet, check_claim, cut_off, damaged
 
 MAGICS = (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+")
 _UNPACK: dict[int, Any] = {

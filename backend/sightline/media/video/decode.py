@@ -351,16 +351,43 @@ def frames_of(
     a video's name, cut off before its index, absurd dimensions.
     """
     name = name or path.name
+    n = None
     with closing(open_container(path, name)) as container:
-        stream = video_stream(container, name, number=number)
-        layout: Layout | None = None
-        n = 0
-        for frame in decoded(container, stream):
-            layout = layout or layout_of(frame, stream.sample_aspect_ratio)
-            if not same_size(frame, layout):
-                continue
+        for n, frame, layout in numbered(container, video_stream(container, name, number=number), name):
             pts = frame_pts(frame)
             yield n, n if pts == NO_PTS else pts, upright_gray(frame, layout)
-            n += 1
-        if n == 0:
-            raise BadInput("video-holds-no-picture-decoded-convert-mp4", name=name)
+    if n is None:
+        raise BadInput("video-holds-no-picture-decoded-convert-mp4", name=name)
+
+
+def numbered(
+    container: InputContainer,
+    stream: VideoStream,
+    name: str,
+    size_px: tuple[int, int] | None = None,
+    look: Callable[[int | None], None] = lambda position: None,
+    damage: Damage | None = None,
+) -> Iterator[tuple[int, av.VideoFrame, Layout]]:
+    """The frames by their numbers in the frame table, with their layout; one of another size than the first
+    counts for none.
+
+    `look` gets at every frame how many bytes of the file are read; `damage` is counted. Raises BadInput where
+    the pictures are not of `size_px`, which a camera pose is for.
+    """
+    damage, layout, n = damage or Damage(), None, 0
+    for frame in decoded(container, stream, damage):
+        look(damage.position)
+        if layout is None:
+            layout = layout_of(frame, stream.sample_aspect_ratio)
+            if size_px is not None and size_px != (layout.width_px, layout.height_px):
+                raise BadInput(
+                    "measurements-road-pose-pictures-x-px-not",
+                    name=name,
+                    size_px=size_px[0],
+                    size_px_2=size_px[1],
+                )
+        if not same_size(frame, layout):
+            damage.other_size += 1
+            continue
+        yield n, frame, layout
+        n += 1

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable
 from contextlib import closing
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -14,31 +12,28 @@ from av.video.stream import VideoStream
 from numpy.typing import NDArray
 
 from sightline.errors import BadInput
-from sightline.media.cancelling import Cancelled, IngestCancelled, check_cancelled
+from sightline.media.cancelling import Cancelled, IngestCancelled, Progress, Watch
 from sightline.media.store.local import check_room, no_room_told
 from sightline.media.video.decode import (
     NO_PTS,
     Damage,
     Picture,
     VideoFacts,
-    decoded,
     facts_of,
     frame_pts,
+    numbered,
     open_container,
     picture_read,
-    same_size,
     video_stream,
 )
-from sightline.media.video.picture import Layout, layout_of, luma_crc
+from sightline.media.video.picture import luma_crc
 from sightline.media.video.remux import WorkingCopy, make_copy, needs_copy
 from sightline.media.video.report import IngestReport, report_of, times_of_filming
 from sightline.media.video.sniff import extent_of
 from sightline.media.video.stated import Stated, stated_of
 from sightline.media.video.thumbnails import ROOM_BYTES, Thumbnail, ThumbnailWriter
 
-PROGRESS_EVERY_S = 0.25
 OTHER_SIZE_SHARE = 0.05
-Progress = Callable[[float], None]
 __all__ = ["FrameTable", "IngestCancelled", "Ingested", "ingest"]
 
 
@@ -119,7 +114,7 @@ def ingest(
     if by_copy:
         copy = make_copy(path, folder, name, is_cancelled, keep_times=True, stream_number=number)
     asked = _Asked(number, filmed_hz, kind, pictures)
-    watch = _Watch(on_progress, is_cancelled, name)
+    watch = Watch(on_progress, is_cancelled, name)
     container = open_container(copy.path if copy else path, name)
     result = _ingest_open(container, path, copy, watch, thumb_dir, stated, asked)
     if copy is None and bool(np.any(result.frames.pts == NO_PTS)):
@@ -145,7 +140,7 @@ def _ingest_open(
     container: InputContainer,
     path: Path,
     copy: WorkingCopy | None,
-    watch: _Watch,
+    watch: Watch,
     thumb_dir: Path,
     stated: Stated,
     asked: _Asked,
@@ -180,49 +175,25 @@ def _ingest_open(
     )
 
 
-@dataclass
-class _Watch:
-    """Progress and cancelling, by the share of the file's bytes that were read."""
-
-    on_progress: Progress
-    is_cancelled: Cancelled
-    name: str
-    size: int = 0
-    next_s: float = 0.0
-
-    def look(self, position: int | None) -> None:
-        check_cancelled(self.is_cancelled, self.name)
-        now = time.monotonic()
-        if position is not None and now >= self.next_s:
-            self.next_s = now + PROGRESS_EVERY_S
-            self.on_progress(min(0.99, position / max(self.size, 1)))
-
-
 def _decode_all(
     container: InputContainer,
     stream: VideoStream,
     damage: Damage,
-    watch: _Watch,
+    watch: Watch,
     thumb_dir: Path,
 ) -> tuple[VideoFacts, _Rows, ThumbnailWriter]:
-    layout: Layout | None = None
     rows = _Rows([], [], [])
-    for frame in decoded(container, stream, damage):
-        if layout is None:
-            layout = layout_of(frame, stream.sample_aspect_ratio)
+    for n, frame, layout in numbered(container, stream, watch.name, look=watch.look, damage=damage):
+        if n == 0:
             facts = facts_of(container, stream, frame)
             thumbs = ThumbnailWriter(thumb_dir, layout, facts.duration_s)
-        watch.look(damage.position)
-        if not same_size(frame, layout):
-            damage.other_size += 1
-            continue
         if frame.is_corrupt:
-            damage.patched.append(len(rows.pts))
+            damage.patched.append(n)
         rows.pts.append(frame_pts(frame))
         rows.key.append(bool(frame.key_frame))
         rows.crc.append(luma_crc(frame))
-        thumbs.offer(len(rows.pts) - 1, frame)
-    if layout is None:
+        thumbs.offer(n, frame)
+    if not rows.pts:
         raise BadInput("video-holds-no-picture-decoded-copy-again", name=watch.name)
     if damage.other_size > OTHER_SIZE_SHARE * (len(rows.pts) + damage.other_size):
         raise BadInput("video-changes-picture-size-way-split-where", name=watch.name)

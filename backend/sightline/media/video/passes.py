@@ -4,9 +4,9 @@ down it.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from contextlib import closing
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -15,13 +15,12 @@ from sightline.detection.classify import FoundPass
 from sightline.detection.finder import PassFinder, downsample
 from sightline.detection.steadiness import Wander
 from sightline.errors import BadInput
-from sightline.media.cancelling import Cancelled
-from sightline.media.video.decode import Damage, decoded, open_container, same_size, video_stream
-from sightline.media.video.picture import layout_of, upright_gray
+from sightline.media.cancelling import Cancelled, Progress, Watch
+from sightline.media.video.decode import numbered, open_container, video_stream
+from sightline.media.video.picture import upright_gray
 from sightline.messages.said import Said
 
 PICTURES_HZ = 60.0
-Progress = Callable[[float], None]
 
 
 class PassesCancelled(BadInput):
@@ -91,15 +90,11 @@ def _searched(
         stream = video_stream(container, name, threads, stream_number)
         rate = rate_hz or float(stream.average_rate or 25)
         stride = max(1, round(rate / PICTURES_HZ))
-        damage, size, layout, n, width_px = Damage(), max(path.stat().st_size, 1), None, -1, 0
+        n = width_px = 0
         finder: PassFinder | None = None
-        for frame in decoded(container, stream, damage):
-            if is_cancelled():
-                raise PassesCancelled("video-search-passes-cancelled-nothing-kept", name=name)
-            layout = layout or layout_of(frame, stream.sample_aspect_ratio)
-            if not same_size(frame, layout):
-                continue
-            n += 1
+        stopped = partial(PassesCancelled, "video-search-passes-cancelled-nothing-kept")
+        watch = Watch(on_progress, is_cancelled, name, path.stat().st_size, stopped)
+        for n, frame, layout in numbered(container, stream, name, look=watch.look):
             if n % stride:
                 continue
             gray = upright_gray(frame, layout)
@@ -114,8 +109,6 @@ def _searched(
                 square_at is None,
             )
             finder.offer(downsample(n, gray))
-            if n % 30 == 0 and damage.position is not None:
-                on_progress(min(0.99, damage.position / size))
     if finder is None:
         raise BadInput("video-holds-no-picture-decoded-copy-again", name=name)
     return finder, n + 1, width_px

@@ -8,15 +8,8 @@ import numpy as np
 
 from sightline.errors import BadInput
 from sightline.geometry.follow_pass import PassFrame
-from sightline.media.video.decode import (
-    NO_PTS,
-    decoded,
-    frame_pts,
-    open_container,
-    same_size,
-    video_stream,
-)
-from sightline.media.video.picture import layout_of, upright_gray
+from sightline.media.video.decode import NO_PTS, frame_pts, numbered, open_container, video_stream
+from sightline.media.video.picture import upright_gray
 from sightline.media.video.report import clock_doubt_of, require_clock_of_filming, times_of_filming
 from sightline.media.video.stated import stated_of
 
@@ -39,19 +32,7 @@ def frames_between(
     out: list[PassFrame] = []
     with closing(open_container(path, name)) as container:
         stream = video_stream(container, name, number=stream_number)
-        layout, n = None, -1
-        for frame in decoded(container, stream):
-            layout = layout or layout_of(frame, stream.sample_aspect_ratio)
-            if (layout.width_px, layout.height_px) != size_px:
-                raise BadInput(
-                    "measurements-road-pose-pictures-x-px-not",
-                    name=name,
-                    size_px=size_px[0],
-                    size_px_2=size_px[1],
-                )
-            if not same_size(frame, layout):
-                continue
-            n += 1
+        for n, frame, layout in numbered(container, stream, name, size_px):
             if n > last:
                 break
             if n < first:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import closing
 from dataclasses import dataclass, field
-from fractions import Fraction
+from functools import partial
 from pathlib import Path
 
 from av import VideoFrame
@@ -15,15 +15,14 @@ from sightline.detection.background import SAMPLES, WINDOW_S
 from sightline.detection.classify import FoundPass
 from sightline.errors import BadInput
 from sightline.geometry.road_pose import RoadPose
-from sightline.media.cancelling import Cancelled
+from sightline.media.cancelling import Cancelled, Progress, Watch
 from sightline.media.networks import proposal_networks
-from sightline.media.video.decode import Damage, decoded, open_container, same_size, video_stream
-from sightline.media.video.picture import Bgr, Gray, Layout, layout_of, upright, upright_gray
+from sightline.media.video.decode import numbered, open_container, video_stream
+from sightline.media.video.picture import Bgr, Gray, Layout, upright, upright_gray
 from sightline.proposals.frames import frame_seen, frames_to_look_at
 from sightline.proposals.propose import Proposals, propose_points
 from sightline.proposals.road import road_behind
 
-Progress = Callable[[float], None]
 NO_DIRECTION = "proposals-not-across"
 ROAD_SAMPLES = SAMPLES // 2
 
@@ -117,30 +116,11 @@ def propose_in_video(
     with closing(open_container(path, name)) as container:
         stream = video_stream(container, name, threads, stream_number)
         collector = _Collector(passes, pose, rate_hz or float(stream.average_rate or 25))
-        damage, layout, n, size = Damage(), None, -1, max(path.stat().st_size, 1)
-        for frame in decoded(container, stream, damage):
-            if is_cancelled():
-                raise ProposalsCancelled("video-proposals-cancelled", name=name)
-            layout = layout or _layout(frame, stream.sample_aspect_ratio, pose, name)
-            if not same_size(frame, layout):
-                continue
-            n += 1
+        stopped = partial(ProposalsCancelled, "video-proposals-cancelled")
+        watch = Watch(on_progress, is_cancelled, name, path.stat().st_size, stopped)
+        size_px = pose.camera.width_px, pose.camera.height_px
+        for n, frame, layout in numbered(container, stream, name, size_px, watch.look):
             collector.offer(n, frame, layout)
             yield from collector.done(n)
-            if n % 30 == 0 and damage.position is not None:
-                on_progress(min(0.99, damage.position / size))
     yield from collector.done(None)
     on_progress(1.0)
-
-
-def _layout(frame: VideoFrame, aspect: Fraction | None, pose: RoadPose, name: str) -> Layout:
-    """Raises BadInput where the pose is for pictures of another size."""
-    layout, camera = layout_of(frame, aspect), pose.camera
-    if (layout.width_px, layout.height_px) != (camera.width_px, camera.height_px):
-        raise BadInput(
-            "measurements-road-pose-pictures-x-px-not",
-            name=name,
-            size_px=camera.width_px,
-            size_px_2=camera.height_px,
-        )
-    return layout

@@ -3,9 +3,7 @@
 from dataclasses import dataclass
 from datetime import datetime
 
-from sightline.enums import (
-    Point,
-)
+from sightline.enums import Point
 from sightline.infra.audit.records import Who
 
 

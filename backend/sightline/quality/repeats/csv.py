@@ -2,16 +2,7 @@
 
 from __future__ import annotations
 
-from sightline.infra.csv_package.columns import (
-    flag,
-    integer,
-    key,
-    metres,
-    moment,
-    person,
-    text,
-    within,
-)
+from sightline.infra.csv_package.columns import flag, integer, key, metres, moment, person, text, within
 from sightline.infra.csv_package.schema import Table
 from sightline.measurements.again.csv import out_of_date
 from sightline.measurements.csv import FRAME, PASS, POINTS, POSE, REASON

@@ -1,15 +1,6 @@
 """The table of frame tables."""
 
-from sqlalchemy import (
-    BigInteger,
-    Boolean,
-    CheckConstraint,
-    Column,
-    Float,
-    ForeignKey,
-    Integer,
-    Table,
-)
+from sqlalchemy import BigInteger, Boolean, CheckConstraint, Column, Float, ForeignKey, Integer, Table
 
 from sightline.infra.database.types import metadata
 

@@ -1,13 +1,6 @@
 """The table of uploads."""
 
-from sqlalchemy import (
-    BigInteger,
-    Column,
-    ForeignKey,
-    Integer,
-    String,
-    Table,
-)
+from sqlalchemy import BigInteger, Column, ForeignKey, Integer, String, Table
 
 from sightline.enums import UploadPurpose
 from sightline.infra.database.types import UtcDateTime, enum_check, identity, made_columns, metadata

@@ -14,12 +14,7 @@ from sightline.measurements.height_of_clicks import filled_in
 from sightline.measurements.records import Clicks, ScanHeight, ScanHeightValues
 from sightline.scans.again.query import current_line_poses_of_survey
 from sightline.scans.heights.poses import pose_of
-from sightline.scans.heights.service import (
-    answer,
-    clicks_to_compute_again,
-    height_values,
-    remarks_on_clicks,
-)
+from sightline.scans.heights.service import answer, clicks_to_compute_again, height_values, remarks_on_clicks
 from sightline.scans.heights.store import standing_scan_heights
 from sightline.surveys.store import get_survey
 

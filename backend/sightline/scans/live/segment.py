@@ -15,7 +15,7 @@ from sightline.linescan.finding import Finder
 from sightline.linescan.parts import Crossings, Passage, Rig
 from sightline.linescan.passing import Follower
 from sightline.media.lines.source import Lines, Lost, Piece
-from sightline.media.strips.notes import Dropped, column_of
+from sightline.media.strips.notes import Dropped, columns_of
 from sightline.media.strips.spool import Spool, SpooledLines
 from sightline.messages.said import Said
 from sightline.scans.live.journal import Journal, journal_path, spool_paths
@@ -163,15 +163,7 @@ class Segment:
                 yield LiveVehicle(self.facts.number, self.begin, vehicle, at)
 
     def _columns(self, crossings: Crossings) -> Crossings:
-        first, second = (camera.dropped for camera in self.cameras)
-        if not first and not second:
-            return crossings
-        return Crossings(
-            column_of(crossings.front_line_1, first),
-            column_of(crossings.rear_line_1, first),
-            column_of(crossings.front_line_2, second),
-            column_of(crossings.rear_line_2, second),
-        )
+        return columns_of(crossings, *(camera.dropped for camera in self.cameras))
 
     def _stop_keeping(self, error: OSError) -> None:
         self.full = Said("stream-lines-not-stored", strerror=error.strerror)

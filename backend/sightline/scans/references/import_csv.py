@@ -21,12 +21,7 @@ from sightline.infra.database import Session
 from sightline.infra.given_csv import GivenRow, GivenTable, read_table, undefused
 from sightline.messages.said import Said
 from sightline.scans.records import Scan, ScanVehicle
-from sightline.scans.references.passing_times import (
-    USUAL_TOLERANCE_S,
-    Ambiguous,
-    Matching,
-    PassedAt,
-)
+from sightline.scans.references.passing_times import USUAL_TOLERANCE_S, Ambiguous, Matching, PassedAt
 from sightline.scans.references.records import (
     ReferencePlan,
     ReferenceRow,
@@ -35,10 +30,7 @@ from sightline.scans.references.records import (
     StoredReference,
     require_reference,
 )
-from sightline.scans.references.store import (
-    append_scan_reference,
-    reference_history_of_scan,
-)
+from sightline.scans.references.store import append_scan_reference, reference_history_of_scan
 from sightline.scans.store import get_scan
 from sightline.scans.vehicles.listing import ShownVehicle, vehicles_of
 from sightline.scans.vehicles.store import change_scan_vehicle

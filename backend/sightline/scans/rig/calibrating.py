@@ -13,13 +13,7 @@ from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.infra.version import code_version
 from sightline.linescan.parts import Rig
-from sightline.linescan.rig_calibration import (
-    Common,
-    RigCalibration,
-    RigPass,
-    calibrate_rig,
-    lane_baseline,
-)
+from sightline.linescan.rig_calibration import Common, RigCalibration, RigPass, calibrate_rig, lane_baseline
 from sightline.scans.bodies import DistanceM, UDistanceM
 from sightline.scans.rig.passes_csv import read_rig_passes
 from sightline.scans.rig.records import (

@@ -12,13 +12,8 @@ from typing import get_args
 
 import numpy as np
 
-from sightline.enums import (
-    KnownLength,
-    ReferenceQuantity,
-    ReferenceSource,
-    ScanDirection,
-    ScanVehicleState,
-)
+from sightline.enums import KnownLength, ReferenceQuantity, ReferenceSource, ScanDirection, ScanVehicleState
+from sightline.infra.by_name import filled_from
 from sightline.linescan.clock import since_start_s
 from sightline.linescan.parts import Rig
 from sightline.linescan.rig import RigEstimate, alone, baseline_of, baseline_ratio, speed_ratio_of
@@ -284,16 +279,8 @@ def _ratio(chosen: Sequence[VehicleMotion], of: KnownLength) -> RigEstimate:
 
 def _row(one: VehicleMotion) -> ScanRow:
     motion = ("speed_mps", "acceleration_mps2", "length_m", "fit_error_percent")
-    return ScanRow(
-        vehicle_id=one.vehicle_id,
-        scan_id=one.scan_id,
-        number=one.number,
-        true_length_m=one.known.get("length_m"),
-        status=one.status,
-        reason=one.reason,
-        references=one.references,
-        **{name: one.values.get(name) for name in motion},
-    )
+    values = {name: one.values.get(name) for name in motion}
+    return filled_from(ScanRow, one, true_length_m=one.known.get("length_m"), **values)
 
 
 def _references(chosen: Sequence[VehicleMotion]) -> Iterator[ReferenceGroup]:

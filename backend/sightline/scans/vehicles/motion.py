@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import asdict, fields, replace
+from typing import Any
 
 from sightline.enums import Cause, JsonObject
 from sightline.infra.version import code_version
@@ -15,33 +16,26 @@ from sightline.scans.records import ScanMeasurement, ScanValues, ScanVehicle
 from sightline.scans.store import rig_for
 
 _NUMBERS = tuple(one.name for one in fields(Motion) if one.type == float | None)
+_WHEELS = ("front_wheel_line", "rear_wheel_line", "wheelbase_m", "u_wheelbase_m")
+_NO_WHEELS: dict[str, Any] = dict.fromkeys(_WHEELS)
 
 
 def values_of(
-    motion: Motion,
-    rig: Rig,
-    cause: Cause,
-    *,
-    placed_by: int | None = None,
-    run_id: int | None = None,
+    motion: Motion, rig: Rig, cause: Cause, *, placed_by: int | None = None, run_id: int | None = None
 ) -> ScanValues:
     """A motion as it is stored, with the scan's rig as it is at its lane; no wheels yet."""
+    crossings = motion.crossings
+    numbers: dict[str, Any] = {name: float(line) for name, line in asdict(crossings).items()}
+    numbers |= {name: _number(getattr(motion, name)) for name in _NUMBERS}
     return ScanValues(
         cause=cause,
         placed_by=placed_by,
         run_id=run_id,
         method=motion.method,
-        rig=rig_for(rig, motion.lane, motion.crossings.direction),
-        direction=motion.crossings.direction,
-        front_line_1=float(motion.crossings.front_line_1),
-        rear_line_1=float(motion.crossings.rear_line_1),
-        front_line_2=float(motion.crossings.front_line_2),
-        rear_line_2=float(motion.crossings.rear_line_2),
-        **{name: _number(getattr(motion, name)) for name in _NUMBERS},
-        front_wheel_line=None,
-        rear_wheel_line=None,
-        wheelbase_m=None,
-        u_wheelbase_m=None,
+        rig=rig_for(rig, motion.lane, crossings.direction),
+        direction=crossings.direction,
+        **numbers,
+        **_NO_WHEELS,
         axle_lines=None if motion.axle_lines is None else [float(line) for line in motion.axle_lines],
         axles_by=None if motion.axle_lines is None else "machine",
         lane=motion.lane,
@@ -82,9 +76,7 @@ def with_wheels(values: ScanValues, lines: tuple[float, float] | None) -> ScanVa
     Where there is no wheelbase the lines stay, and a warning says why.
     """
     if lines is None:
-        return replace(
-            values, front_wheel_line=None, rear_wheel_line=None, wheelbase_m=None, u_wheelbase_m=None
-        )
+        return replace(values, **_NO_WHEELS)
     front, rear = sorted(lines)
     found = wheelbase(motion_of(values), rig_of(values.rig), front, rear)
     why = [Said("scan-motion-no-wheelbase", reason=found.reason)] if found.reason else []

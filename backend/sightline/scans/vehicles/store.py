@@ -24,31 +24,19 @@ RigFor = Callable[[str | None, ScanDirection], JsonObject]
 
 
 def create_scan_vehicle(
-    session: Session,
-    scan_id: int,
-    given: Changes | None = None,
-    *,
-    origin: VehicleOrigin = "person",
-    actor: int | None,
+    session: Session, scan_id: int, *, origin: VehicleOrigin = "person", actor: int | None
 ) -> ScanVehicle:
     """A vehicle of a scan, yet without a measurement. Numbers count up in the scan."""
-    return get_scan_vehicle(
-        session, create_scan_vehicles(session, scan_id, 1, given, origin=origin, actor=actor)[0]
-    )
+    (made,) = create_scan_vehicles(session, scan_id, 1, origin=origin, actor=actor)
+    return get_scan_vehicle(session, made)
 
 
 def create_scan_vehicles(
-    session: Session,
-    scan_id: int,
-    count: int,
-    given: Changes | None = None,
-    *,
-    origin: VehicleOrigin,
-    actor: int | None,
+    session: Session, scan_id: int, count: int, *, origin: VehicleOrigin, actor: int | None
 ) -> list[int]:
     """The ids of so many vehicles, alike but for their numbers, with an event each; a few statements."""
     scan = get_row(session, scans, scan_id, "line-scan recording", scans.c.deleted_at.is_(None))
-    content: dict[str, Any] = {**dict.fromkeys(_FIELDS), "notes": "", **_checked(given or {})}
+    content: dict[str, Any] = {**dict.fromkeys(_FIELDS), "notes": ""}
     counted = select(func.coalesce(func.max(scan_vehicles.c.number), 0))
     first = session.execute(counted.where(scan_vehicles.c.scan_id == scan_id)).scalar_one() + 1
     place = {"survey_id": scan["survey_id"], "scan_id": scan_id, "origin": origin}

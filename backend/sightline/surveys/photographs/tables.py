@@ -1,15 +1,6 @@
 """The table of photographs of the set-up."""
 
-from sqlalchemy import (
-    BigInteger,
-    CheckConstraint,
-    Column,
-    ForeignKey,
-    Integer,
-    String,
-    Table,
-    Text,
-)
+from sqlalchemy import BigInteger, CheckConstraint, Column, ForeignKey, Integer, String, Table, Text
 
 from sightline.infra.audit.vouched import ChangedByEvents, vouched
 from sightline.infra.database.types import NEEDS_MEDIA, UtcDateTime, changed_columns, identity, metadata
