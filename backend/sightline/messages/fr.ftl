@@ -2805,7 +2805,7 @@ scan-profile-beyond = { $count ->
     [one] { $count } bloc est hors de cette figure ; le CSV les contient tous.
    *[other] { $count } blocs sont hors de cette figure ; le CSV les contient tous.
 }
-scan-profile-x = Temps depuis le passage de l’avant à la caméra 1 (s)
+scan-profile-x = Temps depuis l’avant à la caméra 1 (s)
 scan-match-title = Recalage : bande 2 sur bande 1
 scan-match-picture = Image du recalage
 scan-match-1 = 1
