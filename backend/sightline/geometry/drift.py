@@ -103,7 +103,7 @@ def fit_motion(before_px: Floats, after_px: Floats, size_px: tuple[int, int]) ->
 
 
 def motion_of(parameters: Floats, size_px: tuple[int, int], u_px: float, points: int) -> Motion:
-    """The motion with these `parameters` (4,): x, y (px), s, t."""
+    """The motion with these `parameters` (4,): x, y (px), s, t; how far points move as `displacement_px`."""
     x, y, s, t = (float(value) for value in parameters)
     return Motion(
         x_px=x,
