@@ -47,7 +47,7 @@ class Recording:
     survey_id: int
     name: str
     state: RecordingState
-    error: str | None
+    error: Said | None
     job: Job | None
     media_key: str
     sha256: str

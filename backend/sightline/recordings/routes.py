@@ -45,7 +45,7 @@ class RecordingBody(Out):
     survey_id: int
     name: str
     state: RecordingState
-    error: str | None
+    error: Said | None
     job: JobBody | None
     sha256: str
     size_bytes: int

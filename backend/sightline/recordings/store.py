@@ -14,6 +14,7 @@ from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, change_row, get_row, is_held, name_of, named_table
 from sightline.infra.database.types import HOLDS, KEEPS_TIMES, columns_of, now
 from sightline.infra.jobs.store import latest_jobs_of_recordings
+from sightline.messages.said import Said
 from sightline.recordings.drift import (
     DriftCheck,
     DriftChecks,
@@ -148,8 +149,8 @@ def note_ingested(
     return get_recording(session, recording_id)
 
 
-def note_ingest_failed(session: Session, recording_id: int, error: str, *, actor: int | None) -> Recording:
-    """The video cannot be used; `error` is the sentence that says why."""
+def note_ingest_failed(session: Session, recording_id: int, error: Said, *, actor: int | None) -> Recording:
+    """The video cannot be used; `error` says why."""
     return _state(session, recording_id, "failed", error, "ingest_failed", actor)
 
 
@@ -269,7 +270,7 @@ def recording_content_in_use(session: Session, sha256: str, stream_number: int |
 
 
 def _state(
-    session: Session, recording_id: int, state: str, error: str | None, action: str, actor: int | None
+    session: Session, recording_id: int, state: str, error: Said | None, action: str, actor: int | None
 ) -> Recording:
     before = _row(session, recording_id)
     change_row(session, recordings, recording_id, {"state": state, "error": error})

@@ -21,6 +21,7 @@ from sightline.linescan.rig import at_lane, require_rig, rig_from
 from sightline.measurements.tables import measurement_series
 from sightline.recordings.tables import recordings
 from sightline.recordings.uploads.tables import uploads
+from sightline.messages.said import Said
 from sightline.scans.clock import CLOCK
 from sightline.scans.heights.store import scan_height_states
 from sightline.scans.heights.tables import line_poses
@@ -115,8 +116,8 @@ def note_scan_recorded(
     return _note(session, scan_id, {**_strip_columns(source), "state": "reading"}, "recorded", actor)
 
 
-def note_reading_failed(session: Session, scan_id: int, error: str, *, actor: int | None) -> Scan:
-    """The strips cannot be used; `error` is the sentence that says why."""
+def note_reading_failed(session: Session, scan_id: int, error: Said, *, actor: int | None) -> Scan:
+    """The strips cannot be used; `error` says why."""
     return _note(session, scan_id, {"state": "failed", "error": error}, "reading_failed", actor)
 
 
