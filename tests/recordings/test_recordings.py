@@ -159,7 +159,10 @@ def test_what_is_no_video_fails_with_a_sentence(
     assert [job.state for job in work()] == ["failed"]
     recording = operator.seen(f"/recordings/{recording_id}")
     assert recording["state"] == "failed" and recording["frame_count"] is None
-    assert recording["error"]["message"].startswith("road.mp4") and recording["error"] == recording["job"]["error"]
+    assert (
+        recording["error"]["message"].startswith("road.mp4")
+        and recording["error"] == recording["job"]["error"]
+    )
     answer = operator.get(f"/recordings/{recording_id}/frames/0.jpg")
     assert answer.status_code == 422
     error_of(answer)

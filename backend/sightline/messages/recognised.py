@@ -1,7 +1,8 @@
 """Texts that are English, found again in the catalogue and said in another language.
 
-What errors call a thing stands in the catalogue under TOLD; a text that is one of them, sign for sign, is said
-by its key in the language asked for, and every other stays. Meanings of a package's columns stand under COLUMNS.
+What errors call a thing stands in the catalogue under TOLD; a text that is one of them, sign for sign, is
+said by its key in the language asked for, and every other stays. Meanings of a package's columns stand under
+COLUMNS.
 """
 
 from __future__ import annotations

@@ -19,9 +19,9 @@ from sightline.infra.jobs.store import latest_jobs_of_scans
 from sightline.linescan.parts import Rig
 from sightline.linescan.rig import at_lane, require_rig, rig_from
 from sightline.measurements.tables import measurement_series
+from sightline.messages.said import Said
 from sightline.recordings.tables import recordings
 from sightline.recordings.uploads.tables import uploads
-from sightline.messages.said import Said
 from sightline.scans.clock import CLOCK
 from sightline.scans.heights.store import scan_height_states
 from sightline.scans.heights.tables import line_poses

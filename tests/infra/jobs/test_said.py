@@ -5,7 +5,6 @@ import json
 import numpy as np
 import pytest
 
-from sightline import messages
 from sightline.errors import BadInput, SightlineError
 from sightline.geometry.board import Board
 from sightline.geometry.calibration import calibrate

@@ -98,7 +98,9 @@ def _walked(value: Any, language: str, *, of_code: bool = False) -> Any:
     if isinstance(value, list):
         return [_walked(one, language, of_code=of_code) for one in value]
     if isinstance(value, dict):
-        return {key: _walked(one, language, of_code=of_code or key == "values") for key, one in value.items()} | _said(value, language)
+        return {
+            key: _walked(one, language, of_code=of_code or key == "values") for key, one in value.items()
+        } | _said(value, language)
     return value
 
 

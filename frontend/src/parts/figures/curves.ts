@@ -142,7 +142,8 @@ export function standardTiers(
   middle_m: number,
 ): Tier[] {
   const byHeight = new Map<number, string[]>();
-  for (const one of standards) byHeight.set(one.height_m, [...(byHeight.get(one.height_m) ?? []), inWords(one).name]);
+  for (const one of standards)
+    byHeight.set(one.height_m, [...(byHeight.get(one.height_m) ?? []), inWords(one).name]);
   const tiers = [...byHeight].map(
     ([height, names]): Tier => ({
       x: height * perX,

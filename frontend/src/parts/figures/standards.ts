@@ -6,7 +6,8 @@ import type { Standard } from "./types";
 /** What a standard speaks of. */
 export const STANDARD_OF = wordsOf("statistics-standard-of-");
 
-type Words = Pick<Standard, "name" | "code"> & Partial<Pick<Standard, "vehicle_class" | "source" | "cited_by">>;
+type Words = Pick<Standard, "name" | "code"> &
+  Partial<Pick<Standard, "vehicle_class" | "source" | "cited_by">>;
 
 const PROGRAMS: Readonly<Record<"name" | "vehicle_class" | "source" | "cited_by", Record<string, string>>> = {
   name: wordsOf("standard-name-"),

@@ -8,7 +8,11 @@ const failed = {
   id: 4,
   kind: "passes",
   state: "failed",
-  error: { code: "said", values: { sentence: "The video ends after 3 frames; upload it again." }, message: "The video ends after 3 frames; upload it again." },
+  error: {
+    code: "said",
+    values: { sentence: "The video ends after 3 frames; upload it again." },
+    message: "The video ends after 3 frames; upload it again.",
+  },
 };
 
 beforeEach(() => {

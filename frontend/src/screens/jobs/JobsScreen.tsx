@@ -131,7 +131,9 @@ function Actions({ job, run }: Omit<RowProps, "survey">) {
 
 /** The sentence that it ended with; of one that is done, what it did last is none. */
 function toldOf(job: Job): string {
-  return lastWords(job) ?? sentenceOf(job.error) ?? (job.state === "done" ? "" : (sentenceOf(job.message) ?? ""));
+  return (
+    lastWords(job) ?? sentenceOf(job.error) ?? (job.state === "done" ? "" : (sentenceOf(job.message) ?? ""))
+  );
 }
 
 /** Where its work is looked at. */

@@ -249,7 +249,9 @@ function Run({ model }: { model: PoseModel }) {
   const again = model.reel.recording.value?.pose_id != null && model.pose.value !== null;
   return (
     <footer class="pose-form__foot">
-      {model.job.value?.state === "failed" && <Notice kind="problem">{sentenceOf(model.job.value.error)}</Notice>}
+      {model.job.value?.state === "failed" && (
+        <Notice kind="problem">{sentenceOf(model.job.value.error)}</Notice>
+      )}
       {model.job.value?.state === "cancelled" && <Notice>{say("pose-stopped")}</Notice>}
       {model.running.value && model.job.value ? (
         <JobProgress job={model.job.value} onCancel={() => model.cancel()} />
