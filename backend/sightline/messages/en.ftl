@@ -3104,6 +3104,10 @@ flows-unplaced = { $count ->
     [one] { $count } vehicle was not measured, has no time, and is in no interval.
    *[other] { $count } vehicles were not measured, have no time, and are in no interval.
 }
+flows-columns = Columns of the traffic of { $scan }
+flows-columns-flow = Flow
+flows-columns-speeds = Speeds and headways
+flows-columns-lengths = Length classes
 flows-head-from = From
 flows-head-watched = Observed
 flows-head-vehicles = Vehicles

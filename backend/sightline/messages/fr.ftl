@@ -3100,6 +3100,10 @@ flows-unplaced = { $count ->
     [one] { $count } véhicule n’a pas été mesuré, n’a pas d’heure et n’est dans aucune tranche.
    *[other] { $count } véhicules n’ont pas été mesurés, n’ont pas d’heure et ne sont dans aucune tranche.
 }
+flows-columns = Colonnes du trafic de { $scan }
+flows-columns-flow = Débit
+flows-columns-speeds = Vitesses et intervalles
+flows-columns-lengths = Classes de longueur
 flows-head-from = Début
 flows-head-watched = Observé
 flows-head-vehicles = Véhicules
