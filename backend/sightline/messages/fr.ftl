@@ -3102,7 +3102,7 @@ flows-unplaced = { $count ->
 }
 flows-columns = Colonnes du trafic de { $scan }
 flows-columns-flow = Débit
-flows-columns-speeds = Vitesses et intervalles
+flows-columns-speeds = Vitesses et TIV
 flows-columns-lengths = Classes de longueur
 flows-head-from = Début
 flows-head-watched = Observé

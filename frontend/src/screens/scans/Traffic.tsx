@@ -267,10 +267,15 @@ function Measured({ figure, by }: { figure: TrafficFigure; by: number }) {
     <>
       {figure.value === null ? "–" : fixed(figure.value * by, 2)}
       {figure.u !== null && (
-        <Small>{say("flows-u", { u: String(Number((figure.u * by).toPrecision(2))) })}</Small>
+        <Small>{say("flows-u", { u: twoDigits(figure.u * by) })}</Small>
       )}
     </>
   );
+}
+
+/** To two significant digits. */
+function twoDigits(value: number): string {
+  return fixed(value, value > 0 ? Math.max(0, 1 - Math.floor(Math.log10(value))) : 0);
 }
 
 function Small({ children }: { children: string }) {
