@@ -11,8 +11,8 @@ from sightline.messages.said import Said
 class Job:
     """A piece of long work; the job table owns the truth about it.
 
-    `message`: what is being done. `error`: why it failed. `outages`: how often the database or the storage was
-    away while it was done; it is begun again `not_before` then.
+    `message`: what is being done. `error`: why it failed. `outages`: how often the database or the storage
+    was away while it was done; it is begun again `not_before` then.
     """
 
     id: int
