@@ -159,7 +159,7 @@ def test_boards_that_cannot_be_used_are_named_and_left_out(page: Page, camera: t
         data={"columns": 9, "rows": 6, "square_m": 0.025, "model": "brown"},
     ).json()
     over = finished(page, job)
-    assert over["state"] == "failed" and "at least 3 are needed" in over["error"]
+    assert over["state"] == "failed" and "at least 3 are needed" in over["error"]["message"]
     assert page.request.get(f"/api/cameras/{camera_id}").json()["calibrations"] == []
 
     page.get_by_label("Columns").fill("11")

@@ -5,11 +5,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Browser, Locator, Page, StorageState, expect
 
 from tests.simulation.make import RODS, SITE
 from tests.simulation.scan_rod import row_of
 
+from .server import Server
 from .waits import keep_toasts
 
 pytestmark = pytest.mark.usefixtures("kept")
@@ -341,3 +342,39 @@ def test_traffic_by_the_clock_stands_below_the_results(
     traffic.screenshot(path=screenshots / "scan-traffic.png")
     page.set_viewport_size({"width": 1024, "height": 768})
     traffic.screenshot(path=screenshots / "scan-traffic-1024.png")
+
+
+@pytest.mark.parametrize(
+    ("locale", "views"),
+    [
+        ("en-GB", ("Flow", "Speeds and headways", "Length classes")),
+        ("fr-FR", ("Débit", "Vitesses et TIV", "Classes de longueur")),
+    ],
+)
+def test_the_traffics_table_fits_a_small_screen(
+    browser: Browser,
+    demonstration: Server,
+    admin_state: StorageState,
+    scan: dict[str, Any],
+    screenshots: Path,
+    locale: str,
+    views: tuple[str, ...],
+) -> None:
+    """All columns of a view stand beside each other at 1024 px; those of all views were too many."""
+    context = browser.new_context(
+        base_url=demonstration.url,
+        storage_state=admin_state,
+        viewport={"width": 1024, "height": 768},
+        locale=locale,
+    )
+    small = context.new_page()
+    small.goto(f"/surveys/{scan['survey_id']}/scans/results")
+    table = small.get_by_test_id(f"traffic-{scan['id']}")
+    for number, view in enumerate(views):
+        small.get_by_label(view, exact=True).check()
+        expect(table.locator("tbody tr").first).to_be_visible()
+        table.scroll_into_view_if_needed()
+        small.screenshot(path=screenshots / f"scan-traffic-{locale}-{number}.png")
+        width, room = table.evaluate("it => [it.parentElement.scrollWidth, it.parentElement.clientWidth]")
+        assert width <= room, view
+    context.close()

@@ -173,7 +173,7 @@ def test_a_calibration_that_cannot_work_fails_with_a_sentence(
     operator.made(f"/cameras/{camera_id}/calibrations", {**BOARD, "recording_id": recording_id, "every": 4})
     (done,) = work()
     assert done.state == "failed" and done.error is not None
-    assert "at least 3 are needed" in done.error
+    assert "at least 3 are needed" in str(done.error)
     assert operator.seen(f"/cameras/{camera_id}")["calibrations"] == []
 
 

@@ -60,7 +60,7 @@ def test_it_is_made_once_and_its_heights_are_the_truth(
 
     with monkeypatch.context() as broken:
         broken.setattr(build, "judge", break_off)
-        assert [job.error for job in work()] == ["The lamp fell over; put it up again."]
+        assert [str(job.error) for job in work()] == ["The lamp fell over; put it up again."]
     # nothing of the try that broke off is left, so the next one starts clean
     assert admin.seen("/surveys") == [] and admin.seen("/catalogue?q=cor") == []
     assert admin.seen("/session")["demo_survey_id"] is None

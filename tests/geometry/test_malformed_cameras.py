@@ -15,7 +15,7 @@ REFUSED = {
     "endless.yaml": "not finite",
     "negative_focal.yaml": "must be positive",
     "shares_of_the_width.yaml": "0.703 is not plausible for images 1280 px wide",
-    "eight_numbers.yaml": "3 rows and 3 columns but holds 8 numbers",
+    "eight_numbers.yaml": "3 rows and 3 columns but contains 8 numbers",
     "skewed.yaml": "has a skew",
     "scaled_by_two.yaml": "must be 3x3 with 0 0 1",
     "decimal_commas.yaml": "is not a list of numbers",

@@ -295,7 +295,7 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
     ),
     "note_ingest_failed": (
         lambda s, o: None,
-        lambda s, o, _: note_ingest_failed(s, o.recording.id, "No video in it.", actor=None),
+        lambda s, o, _: note_ingest_failed(s, o.recording.id, Said("jobs-cancelled"), actor=None),
     ),
     "restart_ingest": (
         lambda s, o: None,

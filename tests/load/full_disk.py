@@ -74,7 +74,7 @@ class Person:
             if now["state"] == "done":
                 return
             if now["state"] in ENDED:
-                raise Refused(0, str(now["error"]))
+                raise Refused(0, str(now["error"]["message"]))
             time.sleep(0.2)
         raise Refused(0, WAITS)
 

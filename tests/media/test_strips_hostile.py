@@ -78,7 +78,10 @@ def pages(path: Path) -> None:
             "palette",
         ),
         (lambda p: tiff(p, np.zeros((4, 600), np.uint8)), "600 lines of 4 pixels"),
-        (lambda p: tiff(p, np.zeros((17_000, 600), np.uint8)), "if time runs along its height, say so"),
+        (
+            lambda p: tiff(p, np.zeros((17_000, 600), np.uint8)),
+            "if time runs along its height, choose that time axis",
+        ),
         (
             lambda p: tiff(p, np.zeros((9000, 4096), np.uint8), compression="zstd", rowsperstrip=9000),
             "pieces",

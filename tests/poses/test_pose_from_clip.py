@@ -149,7 +149,7 @@ def test_a_board_that_moves_or_is_not_there_fails_with_the_reason(
     moving = operator.made(f"/recordings/{clip_id}/poses", wish(calibration_id, last_frame=19))
     absent = operator.made(f"/recordings/{clip_id}/poses", wish(calibration_id, columns=13, rows=4))
     assert [one.state for one in work()] == ["failed", "failed"]
-    assert "move" in operator.seen(f"/jobs/{moving['id']}")["error"]
-    assert "No board of" in operator.seen(f"/jobs/{absent['id']}")["error"]
+    assert "move" in operator.seen(f"/jobs/{moving['id']}")["error"]["message"]
+    assert "No board of" in operator.seen(f"/jobs/{absent['id']}")["error"]["message"]
     assert operator.seen(f"/surveys/{survey_id}/poses") == []
     assert operator.seen(f"/recordings/{clip_id}")["pose_id"] is None

@@ -159,7 +159,10 @@ def test_what_is_no_video_fails_with_a_sentence(
     assert [job.state for job in work()] == ["failed"]
     recording = operator.seen(f"/recordings/{recording_id}")
     assert recording["state"] == "failed" and recording["frame_count"] is None
-    assert recording["error"].startswith("road.mp4") and recording["error"] == recording["job"]["error"]
+    assert (
+        recording["error"]["message"].startswith("road.mp4")
+        and recording["error"] == recording["job"]["error"]
+    )
     answer = operator.get(f"/recordings/{recording_id}/frames/0.jpg")
     assert answer.status_code == 422
     error_of(answer)
@@ -175,7 +178,7 @@ def test_cancelling_a_waiting_ingest_and_trying_again(
     assert operator.delete(f"/recordings/{recording_id}").status_code == 409
     assert operator.made(f"/jobs/{job['id']}/cancel")["state"] == "cancelled"
     recording = operator.seen(f"/recordings/{recording_id}")
-    assert recording["state"] == "failed" and "cancelled" in recording["error"]
+    assert recording["state"] == "failed" and "cancelled" in recording["error"]["message"]
     assert operator.post(f"/jobs/{job['id']}/cancel").status_code == 409
     assert work() == []
     again = operator.made(f"/recordings/{recording_id}/ingest")
@@ -198,7 +201,7 @@ def test_cancelling_in_the_middle_leaves_no_half_table(
     with services.reading() as session:
         assert session.execute(text("SELECT count(*) FROM frames")).scalar_one() == 0
     recording = operator.seen(f"/recordings/{recording_id}")
-    assert recording["state"] == "failed" and recording["error"] == ingest_job.STOPPED
+    assert recording["state"] == "failed" and recording["error"] == ingest_job.STOPPED.body
     assert not list(services.scratch.iterdir())
 
 

@@ -52,8 +52,8 @@ def test_strips_that_cannot_be_are_refused_in_words(
     assert "belongs to a line-scan recording already" in taken
     assert [job.state for job in work()] == ["failed", "failed"]
     said = operator.seen(f"/scans/{uneven['id']}")
-    assert said["state"] == "failed" and "2000 lines and short.tif 1500" in said["error"]
-    assert "road.mp4" in operator.seen(f"/scans/{no_strip['id']}")["error"]
+    assert said["state"] == "failed" and "2000 lines and short.tif 1500" in said["error"]["message"]
+    assert "road.mp4" in operator.seen(f"/scans/{no_strip['id']}")["error"]["message"]
     assert "could not be imported" in error_of(operator.post(f"/scans/{uneven['id']}/find", {}))
     assert "could not be imported" in error_of(operator.get(f"/scans/{uneven['id']}/tiles/1/0/0"))
     for made in (uneven, no_strip):
@@ -77,7 +77,7 @@ def test_a_reading_is_cancelled_and_a_dead_worker_leaves_nothing(
     made = operator.made(f"/surveys/{survey_id}/scans", body)
     operator.made(f"/jobs/{made['job']['id']}/cancel")
     stopped = operator.seen(f"/scans/{made['id']}")
-    assert stopped["state"] == "failed" and "was cancelled" in stopped["error"]
+    assert stopped["state"] == "failed" and "was cancelled" in stopped["error"]["message"]
     operator.made(f"/scans/{made['id']}/read")
     _die_once(services)
     again = operator.seen(f"/scans/{made['id']}")

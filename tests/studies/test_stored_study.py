@@ -176,7 +176,7 @@ def _a_class_that_no_survey_saw_is_said(operator: Client, work: Work, page: dict
     assert operator.put(address, changed(page, fleet_csv=fleet)).status_code == 200
     operator.made(f"{address}/computings")
     (job,) = work()
-    assert job.error is not None and "bus, which no survey contains" in job.error
+    assert job.error is not None and "bus, which no survey contains" in str(job.error)
     again = changed(operator.seen(address), fleet_csv=page["study"]["fleet_csv"])
     assert operator.put(address, again).status_code == 200
 
@@ -280,9 +280,9 @@ def test_what_cannot_be_computed_says_why(operator: Client, work: Work) -> None:
     made = operator.made("/studies", {"name": "B", "surveys": [{"survey_id": 1}]})
     operator.made(f"/studies/{made['id']}/computings")
     (job,) = work()
-    assert job.state == "failed" and job.error is not None and "Hill has no camera pose" in job.error
+    assert job.state == "failed" and job.error is not None and "Hill has no camera pose" in str(job.error)
     page = operator.seen(f"/studies/{made['id']}")
-    assert page["result"] is None and page["job"]["error"] == job.error
+    assert page["result"] is None and page["job"]["error"] == job.error.body
 
 
 def test_studies_without_figures_or_alone_are_not_compared(operator: Client, viewer: Client) -> None:

@@ -98,7 +98,9 @@ def test_what_waits_is_computed_only_for_who_still_sees_the_surveys(
     take_out(admin, surveys[0], operator)
     (job,) = work()
     assert job.state == "failed" and job.error is not None
-    assert job.error.startswith("You do not see every survey of this study now") and "Hill" not in job.error
+    assert str(job.error).startswith("You do not see every survey of this study now") and "Hill" not in str(
+        job.error
+    )
 
 
 def test_a_result_of_more_surveys_than_one_sees_is_not_there(

@@ -10,6 +10,7 @@ from sightline.enums import InsetSource, Target
 from sightline.linescan.line_pose import solve_line_pose
 from sightline.linescan.parts import Rig
 from sightline.measurements.records import Clicks
+from sightline.messages.said import Said
 from sightline.scans.heights.pose_store import append_line_pose
 from sightline.scans.heights.poses import Mark, Rod, pose_of, solved_values
 from sightline.scans.heights.service import answer, height_values
@@ -241,7 +242,7 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
     ),
     "note_reading_failed": (
         scan,
-        lambda s, o, made: note_reading_failed(s, made.id, "It is no picture.", actor=None),
+        lambda s, o, made: note_reading_failed(s, made.id, Said("scans-import-cancelled"), actor=None),
     ),
     "restart_reading": (
         scan,

@@ -24,7 +24,6 @@ from sightline.enums import Lighting, Role
 from sightline.geometry.sides import TrafficFacts
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
-from sightline.infra.jobs.recovery import STOPPED
 from sightline.infra.web.person import Person
 from sightline.media.cancelling import IngestCancelled
 from sightline.messages.said import Said
@@ -86,7 +85,7 @@ def make(context: registry.JobContext) -> registry.Outcome:
     try:
         parts = make_parts(services, context.progress)
     except IngestCancelled as stopped:  # its threads may be heard before the one that told them to stop
-        raise registry.Cancelled("said", sentence=STOPPED) from stopped
+        raise registry.Cancelled("jobs-cancelled") from stopped
     context.progress(0.95, Said("job-demo-saving"))
 
     def store(session: Session) -> Mapping[str, Any]:

@@ -30,7 +30,7 @@ from sightline.infra.csv_package.files import Files, Staging, read_columns, read
 from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, AnyTable, Written, sha256_hex
 from sightline.infra.version import code_version
 from sightline.messages import SOURCE, languages, name_of
-from sightline.messages.recognised import translated, translated_meaning
+from sightline.messages.recognised import translated_meaning
 from sightline.results.csv import selection_in
 from sightline.results.usual_standards import in_language, standards_in
 from sightline.settings import default_frontend_dir
@@ -212,8 +212,8 @@ def _about_block(
 
 
 def _said(files: Files, tables: Sequence[AnyTable], carried: Set[str], language: str) -> dict[str, str]:
-    """What the tables say in English that the page shows as sentences, in a language: by the code beside it,
-    else found again by its text; what their columns mean; the words of the program's standards and insets.
+    """What the tables say in English that the page shows as sentences, in a language: by the code beside it;
+    what their columns mean; the words of the program's standards and insets.
     """
     said: dict[str, str] = {}
     for one in standards_in(files):
@@ -231,7 +231,7 @@ def _said(files: Files, tables: Sequence[AnyTable], carried: Set[str], language:
             names = (column, code) if code in read_header(files, table.path) else (column,)
             for text, *codes in {tuple(cells) for cells in read_columns(files, table.path, names)}:
                 words = words_of(said_in(*codes), language) if codes else None
-                said[text] = words or translated(text, language)
+                said[text] = words or text
     return {text: said[text] for text in sorted(said) if said[text] != text}
 
 

@@ -3104,6 +3104,10 @@ flows-unplaced = { $count ->
     [one] { $count } vehicle was not measured, has no time, and is in no interval.
    *[other] { $count } vehicles were not measured, have no time, and are in no interval.
 }
+flows-columns = Columns of the traffic of { $scan }
+flows-columns-flow = Flow
+flows-columns-speeds = Speeds and headways
+flows-columns-lengths = Length classes
 flows-head-from = From
 flows-head-watched = Observed
 flows-head-vehicles = Vehicles
@@ -7288,13 +7292,13 @@ inset-note-taillight = outer edge of the lamp (estimate)
 inset-note-headlight = outer edge of the lamp (estimate)
 inset-note-other = not known
 
-## What the server says in English, found again by its text (sightline/messages/recognised.py)
+## Ends of jobs and imports; and what things are called in errors, found again by the English (recognised.py)
 
+jobs-cancelled = Cancelled.
 jobs-gave-up = The job stopped { $attempts } times; check the input and the available memory.
 jobs-broke = An error in Sightline stopped this ({ $name }); try again, and report it if it comes back.
-told-recordings-the-ingest-was-cancelled = The import was cancelled; start it again or delete the recording.
-told-scans-the-lines-of-this = The lines of this stream were not stored, so there is no image; its vehicles remain.
-told-scans-the-reading-was-cancelled = The import was cancelled; start it again or delete the line-scan recording.
+scans-lines-not-stored = The lines of this stream were not stored, so there is no image; its vehicles remain.
+scans-import-cancelled = The import was cancelled; start it again or delete the line-scan recording.
 scan-simulated = Simulated, so true values are known: invented makes, one camera 0.6 px lower than the other, a rod held upright in the plane of camera 1 at 2.7 m and at 4.5 m before the first vehicle.
 told-thing-camera-pose = camera pose
 told-thing-line-scan = line-scan recording

@@ -3100,6 +3100,10 @@ flows-unplaced = { $count ->
     [one] { $count } véhicule n’a pas été mesuré, n’a pas d’heure et n’est dans aucune tranche.
    *[other] { $count } véhicules n’ont pas été mesurés, n’ont pas d’heure et ne sont dans aucune tranche.
 }
+flows-columns = Colonnes du trafic de { $scan }
+flows-columns-flow = Débit
+flows-columns-speeds = Vitesses et TIV
+flows-columns-lengths = Classes de longueur
 flows-head-from = Début
 flows-head-watched = Observé
 flows-head-vehicles = Véhicules
@@ -7342,13 +7346,13 @@ inset-note-taillight = bord extérieur du feu (estimation)
 inset-note-headlight = bord extérieur du feu (estimation)
 inset-note-other = retrait inconnu
 
-## What the server says in English, found again by its text (sightline/messages/recognised.py)
+## Ends of jobs and imports; and what things are called in errors, found again by the English (recognised.py)
 
+jobs-cancelled = Annulé.
 jobs-gave-up = La tâche s’est arrêtée { $attempts } fois ; contrôlez les données d’entrée et la mémoire disponible.
 jobs-broke = Une erreur du programme a arrêté la tâche ({ $name }) ; réessayez, et signalez-la si elle revient.
-told-recordings-the-ingest-was-cancelled = L’import a été annulé ; relancez-le ou supprimez l’enregistrement.
-told-scans-the-lines-of-this = Les lignes de ce flux n’ont pas été enregistrées : il n’y a pas d’image ; ses véhicules restent.
-told-scans-the-reading-was-cancelled = L’import a été annulé ; relancez-le ou supprimez le balayage.
+scans-lines-not-stored = Les lignes de ce flux n’ont pas été enregistrées : il n’y a pas d’image ; ses véhicules restent.
+scans-import-cancelled = L’import a été annulé ; relancez-le ou supprimez le balayage.
 scan-simulated = Simulé, pour que les valeurs vraies soient connues : marques inventées, une caméra 0,6 px plus bas que l’autre, un jalon tenu vertical dans le plan de la caméra 1 à 2,7 m et à 4,5 m avant le premier véhicule.
 told-thing-camera-pose = pose de la caméra
 told-thing-line-scan = balayage

@@ -1,8 +1,8 @@
-"""Texts that are kept in English, found again in the catalogue and said in another language.
+"""Texts that are English, found again in the catalogue and said in another language.
 
-Standards, insets and why a recording is not ready are stored as texts, some of which a person may have typed.
-The program's own stand in the catalogue under TOLD; a text that is one of them, sign for sign, is said by its
-key in the language asked for, and every other stays. Meanings of a package's columns stand under COLUMNS.
+What errors call a thing stands in the catalogue under TOLD; a text that is one of them, sign for sign, is
+said by its key in the language asked for, and every other stays. Meanings of a package's columns stand under
+COLUMNS.
 """
 
 from __future__ import annotations

@@ -28,7 +28,7 @@ from sightline.recordings.records import Facts, Recording
 
 KIND = "ingest"
 PASSES = "passes"
-STOPPED = "The import was cancelled; start it again or delete the recording."
+STOPPED = Said("recordings-ingest-cancelled-start-again-delete-recording")
 # Mean luminance (0-255) below which low light is proposed; people decide.
 LOW_LIGHT_BELOW = 60.0
 
@@ -52,13 +52,13 @@ def retry_ingest(services: Services, recording_id: int, actor: int) -> Job:
     return job
 
 
-def mark_failed(session: Session, job: Job, error: str) -> None:
+def mark_failed(session: Session, job: Job, error: Said) -> None:
     """With the job's end: the recording is not ready, and why."""
     if job.recording_id is None:
         return
     try:
-        sentence = STOPPED if error == CANCELLED else error
-        recordings.note_ingest_failed(session, job.recording_id, sentence, actor=job.created_by)
+        reason = STOPPED if error == CANCELLED else error
+        recordings.note_ingest_failed(session, job.recording_id, reason, actor=job.created_by)
     except NotFound:
         return  # deleted meanwhile
 

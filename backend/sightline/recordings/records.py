@@ -42,7 +42,7 @@ class RecordingFacts:
     survey_id: int
     name: str
     state: RecordingState
-    error: str | None
+    error: Said | None
     sha256: str
     size_bytes: int
     width_px: int | None

@@ -14,6 +14,7 @@ from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, change_row, get_row, is_held, name_of, named_table
 from sightline.infra.database.types import HOLDS, KEEPS_TIMES, columns_of, now
 from sightline.infra.jobs.store import latest_jobs_of_recordings
+from sightline.messages.said import Said
 from sightline.recordings.drift import (
     DriftCheck,
     DriftChecks,
@@ -141,8 +142,8 @@ def note_ingested(
     return _write(session, before, values, "ingest", actor, ({"state": before["state"]}, after))
 
 
-def note_ingest_failed(session: Session, recording_id: int, error: str, *, actor: int | None) -> Recording:
-    """The video cannot be used; `error` is the sentence that says why."""
+def note_ingest_failed(session: Session, recording_id: int, error: Said, *, actor: int | None) -> Recording:
+    """The video cannot be used; `error` says why."""
     return _state(session, recording_id, "failed", error, "ingest_failed", actor)
 
 
@@ -245,7 +246,7 @@ def recording_content_in_use(session: Session, sha256: str, stream_number: int |
 
 
 def _state(
-    session: Session, recording_id: int, state: str, error: str | None, action: str, actor: int | None
+    session: Session, recording_id: int, state: str, error: Said | None, action: str, actor: int | None
 ) -> Recording:
     before, change = _row(session, recording_id), {"state": state, "error": error}
     return _write(session, before, change, action, actor, ({"state": before["state"]}, change))

@@ -10,7 +10,6 @@ from sqlalchemy import (
     Integer,
     String,
     Table,
-    Text,
 )
 
 from sightline.enums import Lighting, RecordingState, StreetLighting
@@ -32,7 +31,7 @@ recordings = Table(
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("name", String(400), nullable=False),
     Column("state", String(20), nullable=False),
-    Column("error", Text),
+    Column("error", Saying),
     Column("media_key", String(400), nullable=False, index=True, info=NEEDS_MEDIA),
     Column("sha256", String(64), nullable=False),
     Column("size_bytes", BigInteger, nullable=False),

@@ -27,18 +27,18 @@ from sightline.scans.service import FIND, READ, tidy
 from sightline.scans.store import get_scan, note_reading_failed, note_scan_read
 
 TIDY = "scan_tidy"
-STOPPED = "The import was cancelled; start it again or delete the line-scan recording."
+STOPPED = Said("scans-import-cancelled")
 MOST_SATURATED = 0.02
 _READING = Said("job-strips-reading")
 
 
-def mark_failed(session: Session, job: Job, error: str) -> None:
+def mark_failed(session: Session, job: Job, error: Said) -> None:
     """With the job's end: the scan is not ready, and why."""
     if job.scan_id is None:
         return
     try:
-        sentence = STOPPED if error == CANCELLED else error
-        note_reading_failed(session, job.scan_id, sentence, actor=job.created_by)
+        reason = STOPPED if error == CANCELLED else error
+        note_reading_failed(session, job.scan_id, reason, actor=job.created_by)
     except NotFound:
         return  # deleted meanwhile
 
@@ -60,7 +60,7 @@ def read_scan(context: JobContext) -> Finish:
         with tempfile.TemporaryDirectory(prefix="scan-", dir=services.scratch) as folder:
             facts = _stored(context, services, scan, Path(folder))
     except IngestCancelled as stopped:
-        raise Cancelled("said", sentence=CANCELLED) from stopped
+        raise Cancelled("jobs-cancelled") from stopped
 
     def finish(session: Session) -> Mapping[str, Any]:
         note_scan_read(session, scan_id, facts, actor=context.actor)

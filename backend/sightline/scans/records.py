@@ -112,7 +112,7 @@ class StripPair:
     survey_id: int
     name: str
     state: ScanState
-    error: str | None
+    error: Said | None
     source: ScanSource
     recording_id: int | None
     cut_along: CutAlong | None

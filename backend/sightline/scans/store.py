@@ -19,6 +19,7 @@ from sightline.infra.jobs.store import latest_jobs_of_scans
 from sightline.linescan.parts import Rig
 from sightline.linescan.rig import at_lane, require_rig, rig_from
 from sightline.measurements.tables import measurement_series
+from sightline.messages.said import Said
 from sightline.recordings.tables import recordings
 from sightline.recordings.uploads.tables import uploads
 from sightline.scans.clock import CLOCK
@@ -115,8 +116,8 @@ def note_scan_recorded(
     return _note(session, scan_id, {**_strip_columns(source), "state": "reading"}, "recorded", actor)
 
 
-def note_reading_failed(session: Session, scan_id: int, error: str, *, actor: int | None) -> Scan:
-    """The strips cannot be used; `error` is the sentence that says why."""
+def note_reading_failed(session: Session, scan_id: int, error: Said, *, actor: int | None) -> Scan:
+    """The strips cannot be used; `error` says why."""
     return _note(session, scan_id, {"state": "failed", "error": error}, "reading_failed", actor)
 
 

@@ -42,7 +42,7 @@ scans = Table(
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("name", String(400), nullable=False),
     Column("state", String(20), nullable=False),
-    Column("error", Text),
+    Column("error", Saying),
     # two strips that were uploaded, or two pixel columns or rows of a video
     Column("source", String(20), nullable=False),
     Column("recording_id", ForeignKey("recordings.id"), index=True, info=KEEPS_TIMES),

@@ -117,7 +117,6 @@ const job = (part: Partial<Job>): Job => ({
   progress: 0.4,
   message: { code: "told", values: {}, message: "drawing daytime.mp4" },
   error: null,
-  said: null,
   result: null,
   survey_id: null,
   recording_id: null,
@@ -211,7 +210,14 @@ describe("the surveys", () => {
   });
 
   it("say why it could not be made", async () => {
-    const failed = job({ state: "failed", error: "The disk is full; make room and start again." });
+    const failed = job({
+      state: "failed",
+      error: {
+        code: "said",
+        values: { sentence: "The disk is full; make room and start again." },
+        message: "The disk is full; make room and start again.",
+      },
+    });
     answers = { "/session": person("operator"), "/surveys": [], "/jobs": [failed] };
     show("/");
     await shown("The disk is full");
@@ -224,7 +230,11 @@ describe("a recording that failed", () => {
     survey_id: 5,
     name: "bad.mp4",
     state: "failed",
-    error: "bad.mp4 is a text file, not a video; choose a video file.",
+    error: {
+      code: "said",
+      values: { sentence: "bad.mp4 is a text file, not a video; choose a video file." },
+      message: "bad.mp4 is a text file, not a video; choose a video file.",
+    },
     job: null,
     sha256: "0936",
     size_bytes: 18,

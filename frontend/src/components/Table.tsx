@@ -18,7 +18,7 @@ export function num(head: ComponentChildren): HeadProps {
   return { head, figures: true };
 }
 
-interface Column<R> extends HeadProps {
+export interface Column<R> extends HeadProps {
   cell: Cell<R>;
   cellClass?: string;
   cellTitle?: (row: R) => string | undefined;
@@ -27,7 +27,7 @@ interface Column<R> extends HeadProps {
 }
 
 /** What columns are made with: of words, of figures, the one that says which row it is, and what can be done with it. */
-class Columns<R> {
+export class Columns<R> {
   col = (head: ComponentChildren, cell: Cell<R>, cellClass?: string): Column<R> => ({
     head,
     cell,

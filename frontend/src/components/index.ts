@@ -25,5 +25,5 @@ export { Menu } from "./Menu";
 export { PageHead, Panel } from "./Panel";
 export { ShowOnce } from "./ShowOnce";
 export { type MarkShape, Shape, StateMark } from "./StateMark";
-export { DataTable, num, Table } from "./Table";
+export { type Column, type Columns, DataTable, num, Table } from "./Table";
 export { TableScroll } from "./TableScroll";

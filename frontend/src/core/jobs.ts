@@ -2,7 +2,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { type Action, useAction } from "./action";
 import { ApiError, api } from "./api";
-import { type Said, say, sentencesOf } from "./messages";
+import { type Said, say, sentenceOf, sentencesOf } from "./messages";
 import type { Job } from "./types";
 
 const KINDS = [
@@ -57,7 +57,7 @@ export function cancelJob(id: number): Promise<Job> {
 
 /** What a job stopped at, as an error that is shown in its own words. */
 export function jobProblem(job: Job, otherwise: string): ApiError {
-  return new ApiError(job.error ?? otherwise, 500);
+  return new ApiError(sentenceOf(job.error) ?? otherwise, 500);
 }
 
 export interface JobAction extends Action {

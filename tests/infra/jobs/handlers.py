@@ -48,8 +48,8 @@ def meet_an_outage(context: registry.JobContext) -> registry.Outcome:
     raise DatabaseAway("database-database-not-answer-check-runs-address")
 
 
-def _mark(session: Session, job: Job, sentence: str) -> None:
-    create_survey(session, name=f"{job.kind}: {sentence}", actor=None)
+def _mark(session: Session, job: Job, error: Said) -> None:
+    create_survey(session, name=f"{job.kind}: {error}", actor=None)
 
 
 @registry.handler("test_fail", failed=_mark)

@@ -96,14 +96,14 @@ def test_a_failed_job_says_why_and_leaves_nothing_half_there(
     job = queued(factory, "test_fail", how=how)
     runner.run(job.id)
     failed = job_now(factory, job)
-    assert failed.state == "failed" and failed.error is not None and failed.error.startswith(words)
+    assert failed.state == "failed" and failed.error is not None and str(failed.error).startswith(words)
     assert survey_names(factory) == [f"test_fail: {failed.error}"]
 
 
 def test_an_unknown_kind_fails_with_a_sentence(runner: Runner, factory: SessionFactory) -> None:
     job = queued(factory, "test_nobody")
     runner.run(job.id)
-    assert job_now(factory, job).error == (
+    assert str(job_now(factory, job).error) == (
         "This worker knows no job of kind test_nobody; start one of this version."
     )
 
@@ -199,7 +199,7 @@ def test_three_deaths_are_enough(factory: SessionFactory) -> None:
         assert claimed is not None and claimed.attempts == attempt
         take_back(factory, worker=f"w{attempt}")
     ended = job_now(factory, job)
-    assert ended.state == "failed" and ended.error is not None and "3 times" in ended.error
+    assert ended.state == "failed" and ended.error is not None and "3 times" in str(ended.error)
     assert survey_names(factory) == [f"test_fail: {ended.error}"]
 
 

@@ -5,7 +5,6 @@ import json
 import numpy as np
 import pytest
 
-from sightline import messages
 from sightline.errors import BadInput, SightlineError
 from sightline.geometry.board import Board
 from sightline.geometry.calibration import calibrate
@@ -14,6 +13,7 @@ from sightline.infra.jobs.runner import Runner
 from sightline.infra.jobs.store import get_job
 from sightline.infra.services import Services
 from sightline.infra.web.spoken import said_by_key, spoken
+from sightline.recordings import ingest_job
 from tests.infra.jobs import handlers
 from tests.infra.jobs.test_runner import queued
 from tests.support.app import Client
@@ -39,22 +39,21 @@ def test_a_failed_job_says_why_in_the_language_of_who_asks(
     assert Runner(services, "worker").run(job.id)
     with services.reading() as session:
         kept = get_job(session, job.id)
-    assert kept.state == "failed" and kept.said is not None and kept.said["code"] == code
-    english = viewer.seen(f"/jobs/{job.id}")
-    assert (english["error"], english["said"]) == (kept.error, kept.said)
-    answer = viewer.http.get(f"/api/jobs/{job.id}", headers={"Accept-Language": "fr"}).json()
-    assert answer["error"].startswith(french) and answer["said"] == kept.said
+    assert kept.state == "failed" and kept.error is not None and kept.error.code == code
+    assert viewer.seen(f"/jobs/{job.id}")["error"] == kept.error.body
+    answer = viewer.http.get(f"/api/jobs/{job.id}", headers={"Accept-Language": "fr"}).json()["error"]
+    assert answer["message"].startswith(french)
+    assert {name: answer[name] for name in ("code", "values")} == kept.error.document
 
 
 def test_a_sentence_is_said_by_its_key_and_a_value_that_is_a_sentence_too() -> None:
     error = BadInput("no-such-language", language="xx", known="en, fr")
-    body = {"error": error.message, "said": {"code": error.code, "values": error.values}}
-    told = json.loads(spoken(json.dumps(body).encode(), "fr"))
-    assert told["error"].startswith("Il n’y a pas de rapport dans la langue") and told["said"] == body["said"]
-    english = "The import was cancelled; start it again or delete the recording."
-    within = SightlineError("said", sentence=english)
+    told = json.loads(spoken(json.dumps({"error": error.said.body}).encode(), "fr"))["error"]
+    assert told["message"].startswith("Il n’y a pas de rapport dans la langue")
+    assert (told["code"], told["values"]) == (error.code, error.values)
+    within = SightlineError("said", sentence=ingest_job.STOPPED)
     kept = {"code": within.code, "values": within.values}
-    assert said_by_key(kept, english, "fr").startswith("L’import a été annulé")
+    assert said_by_key(kept, "", "fr").startswith("L’import a été annulé")
 
 
 def test_what_a_budget_is_of_is_said_and_who_measured_a_reference_is_not() -> None:
@@ -62,15 +61,6 @@ def test_what_a_budget_is_of_is_said_and_who_measured_a_reference_is_not() -> No
     told = json.loads(spoken(json.dumps(body).encode(), "fr"))
     assert told["budget"] == [{"source": "pointé, cible", "u_m": 0.01}]
     assert told["reference"] == body["reference"]
-
-
-def test_a_failed_recording_says_why_as_its_job_does() -> None:
-    error = BadInput("video-holds-no-moving-picture-only-sound", name="a.mp4")
-    job = {"error": error.message, "said": {"code": error.code, "values": error.values}}
-    body = {"name": "a.mp4", "state": "failed", "error": error.message, "job": job}
-    told = json.loads(spoken(json.dumps([body, {**body, "job": None}]).encode(), "fr"))
-    assert told[0]["error"] == told[0]["job"]["error"] == messages.say(error.code, error.values, "fr")
-    assert told[1]["error"] == error.message  # of an older job nothing but the English is known
 
 
 def test_pictures_without_a_board_say_why_in_french_to_the_last_word() -> None:
@@ -86,16 +76,3 @@ def test_pictures_without_a_board_say_why_in_french_to_the_last_word() -> None:
 @pytest.mark.parametrize("said", [{"code": "gone", "values": {}}, {"code": "said", "values": {}}])
 def test_what_this_program_cannot_say_stays_as_it_was_kept(said: dict[str, object]) -> None:
     assert said_by_key(said, "It is gone.", "fr") == "It is gone."
-
-
-def test_the_note_of_an_inset_is_the_programs_until_somebody_writes_another() -> None:
-    told = json.dumps(
-        [
-            {"inset_m": 0.05, "note": "outer edge of the lamp (estimate)"},
-            {"inset_m": 0.05, "note": "measured on 12 cars"},
-            {"note": "outer edge of the lamp (estimate)"},
-        ]
-    )
-    of_inset, typed, of_something_else = (one["note"] for one in json.loads(spoken(told.encode(), "fr")))
-    assert of_inset == "bord extérieur du feu (estimation)"
-    assert (typed, of_something_else) == ("measured on 12 cars", "outer edge of the lamp (estimate)")

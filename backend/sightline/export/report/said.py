@@ -15,7 +15,6 @@ from functools import cache
 
 from sightline import messages
 from sightline.messages.parts import parts_of, plurals
-from sightline.messages.recognised import translated
 from sightline.messages.said import Said
 
 _BEGINNING = "report-"
@@ -43,8 +42,8 @@ def said(key: str, **values: str | int) -> str:
 
 
 def told(what: Said | str) -> str:
-    """What was said; or a sentence that a room below wrote in English, or that was stored so."""
-    return what.sentence(spoken()) if isinstance(what, Said) else translated(what, spoken())
+    """What was said; a text that was stored by a program without codes as it is."""
+    return what.sentence(spoken()) if isinstance(what, Said) else what
 
 
 def day_parts(day: date) -> dict[str, str]:

@@ -26,10 +26,6 @@ _BREAK = "\u200b"  # where a line may end; the template takes it out
 _TURNS = {"LRE", "RLE", "LRO", "RLO", "PDF", "LRI", "RLI", "FSI", "PDI"}
 
 
-#: Fields of records whose texts are sentences of this program, in English.
-_SENTENCES = ("reason", "words", "warning", "note")
-
-
 def settable(value: Any) -> Any:
     """The value as JSON has it: a record by its fields but for arrays, a day or moment by its parts (by its
     own clock), with every text in it, but for the keys, as `settable_text` makes it.
@@ -40,7 +36,7 @@ def settable(value: Any) -> Any:
         return {**day_parts(value), "time": f"{value:%H:%M}", "second": f"{value:%H:%M:%S}"}
     if is_dataclass(value):
         names = (one.name for one in fields(value))
-        return {name: _field(name, getattr(value, name)) for name in names}
+        return {name: _field(getattr(value, name)) for name in names}
     if isinstance(value, Mapping):
         return {str(key): settable(each) for key, each in value.items()}
     if isinstance(value, Sequence):
@@ -48,10 +44,8 @@ def settable(value: Any) -> Any:
     return value
 
 
-def _field(name: str, value: Any) -> Any:
-    if isinstance(value, np.ndarray):
-        return None
-    return settable(told(value) if name in _SENTENCES and isinstance(value, str) else value)
+def _field(value: Any) -> Any:
+    return None if isinstance(value, np.ndarray) else settable(value)
 
 
 def settable_text(words: str) -> str:

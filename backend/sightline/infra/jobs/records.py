@@ -11,9 +11,8 @@ from sightline.messages.said import Said
 class Job:
     """A piece of long work; the job table owns the truth about it.
 
-    `message`: what is being done. `error`: why it failed, in English; `said`: the code and the values of that
-    sentence. `outages`: how often the database or the storage was away while it was done; it is begun again
-    `not_before` then.
+    `message`: what is being done. `error`: why it failed. `outages`: how often the database or the storage
+    was away while it was done; it is begun again `not_before` then.
     """
 
     id: int
@@ -22,8 +21,7 @@ class Job:
     payload: JsonObject
     progress: float
     message: Said | None
-    error: str | None
-    said: JsonObject | None
+    error: Said | None
     result: JsonObject | None
     survey_id: int | None
     recording_id: int | None

@@ -20,17 +20,18 @@ from sightline.infra.jobs.store import (
     requeue_job,
     running_jobs,
 )
+from sightline.messages.said import Said
 
 log = logging.getLogger("sightline.jobs")
 
-STOPPED = "Cancelled."
+STOPPED = Said("jobs-cancelled")
 
 
-def clean_up(session: Session, job: Job, sentence: str) -> None:
+def clean_up(session: Session, job: Job, error: Said) -> None:
     """Let the kind's `failed` function write what follows from a job that came to nothing."""
     handler = registered(job.kind)
     if handler is not None and handler.failed is not None:
-        handler.failed(session, job, sentence)
+        handler.failed(session, job, error)
 
 
 def put_back(session: Session, job: Job, *, counted: bool = True, postponed: bool = False) -> None:
@@ -53,7 +54,7 @@ def put_back(session: Session, job: Job, *, counted: bool = True, postponed: boo
     elif job.attempts >= MAX_ATTEMPTS:
         error = SightlineError("jobs-gave-up", attempts=job.attempts)
         fail_job(session, job, error)
-        clean_up(session, job, error.message)
+        clean_up(session, job, error.said)
     else:
         requeue_job(session, job)
         engine.deliver(session, job.id)

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 Finish = Callable[[Session], Mapping[str, Any]]
 Outcome = Mapping[str, Any] | Finish
-Failed = Callable[[Session, Job, str], None]
+Failed = Callable[[Session, Job, Said], None]
 OnCancel = Callable[[Session, Job], None]
 
 
@@ -85,7 +85,7 @@ def handler(
 ) -> Callable[[Handler], Handler]:
     """Register the function that does jobs of this kind.
 
-    `failed(session, job, sentence)` cleans up after a job that began, `on_cancel(session, job)` after
+    `failed(session, job, error)` cleans up after a job that began, `on_cancel(session, job)` after
     one that was cancelled before it began. `long`: it goes through whole videos or surveys; such jobs wait
     behind all others, and one place of the workers is never theirs.
     """

@@ -11,7 +11,7 @@ from sqlalchemy.orm import Session
 from sightline.errors import Away, SightlineError
 from sightline.infra.database.engine import DatabaseAway, SessionFactory, reading, writing
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.recovery import STOPPED, clean_up, put_back
+from sightline.infra.jobs.recovery import clean_up, put_back
 from sightline.infra.jobs.registry import Cancelled, JobContext, Outcome, registered
 from sightline.infra.jobs.store import (
     Hold,
@@ -107,7 +107,7 @@ class Runner:
     def _end(self, job: Job, error: SightlineError, write: Callable[[Session], Any]) -> None:
         with self.services.writing() as session:
             write(session)
-            clean_up(session, job, error.message)
+            clean_up(session, job, error.said)
 
 
 class Watch:
@@ -135,7 +135,7 @@ class Watch:
         if not self._hold.held:
             raise JobLost("jobs-job-went-another-worker-one-stops", id=self._job.id)
         if self.is_over():
-            raise Cancelled("said", sentence=STOPPED)
+            raise Cancelled("jobs-cancelled")
 
     def is_over(self) -> bool:
         """Whether going on is of no use."""

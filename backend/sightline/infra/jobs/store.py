@@ -178,8 +178,7 @@ def finish_job(session: Session, job: Job, result: Mapping[str, Any]) -> Job:
 
 def fail_job(session: Session, job: Job, error: SightlineError) -> Job:
     """The job cannot be done; `error` says why. Raises JobLost."""
-    said = error.said.document
-    return _end(session, job, "failed", {"error": error.message, "said": said})
+    return _end(session, job, "failed", {"error": error.said})
 
 
 def job_cancelled(session: Session, job: Job) -> Job:
@@ -247,7 +246,7 @@ def _end(session: Session, job: Job, state: JobState, change: Mapping[str, Any])
     done = session.execute(update(jobs).where(*_held(job)).values(values).returning(jobs.c.id))
     if done.first() is None:
         raise JobLost("jobs-job-given-another-worker-one-stops", id=job.id)
-    told = {key: change[key] for key in ("result", "error", "said") if key in change}
+    told = {key: change[key] for key in ("result", "error") if key in change}
     after = {"state": state, "attempts": job.attempts, **told}
     trail.record(session, job.created_by, state, "job", job.id, job.survey_id, {"state": "running"}, after)
     return get_job(session, job.id)

@@ -10,7 +10,6 @@ from sqlalchemy import (
     Integer,
     String,
     Table,
-    Text,
     false,
 )
 
@@ -34,9 +33,7 @@ jobs = Table(
     Column("payload", CanonicalJson, nullable=False),
     Column("progress", Float, nullable=False),
     Column("message", Saying),
-    # why it failed, in English, and the key and the values of that sentence
-    Column("error", Text),
-    Column("said", CanonicalJson),
+    Column("error", Saying),
     Column("result", CanonicalJson),
     Column("survey_id", ForeignKey("surveys.id"), index=True),
     Column("recording_id", ForeignKey("recordings.id"), index=True),

@@ -7,7 +7,7 @@ from pydantic import BaseModel, ConfigDict, Field, field_validator
 from pydantic_core import PydanticCustomError
 
 from sightline.enums import JobState
-from sightline.messages.said import Said, SaidDocument, SaidInWords
+from sightline.messages.said import Said, SaidInWords
 
 Finite = Annotated[float, Field(allow_inf_nan=False)]
 Point = Annotated[tuple[Finite, Finite], Field(examples=[[320.5, 240.25]])]
@@ -63,10 +63,7 @@ class JobBody(Out):
     state: JobState
     progress: float
     message: Said | None
-    error: Annotated[
-        str | None, Field(description="Why it failed, in the language of the request where that has it.")
-    ]
-    said: SaidDocument | None
+    error: Annotated[Said | None, Field(description="Why it failed.")]
     result: dict[str, Any] | None
     survey_id: int | None
     recording_id: int | None

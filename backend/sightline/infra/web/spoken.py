@@ -1,10 +1,9 @@
 """Sentences of answers in the language that the request asks for.
 
-The rooms below and what is stored say codes or English; here, at the edge, what is read is said in the first
-language of `Accept-Language` that there is: by its code where there is one, beside a `message` or as `said`
-beside an error, else found again by its text (`messages.recognised`). Names and notes of people are not
-looked at (that of an inset is the program's until somebody writes another), nor are documents (a pose, a
-package, a signed page), which are the same for everybody. Who asks for no language gets what is stored.
+The rooms below and what is stored say codes; here, at the edge, what is read is said in the first language of
+`Accept-Language` that there is: a `message` by the code beside it, and in its values what a thing is called
+(`messages.recognised`). Names and notes of people are not looked at, nor are documents (a pose, a package, a
+signed page), which are the same for everybody. Who asks for no language gets what is stored.
 """
 
 from __future__ import annotations
@@ -19,8 +18,6 @@ from sightline import messages
 from sightline.messages.recognised import translated
 
 _API = "/api/"
-#: The fields of answers that hold texts of the program.
-SENTENCES = frozenset({"error", "values"})
 
 
 class Spoken:
@@ -94,28 +91,23 @@ def spoken(body: bytes, language: str) -> bytes:
     return json.dumps(said, ensure_ascii=False, separators=(",", ":")).encode()
 
 
-def _walked(value: Any, language: str, sentence: bool = False) -> Any:
+def _walked(value: Any, language: str, *, of_code: bool = False) -> Any:
+    """of_code: it is among the values of a code."""
     if isinstance(value, str):
-        return translated(value, language) if sentence else value
+        return translated(value, language) if of_code else value
     if isinstance(value, list):
-        return [_walked(one, language, sentence) for one in value]
+        return [_walked(one, language, of_code=of_code) for one in value]
     if isinstance(value, dict):
-        of_error = sentence and "code" not in value
         return {
-            key: _walked(one, language, key in SENTENCES or (of_error and isinstance(one, str)))
-            for key, one in value.items()
+            key: _walked(one, language, of_code=of_code or key == "values") for key, one in value.items()
         } | _said(value, language)
     return value
 
 
 def _said(value: dict[str, Any], language: str) -> dict[str, Any]:
-    """What an object's other fields tell how to say; a recording failed as its last job did, with its key."""
+    """What an object's other fields tell how to say."""
     if value.keys() >= {"code", "values", "message"}:
         return {"message": said_by_key(value, value["message"], language)}
-    error, job = value.get("error"), value.get("job")
-    of = value if value.get("said") else job if isinstance(job, dict) and job.get("error") == error else {}
-    if of.get("said") and isinstance(error, str):
-        return {"error": said_by_key(of["said"], error, language)}
     if isinstance(value.get("source"), str) and any(name.startswith("u_") for name in value):
         return {
             "source": messages.name_of("budget-of", value["source"], language)

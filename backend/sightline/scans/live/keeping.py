@@ -26,7 +26,7 @@ from sightline.scans.vehicles.motion import values_of
 from sightline.scans.vehicles.run_store import add_scan_run
 from sightline.scans.vehicles.store import create_scan_vehicles
 
-NOT_KEPT = "The lines of this stream were not stored, so there is no image; its vehicles remain."
+NOT_KEPT = Said("scans-lines-not-stored")
 _SUFFIX = ".spool.tif"
 
 

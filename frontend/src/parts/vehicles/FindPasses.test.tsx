@@ -8,7 +8,11 @@ const failed = {
   id: 4,
   kind: "passes",
   state: "failed",
-  error: "The video ends after 3 frames; upload it again.",
+  error: {
+    code: "said",
+    values: { sentence: "The video ends after 3 frames; upload it again." },
+    message: "The video ends after 3 frames; upload it again.",
+  },
 };
 
 beforeEach(() => {
@@ -26,5 +30,5 @@ it("says why a search failed, in the words of the search", async () => {
   const job = { ...failed, state: "running", error: null } as Job;
   const recording = { id: 3, name: "day.mp4", state: "ready" as const, job };
   render(<FindPasses recording={recording} found={() => {}} />, document.body);
-  await vi.waitFor(() => expect(document.body.textContent).toContain(failed.error));
+  await vi.waitFor(() => expect(document.body.textContent).toContain(failed.error.message));
 });

@@ -122,7 +122,9 @@ function Actions({ job, run }: ActionsProps) {
 
 /** The sentence that it ended with; of one that is done, what it did last is none. */
 function toldOf(job: Job): string {
-  return lastWords(job) ?? job.error ?? (job.state === "done" ? "" : (sentenceOf(job.message) ?? ""));
+  return (
+    lastWords(job) ?? sentenceOf(job.error) ?? (job.state === "done" ? "" : (sentenceOf(job.message) ?? ""))
+  );
 }
 
 /** Where its work is looked at. */

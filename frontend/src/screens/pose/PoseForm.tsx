@@ -3,7 +3,7 @@ import type { ComponentChildren } from "preact";
 import { Button, JobProgress, Notice, Segments, SelectField, TextField } from "../../components";
 import { hint } from "../../core/commands";
 import { fieldsOf } from "../../core/form";
-import { type PlainKey, say } from "../../core/messages";
+import { type PlainKey, say, sentenceOf } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { fixed, lengthUnit, smallScale, smallText } from "../../core/units";
 import { KindField, MarkerFields } from "../../parts/boards/MarkerFields";
@@ -232,7 +232,9 @@ function Run({ model }: { model: PoseModel }) {
   const again = model.reel.recording.value?.pose_id != null && model.pose.value !== null;
   return (
     <footer class="pose-form__foot">
-      {model.job.value?.state === "failed" && <Notice kind="problem">{model.job.value.error}</Notice>}
+      {model.job.value?.state === "failed" && (
+        <Notice kind="problem">{sentenceOf(model.job.value.error)}</Notice>
+      )}
       {model.job.value?.state === "cancelled" && <Notice>{say("pose-stopped")}</Notice>}
       {model.running.value && model.job.value ? (
         <JobProgress job={model.job.value} onCancel={() => model.cancel()} />

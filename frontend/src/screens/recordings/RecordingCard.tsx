@@ -96,7 +96,7 @@ export function RecordingCard({ recording, passes, cameras, changed, reload }: P
           <JobProgress job={recording.job} onCancel={canWork ? () => void cancel() : undefined} />
         )}
         {recording.state === "failed" && (
-          <Failed reason={recording.error} again={canWork ? () => void readAgain() : undefined} />
+          <Failed reason={sentenceOf(recording.error)} again={canWork ? () => void readAgain() : undefined} />
         )}
         {recording.notes.length > 0 && (
           <ul class="recording__notes">

@@ -169,7 +169,7 @@ function NotReady({ scan, model, surveyId }: { scan: Scan; model: ScanModel; sur
     <div class="page">
       <h1>{scan.name}</h1>
       {scan.state === "failed" ? (
-        <Notice kind="problem">{scan.error ?? say("scans-not-read")}</Notice>
+        <Notice kind="problem">{sentenceOf(scan.error) ?? say("scans-not-read")}</Notice>
       ) : scan.state === "live" ? (
         <Stream scan={scan} />
       ) : (

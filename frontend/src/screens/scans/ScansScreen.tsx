@@ -163,7 +163,7 @@ function ScanCard({ scan, reload }: { scan: Scan; reload: () => Promise<void> })
               )
             }
           >
-            {scan.error ?? say("scans-not-read")}
+            {sentenceOf(scan.error) ?? say("scans-not-read")}
           </Notice>
         )}
         {scan.notes.map(sentenceOf).map((note) => (

@@ -1,7 +1,17 @@
 /** Traffic past the line cameras by the clock: flow, speeds, occupancy and length classes per interval. */
 import { useState } from "preact/hooks";
-import { Button, Empty, Loaded, Notice, num, Segments, Table } from "../../components";
-import { say, sentenceOf } from "../../core/messages";
+import {
+  Button,
+  type Column,
+  choices,
+  DataTable,
+  Empty,
+  Loaded,
+  type Columns as Made,
+  Notice,
+  Segments,
+} from "../../components";
+import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { formatPlaceClock, formatPlaceDay } from "../../core/times";
 import type { ScanTraffic, TrafficFigure, TrafficInterval, TrafficOfScans } from "../../core/types";
@@ -67,6 +77,7 @@ function named(scans: readonly ScanTraffic[]): ScanTraffic[] {
 }
 
 function OfScan({ scan, of, surveyId }: { scan: ScanTraffic; of: TrafficOfScans; surveyId: number }) {
+  const [view, setView] = useState<View>("flow");
   if (scan.reason)
     return (
       <div class="panel">
@@ -91,98 +102,151 @@ function OfScan({ scan, of, surveyId }: { scan: ScanTraffic; of: TrafficOfScans;
         <header class="panel__head">
           <h3>{scan.name}</h3>
           <span class="muted small">{day}</span>
+          <Segments
+            label={say("flows-columns", { scan: scan.name })}
+            value={view}
+            options={choices(VIEWS)}
+            onInput={setView}
+          />
         </header>
         {scan.unplaced > 0 && (
           <Notice kind="warning">{say("flows-unplaced", { count: scan.unplaced })}</Notice>
         )}
-        <Intervals scan={scan} limits_m={of.length_limits_m} />
+        <IntervalTable scan={scan} view={view} limits_m={of.length_limits_m} />
         <p class="small muted scan-traffic__note">{say("flows-table-note")}</p>
       </section>
     </>
   );
 }
 
-function Intervals({ scan, limits_m }: { scan: ScanTraffic; limits_m: readonly number[] }) {
-  const units = heads();
-  const withUnit = (name: string, unit: string) => say("with-unit", { name, unit });
+const VIEWS = wordsOf("flows-columns-", "flow", "speeds", "lengths");
+type View = keyof typeof VIEWS;
+type Intervals = Made<TrafficInterval>;
+
+/** The columns of a view, after the one that says which interval it is: as many as stand beside each other at 1024 px. */
+const COLUMNS: Readonly<
+  Record<View, (made: Intervals, limits_m: readonly number[]) => Column<TrafficInterval>[]>
+> = { flow: ofFlow, speeds: ofSpeeds, lengths: ofLengths };
+
+function IntervalTable({
+  scan,
+  view,
+  limits_m,
+}: {
+  scan: ScanTraffic;
+  view: View;
+  limits_m: readonly number[];
+}) {
+  return (
+    <DataTable
+      label={say("flows-table", { scan: scan.name })}
+      class="table--dense"
+      data-testid={`traffic-${placeOf(scan)}`}
+      rows={scan.intervals}
+      keyOf={(one) => one.begins_at}
+      rowAttributes={(one) => ({ title: one.reasons.map(sentenceOf).join(" ") || undefined })}
+      columns={(made) => [made.col(say("flows-head-from"), from, "nowrap"), ...COLUMNS[view](made, limits_m)]}
+    />
+  );
+}
+
+const withUnit = (name: string, unit: string) => say("with-unit", { name, unit });
+
+function from(one: TrafficInterval) {
+  return (
+    <>
+      {formatPlaceClock(one.begins_at)}
+      {one.partial && <span class="muted"> {say("flows-partial")}</span>}
+    </>
+  );
+}
+
+function ofFlow({ num }: Intervals) {
+  const speed = speedScale()[1];
+  return [
+    num(say("flows-head-vehicles"), (one) => (
+      <>
+        {one.vehicles}
+        {one.refused > 0 && <Small>{say("flows-refused", { count: one.refused })}</Small>}
+        {one.near_edge > 0 && <Small>{say("flows-near-edge", { count: one.near_edge })}</Small>}
+      </>
+    )),
+    num(withUnit(say("flows-head-flow"), say("unit-per-hour")), (one) => (
+      <>
+        {fixed(one.flow_per_hour, 0)}
+        <Small>{say("interval", { low: fixed(one.flow_low, 0), high: fixed(one.flow_high, 0) })}</Small>
+      </>
+    )),
+    num(withUnit(say("flows-head-space-mean"), speed), spaceMean),
+    num(withUnit(say("flows-head-occupancy"), "%"), (one) => (
+      <Measured figure={one.occupancy_percent} by={1} />
+    )),
+    num(withUnit(say("flows-head-density"), say("unit-per-km")), (one) => (
+      <Measured figure={one.density_per_km} by={1} />
+    )),
+  ];
+}
+
+function ofSpeeds({ num }: Intervals) {
+  const [by, speed] = speedScale();
+  return [
+    num(withUnit(say("flows-head-watched"), "s"), (one) => fixed(one.watched_s, 0)),
+    num(withUnit(say("scan-head-headway"), "s"), (one) =>
+      one.mean_headway_s === null ? "–" : fixed(one.mean_headway_s, 2),
+    ),
+    num(say("flows-head-measured"), (one) => one.measured),
+    num(withUnit(say("flows-head-time-mean"), speed), (one) => (
+      <Measured figure={one.time_mean_speed_mps} by={by} />
+    )),
+    num(withUnit(say("flows-head-space-mean"), speed), spaceMean),
+    num(withUnit("P85", speed), (one) => <Percentile one={one} percent={85} />),
+  ];
+}
+
+function ofLengths({ num }: Intervals, limits_m: readonly number[]) {
   const classes = [
     ...limits_m.map((limit) => `≤ ${plainLength(limit, 1)}`),
     `> ${plainLength(limits_m.at(-1) ?? 0, 1)}`,
   ];
+  return [
+    num(say("flows-head-vehicles"), (one) => one.vehicles),
+    ...classes.map((name, at) => ({
+      ...num(withUnit(name, heads().length), (one) => <LengthClass kind={one.classes[at]} />),
+      class: "nowrap",
+    })),
+    num(say("flows-head-unclassed"), (one) => one.unclassed),
+  ];
+}
+
+function spaceMean(one: TrafficInterval) {
+  return <Measured figure={one.space_mean_speed_mps} by={speedScale()[0]} />;
+}
+
+function Percentile({ one, percent }: { one: TrafficInterval; percent: number }) {
+  const [by] = speedScale();
+  const found = one.percentiles.find((each) => each.percent === percent);
+  if (found?.value == null) return <span title={sentenceOf(found?.reason) ?? undefined}>–</span>;
+  const { value, low, high } = found;
   return (
-    <Table
-      label={say("flows-table", { scan: scan.name })}
-      class="table--dense"
-      data-testid={`traffic-${placeOf(scan)}`}
-      heads={[
-        say("flows-head-from"),
-        num(withUnit(say("flows-head-watched"), "s")),
-        num(say("flows-head-vehicles")),
-        num(withUnit(say("flows-head-flow"), say("unit-per-hour"))),
-        num(withUnit(say("scan-head-headway"), "s")),
-        num(say("flows-head-measured")),
-        num(withUnit(say("flows-head-time-mean"), units.speed)),
-        num(withUnit(say("flows-head-space-mean"), units.speed)),
-        num(withUnit("P85", units.speed)),
-        num(withUnit(say("flows-head-occupancy"), "%")),
-        num(withUnit(say("flows-head-density"), say("unit-per-km"))),
-        ...classes.map((name) => ({ ...num(withUnit(name, units.length)), class: "nowrap" })),
-        num(say("flows-head-unclassed")),
-      ]}
-    >
-      {scan.intervals.map((one) => (
-        <Row key={one.begins_at} one={one} />
-      ))}
-    </Table>
+    <>
+      {fixed(value * by, 1)}
+      {low !== null && high !== null && (
+        <Small>{say("interval", { low: fixed(low * by, 1), high: fixed(high * by, 1) })}</Small>
+      )}
+    </>
   );
 }
 
-function Row({ one }: { one: TrafficInterval }) {
-  const [by] = speedScale();
-  const p85 = one.percentiles.find((each) => each.percent === 85);
+function LengthClass({ kind }: { kind?: TrafficInterval["classes"][number] }) {
+  if (!kind) return null;
   return (
-    <tr title={one.reasons.map(sentenceOf).join(" ") || undefined}>
-      <td class="nowrap">
-        {formatPlaceClock(one.begins_at)}
-        {one.partial && <span class="muted"> {say("flows-partial")}</span>}
-      </td>
-      <td class="num">{fixed(one.watched_s, 0)}</td>
-      <td class="num">
-        {one.vehicles}
-        {one.refused > 0 && <Small>{say("flows-refused", { count: one.refused })}</Small>}
-        {one.near_edge > 0 && <Small>{say("flows-near-edge", { count: one.near_edge })}</Small>}
-      </td>
-      <td class="num">
-        {fixed(one.flow_per_hour, 0)}
-        <Small>{say("interval", { low: fixed(one.flow_low, 0), high: fixed(one.flow_high, 0) })}</Small>
-      </td>
-      <td class="num">{one.mean_headway_s === null ? "–" : fixed(one.mean_headway_s, 2)}</td>
-      <td class="num">{one.measured}</td>
-      <Measured figure={one.time_mean_speed_mps} by={by} digits={2} />
-      <Measured figure={one.space_mean_speed_mps} by={by} digits={2} />
-      <td class="num">
-        {p85 && p85.value !== null ? (
-          fixed(p85.value * by, 1)
-        ) : (
-          <span title={sentenceOf(p85?.reason) ?? undefined}>–</span>
-        )}
-        {p85 && p85.low !== null && p85.high !== null && (
-          <Small>{say("interval", { low: fixed(p85.low * by, 1), high: fixed(p85.high * by, 1) })}</Small>
-        )}
-      </td>
-      <Measured figure={one.occupancy_percent} by={1} digits={2} />
-      <Measured figure={one.density_per_km} by={1} digits={2} />
-      {one.classes.map((kind) => (
-        <td key={kind.above_m} class="num">
-          {kind.vehicles}
-          {kind.near_limit > 0 && <Small>{say("flows-near-limit", { count: kind.near_limit })}</Small>}
-          {axleWords(kind.by_axles).map((words) => (
-            <Small key={words}>{words}</Small>
-          ))}
-        </td>
+    <>
+      {kind.vehicles}
+      {kind.near_limit > 0 && <Small>{say("flows-near-limit", { count: kind.near_limit })}</Small>}
+      {axleWords(kind.by_axles).map((words) => (
+        <Small key={words}>{words}</Small>
       ))}
-      <td class="num">{one.unclassed}</td>
-    </tr>
+    </>
   );
 }
 
@@ -198,15 +262,20 @@ function axleWords(by_axles: readonly number[]): string[] {
 }
 
 /** A figure with its standard uncertainty below. */
-function Measured({ figure, by, digits }: { figure: TrafficFigure; by: number; digits: number }) {
+function Measured({ figure, by }: { figure: TrafficFigure; by: number }) {
   return (
-    <td class="num">
-      {figure.value === null ? "–" : fixed(figure.value * by, digits)}
+    <>
+      {figure.value === null ? "–" : fixed(figure.value * by, 2)}
       {figure.u !== null && (
-        <Small>{say("flows-u", { u: String(Number((figure.u * by).toPrecision(2))) })}</Small>
+        <Small>{say("flows-u", { u: twoDigits(figure.u * by) })}</Small>
       )}
-    </td>
+    </>
   );
+}
+
+/** To two significant digits. */
+function twoDigits(value: number): string {
+  return fixed(value, value > 0 ? Math.max(0, 1 - Math.floor(Math.log10(value))) : 0);
 }
 
 function Small({ children }: { children: string }) {

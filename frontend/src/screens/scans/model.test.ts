@@ -128,7 +128,11 @@ describe("the strips", () => {
 
   it("tell why a search stopped", async () => {
     server.on("POST", /^\/scans\/3\/find$/, () => ({ id: 4, state: "running" }));
-    server.on("GET", /^\/jobs\/4$/, () => ({ id: 4, state: "failed", error: "The strips are gone." }));
+    server.on("GET", /^\/jobs\/4$/, () => ({
+      id: 4,
+      state: "failed",
+      error: { code: "said", values: { sentence: "The strips are gone." }, message: "The strips are gone." },
+    }));
     void model.search.find("direct", true);
     await vi.advanceTimersByTimeAsync(3000);
     expect(toasts.value.map((one) => one.text)).toContain("The strips are gone.");

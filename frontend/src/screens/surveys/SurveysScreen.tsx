@@ -3,7 +3,7 @@ import { useState } from "preact/hooks";
 import { Button, Empty, JobProgress, Loading, Notice, PageHead, Problem, StateMark } from "../../components";
 import { Said } from "../../components/Said";
 import { isOver } from "../../core/jobs";
-import { say, sentencesOf } from "../../core/messages";
+import { say, sentenceOf, sentencesOf } from "../../core/messages";
 import { useAsked, useEvery } from "../../core/resource";
 import { may, me } from "../../core/session";
 import { formatDay } from "../../core/times";
@@ -64,7 +64,7 @@ function SurveyList({ surveys, lastDemo, children }: SurveyListProps) {
       {me.value?.needs_password && <ChoosePassword />}
       {children}
       {lastDemo?.state === "failed" && !demo && (
-        <Notice kind="problem">{lastDemo.error ?? say("surveys-demo-failed")}</Notice>
+        <Notice kind="problem">{sentenceOf(lastDemo.error) ?? say("surveys-demo-failed")}</Notice>
       )}
       {nothing ? <NoSurvey make={make} /> : <Cards demoJob={demoJob} surveys={listed} />}
       {simulated.length > 0 && <Simulated surveys={simulated} />}
