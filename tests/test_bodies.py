@@ -23,7 +23,7 @@ LEAST_FIELDS = 3
 # With fewer, a part of a record may be one by chance.
 LEAST_SHARED = 6
 # Answers whose documents are read as they go out, which a record's are not.
-WITH_DOCUMENTS = {"CalibrationBody", "PoseSummaryBody"}
+WITH_DOCUMENTS = {"CalibrationBody", "JobBody", "PoseSummaryBody"}
 
 
 @cache

@@ -105,7 +105,7 @@ def test_the_package_says_it_and_computes_the_same_from_its_files(
     references = [row["reference_height_m"] for row in rows(place, "clicks.csv") if row["target"] == "roof"]
     assert references == ["1.190000", "1.190000", "1.190000", ""]
     with StudyTables(studied([place], lambda _files: None, tmp_path)) as tables:
-        told_m = tables.heights("roof").reference_m
+        told_m = tables.heights("roof").known_m
     assert np.sort(told_m)[:3].tolist() == [1.19] * 3 and np.isnan(told_m).sum() == 1
     found = verify_package(FolderFiles(place))
     assert found.ok, found.problem
