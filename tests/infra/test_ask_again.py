@@ -16,7 +16,7 @@ from sightline.infra.web import error_handlers
     "error",
     [
         OperationalError("BEGIN IMMEDIATE", None, sqlite3.OperationalError("database is locked")),
-        DatabaseAway("database-database-busy-another-writer-try-again"),
+        DatabaseAway("database-busy"),
         Busy("web-server-busy"),
     ],
     ids=lambda error: type(error).__name__,

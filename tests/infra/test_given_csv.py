@@ -71,7 +71,7 @@ def test_what_is_wrong_with_a_row_stands_in_the_row() -> None:
     """Of an open quote that line alone, and the line that may be the end of its cell."""
     table = read_table('make,model\nA,"One\nA,Two\nB,Van 15"\nB,Bus 12"\nB,1,2\n', "a.csv")
     problems = [row.problem.code if row.problem else None for row in table.rows]
-    assert problems == ["csv-open-quote", None, "csv-rest-of-a-cell", None, "csv-more-cells"]
+    assert problems == ["csv-open-quote", None, "csv-cell-not-closed", None, "csv-more-cells"]
     assert [row.line for row in table.rows] == [2, 3, 4, 5, 6]
     assert table.by_column(table.rows[3]) == {"make": "B", "model": 'Bus 12"'}
 

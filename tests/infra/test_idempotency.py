@@ -52,7 +52,7 @@ def _killed(place: str) -> Iterator[None]:
 
 
 def _end(*_given: object) -> None:
-    raise DatabaseAway("database-database-not-answer-check-runs-address")
+    raise DatabaseAway("database-no-answer")
 
 
 def _events(services: Services) -> int:

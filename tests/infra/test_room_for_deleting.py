@@ -62,7 +62,7 @@ def test_ready_tries_to_write(nobody: Client, services: Services, monkeypatch: p
     monkeypatch.setattr(os, "fsync", full)
     answer = nobody.get("/ready")
     assert answer.status_code == 503 and answer.json()["ok"] is False
-    assert answer.json()["disk"] == NoRoom("database-disk-full-nothing-saved-make-room").message
+    assert answer.json()["disk"] == NoRoom("database-disk-full").message
     assert set(services.settings.data_dir.iterdir()) == before
     with pytest.raises(OSError, match="No such file"):
         try_to_write(services.settings.data_dir / "not there")

@@ -90,7 +90,7 @@ def test_alive_is_not_ready(viewer: Client, services: Services, monkeypatch: pyt
     assert viewer.http.get("/api/ready").json() == whole
 
     def away(_key: str) -> bool:
-        raise StorageAway("store-media-storage-did-not-answer-check", key="k", name="Timeout")
+        raise StorageAway("store-no-answer", key="k", name="Timeout")
 
     monkeypatch.setattr(services.media, "exists", away)
     answer = viewer.http.get("/api/ready")

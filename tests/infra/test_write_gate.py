@@ -119,7 +119,7 @@ def test_a_disk_that_fails_is_told_to_everybody_who_waited_for_it(
     services: Services, table: None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def sync(_self: Services) -> None:
-        raise DatabaseAway("database-database-file-cannot-opened-writing-check")
+        raise DatabaseAway("database-not-writable")
 
     monkeypatch.setattr(Services, "sync", sync)
     gate = WriteGate()

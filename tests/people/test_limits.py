@@ -113,7 +113,7 @@ def test_with_a_full_disk_people_sign_in_and_are_counted_all_the_same(
 
     @contextmanager
     def full(*_given: object, **_more: object) -> Iterator[None]:
-        raise NoRoom("database-disk-full-nothing-saved-make-room")
+        raise NoRoom("database-disk-full")
         yield
 
     scopes = {"name": "a program", "scopes": ["read"], "days": 1}

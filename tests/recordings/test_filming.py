@@ -172,7 +172,7 @@ def test_a_filming_rate_is_asked_for_and_gives_the_times(
 
 def test_a_rate_that_nobody_has_to_state_is_refused(operator: Client, recording_id: int) -> None:
     answer = operator.put(f"/recordings/{recording_id}/filming-rate", json={"filmed_hz": 100})
-    assert answer.json()["error"]["code"] == "recordings-times-not-in-doubt"
+    assert answer.json()["error"]["code"] == "recordings-times-are-filming"
 
 
 def test_another_picture_of_a_file_becomes_a_recording(

@@ -170,17 +170,17 @@ def refused(told: Told, folder: Path) -> str:
 
 Change = Callable[[Told], Any]
 _DRAW: dict[str, tuple[Change, str]] = {
-    "another seed": (lambda told: told.draw.update(seed="cd" * 32), "lots-seed-not-the-chains"),
+    "another seed": (lambda told: told.draw.update(seed="cd" * 32), "lots-seed-differs"),
     "another revision drawn": (
         lambda told: told.draw["items"].__setitem__(0, [told.order[0], REVISION + 1]),
-        "lots-seed-not-the-chains",
+        "lots-seed-differs",
     ),
-    "two exchanged": (lambda told: told.draw["items"].reverse(), "lots-not-drawn-by-its-seed"),
-    "more than it says": (lambda told: told.draw.update(size=SIZE - 1), "lots-not-drawn-by-its-seed"),
-    "too small a sample": (lambda told: told.draw.update(sample_size=1), "lots-plan-keeps-no-risk"),
+    "two exchanged": (lambda told: told.draw["items"].reverse(), "lots-order-differs"),
+    "more than it says": (lambda told: told.draw.update(size=SIZE - 1), "lots-order-differs"),
+    "too small a sample": (lambda told: told.draw.update(sample_size=1), "lots-plan-risk"),
     "too mild a plan": (
         lambda told: told.draw.update(acceptance_number=PLAN.acceptance_number + 1),
-        "lots-plan-keeps-no-risk",
+        "lots-plan-risk",
     ),
 }
 
@@ -204,32 +204,32 @@ _DECIDED: dict[str, tuple[Change, str]] = {
     ),
     "a sample without its last": (
         lambda told: _decision(told).update(sample=told.sample[:-1]),
-        "lots-sample-not-the-draws",
+        "lots-sample-differs",
     ),
-    "a smaller rest": (lambda told: _decision(told).update(rest=0), "lots-sample-not-the-draws"),
+    "a smaller rest": (lambda told: _decision(told).update(rest=0), "lots-sample-differs"),
     "one left that was judged": (
         lambda told: _decision(told).update(left_out={str(told.sample[0]): "withdrawn"}),
-        "lots-sample-not-the-draws",
+        "lots-sample-differs",
     ),
     "fewer judged": (
         lambda told: _decision(told).update(judged=PLAN.sample_size - 1),
-        "lots-counts-not-those-of-verdicts",
+        "lots-counts-differ",
     ),
     "more nonconforming": (
         lambda told: _decision(told).update(nonconforming=1),
-        "lots-counts-not-those-of-verdicts",
+        "lots-counts-differ",
     ),
     "one rejected and not counted": (
         lambda told: told.judged(told.sample[0], "rejected"),
-        "lots-counts-not-those-of-verdicts",
+        "lots-counts-differ",
     ),
     "judged before the draw": (
         lambda told: told.judged(told.sample[0], "accepted", event=DRAWN_BY - 1),
-        "lots-counts-not-those-of-verdicts",
+        "lots-counts-differ",
     ),
     "judged after the decision": (
         lambda told: told.judged(told.sample[0], "accepted", event=DECIDED_BY + 1),
-        "lots-counts-not-those-of-verdicts",
+        "lots-counts-differ",
     ),
 }
 
@@ -247,14 +247,14 @@ def test_a_lot_with_more_nonconforming_ones_than_its_plan_allows_is_not_accepted
     for number in bad:
         told.judged(number, "rejected")
     _decision(told)["nonconforming"] = len(bad)
-    assert refused(told, tmp_path) == "lots-accepted-beyond-its-plan"
+    assert refused(told, tmp_path) == "lots-beyond-plan"
 
 
 def test_a_lot_whose_sample_is_not_judged_whole_is_not_accepted(tmp_path: Path) -> None:
     told = accepted()
     told.verdicts = [one for one in told.verdicts if one.number != told.sample[0]]
     _decision(told)["judged"] = PLAN.sample_size - 1
-    assert refused(told, tmp_path) == "lots-accepted-beyond-its-plan"
+    assert refused(told, tmp_path) == "lots-beyond-plan"
 
 
 # A fix of a height conforms if it moved it by no more than its U95; lengths are written to the micrometre.
@@ -273,7 +273,7 @@ def test_a_fix_counts_by_how_far_it_moved_the_height(
         if count in counts:
             told.check(tmp_path / str(count))
         else:
-            assert refused(told, tmp_path / str(count)) == "lots-counts-not-those-of-verdicts"
+            assert refused(told, tmp_path / str(count)) == "lots-counts-differ"
 
 
 def test_what_a_fix_of_a_deleted_vehicle_counted_as_nobody_can_tell_but_a_rejection_is_one(
@@ -289,13 +289,13 @@ def test_what_a_fix_of_a_deleted_vehicle_counted_as_nobody_can_tell_but_a_reject
         if count == 1:
             told.check(tmp_path / "rejected")
         else:
-            assert refused(told, tmp_path / "rejected, not counted") == "lots-counts-not-those-of-verdicts"
+            assert refused(told, tmp_path / "rejected, not counted") == "lots-counts-differ"
 
 
 def test_a_verdict_that_was_reopened_waits_again(tmp_path: Path) -> None:
     told = undecided("full_inspection")()
     told.verdicts.append(Verdict(told.sample[0], "reopened", 30))
-    assert refused(told, tmp_path / "waits") == "lots-counts-not-those-of-verdicts"
+    assert refused(told, tmp_path / "waits") == "lots-counts-differ"
     _decision(told)["judged"] -= 1
     told.check(tmp_path / "counted")
 
@@ -318,7 +318,7 @@ def instead(told: Told, **otherwise: Any) -> None:
 
 
 _BY_LOT: dict[str, tuple[Callable[[], Told], Change, str]] = {
-    "of a lot that is not there": (accepted, lambda told: one_more(told, lot=2), "lots-verdict-of-no-lot"),
+    "of a lot that is not there": (accepted, lambda told: one_more(told, lot=2), "lots-verdict-without-lot"),
     "one missing": (accepted, lambda told: without_the_last(told, "accepted"), ""),
     "one twice": (accepted, one_more, ""),
     "on the sample": (accepted, lambda told: one_more(told, number=told.sample[0]), ""),
@@ -339,7 +339,7 @@ _BY_LOT: dict[str, tuple[Callable[[], Told], Change, str]] = {
     "before the decision": (
         accepted,
         lambda told: instead(told, event=DECIDED_BY - 1),
-        "lots-verdict-before-the-decision",
+        "lots-verdict-too-early",
     ),
 }
 
@@ -349,7 +349,7 @@ def test_verdicts_by_lot_are_those_of_its_rest_and_no_others(change: str, tmp_pa
     course, alter, code = _BY_LOT[change]
     told = course()
     alter(told)
-    assert refused(told, tmp_path) == (code or "lots-verdicts-not-those-of-its-rest")
+    assert refused(told, tmp_path) == (code or "lots-rest-differs")
 
 
 def test_an_event_whose_row_is_not_the_one_it_hashed_is_refused() -> None:

@@ -36,7 +36,7 @@ class MemoryFiles:
     @contextmanager
     def open(self, path: str) -> Iterator[BinaryIO]:
         if path not in self._package:
-            raise Damaged("csv_package-missing-take-whole-export-again", path=path)
+            raise Damaged("csv_package-file-missing", path=path)
         yield io.BytesIO(self._package[path])
 
 

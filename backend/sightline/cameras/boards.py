@@ -28,10 +28,10 @@ class BoardTold:
         charuco = None
         if self.board_kind == "charuco":
             if self.dictionary is None or self.marker_m is None or self.square_m is None:
-                raise BadInput("cameras-charuco-board-needs-dictionary-markers-side")
+                raise BadInput("cameras-charuco-incomplete")
             charuco = charuco_of(self.dictionary, self.marker_m)
         elif self.dictionary is not None or self.marker_m is not None:
-            raise BadInput("cameras-plain-checkerboard-no-markers-choose-charuco")
+            raise BadInput("cameras-checkerboard-without-markers")
         return Board(
             self.columns, self.rows, ANY_SQUARE_M if self.square_m is None else self.square_m, charuco
         )

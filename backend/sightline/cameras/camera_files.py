@@ -34,7 +34,7 @@ def pictures_of(path: Path, frames: Frames, stream_number: int | None) -> Iterat
     Raises BadInput in one sentence that names the file; also where a track is asked for of a picture.
     """
     if not path.is_file():
-        raise BadInput("cameras-not-file-give-picture-files-clip", path=path)
+        raise BadInput("cameras-not-a-file", path=path)
     ending = path.suffix.lower()
     if ending in VIDEO_ENDINGS:
         yield from frames(path, stream_number)
@@ -47,7 +47,7 @@ def pictures_of(path: Path, frames: Frames, stream_number: int | None) -> Iterat
         yield from frames(path, stream_number)
         return
     if stream_number is not None:
-        raise BadInput("cameras-still-has-no-tracks", path=path)
+        raise BadInput("cameras-still-without-tracks", path=path)
     yield path.name, picture
 
 

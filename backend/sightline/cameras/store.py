@@ -56,7 +56,7 @@ def update_camera(session: Session, camera_id: int, changes: CameraWords, *, act
 def _words(**words: Unpack[CameraWords]) -> dict[str, str]:
     stripped = {name: str(text).strip() for name, text in words.items()}
     if stripped.get("name") == "":
-        raise BadInput("cameras-camera-needs-name-fill")
+        raise BadInput("cameras-no-name")
     return stripped
 
 
@@ -75,7 +75,7 @@ def choose_calibration(session: Session, camera_id: int, calibration_id: int, *,
     """Make one of a camera's calibrations the current one. Raises NotFound, BadInput for another camera's."""
     camera = get_row(session, cameras, camera_id, "camera")
     if get_row(session, calibrations, calibration_id, "calibration")["camera_id"] != camera_id:
-        raise BadInput("cameras-calibration-belongs-another-camera-choose-one", calibration_id=calibration_id)
+        raise BadInput("cameras-calibration-other-camera", calibration_id=calibration_id)
     change_row(session, cameras, camera_id, {"current_calibration_id": calibration_id})
     before = {"current_calibration_id": camera["current_calibration_id"]}
     after = {"current_calibration_id": calibration_id}
@@ -154,7 +154,7 @@ def calibration_image_in_use(session: Session, media_key: str) -> bool:
 
 def _detection_row(detection: Detection) -> dict[str, Any]:
     if not detection.found and not detection.reason:
-        raise BadInput("cameras-image-without-board-needs-reason-why")
+        raise BadInput("cameras-image-without-reason")
     return asdict(detection)
 
 

@@ -17,4 +17,4 @@ def check_cameras(files: Files, replay: Replay) -> None:
     names = {row["id"]: row["name"] for row in replay.hold(files, REPLAYED)}
     for id_, camera, name in read_columns(files, CALIBRATIONS.key, ("id", "camera_id", "camera_name")):
         if name != names.get(camera):
-            raise Damaged("cameras-calibration-of-another-camera", id=id_)
+            raise Damaged("cameras-calibration-camera-changed", id=id_)

@@ -104,7 +104,7 @@ def read_groups(path: Path, by: str | None) -> tuple[dict[str, Rows], int]:
             continue
         _add(groups.setdefault(_ALL if by is None else row[by], Rows()), table, line, row)
     if not groups:
-        raise BadInput("commands-no-row-with-height", path=path)
+        raise BadInput("commands-no-heights", path=path)
     return groups, left_out
 
 
@@ -207,7 +207,7 @@ def _pair(text: str, by: str | None, groups: Mapping[str, Rows]) -> tuple[str, s
     for name in names:
         if name not in groups:
             raise BadInput(
-                "commands-compare-no-such-value", name=name, by=by, known=", ".join(sorted(groups))
+                "commands-compare-value-unknown", name=name, by=by, known=", ".join(sorted(groups))
             )
     return names[0], names[1]
 

@@ -21,7 +21,7 @@ def read_text(path: Path, what: str) -> str:
     try:
         return read_bytes(path, what).decode("utf-8-sig")
     except UnicodeDecodeError:
-        raise BadInput("commands-not-utf-8-text-give-saved", path=path, what=what) from None
+        raise BadInput("commands-not-utf8", path=path, what=what) from None
 
 
 def read_csv(path: Path, needed: Sequence[str], name: str | None = None) -> GivenTable:
@@ -39,7 +39,7 @@ def read_bytes(path: Path, what: str, most: int | None = None) -> bytes:
     """
     try:
         if most is None and path.stat().st_size > _LARGEST_BYTES:
-            raise BadInput("commands-larger-200-mb-give", path=path, what=what)
+            raise BadInput("commands-too-large", path=path, what=what)
         with path.open("rb") as file:
             return file.read(most)
     except FileNotFoundError:
@@ -56,7 +56,7 @@ def read_json(path: Path, what: str) -> Any:
     except WrittenTwice as twice:
         raise BadInput("geometry-key-written-twice", file_name=path, key=str(twice)) from None
     except (ValueError, RecursionError):
-        raise BadInput("commands-not-readable-json-give", path=path, what=what) from None
+        raise BadInput("commands-not-json", path=path, what=what) from None
 
 
 def write_whole(path: Path, content: str | bytes) -> None:
@@ -68,10 +68,8 @@ def write_whole(path: Path, content: str | bytes) -> None:
             part.write_bytes(content.encode("utf-8") if isinstance(content, str) else content)
     except OSError as error:
         if error.errno in (errno.ENOSPC, errno.EDQUOT):
-            raise NoRoom("commands-cannot-written-because-disk-full-free", path=path) from None
-        raise BadInput(
-            "commands-cannot-written-choose-another-place", path=path, strerror=error.strerror
-        ) from None
+            raise NoRoom("commands-disk-full", path=path) from None
+        raise BadInput("commands-not-writable", path=path, strerror=error.strerror) from None
 
 
 def write_json(path: Path, value: Any) -> None:

@@ -112,7 +112,7 @@ def _of_package(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic],
 
     files = open_package(place)
     if place_of(files, _SCANS) not in files.paths:
-        raise BadInput("commands-flow-nothing-in-folder", place=place)
+        raise BadInput("commands-flow-folder-empty", place=place)
     found = traffic_in(files, minutes)
     cars, rows, filmed = list(scanned_motions(files)), Rows(), selection_in(files)
     for scan in scans_in(files):

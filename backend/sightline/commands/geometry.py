@@ -70,10 +70,10 @@ def board_options(command: Command) -> Command:
 
 def _board(text: str, square_m: float, dictionary: str | None, marker_m: float | None) -> Board:
     if (dictionary is None) != (marker_m is None):
-        raise BadInput("commands-charuco-marker-go-together-give-dictionary")
+        raise BadInput("commands-charuco-marker-together")
     match = re.fullmatch(r"\s*(\d{1,4})\s*[xX×*]\s*(\d{1,4})\s*", text)
     if match is None:
-        raise BadInput("commands-board-not-form-9x6-count-inner", text=repr(text))
+        raise BadInput("commands-board-form", text=repr(text))
     charuco = None if dictionary is None or marker_m is None else charuco_of(dictionary, marker_m)
     board = Board(int(match[1]), int(match[2]), square_m, charuco)
     require_board(board)
@@ -85,7 +85,7 @@ def parse_point(text: str, option: str) -> tuple[float, float]:
     try:
         x, y = (float(part) for part in text.split(","))
     except ValueError:
-        raise BadInput("commands-not-form-x-y-give-two", option=option, text=repr(text)) from None
+        raise BadInput("commands-point-form", option=option, text=repr(text)) from None
     return x, y
 
 
@@ -214,7 +214,7 @@ def parse_size(text: str | None) -> tuple[int, int] | None:
         return None
     match = re.fullmatch(r"(\d{1,6})[xX](\d{1,6})", text.strip())
     if match is None:
-        raise BadInput("commands-size-not-form-1920x1080-give-width", text=repr(text))
+        raise BadInput("commands-size-form", text=repr(text))
     return int(match[1]), int(match[2])
 
 
@@ -358,14 +358,14 @@ def height(
     _refuse_ignored(tuple(followed), "--tracks with a CSV file")
     if clicks is not None:
         if contact is not None or target is not None:
-            raise BadInput("commands-give-either-contact-target-clicks-not")
+            raise BadInput("commands-points-or-clicks")
         columns = "the CSV's columns sigma_px, inset_m, u_inset_m, target, side"
         _refuse_ignored(("sigma", "inset", "u_inset", "kind", "side"), columns)
         _many(solved, clicks, output, as_json)
         return
     _refuse_ignored(("output",), "--json and a redirection, or --clicks with a CSV file")
     if contact is None or target is None:
-        raise BadInput("commands-give-contact-x-y-target-x")
+        raise BadInput("commands-points-missing")
     points = parse_point(contact, "--contact"), parse_point(target, "--target")
     assumed = assumed_inset(kind or "", side or "", inset, u_inset)
     measured = _one(solved, *points, sigma, assumed)
@@ -409,7 +409,7 @@ def _one(
     """One height with the flags of its inset. Raises BadInput for a number that cannot be used."""
     numbers = (sigma, 0.0, 0.0) if isinstance(inset, Said) else (sigma, inset.inset_m, inset.u_inset_m)
     if not np.isfinite(numbers).all() or sigma < 0 or numbers[2] < 0:
-        raise BadInput("commands-sigma-inset-u-inset-must-finite")
+        raise BadInput("commands-sigmas-not-finite")
     if isinstance(inset, Said):
         return not_measurable(inset)
     measured = measure_height(solved, contact, target, *numbers)
@@ -423,12 +423,12 @@ def _refuse_ignored(names: tuple[str, ...], instead: str) -> None:
         given = context.get_parameter_source(option.name or "") is ParameterSource.COMMANDLINE
         if given and option.name in names:
             name = max(option.opts, key=len).removeprefix("--")
-            raise BadInput("commands-no-effect-here-use-instead", name=name, instead=instead)
+            raise BadInput("commands-option-without-effect", name=name, instead=instead)
 
 
 def _many(solved: RoadPose, clicks: Path, output: Path | None, as_json: bool) -> None:
     if output is None:
-        raise BadInput("commands-give-o-heights-csv-write")
+        raise BadInput("commands-output-missing")
     text, counts = heights_csv(solved, clicks)
     write_whole(output, text)
     if as_json:

@@ -78,10 +78,10 @@ def linescan(
     """
     begun = start_of(start, u_start_s)
     if output is not None and not output.parent.is_dir():
-        raise BadInput("commands-cannot-written-folder-not-exist-choose", output=output)
+        raise BadInput("commands-output-folder-missing", output=output)
     with closing(_opened(first, time_axis)) as one, closing(_opened(second, time_axis)) as two:
         if first.samefile(second):
-            raise BadInput("commands-given-twice-give-strips-both-cameras", first=first)
+            raise BadInput("commands-strip-twice", first=first)
         check_pair(one, two)
         notes = _rate_notes((one, two), rig)
         finder = Finder(one.rows, rig, max(bits_of(one), bits_of(two)))

@@ -101,7 +101,7 @@ def require_database(settings: Settings) -> None:
 
     path = sqlite_file(settings.database_url)
     if path is not None and not path.is_file():
-        raise BadInput("commands-no-database-name-folder-data-dir", path=path)
+        raise BadInput("commands-no-database", path=path)
 
 
 @contextmanager

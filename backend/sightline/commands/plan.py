@@ -57,14 +57,14 @@ def plan(
     named = (given["camera_height_m"], given["distance_m"], given["board_distance_m"])
     if baseline_m is not None:
         if any(one is not None for one in (camera_file, size_text, field_of_view, *named)):
-            raise BadInput("commands-line-scan-planned-without-camera-place")
+            raise BadInput("commands-plan-without-camera")
         lines = _lines({**of_lines, "baseline_m": baseline_m})
         print_json(_lines_to_dict(lines)) if as_json else click.echo(_lines_text(lines))
         return
     if of_lines:
-        raise BadInput("commands-speed-speed-error-line-rate-u")
+        raise BadInput("commands-options-without-baseline")
     if named[0] is None or named[1] is None:
-        raise BadInput("commands-give-camera-height-distance-baseline-line")
+        raise BadInput("commands-plan-incomplete")
     camera = _camera(camera_file, size_text, field_of_view)
     site: dict[str, Any] = {**given, "direction_rad": float(np.deg2rad(direction))}
     planned = plan_site(camera, Site(**site))
@@ -73,9 +73,9 @@ def plan(
 
 def _lines(given: dict[str, float]) -> LinePlan:
     if "speed_mps" not in given or "error" not in given:
-        raise BadInput("commands-line-scans-plan-needs-speed-speed")
+        raise BadInput("commands-plan-without-speed")
     if not np.all(np.isfinite(list(given.values()))):
-        raise BadInput("commands-numbers-plan-must-finite")
+        raise BadInput("commands-plan-not-finite")
     try:
         return plan_lines(**given)
     except (ValueError, OverflowError) as error_:
@@ -118,7 +118,7 @@ def _camera(camera_file: Path | None, size_text: str | None, field_of_view: floa
         return read_camera_file(camera_file)
     if camera_file is None and size is not None and field_of_view is not None:
         return plain_camera(*size, float(np.deg2rad(field_of_view)))
-    raise BadInput("commands-give-either-camera-size-field-view")
+    raise BadInput("commands-camera-or-size")
 
 
 def _plan_to_dict(planned: Plan) -> dict[str, Any]:

@@ -89,10 +89,10 @@ def start_of(text: str | None, u_s: float | None) -> Start | None:
     """--start and --u-start; None where no start was given. Raises BadInput naming the option."""
     if text is None:
         if u_s is not None:
-            raise BadInput("commands-u-start-needs-start")
+            raise BadInput("commands-u-without-start")
         return None
     if u_s is not None and not 0.0 <= u_s <= _MOST_U_START_S:
-        raise BadInput("commands-u-start-cannot-be", u_s=u_s)
+        raise BadInput("commands-start-u-range", u_s=u_s)
     return Start(instant_with_offset("--start", text), u_s)
 
 
@@ -169,24 +169,24 @@ def _rig_in(path: Path, given: Rig) -> Rig:
     """A calibrated rig with its lanes; numbers that are not of it are left out."""
     document = read_json(path, "a rig as JSON")
     if not isinstance(document, dict):
-        raise BadInput("commands-rig-file-no-rig", path=path)
+        raise BadInput("commands-not-a-rig", path=path)
     held = {name: document[name] for name in _OF_FILE if name in document}
     if "correlation" in document:
         # as `rig calibrate` calls it
         held.setdefault("baseline_correlation", document["correlation"])
     lanes = document.get("lanes", [])
     if "baseline_m" not in held or not isinstance(lanes, list):
-        raise BadInput("commands-rig-file-no-rig", path=path)
+        raise BadInput("commands-not-a-rig", path=path)
     rows = []
     for number, one in enumerate(lanes, 1):
         if not isinstance(one, dict) or "distance_m" not in one:
-            raise BadInput("commands-rig-file-no-rig", path=path)
+            raise BadInput("commands-not-a-rig", path=path)
         rows.append({"name": str(number), **{name: one[name] for name in _OF_LANE if name in one}})
     numbers = [*held.values(), *(value for row in rows for name, value in row.items() if name in _NUMBERS)]
     words = [row.get("direction") for row in rows]
     sound = all(type(one) in (int, float) or one is None for one in numbers)
     if not sound or not set(words) <= {None, *get_args(ScanDirection)}:
-        raise BadInput("commands-rig-file-no-rig", path=path)
+        raise BadInput("commands-not-a-rig", path=path)
     rig = rig_from({**asdict(given), **held, "lanes": rows})
     require_rig(rig)
     return rig

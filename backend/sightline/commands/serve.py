@@ -74,9 +74,7 @@ def listen(host: str, port: int) -> socket.socket:
         listener.listen(2048)
     except OSError as error:
         listener.close()
-        raise BadInput(
-            "commands-port-cannot-used-choose-another-port", port=port, host=host, why=said(error)
-        ) from error
+        raise BadInput("commands-port-taken", port=port, host=host, why=said(error)) from error
     return listener
 
 
@@ -143,7 +141,7 @@ def only_server(folder: Path) -> IO[bytes]:
     except OSError as error:
         raise BadInput("commands-folder-cannot-written", folder=str(folder), why=said(error)) from error
     if held is None:
-        raise BadInput("commands-another-server-has-folder", folder=str(folder))
+        raise BadInput("commands-folder-taken", folder=str(folder))
     return held
 
 

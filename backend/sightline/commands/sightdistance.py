@@ -75,7 +75,7 @@ def sightdistance(
     needed = None if speed_kmh is None else sight_distance(kind, speed_kmh / 3.6)
     seen_m = distance_m if needed is None else needed.distance_m
     if difference_percent is not None and seen_m is None:
-        raise BadInput("commands-grade-difference-needs-distance")
+        raise BadInput("commands-grade-without-distance")
     if headlight_m is not None and seen_m is None:
         raise BadInput("commands-sag-needs-distance")
     u_m = (u_eye_m if eye_heights is None else None, u_object_m if object_heights is None else None)

@@ -208,9 +208,7 @@ def _taken(spool: Path | None) -> Iterator[None]:
         spool.mkdir(parents=True, exist_ok=True)
         lock = (spool / ".lock").open("w")
     except OSError as error:
-        raise BadInput(
-            "commands-cannot-written-choose-another-place", path=spool, strerror=error.strerror
-        ) from None
+        raise BadInput("commands-not-writable", path=spool, strerror=error.strerror) from None
     with lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -66,7 +66,7 @@ def add(
     if not 0.0 <= u_start_s < float("inf"):
         raise BadInput("traffic-no-u-start", u_start_s=u_start_s)
     if duration_s is not None and not 0.0 < duration_s < float("inf"):
-        raise BadInput("traffic-no-length-of-time", duration_s=duration_s)
+        raise BadInput("traffic-duration-not-positive", duration_s=duration_s)
     stood = Stood(site, lane, zone, instant_of(start, zone), u_start_s)
     recorded = read_recorded(recording, duration_s)
     days = add_recorded(archive, recorded, stood)
@@ -214,7 +214,7 @@ def _target(output: Path | None) -> Iterator[TextIO]:
         yield sys.stdout
         return
     if not output.parent.is_dir():
-        raise BadInput("commands-cannot-written-folder-not-exist-choose", output=output)
+        raise BadInput("commands-output-folder-missing", output=output)
     with atomic_file(output) as part, part.open("w", encoding="utf-8", newline="") as file:
         yield file
 

@@ -47,7 +47,7 @@ def check(place: str, head: str | None = None, key: str | None = None) -> dict[s
         return check_database(place)
     path = Path(place)
     if not path.exists():
-        raise BadInput("commands-not-exist-name-database-data-folder", place=place)
+        raise BadInput("commands-place-missing", place=place)
     if path.is_dir() and (path / DATABASE).is_file():
         path = path / DATABASE
     if path.is_dir() and (path / BACKUP).is_file():

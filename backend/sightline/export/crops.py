@@ -116,7 +116,7 @@ def _picture(services: Services, recording_id: int, frame: int, crc: int) -> Bgr
     try:
         opened = stills_of(services).open(recording_id)
         if not frame < len(opened.media) or int(opened.media.crc[frame]) != crc:
-            raise Damaged("export-frame-stored-video-not-one-clicked", frame=frame)
+            raise Damaged("export-frame-not-clicked", frame=frame)
         return services.frames.bgr(opened.media, frame)
     except SightlineError as error:
         return error.message
@@ -179,7 +179,7 @@ def _encoded(picture: Bgr) -> bytes:
     options = [cv2.IMWRITE_JPEG_QUALITY, QUALITY, cv2.IMWRITE_JPEG_SAMPLING_FACTOR]
     done, data = cv2.imencode(".jpg", picture, [*options, cv2.IMWRITE_JPEG_SAMPLING_FACTOR_444])
     if not done:
-        raise Damaged("export-crop-could-not-encoded-export-survey")
+        raise Damaged("export-crop-not-encoded")
     return data.tobytes()
 
 

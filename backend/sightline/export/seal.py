@@ -87,7 +87,7 @@ def check_seal(seal: Seal, written: Mapping[str, Written]) -> None:
     found = sealed(written, seal.before_sha256)
     for path in sorted({*found, *seal.files}, key=_told_first):
         if found.get(path) != seal.files.get(path):
-            raise Damaged("export-not-the-file-that-the-seal-names", path=path)
+            raise Damaged("export-seal-differs", path=path)
 
 
 def _told_first(path: str) -> tuple[bool, bool, bool, bool, str]:
@@ -103,11 +103,11 @@ def check_sealed(files: Files, tables: Sequence[str]) -> str | None:
     try:
         seal = read_seal(files)
         if seal.before_sha256 != seal.files.get(AUDIT.path):
-            raise Damaged("export-not-the-file-that-the-seal-names", path=AUDIT.path)
+            raise Damaged("export-seal-differs", path=AUDIT.path)
         places = (place_of(files, table) for table in tables)
         for path in (DESCRIPTION, *places, *(parquet_path(path) for path in tables)):
             if path in files.paths and sum_of(files, path).sha256 != seal.files.get(path):
-                raise Damaged("export-not-the-file-that-the-seal-names", path=path)
+                raise Damaged("export-seal-differs", path=path)
     except Damaged as error:
         return error.message
     return None

@@ -44,9 +44,9 @@ class Board:
 def require_board(board: Board) -> None:
     """Raise BadInput for a board that no detector can look for."""
     if min(board.columns, board.rows) < 3 or max(board.columns, board.rows) > 60:
-        raise BadInput("geometry-board-x-inner-corners-cannot-used", columns=board.columns, rows=board.rows)
+        raise BadInput("geometry-board-corner-count", columns=board.columns, rows=board.rows)
     if not (np.isfinite(board.square_m) and 0.0005 <= board.square_m <= 5.0):
-        raise BadInput("geometry-square-m-cannot-right-give-side", square_m=board.square_m)
+        raise BadInput("geometry-square-implausible", square_m=board.square_m)
     if board.charuco is not None:
         require_charuco(board.charuco, board.columns, board.rows, board.square_m)
 

@@ -230,7 +230,7 @@ def _too_few(used: int, given: int, skipped: dict[str, View], least: int) -> Bad
     if first is None:
         return BadInput("geometry-too-few-pictures", used=used, given=given, least=least)
     return BadInput(
-        "geometry-too-few-pictures-why",
+        "geometry-too-few-images",
         used=used,
         given=given,
         least=least,
@@ -249,7 +249,7 @@ def _fit(used: Sequence[NamedCorners], board: Board, size: tuple[int, int], mode
         if again is not None and (fit is None or _Fit(*again).rms_px < fit.rms_px):
             fit = _Fit(*again)
     if fit is None:
-        raise BadInput("geometry-model-could-not-fitted-these-views", model=model)
+        raise BadInput("geometry-model-misfit", model=model)
     return fit
 
 

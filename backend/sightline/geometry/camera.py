@@ -91,7 +91,7 @@ def require_size(camera: Camera, width_px: int, height_px: int, what: str) -> No
     """Raise BadInput when a picture of another size meets this camera."""
     if (width_px, height_px) != (camera.width_px, camera.height_px):
         raise BadInput(
-            "geometry-x-px-camera-calibrated-x-px",
+            "geometry-size-not-calibrated",
             what=what,
             width_px=width_px,
             height_px=height_px,

@@ -42,7 +42,7 @@ def charuco_of(dictionary: str, marker_m: float) -> Charuco:
     name = dictionary.strip().upper().removeprefix("DICT_")
     if name not in DICTIONARIES:
         raise BadInput(
-            "geometry-no-dictionary-markers-one-maker-board",
+            "geometry-dictionary-unknown",
             dictionary=repr(dictionary),
             dictionaries=", ".join(DICTIONARIES),
         )
@@ -54,11 +54,11 @@ def require_charuco(charuco: Charuco, columns: int, rows: int, square_m: float) 
     if charuco.dictionary not in DICTIONARIES:
         charuco_of(charuco.dictionary, charuco.marker_m)
     if not (np.isfinite(charuco.marker_m) and 0.2 * square_m <= charuco.marker_m < 0.97 * square_m):
-        raise BadInput("geometry-markers-m-not-go-squares-m", marker_m=charuco.marker_m, square_m=square_m)
+        raise BadInput("geometry-markers-over-squares", marker_m=charuco.marker_m, square_m=square_m)
     needed, held = (columns + 1) * (rows + 1) // 2, len(_dictionary(charuco.dictionary).bytesList)
     if needed > held:
         raise BadInput(
-            "geometry-board-x-inner-corners-markers-holds",
+            "geometry-board-marker-count",
             columns=columns,
             rows=rows,
             needed=needed,

@@ -138,12 +138,12 @@ class _Reader:
 
     def __init__(self, data: object, what: str) -> None:
         if not isinstance(data, Mapping):
-            raise BadInput("geometry-must-json-object-write-sightline-see", what=what)
+            raise BadInput("geometry-not-an-object", what=what)
         self.data = data
         self.what = what
 
     def fail(self, key: str, wanted: str) -> BadInput:
-        return BadInput("geometry-must-correct-key-make-file-again", what=self.what, key=key, wanted=wanted)
+        return BadInput("geometry-key-wrong", what=self.what, key=key, wanted=wanted)
 
     def number(self, key: str, *, positive: bool = False, default: float | None = None) -> float:
         value = self.data.get(key, default)

@@ -187,10 +187,10 @@ def read_camera(
 def _parsed(text: str, file_name: str) -> list[dict[str, Any]]:
     """The file's documents: one, or several in a YAML file that holds `---`."""
     if len(text) > _MOST_CHARACTERS:
-        raise BadInput("geometry-too-large-calibration-file-choose-file", file_name=file_name)
+        raise BadInput("geometry-file-too-large", file_name=file_name)
     text = text.lstrip("\ufeff")
     if text.lstrip().startswith("<") and "opencv_storage" in text:
-        raise BadInput("geometry-opencv-xml-save-as-yaml", file_name=file_name)
+        raise BadInput("geometry-opencv-xml", file_name=file_name)
     try:
         if "lensmodel" in text:
             documents = [ast.literal_eval(text.strip())]
@@ -203,9 +203,9 @@ def _parsed(text: str, file_name: str) -> list[dict[str, Any]]:
     except WrittenTwice as twice:
         raise BadInput("geometry-key-written-twice", file_name=file_name, key=str(twice)) from None
     except (ValueError, SyntaxError, yaml.YAMLError, RecursionError, MemoryError):
-        raise BadInput("geometry-no-readable-camera-file-give-opencv", file_name=file_name) from None
+        raise BadInput("geometry-camera-unreadable", file_name=file_name) from None
     if not documents or not all(isinstance(one, dict) and one for one in documents):
-        raise BadInput("geometry-holds-no-camera-give-opencv-yaml", file_name=file_name)
+        raise BadInput("geometry-no-camera", file_name=file_name)
     return [{str(key): value for key, value in one.items()} for one in documents]
 
 
@@ -284,7 +284,7 @@ def _chosen(
         wanted = _SIDES.get(wanted, wanted)
     key = next((one for one in names if one.lower() == wanted.lower()), None)
     if key is None:
-        raise BadInput("geometry-holds-no-camera-holds", file_name=file_name, which=which, cameras=told)
+        raise BadInput("geometry-camera-not-named", file_name=file_name, which=which, cameras=told)
     if which is None and len(names) > 1:
         notes.append(Said("import-several-cameras", file_name=file_name, cameras=told, key=key))
     name = names[key]
@@ -303,15 +303,13 @@ def _numbers(value: Any, what: str, file_name: str) -> Floats:
             raise TypeError
         out = np.array(value, dtype=np.float64).ravel()
     except (TypeError, ValueError, OverflowError):
-        raise BadInput(
-            "geometry-not-list-numbers-export-file-again", file_name=file_name, what=what
-        ) from None
+        raise BadInput("geometry-not-numbers", file_name=file_name, what=what) from None
     if not np.isfinite(out).all():
-        raise BadInput("geometry-holds-values-not-finite-calibrate-again", file_name=file_name, what=what)
+        raise BadInput("geometry-values-not-finite", file_name=file_name, what=what)
     rows, columns = shape
     if isinstance(rows, int) and isinstance(columns, int) and rows * columns != len(out):
         raise BadInput(
-            "geometry-rows-and-columns-contradict",
+            "geometry-rows-contradict",
             file_name=file_name,
             what=what,
             rows=rows,
@@ -341,11 +339,11 @@ def _size(data: Mapping[str, Any], file_name: str) -> tuple[int, int] | None:
             both = [both.get("width"), both.get("height")]
         values = _numbers(both, "the image size", file_name)
         if len(values) != 2:
-            raise BadInput("geometry-image-size-must-two-numbers-width", file_name=file_name)
+            raise BadInput("geometry-size-not-two", file_name=file_name)
         width, height = values
     values = _numbers([width, height], "the image size", file_name)
     if (values < 2).any() or (values > 100_000).any() or (values != np.rint(values)).any():
-        raise BadInput("geometry-image-size-must-two-whole-numbers", file_name=file_name)
+        raise BadInput("geometry-size-not-whole", file_name=file_name)
     return int(values[0]), int(values[1])
 
 
@@ -357,7 +355,7 @@ def _model_word(word: Any, file_name: str) -> LensModel | None:
         return "brown"
     if text in _FISHEYE_WORDS:
         return "fisheye"
-    raise BadInput("geometry-distortion-model-not-supported-plumb-bob", file_name=file_name, word=word)
+    raise BadInput("geometry-distortion-unsupported", file_name=file_name, word=word)
 
 
 def _opencv_or_ros(
@@ -365,19 +363,17 @@ def _opencv_or_ros(
 ) -> _Found:
     raw, lens = _first(data, _MATRIX_KEYS), _first(data, _LENS_KEYS)
     if raw is None:
-        raise BadInput("geometry-holds-no-camera-matrix-camera-matrix", file_name=file_name)
+        raise BadInput("geometry-no-matrix", file_name=file_name)
     k = _numbers(raw, "the camera matrix", file_name)
     if not k.any():
         raise BadInput("geometry-camera-not-calibrated", file_name=file_name)
     if len(k) != 9 or abs(k[8] - 1) > 1e-6 or np.abs(k[[3, 6, 7]]).max() > 1e-9:
-        raise BadInput("geometry-camera-matrix-must-3x3-0-0", file_name=file_name)
+        raise BadInput("geometry-matrix-form", file_name=file_name)
     if abs(k[1]) > 1e-6 * abs(k[0]):
-        raise BadInput("geometry-camera-matrix-skew-which-not-supported", file_name=file_name)
+        raise BadInput("geometry-matrix-skew", file_name=file_name)
     for key in ("binning_x", "binning_y"):
         if isinstance(data.get(key), int | float) and data[key] > 1:
-            raise BadInput(
-                "geometry-give-camera-info-unbinned-pictures", file_name=file_name, key=key, data=data[key]
-            )
+            raise BadInput("geometry-camera-info-binned", file_name=file_name, key=key, data=data[key])
     model = _model_word(data.get("distortion_model"), file_name)
     if model is None and "fisheye_model" in data:
         model = "fisheye" if data["fisheye_model"] else "brown"
@@ -445,13 +441,13 @@ def _part_read(
 def _kalibr(one: Mapping[str, Any], file_name: str) -> _Found:
     if one["camera_model"] != "pinhole":
         raise BadInput(
-            "geometry-camera-model-not-supported-calibrate-pinhole",
+            "geometry-model-unsupported",
             file_name=file_name,
             camera_model=one["camera_model"],
         )
     intrinsics = _numbers(one.get("intrinsics"), "intrinsics", file_name)
     if len(intrinsics) != 4:
-        raise BadInput("geometry-intrinsics-must-four-numbers-fu-fv", file_name=file_name)
+        raise BadInput("geometry-intrinsics-count", file_name=file_name)
     word, lens = one.get("distortion_model"), one.get("distortion_coeffs")
     if word == "none":
         word, lens = "radtan", []
@@ -470,7 +466,7 @@ def _mrcal(data: Mapping[str, Any], file_name: str) -> _Found:
     word = str(data["lensmodel"])
     wanted = {"LENSMODEL_PINHOLE": 0, "LENSMODEL_OPENCV4": 4, "LENSMODEL_OPENCV5": 5, "LENSMODEL_OPENCV8": 8}
     if word not in wanted:
-        raise BadInput("geometry-lens-model-not-supported-convert-mrcal", file_name=file_name, word=word)
+        raise BadInput("geometry-lens-unsupported", file_name=file_name, word=word)
     values = _numbers(data.get("intrinsics"), "intrinsics", file_name)
     if len(values) != 4 + wanted[word]:
         raise BadInput(
@@ -490,9 +486,9 @@ def _checked(
     fx, fy, cx, cy = (float(v) for v in found.matrix)
     size = found.size or size
     if size is None:
-        raise BadInput("geometry-not-say-how-large-pictures-add", file_name=file_name)
+        raise BadInput("geometry-no-image-size", file_name=file_name)
     if fx <= 0 or fy <= 0:
-        raise BadInput("geometry-focal-lengths-must-positive-numbers-pixels", file_name=file_name)
+        raise BadInput("geometry-focal-not-positive", file_name=file_name)
     chosen = found.model or model or _guess(found.lens, file_name, notes)
     name = found.name or file_name.rsplit("/", 1)[-1].rsplit(".", 1)[0]
     lens = _trimmed(found.lens, chosen, file_name)
@@ -527,17 +523,13 @@ def _guess(lens: Floats, file_name: str, notes: list[Said]) -> LensModel:
 def _trimmed(lens: Floats, model: LensModel, file_name: str) -> Floats:
     if model == "fisheye":
         if len(lens) != 4:
-            raise BadInput(
-                "geometry-fisheye-model-needs-four-coefficients-file", file_name=file_name, count=len(lens)
-            )
+            raise BadInput("geometry-fisheye-count", file_name=file_name, count=len(lens))
         return lens
     if len(lens) > 8 and lens[8:].any():
-        raise BadInput("geometry-thin-prism-tilt-coefficients-not-supported", file_name=file_name)
+        raise BadInput("geometry-thin-prism", file_name=file_name)
     lens = lens[:8]
     if len(lens) == 4:
         return np.append(lens, 0.0)
     if len(lens) not in (0, 5, 8):
-        raise BadInput(
-            "geometry-distortion-coefficients-4-5-8-supported", file_name=file_name, count=len(lens)
-        )
+        raise BadInput("geometry-distortion-count", file_name=file_name, count=len(lens))
     return lens if len(lens) else np.zeros(5)

@@ -84,7 +84,7 @@ def pose_from_corners(
     used = [c for c in frames if c.found and c.ids is None]
     if not used:
         reason = _why_none(frames)
-        raise BadInput("geometry-board-found-none-frames", count=len(frames), reason=reason)
+        raise BadInput("geometry-board-not-found", count=len(frames), reason=reason)
     seen_as = used[0].board_as_seen
     used = [c for c in used if c.points_px.shape == used[0].points_px.shape]
     seen_board = replace(seen_as, square_m=board.square_m)
@@ -93,7 +93,7 @@ def pose_from_corners(
         still = _on_mean(mean_picture, still, seen_board)
     roots = planar_roots(camera, board_points(seen_board), still.mean_px)
     if not roots:
-        raise BadInput("geometry-no-pose-fits-corners-check-camera")
+        raise BadInput("geometry-pose-misfit")
     best = roots[0]
     warnings = _checked(best, roots, still, seen_board, len(frames) - len(used))
     return _on_road(camera, best, seen_board, reference, still, warnings)
@@ -112,18 +112,16 @@ def _why_none(frames: Sequence[Corners]) -> Said:
 def _require_reference(reference: Reference) -> None:
     doubts = (reference.u_height_m, reference.u_lean_rad, reference.u_square_m or 0.0, reference.u_bow_m)
     if not np.isfinite((reference.height_m, *doubts)).all() or min(doubts) < 0:
-        raise BadInput("geometry-reference-height-boards-uncertainties-must-numbers")
+        raise BadInput("geometry-heights-not-numbers")
     if not 0.0 <= reference.height_m <= 20.0:
-        raise BadInput(
-            "geometry-reference-row-m-above-road-cannot", height_m=reference.height_m, side=reference.side
-        )
+        raise BadInput("geometry-row-height-implausible", height_m=reference.height_m, side=reference.side)
 
 
 def _require_still(frames_px: Floats) -> Still:
     """The still part of the span; BadInput when board or camera moves through most of it."""
     still = find_still(frames_px)
     if len(frames_px) > 1 and len(still.kept) < max(1, (len(frames_px) + 1) // 2):
-        raise BadInput("geometry-board-camera-moves-during-these-frames", moved_px=still.moved_px)
+        raise BadInput("geometry-board-moves", moved_px=still.moved_px)
     return still
 
 
@@ -145,10 +143,10 @@ def _checked(
     """Refuse what cannot be a pose of this board, and say what is doubtful."""
     rms = float(np.sqrt(best.cost / len(best.residuals_px)))
     if rms > _HIGHEST_RMS_PX:
-        raise BadInput("geometry-corners-not-fit-camera-model-residual", rms=rms)
+        raise BadInput("geometry-corners-misfit", rms=rms)
     slant = abs(float(best.rotation[:, 2] @ _unit(best.translation)))
     if slant < np.sin(_EDGE_ON_RAD):
-        raise BadInput("geometry-board-seen-edge-turn-towards-camera")
+        raise BadInput("geometry-board-edge-on")
     warnings = []
     if missed:
         warnings.append(Said("pose-frames-without-board", missed=missed))
@@ -189,11 +187,9 @@ def _on_road(
     sigma = mean_sigma_px(float(np.sqrt(at.cost / freedom)), still)
     pose = RoadPose(camera, rotation, translation, joint_covariance(camera, at, sigma))
     if lies_on_road(pose):
-        raise BadInput("geometry-board-lies-on-road")
+        raise BadInput("geometry-board-lies-flat")
     if pose.centre_m[2] <= 0:
-        raise BadInput(
-            "geometry-reference-height-m-puts-camera-below", height_m=reference.height_m, side=reference.side
-        )
+        raise BadInput("geometry-camera-below-road", height_m=reference.height_m, side=reference.side)
     return replace(
         pose,
         board=board_on_road(board, reference, at, points),

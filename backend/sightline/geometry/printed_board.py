@@ -68,8 +68,8 @@ def _sheet(needed: tuple[float, float], paper: str | None) -> tuple[str, tuple[f
                 return name, size
     width_mm, height_mm = (round(1000.0 * side) for side in needed)
     if paper is None:
-        raise BadInput("geometry-board-larger-than-paper", width_mm=width_mm, height_mm=height_mm)
-    raise BadInput("geometry-board-not-on-paper", paper=paper, width_mm=width_mm, height_mm=height_mm)
+        raise BadInput("geometry-board-over-paper", width_mm=width_mm, height_mm=height_mm)
+    raise BadInput("geometry-board-off-paper", paper=paper, width_mm=width_mm, height_mm=height_mm)
 
 
 def _size_of(paper: str) -> tuple[float, float]:

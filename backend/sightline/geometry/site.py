@@ -50,7 +50,7 @@ def require_site(site: Site) -> None:
     ):
         if not (np.isfinite(value) and least <= value <= most):
             raise BadInput(
-                "geometry-cannot-planned-give-one",
+                "geometry-plan-range",
                 what=what,
                 value=format(value, "g"),
                 unit=unit,
@@ -86,10 +86,10 @@ def plain_camera(width_px: int, height_px: int, field_of_view_rad: float) -> Cam
     1757.3
     """
     if not (16 <= width_px <= 16_384 and 16 <= height_px <= 16_384):
-        raise BadInput("geometry-picture-x-px-cannot-planned-give", width_px=width_px, height_px=height_px)
+        raise BadInput("geometry-image-range", width_px=width_px, height_px=height_px)
     degrees = float(np.rad2deg(field_of_view_rad))
     if not (np.isfinite(degrees) and 5.0 <= degrees <= 150.0):
-        raise BadInput("geometry-horizontal-field-view-degrees-cannot-planned", degrees=format(degrees, "g"))
+        raise BadInput("geometry-view-range", degrees=format(degrees, "g"))
     focal_px = 0.5 * width_px / float(np.tan(0.5 * field_of_view_rad))
     return Camera(
         name=f"plain camera, {degrees:g} degrees",

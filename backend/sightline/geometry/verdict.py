@@ -146,15 +146,15 @@ def require_plausible(camera: Camera, file_name: str) -> None:
     focal = camera.fx_px, camera.fy_px
     if not (shortest <= min(focal) and max(focal) <= longest):
         raise BadInput(
-            "geometry-focal-length-not-of-these-pixels",
+            "geometry-focal-implausible",
             file_name=file_name,
             focal=f"{camera.fx_px:.6g}",
             width=size[0],
         )
     if not (-size[0] < camera.cx_px < 2 * size[0] and -size[1] < camera.cy_px < 2 * size[1]):
-        raise BadInput("geometry-principal-point-lies-far-outside-picture", file_name=file_name)
+        raise BadInput("geometry-principal-point-outside", file_name=file_name)
     if reach(camera) < _LEAST_REACH:
-        raise BadInput("geometry-lens-turns-back-early", file_name=file_name)
+        raise BadInput("geometry-lens-turns-back", file_name=file_name)
 
 
 def lens_warnings(camera: Camera) -> tuple[Said, ...]:

@@ -82,7 +82,7 @@ class GivenTable:
     def size_m(self, line: int, column: str, cell: str) -> float:
         """A size that a vehicle can have, metres. Raises BadInput as `length_m`, and for 0 or less."""
         if self.number(line, column, cell) <= 0.0:
-            raise BadInput("csv-size-not-above-0", name=self.name, line=line, column=column, cell=cell[:40])
+            raise BadInput("csv-size-not-positive", name=self.name, line=line, column=column, cell=cell[:40])
         return self.length_m(line, column, cell)
 
     def uncertainty(self, line: int, column: str, cell: str) -> float:
@@ -108,7 +108,7 @@ class GivenTable:
             return value
         unit = unit_of(value, usual_m)
         raise BadInput(
-            "csv-no-size-of-a-vehicle",
+            "csv-size-too-large",
             name=self.name,
             line=line,
             column=column,
@@ -191,7 +191,7 @@ def _rows(
         elif not any(map(str.strip, cells)):
             continue
         elif opened and _has_a_quote_astray(text, delimiter):
-            problem, opened = BadInput("csv-rest-of-a-cell", name=name, line=line, opened=opened), 0
+            problem, opened = BadInput("csv-cell-not-closed", name=name, line=line, opened=opened), 0
         elif [cell.strip() for cell in cells[:width]] == header:
             problem = BadInput("csv-header-again", name=name, line=line)
         elif any(map(str.strip, cells[width:])):

@@ -73,7 +73,7 @@ class Finder:
 
     def __init__(self, rows: int, rig: Rig, bits: int = 8) -> None:
         if rows < 8:
-            raise BadInput("linescan-strips-rows-high-least-8-needed", rows=rows)
+            raise BadInput("linescan-strips-too-low", rows=rows)
         rate = rig.line_rate_hz
         step = max(1, round(rate / STEPS_HZ))
         self.rig, self.rows = rig, rows
@@ -108,7 +108,7 @@ class Finder:
         """
         if first.shape != second.shape or first.ndim != 2 or first.shape[1] != self.rows:
             raise BadInput(
-                "linescan-strips-differ-lines-rows-rows-expected",
+                "linescan-strips-differ",
                 shape=first.shape,
                 shape_2=second.shape,
                 rows=self.rows,

@@ -84,7 +84,7 @@ def require_rig(rig: Rig, named: Mapping[str, str] | None = None) -> None:
             replace(limits, most=most).require(value, (named or {}).get(name))
     _require_lanes(rig.lanes)
     if (rig.divergence_rad or rig.u_divergence_rad) and rig.distance_m is None and not rig.lanes:
-        raise BadInput("linescan-rig-divergence-without-distance")
+        raise BadInput("linescan-divergence-without-distance")
 
 
 def rig_from(document: Mapping[str, Any]) -> Rig:

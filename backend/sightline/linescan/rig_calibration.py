@@ -384,10 +384,10 @@ def _require_spread(spans: Sequence[Span]) -> None:
         )
     for name in sorted({name for one in spans for name in one.shared if name.startswith("width ")}):
         if len({one.shared[name] for one in spans if name in one.shared}) > 1:
-            raise BadInput("linescan-rig-width-two-u", width_m=name.removeprefix("width "))
+            raise BadInput("linescan-width-two-u", width_m=name.removeprefix("width "))
     for distance in sorted(set(distances)):
         if len({one.u_distance_m for one in spans if one.distance_m == distance}) > 1:
-            raise BadInput("linescan-rig-distance-two-u", distance_m=format(distance, ".3f"))
+            raise BadInput("linescan-distance-two-u", distance_m=format(distance, ".3f"))
 
 
 def _spread(spans: Sequence[Span], fitted: Floats, divergence: float, common: Common) -> Floats:

@@ -200,14 +200,14 @@ def check_ground(ground: Ground, values: MeasurementValues) -> None:
         if clicked.frame not in ground.frames:
             raise missing_frame(ground.recording_id, clicked.frame)
         if ground.frames[clicked.frame] != (clicked.pts, clicked.frame_crc32):
-            raise Conflict("measurements-frame-not-picture-clicked-load-again", frame=clicked.frame)
+            raise Conflict("measurements-frame-not-clicked", frame=clicked.frame)
     if ground.pose_survey_id is None:
         raise missing("camera pose", values.pose_id)
     if ground.pose_survey_id != ground.survey_id:
-        raise BadInput("measurements-road-pose-belongs-another-survey-choose", pose_id=values.pose_id)
+        raise BadInput("measurements-pose-other-survey", pose_id=values.pose_id)
     if not ground.has_calibration:
         raise missing("calibration", values.calibration_id)
     if values.status == "ok" and values.height_m is None:
-        raise BadInput("measurements-measurement-without-height-needs-reason-why")
+        raise BadInput("measurements-empty-without-reason")
     if values.status != "ok" and not values.reason:
-        raise BadInput("measurements-measurement-no-height-needs-reason-why")
+        raise BadInput("measurements-no-height-reason")

@@ -88,7 +88,7 @@ def _snapped(services: Services, vehicle_id: int, body: _Body) -> Origin:
     if click is None:
         return Origin()
     if not is_from(services, vehicle_id, body.frame, click, body.contact):
-        raise Conflict("measurements-not-where-click-goes")
+        raise Conflict("measurements-click-elsewhere")
     return Origin(made="snapped", snapped_from_x_px=click[0], snapped_from_y_px=click[1])
 
 

@@ -141,7 +141,7 @@ def proposal(
     asked = [_with_an_inset(clicks_in_context(one, context)) for one in (clicks, *others)]
     vehicle = get_sheet(session, vehicle_id)
     if vehicle.recording_id != recording_id:
-        raise BadInput("measurements-vehicle-not-recording-choose-one-passes")
+        raise BadInput("measurements-vehicle-other-recording")
     now = [_now(pose, one) for one in asked]
     first = next((one for one, (u_m, _) in zip(asked, now, strict=True) if u_m is not None), None)
     if first is None:

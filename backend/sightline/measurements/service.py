@@ -222,7 +222,7 @@ def _frames_once(clicks: Clicks) -> tuple[int, ...]:
     """Raises BadInput where a frame is there twice: the vehicle has not moved between a frame and itself."""
     twice = next((number for number in clicks.frames if clicks.frames.count(number) > 1), None)
     if twice is not None:
-        raise BadInput("measurements-frame-clicked-twice-click-two-points", twice=twice)
+        raise BadInput("measurements-frame-twice", twice=twice)
     return clicks.frames
 
 
@@ -272,7 +272,7 @@ def _check_point(word: str, point: Point) -> None:
     """Far outside any picture a number is a slip, not a click."""
     if not all(abs(value) < 1e6 for value in point):
         raise BadInput(
-            "measurements-point-not-any-picture-click-again",
+            "measurements-point-outside",
             word=word,
             point=format(point[0], "g"),
             point_2=format(point[1], "g"),
@@ -286,12 +286,12 @@ def pose_in_force(session: Session, context: ClickContext) -> tuple[RoadPose, in
     would be a wrong number that looks right.
     """
     if context.pose_id is None or context.calibration_id is None:
-        raise Conflict("measurements-no-road-pose-yet-make-choose", name=context.name)
+        raise Conflict("measurements-no-pose", name=context.name)
     pose = road_pose(session, context.pose_id)
     size_px = (pose.camera.width_px, pose.camera.height_px)
     if None not in context.size_px and context.size_px != size_px:
         raise Conflict(
-            "measurements-road-pose-pictures-x-px-not",
+            "measurements-pose-image-size",
             name=context.name,
             size_px=size_px[0],
             size_px_2=size_px[1],

@@ -84,7 +84,7 @@ def add_measurement(
     ground = ground_of(session, vehicle_id, values, client_key, actor=actor)
     if ground.known_id is not None:
         if ground.known_vehicle_id != vehicle_id:
-            raise Conflict("measurements-measurement-stored-another-vehicle-already-click")
+            raise Conflict("measurements-other-vehicle")
         return get_measurement(session, ground.known_id)
     if ground.vehicle_deleted:
         raise missing("vehicle", vehicle_id)
@@ -121,7 +121,7 @@ def _add_some(
     grounds = grounds_of(session, survey_id, fresh)
     for one, ground in zip(fresh, grounds, strict=True):
         if ground.known_id is not None:
-            raise Conflict("measurements-measurement-stored-another-vehicle-already-click")
+            raise Conflict("measurements-other-vehicle")
         check_ground(ground, one.values)
         if ground.standing_id is not None:
             raise _already_measured(session, ground.standing_id)
@@ -178,9 +178,9 @@ def revise_measurement(
     transaction. Raises Conflict for one that is withdrawn, or a repeat.
     """
     if before.withdrawn:
-        raise Conflict("measurements-measurement-withdrawn-restore-before-you-change")
+        raise Conflict("measurements-withdrawn")
     if before.repeat_of is not None:
-        raise Conflict("measurements-repeat-stands-clicked-withdraw-click-again")
+        raise Conflict("measurements-repeat-fixed")
     if values.target != before.values.target:
         _require_alone(session, before, values.target)
     return append_measurement_revision(session, before, values, withdrawn=False, action="revise", actor=actor)
@@ -192,7 +192,7 @@ def withdraw_measurement(
     """A new revision that takes the measurement out of all lists and counts."""
     before = require_measurement_revision(session, series_id, seen_revision)
     if before.withdrawn:
-        raise Conflict("measurements-measurement-withdrawn-already-restore-use-again")
+        raise Conflict("measurements-withdrawn-already")
     return append_measurement_revision(
         session, before, before.values, withdrawn=True, action="withdraw", actor=actor
     )
@@ -204,7 +204,7 @@ def restore_measurement(
     """A new revision that brings a withdrawn measurement back."""
     before = require_measurement_revision(session, series_id, seen_revision)
     if not before.withdrawn:
-        raise Conflict("measurements-measurement-not-withdrawn-nothing-restore")
+        raise Conflict("measurements-not-withdrawn")
     _require_alone(session, before, before.values.target)
     return append_measurement_revision(
         session, before, before.values, withdrawn=False, action="restore", actor=actor
@@ -297,7 +297,7 @@ def require_measurement_revision(session: Session, series_id: int, revision: int
         name = name_of(session, row.deleter_id)
         when = f"{row.vehicle_updated_at:%Y-%m-%d %H:%M:%S} UTC"
         raise Conflict(
-            "measurements-deleted-vehicle-restore-first",
+            "measurements-vehicle-deleted",
             name=name,
             vehicle_number=row.vehicle_number,
             when=when,
@@ -312,7 +312,7 @@ def require_seen(current: Measurement | ScanHeight, revision: int) -> None:
     if current.revision != revision:
         name = current.created_by.name if current.created_by else "The system"
         raise Conflict(
-            "measurements-changed-measurement-utc-look-again",
+            "measurements-changed-meanwhile",
             name=name,
             created_at=format(current.created_at, "%Y-%m-%d %H:%M:%S"),
         )
@@ -537,5 +537,5 @@ def _repeated(session: Session, vehicle_id: int, repeat_of: int | None, target: 
         return None
     first = get_measurement(session, repeat_of)
     if (first.vehicle_id, first.values.target) != (vehicle_id, target):
-        raise BadInput("measurements-repeat-needs-vehicle-target-measurement-repeats")
+        raise BadInput("measurements-repeat-mismatch")
     return first.repeat_of or first.id

@@ -19,7 +19,7 @@ def require_verdict(
         raise Conflict("reviews-verdict-given-meanwhile", name=name, verdict=standing.verdict)
     told = (reason or "").strip() or None
     if verdict == "rejected" and told is None:
-        raise BadInput("reviews-rejection-needs-reason-say-what-wrong")
+        raise BadInput("reviews-rejection-no-reason")
     if verdict == "reopened" and standing.verdict in ("to_review", "reopened"):
         raise Conflict("reviews-waits-review-already")
     return told

@@ -203,7 +203,7 @@ def check_measurements(
         name, mine = next(revisions, ("", iter(())))
         rows = list(mine)
         if name != current["id"]:
-            raise Damaged("measurements-revisions-csv-measurement-no-revisions-one", id=current["id"])
+            raise Damaged("measurements-no-revisions", id=current["id"])
         for row in rows:
             heights.check(f"revisions.csv: {name}", row, row["code_version"])
             _by_event(events, drift_flag, "revisions.csv", row, (int(name), int(row["revision"])))
@@ -216,7 +216,7 @@ def check_measurements(
             _same_clicks("clicks.csv", clicks.next(f"m{name}"), current)
             _same_clicks(path, alone.next(f"m{name}"), current)
     if next(revisions, None) is not None:
-        raise Damaged("measurements-measurements-csv-lacks-measurement-revisions-csv")
+        raise Damaged("measurements-row-missing")
     budget.end()
     for left in (clicks, *of_poses.values()):
         left.end()
@@ -246,7 +246,7 @@ def _pose(files: Files, path: str) -> RoadPose:
     try:
         return pose_from_dict(json.loads(read_whole(files, path)), path)
     except (KeyError, ValueError, BadInput, Damaged) as error:
-        raise Damaged("measurements-missing-no-road-pose-take-whole", path=path) from error
+        raise Damaged("measurements-pose-missing", path=path) from error
 
 
 def clicks_of_row(row: Row) -> Clicks:
@@ -284,9 +284,7 @@ def _on_further(number: Mapping[str, float], k: int) -> ClickedFrame:
 def _same(name: str, row: Row, found: Answer) -> None:
     """The figures of a row are those that its clicks give."""
     if row["status"] != found.status:
-        raise Damaged(
-            "measurements-says-clicks-give-one-wrong", name=name, status=row["status"], status_2=found.status
-        )
+        raise Damaged("measurements-status-differs", name=name, status=row["status"], status_2=found.status)
     for column in _RECOMPUTED:
         told, value = row.get(column), getattr(found, column)
         if told is None or (not told and value is None):
@@ -295,7 +293,7 @@ def _same(name: str, row: Row, found: Answer) -> None:
             words = column.removesuffix("_m").replace("_", " ")
             computed = f"no {words}" if value is None else f"{value:.6f} m"
             raise Damaged(
-                "measurements-says-clicks-give-one-wrong-2",
+                "measurements-result-differs",
                 name=name,
                 words=words,
                 told=told or "none",
@@ -307,15 +305,13 @@ def _is_newest(current: Row, newest: Row) -> None:
     """A measurement is its last revision, word for word."""
     for column, text in current.items():
         if column not in _ONLY_CURRENT and newest.get(column) != text:
-            raise Damaged(
-                "measurements-measurements-csv-another-last-revision", id=current["id"], column=column
-            )
+            raise Damaged("measurements-last-revision-differs", id=current["id"], column=column)
 
 
 def _is_filmed(row: Row, filming: Filming | None) -> None:
     """When a frame was filmed follows from its recording's start; that is held against its events."""
     if row["filmed_at"] != ("" if filming is None else filming.at(float(row["time_s"]))):
-        raise Damaged("measurements-filmed-at-another-time", id=row["id"])
+        raise Damaged("measurements-filmed-time", id=row["id"])
 
 
 def _same_clicks(path: str, row: Row, current: Row) -> None:
@@ -326,11 +322,9 @@ def _same_clicks(path: str, row: Row, current: Row) -> None:
             "side",
         )
         if given and row[name] != current[name]:
-            raise Damaged(
-                "measurements-another-measurements-csv-one-wrong", path=path, id=row["id"], name=name
-            )
+            raise Damaged("measurements-value-differs", path=path, id=row["id"], name=name)
     if row["pose_file"] != pose_path(int(row["pose_id"])):
-        raise Damaged("measurements-names-another-pose-file-pose-changed", path=path, id=row["id"])
+        raise Damaged("measurements-pose-file-differs", path=path, id=row["id"])
 
 
 class _Lockstep:
@@ -344,15 +338,13 @@ class _Lockstep:
         row = next(self._rows, None)
         if row is None or row[self._key] != name:
             found = "ends" if row is None else f"goes on with {row[self._key]}"
-            raise Damaged(
-                "measurements-where-belongs-row-taken-out-put", path=self._path, found=found, name=name
-            )
+            raise Damaged("measurements-row-misplaced", path=self._path, found=found, name=name)
         return row
 
     def end(self) -> None:
         row = next(self._rows, None)
         if row is not None:
-            raise Damaged("measurements-not-measurements-csv-put", path=self._path, row=row[self._key])
+            raise Damaged("measurements-row-added", path=self._path, row=row[self._key])
 
 
 class _Budget:
@@ -377,20 +369,20 @@ class _Budget:
         total = math.sqrt(sum(float(row["u_m"]) ** 2 for row in mine))
         told, u95 = (figure_of(current[name]) or 0.0 for name in ("u_height_m", "U95_height_m"))
         if math.fabs(u95 - COVERAGE_95 * told) > 2e-6:
-            raise Damaged("measurements-measurements-csv-u95-not-1-96", id=current["id"])
+            raise Damaged("measurements-u95-wrong", id=current["id"])
         if math.fabs(total - told) > 1e-6 * max(2, len(mine)):
             raise Damaged(
-                "measurements-budget-csv-contributions-give-m-measurements",
+                "measurements-budget-sum",
                 id=current["id"],
                 total=total,
                 told=told,
             )
         if self._told.get(int(current["id"])) != _digest(mine):
-            raise Damaged("measurements-budget-csv-not-what-audit-event", id=current["id"])
+            raise Damaged("measurements-budget-differs", id=current["id"])
 
     def end(self) -> None:
         if self._next is not None:
-            raise Damaged("measurements-budget-csv-not-measurements-csv-put", next=self._next[0])
+            raise Damaged("measurements-budget-added", next=self._next[0])
 
 
 def _by_event(
@@ -398,11 +390,9 @@ def _by_event(
 ) -> None:
     digest = events.revisions.pop(key, None)
     if digest is None:
-        raise Damaged(
-            "measurements-measurement-no-audit-event-revision-put", path=path, key=key[0], key_2=key[1]
-        )
+        raise Damaged("measurements-revision-without-event", path=path, key=key[0], key_2=key[1])
     if digest != events.of_row(REVISIONS, _without_drift(row, drift_flag)):
-        raise Damaged("measurements-measurement-differs-audit-event-changed", path=path, key=key[0])
+        raise Damaged("measurements-event-differs", path=path, key=key[0])
 
 
 def _without_drift(row: Row, drift_flag: DriftFlag) -> dict[str, str]:
@@ -434,7 +424,7 @@ def _nothing_left(events: MeasurementEvents, is_gone: Callable[[int], bool]) -> 
     for number, revision in events.revisions:
         if not is_gone(events.of_vehicle[number]):
             raise Damaged(
-                "measurements-revisions-csv-revision-measurement-missing-though",
+                "measurements-revision-missing",
                 revision=revision,
                 number=number,
             )
@@ -451,12 +441,12 @@ def check_frames(files: Files, events: MeasurementEvents) -> None:
     }
     for (recording, frame), said in known.items():
         if events.frames.get((int(recording), int(frame))) != said:
-            raise Damaged("measurements-frames-csv-not-as-clicked", recording=recording, frame=frame)
+            raise Damaged("measurements-frame-table-differs", recording=recording, frame=frame)
     columns = ("id", "recording_id", "frame", "pts", "time_s", "frame_crc32")
     for path in ("measurements.csv", "repeats.csv"):
         for id_, recording, frame, *said in read_columns(files, path, columns):
             if known.get((recording, frame)) != said:
-                raise Damaged("measurements-clicked-another-frame-frames-csv-tells", path=path, id=id_)
+                raise Damaged("measurements-frame-differs", path=path, id=id_)
 
 
 def _digest(words: Any) -> bytes:

@@ -20,7 +20,7 @@ class IngestCancelled(Conflict):
     kind = "cancelled"
 
 
-_STOPPED = partial(IngestCancelled, "media-ingest-cancelled-nothing-kept")
+_STOPPED = partial(IngestCancelled, "media-import-cancelled")
 
 
 def check_cancelled(is_cancelled: Cancelled, name: str) -> None:

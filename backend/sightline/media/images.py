@@ -39,7 +39,7 @@ def _read(source: bytes | Path, name: str | None, flags: int) -> NDArray[np.uint
     width, height = image_size(data, name)
     if max(width, height) > MAX_SIDE_PX or width * height > MAX_PIXELS:
         raise BadInput(
-            "media-claims-x-pixels-more-side-million",
+            "media-image-too-large",
             name=name,
             width=width,
             height=height,
@@ -51,7 +51,7 @@ def _read(source: bytes | Path, name: str | None, flags: int) -> NDArray[np.uint
     except cv2.error:
         image = None
     if image is None:
-        raise BadInput("media-damaged-cannot-decoded-save-png-jpeg", name=name)
+        raise BadInput("media-not-decodable", name=name)
     return np.asarray(image, np.uint8)
 
 
@@ -61,10 +61,10 @@ def _bytes_of(source: bytes | Path, name: str) -> bytes:
     else:
         try:
             if source.stat().st_size > MAX_BYTES:
-                raise BadInput("media-larger-mb-make-smaller", name=name, max_bytes=MAX_BYTES // 1000000)
+                raise BadInput("media-file-too-large", name=name, max_bytes=MAX_BYTES // 1000000)
             data = source.read_bytes()
         except OSError as error:
-            raise BadInput("media-cannot-read-check-path", name=name, strerror=error.strerror) from error
+            raise BadInput("media-unreadable", name=name, strerror=error.strerror) from error
     if not data:
         raise BadInput("media-empty-choose-picture", name=name)
     return data
@@ -85,9 +85,9 @@ def image_size(data: bytes, name: str = "The picture") -> tuple[int, int]:
         except (struct.error, IndexError, ValueError):
             size = None
     if reader is None:
-        raise BadInput("media-not-picture-read-here-save-png", name=name)
+        raise BadInput("media-not-an-image", name=name)
     if size is None or min(size) < 1:
-        raise BadInput("media-damaged-header-not-say-how-large", name=name)
+        raise BadInput("media-header-damaged", name=name)
     return size
 
 
@@ -189,7 +189,5 @@ def png(bgr: NDArray[np.uint8]) -> bytes:
 def _encode(suffix: str, image: NDArray[np.uint8], options: list[int]) -> bytes:
     done, data = cv2.imencode(suffix, image, options)
     if not done:
-        raise SightlineError(
-            "media-picture-shape-could-not-encoded", shape=image.shape, suffix=suffix[1:].upper()
-        )
+        raise SightlineError("media-not-encodable", shape=image.shape, suffix=suffix[1:].upper())
     return data.tobytes()

@@ -433,7 +433,7 @@ jobs-only-failed-again = { $state ->
     [running] Cette tâche est en cours
    *[done] Cette tâche est terminée
  } ; seule une tâche échouée ou arrêtée peut être relancée.
-jobs-again-on-its-page = Une tâche de ce type ({ $kind }) se relance sur la page de son enregistrement, où ses fichiers sont aussi contrôlés.
+jobs-restart-elsewhere = Une tâche de ce type ({ $kind }) se relance sur la page de son enregistrement, où ses fichiers sont aussi contrôlés.
 
 ## Système : la page des administrateurs
 
@@ -4330,7 +4330,7 @@ audit-event-missing = L’événement d’audit { $number } de { $chain } manque
 audit-event-changed = L’événement d’audit { $number } de { $chain } a été modifié après son écriture ; restaurez une sauvegarde.
 audit-chain-ends-elsewhere = La chaîne d’audit de { $chain } se termine à l’événement { $count }, ce qui n’est pas sa vraie fin ; restaurez une sauvegarde.
 audit-chains-not-signed = Les chaînes d’audit ne sont pas celles signées le { $at } ; restaurez une sauvegarde.
-audit-chain-not-in-export = La chaîne d’audit n’est pas celle de l’export { $id } ; restaurez une sauvegarde.
+audit-chain-not-exported = La chaîne d’audit n’est pas celle de l’export { $id } ; restaurez une sauvegarde.
 audit-row-not-events = { audit-thing } { $id } diffère de ses événements ; restaurez une sauvegarde.
 audit-row-not-first = { audit-thing } { $id } diffère de ce qui a été écrit à l’origine ; restaurez une sauvegarde.
 audit-row-removed = { audit-thing } { $id } a disparu sans événement d’audit ; restaurez une sauvegarde.
@@ -4599,7 +4599,7 @@ anchoring-too-few = Trop peu : il faut cinq véhicules de chaque groupe.
 proposals-withheld = Les propositions sont masquées pour ce véhicule, tiré au sort pour savoir à quel point elles influencent. Pointez-le vous-même.
 proposals-somebody-changed-plan = La part des véhicules aux propositions masquées a changé entre-temps. Contrôlez-la et choisissez à nouveau.
 proposals-plan-one-in = Masquez les propositions pour un véhicule sur 2 à { $most }, ou pour aucun (0).
-measurements-not-where-click-goes = Le contact n’est plus là où Sightline place un tel pointé : la pose de la caméra ou les propositions ont été refaites. Repointez le contact.
+measurements-click-elsewhere = Le contact n’est plus là où Sightline place un tel pointé : la pose de la caméra ou les propositions ont été refaites. Repointez le contact.
 snap-no-tyre = Aucun pneu posé sur la chaussée n’a été trouvé à ce pointé ; il reste où il est.
 snap-out-of-reach = Le pneu trouvé le plus proche est trop loin de ce pointé ; il reste où il est.
 snap-not-sure = Un pneu a été trouvé près de ce pointé, mais pas assez sûrement ; il reste où il est.
@@ -4740,34 +4740,34 @@ drift-nothing-in-pose-frame = L’image de la pose de la caméra n’a rien qui 
 drift-other-size = La taille d’image diffère de celle de la pose de la caméra.
 drift-no-target = Aucune cible haute de { $target_m } m sur la route entre 3 et 12 m n’est dans l’image.
 
-cameras-charuco-board-needs-dictionary-markers-side = Une mire ChArUco demande le dictionnaire de ses marqueurs, le côté d’un marqueur et le côté d’une case ; indiquez les trois.
-cameras-plain-checkerboard-no-markers-choose-charuco = Un damier simple n’a pas de marqueurs ; choisissez ChArUco comme type de mire, ou omettez dictionnaire et marqueur.
-cameras-frames-not-recording-frames-0 = Les images { $first } à { $last } ne sont pas dans l’enregistrement ; il a les images 0 à { $frame_count }.
-cameras-every-th-frame-would-views-take = Une image sur { $every } donnerait { $count } vues ; prenez une image sur { $least } ou moins.
-cameras-not-text-file-choose-calibration-yaml = { $file_name } n’est pas un fichier texte ; choisissez un étalonnage en YAML, JSON ou cameramodel.
-cameras-not-file-give-picture-files-clip = { $path } n’est pas un fichier ; indiquez des fichiers de photos ou une vidéo.
-cameras-still-has-no-tracks = { $path } est une photo, pas une vidéo à plusieurs pistes ; retirez --stream.
-cameras-choose-calibration-give-pictures-width-height = Choisissez un étalonnage, ou indiquez la largeur et la hauteur de l’image en pixels et son champ horizontal en degrés.
-cameras-calibration-belongs-another-survey-choose-one = L’étalonnage { $calibration_id } appartient à un autre relevé ; choisissez-en un des caméras de ce relevé.
-cameras-calibration-of-another-camera = calibrations.csv : { $id } nomme une autre caméra que les événements d’audit ; le tableau a été modifié.
+cameras-charuco-incomplete = Une mire ChArUco demande le dictionnaire de ses marqueurs, le côté d’un marqueur et le côté d’une case ; indiquez les trois.
+cameras-checkerboard-without-markers = Un damier simple n’a pas de marqueurs ; choisissez ChArUco comme type de mire, ou omettez dictionnaire et marqueur.
+cameras-frames-outside = Les images { $first } à { $last } ne sont pas dans l’enregistrement ; il a les images 0 à { $frame_count }.
+cameras-too-many-views = Une image sur { $every } donnerait { $count } vues ; prenez une image sur { $least } ou moins.
+cameras-not-text = { $file_name } n’est pas un fichier texte ; choisissez un étalonnage en YAML, JSON ou cameramodel.
+cameras-not-a-file = { $path } n’est pas un fichier ; indiquez des fichiers de photos ou une vidéo.
+cameras-still-without-tracks = { $path } est une photo, pas une vidéo à plusieurs pistes ; retirez --stream.
+cameras-no-image-size = Choisissez un étalonnage, ou indiquez la largeur et la hauteur de l’image en pixels et son champ horizontal en degrés.
+cameras-calibration-other-survey = L’étalonnage { $calibration_id } appartient à un autre relevé ; choisissez-en un des caméras de ce relevé.
+cameras-calibration-camera-changed = calibrations.csv : { $id } nomme une autre caméra que les événements d’audit ; le tableau a été modifié.
 cameras-taken-without-calibration = La caméra { $camera } n’a pas encore d’étalonnage : il n’y a rien à reprendre ; étalonnez-la dans son propre relevé, ou ajoutez-la ici comme nouvelle caméra.
 cameras-taken-from-itself = La caméra { $camera } appartient déjà à ce relevé ; choisissez-en une d’un autre relevé.
-cameras-camera-needs-name-fill = Une caméra doit avoir un nom ; donnez-lui-en un.
-cameras-calibration-belongs-another-camera-choose-one = L’étalonnage { $calibration_id } appartient à une autre caméra ; choisissez-en un de cette caméra.
-cameras-image-without-board-needs-reason-why = Une photo sans mire demande un motif ; indiquez ce qui a été cherché.
+cameras-no-name = Une caméra doit avoir un nom ; donnez-lui-en un.
+cameras-calibration-other-camera = L’étalonnage { $calibration_id } appartient à une autre caméra ; choisissez-en un de cette caméra.
+cameras-image-without-reason = Une photo sans mire demande un motif ; indiquez ce qui a été cherché.
 commands-baseline-or-rig = Donnez soit --baseline (avec --u-baseline), soit --rig.
 
 ## Erreurs : commandes
 
 commands-not-percentile = « { $part } » n’est pas un centile ; indiquez des nombres entre 0 et 100, par exemple --percentile 2.5,10,50.
-commands-no-row-with-height = { $path } n’a aucune ligne avec une hauteur ; indiquez un fichier dont des lignes ont le status ok.
-commands-rig-file-no-rig = { $path } n’est pas un dispositif : il faut un objet JSON avec baseline_m, comme l’écrit `sightline rig calibrate -o`, et des voies avec chacune son distance_m.
-commands-larger-200-mb-give = { $path } dépasse 200 Mo ; indiquez { $what }.
+commands-no-heights = { $path } n’a aucune ligne avec une hauteur ; indiquez un fichier dont des lignes ont le status ok.
+commands-not-a-rig = { $path } n’est pas un dispositif : il faut un objet JSON avec baseline_m, comme l’écrit `sightline rig calibrate -o`, et des voies avec chacune son distance_m.
+commands-too-large = { $path } dépasse 200 Mo ; indiquez { $what }.
 commands-not-exist-give = { $path } n’existe pas ; indiquez { $what }.
-commands-not-utf-8-text-give-saved = { $path } n’est pas un texte UTF-8 ; indiquez { $what }, enregistré en UTF-8.
+commands-not-utf8 = { $path } n’est pas un texte UTF-8 ; indiquez { $what }, enregistré en UTF-8.
 commands-cannot-read-give = { $path } est illisible ({ $strerror }) ; indiquez { $what }.
-commands-not-readable-json-give = { $path } n’est pas un JSON lisible ; indiquez { $what }.
-commands-cannot-written-choose-another-place = Impossible d’écrire { $path } ({ $strerror }) ; choisissez un autre emplacement.
+commands-not-json = { $path } n’est pas un JSON lisible ; indiquez { $what }.
+commands-not-writable = Impossible d’écrire { $path } ({ $strerror }) ; choisissez un autre emplacement.
 commands-stream-camera-missing = La caméra { $name } ne peut pas être ouverte ({ $error }) ; vérifiez son câble, son alimentation et son adresse, et qu’aucun autre programme ne l’utilise.
 commands-stream-camera-rows = La caméra { $name } donne des lignes de { $width } pixels, et { $rows } ont été demandés ; indiquez --rows { $width }, ou réglez la caméra.
 commands-stream-empty = L’entrée standard s’est terminée avant une première paire de lignes ({ $pair_bytes } octets) ; démarrez d’abord les caméras, et vérifiez --rows.
@@ -4776,14 +4776,14 @@ commands-stream-no-aravis = Les caméras GigE Vision demandent Aravis et PyGObje
 commands-stream-other-rig = { $path } contient un flux interrompu (segment { $number }), enregistré avec un autre nombre de pixels par ligne ou un autre dispositif ; relancez-le avec les mêmes options pour le reprendre, ou choisissez un autre --spool.
 commands-stream-spool-taken = Un autre flux écrit dans { $path } ; donnez à celui-ci un autre --spool.
 commands-stream-two-cameras = Indiquez --camera deux fois, d’abord la caméra que les véhicules atteignent en premier, et sans --follow.
-commands-cannot-written-because-disk-full-free = Impossible d’écrire { $path } : le disque est plein ; libérez de la place.
-commands-charuco-marker-go-together-give-dictionary = --charuco et --marker vont ensemble ; indiquez le dictionnaire et le côté du marqueur.
-commands-board-not-form-9x6-count-inner = --board { $text } n’est pas de la forme 9x6 ; comptez les coins intérieurs en largeur et en hauteur.
-commands-size-not-form-1920x1080-give-width = --size { $text } n’est pas de la forme 1920x1080 ; indiquez largeur et hauteur en pixels.
-commands-give-contact-x-y-target-x = Indiquez --contact X,Y et --target X,Y, ou --clicks avec un fichier CSV.
-commands-sigma-inset-u-inset-must-finite = --sigma, --inset et --u-inset doivent être des nombres finis, --sigma et --u-inset non négatifs ; corrigez-les.
-commands-give-o-heights-csv-write = Indiquez -o avec le heights.csv à écrire.
-commands-not-form-x-y-give-two = { $option } { $text } n’est pas de la forme X,Y ; indiquez deux nombres de pixels.
+commands-disk-full = Impossible d’écrire { $path } : le disque est plein ; libérez de la place.
+commands-charuco-marker-together = --charuco et --marker vont ensemble ; indiquez le dictionnaire et le côté du marqueur.
+commands-board-form = --board { $text } n’est pas de la forme 9x6 ; comptez les coins intérieurs en largeur et en hauteur.
+commands-size-form = --size { $text } n’est pas de la forme 1920x1080 ; indiquez largeur et hauteur en pixels.
+commands-points-missing = Indiquez --contact X,Y et --target X,Y, ou --clicks avec un fichier CSV.
+commands-sigmas-not-finite = --sigma, --inset et --u-inset doivent être des nombres finis, --sigma et --u-inset non négatifs ; corrigez-les.
+commands-output-missing = Indiquez -o avec le heights.csv à écrire.
+commands-point-form = { $option } { $text } n’est pas de la forme X,Y ; indiquez deux nombres de pixels.
 commands-problem = { $names } : { $message }
 measurements-followed-not-readable = Les points suivis d’une mesure sont illisibles ; ils ont été modifiés.
 measurements-followed-and-clicked = Un passage se suit à partir des points d’une seule image ; retirez d’abord les autres images.
@@ -4792,32 +4792,32 @@ commands-follow-none = Le véhicule ne peut pas être suivi : { $reason }
 commands-tracks-alone = Indiquez soit --tracks, soit --contact et --target, soit --clicks, pas deux d’entre eux.
 commands-tracks-point = Ligne { $row } de { $path } : le point { $point } n’est pas l’un de { $points } ; corrigez la cellule.
 commands-tracks-frame = Ligne { $row } de { $path } : le numéro d’image n’est pas un nombre entier ; corrigez la cellule.
-commands-give-either-contact-target-clicks-not = Indiquez soit --contact et --target, soit --clicks, pas les deux.
-commands-no-effect-here-use-instead = --{ $name } est sans effet ici ; utilisez plutôt { $instead }.
-commands-cannot-written-folder-not-exist-choose = Impossible d’écrire { $output } : son dossier n’existe pas ; choisissez un autre emplacement.
+commands-points-or-clicks = Indiquez soit --contact et --target, soit --clicks, pas les deux.
+commands-option-without-effect = --{ $name } est sans effet ici ; utilisez plutôt { $instead }.
+commands-output-folder-missing = Impossible d’écrire { $output } : son dossier n’existe pas ; choisissez un autre emplacement.
 commands-time-no-offset = { $option } { $text } n’a pas de décalage par rapport à UTC ; écrivez-le avec, comme 2026-05-04T06:00:00.000+02:00.
 commands-time-cannot-read = { $option } { $text } n’est pas une heure utilisable ; écrivez-la 2026-05-04T06:00:00.000+02:00.
-commands-u-start-needs-start = --u-start demande --start.
+commands-u-without-start = --u-start demande --start.
 commands-flow-other-minutes = --interval { $text } est inutilisable ; indiquez une ou plusieurs valeurs parmi 1, 5, 15 et 60, comme 5,60.
 commands-flow-not-there = { $place } n’existe pas ; indiquez une archive, des résultats de sightline linescan ou un dossier qui en contient.
-commands-flow-nothing-in-folder = { $place } ne contient aucun véhicule balayé ; indiquez une archive, des résultats de sightline linescan ou un dossier qui en contient.
+commands-flow-folder-empty = { $place } ne contient aucun véhicule balayé ; indiquez une archive, des résultats de sightline linescan ou un dossier qui en contient.
 commands-flow-no-start = { $path } n’indique pas quand ses véhicules sont passés (front_at ou start avec un décalage par rapport à UTC) ; refaites-le avec sightline linescan --start.
 commands-flow-no-vehicles = { $path } ne contient aucun véhicule ; indiquez le JSON de sightline linescan, qui donne la durée enregistrée.
 commands-flow-no-rate = { $path } contient un seul véhicule sans mouvement, dont la cadence de lignes ne se déduit pas ; indiquez le JSON de sightline linescan.
-commands-u-start-cannot-be = --u-start { $u_s } n’est pas une incertitude-type d’un début ; donnez des secondes entre 0 et 3600.
-commands-given-twice-give-strips-both-cameras = { $first } est indiqué deux fois ; indiquez les bandes des deux caméras.
+commands-start-u-range = --u-start { $u_s } n’est pas une incertitude-type d’un début ; donnez des secondes entre 0 et 3600.
+commands-strip-twice = { $first } est indiqué deux fois ; indiquez les bandes des deux caméras.
 backup-none-here = { $folder } ne contient pas de sauvegarde complète (pas de manifest.json) ; relancez sightline backup vers ce dossier, ou nommez-en un autre.
 backup-other-format = { $folder } contient une sauvegarde d’un autre format ; utilisez la version de Sightline qui l’a faite.
 backup-manifest-damaged = { $path } a été modifié après la sauvegarde ; utilisez une autre sauvegarde.
 backup-file-missing = { $name } manque dans la sauvegarde ; utilisez une autre sauvegarde, ou relancez sightline backup vers celle-ci.
 backup-file-changed = { $name } de la sauvegarde n’est pas le fichier qui a été sauvegardé ; utilisez une autre sauvegarde.
-backup-folder-holds-other-things = { $folder } contient autre chose qu’une sauvegarde ; choisissez un dossier vide ou une sauvegarde antérieure.
-backup-folder-in-data-folder = { $folder } et le dossier de données sont l’un dans l’autre ; choisissez un dossier ailleurs, de préférence sur un autre disque.
+backup-folder-not-empty = { $folder } contient autre chose qu’une sauvegarde ; choisissez un dossier vide ou une sauvegarde antérieure.
+backup-folders-nested = { $folder } et le dossier de données sont l’un dans l’autre ; choisissez un dossier ailleurs, de préférence sur un autre disque.
 backup-under-way = Une autre sauvegarde est en cours d’écriture dans { $folder } ; attendez la fin.
 backup-database-not-copied = La base de données { $path } n’a pas pu être copiée ({ $said }) ; réessayez.
 backup-of-another-installation = Le dossier contient une sauvegarde d’une autre installation, ou d’un état postérieur à celui-ci ; choisissez un autre dossier.
 backup-other-tables = La sauvegarde a une table { $name } que cette version ne connaît pas ; restaurez-la avec la version qui l’a faite.
-backup-rows-do-not-fit = Les lignes de { $name } dans la sauvegarde ne conviennent pas à leur table ; utilisez une autre sauvegarde.
+backup-rows-misfit = Les lignes de { $name } dans la sauvegarde ne conviennent pas à leur table ; utilisez une autre sauvegarde.
 backup-older-crosses-later = La sauvegarde provient d’une version plus ancienne du programme ; restaurez-la dans PostgreSQL, sauvegardez celle-ci avec cette version, puis restaurez ici la nouvelle sauvegarde.
 backup-place-not-empty = { $place } n’est pas vide ; restaurez dans un emplacement nouveau ou vide.
 backup-database-not-empty = La base PostgreSQL a déjà des tables ; restaurez dans une base vide.
@@ -4831,35 +4831,35 @@ backup-media-missing = { $count ->
    *[other] La sauvegarde est complète, mais { $count } fichiers médias que la base nomme ne sont pas dans le stockage des médias, par exemple { $names }
  } ; cherchez dans une sauvegarde antérieure.
 
-commands-no-database-name-folder-data-dir = Aucune base de données dans { $path } ; nommez son dossier avec --data-dir.
+commands-no-database = Aucune base de données dans { $path } ; nommez son dossier avec --data-dir.
 commands-cannot-used-correct = { $name } est inutilisable ({ $said }{ $said_2 }) ; corrigez.
-commands-give-either-camera-size-field-view = Indiquez soit --camera, soit --size et --field-of-view.
-commands-speed-speed-error-line-rate-u = --speed, --speed-error, --line-rate et --u-baseline demandent --baseline.
-commands-give-camera-height-distance-baseline-line = Indiquez --camera-height et --distance ; ou --baseline pour un balayage linéaire.
-commands-line-scans-plan-needs-speed-speed = Le plan d’un balayage linéaire demande --speed et --speed-error en plus de --baseline.
-commands-numbers-plan-must-finite = Les nombres d’un plan doivent être finis.
-commands-line-scan-planned-without-camera-place = Un balayage linéaire se planifie sans caméra ni emplacement ; omettez ces options.
-commands-metrics-port-cannot-be-used = Les métriques ne peuvent pas être servies sur le port { $port } de { $host } ({ $why }) ; choisissez-en un autre avec SIGHTLINE_METRICS_PORT.
-commands-another-server-has-folder = Un autre serveur utilise le dossier { $folder } ; arrêtez-le, ou donnez à celui-ci son propre dossier avec --data-dir.
+commands-camera-or-size = Indiquez soit --camera, soit --size et --field-of-view.
+commands-options-without-baseline = --speed, --speed-error, --line-rate et --u-baseline demandent --baseline.
+commands-plan-incomplete = Indiquez --camera-height et --distance ; ou --baseline pour un balayage linéaire.
+commands-plan-without-speed = Le plan d’un balayage linéaire demande --speed et --speed-error en plus de --baseline.
+commands-plan-not-finite = Les nombres d’un plan doivent être finis.
+commands-plan-without-camera = Un balayage linéaire se planifie sans caméra ni emplacement ; omettez ces options.
+commands-metrics-port-taken = Les métriques ne peuvent pas être servies sur le port { $port } de { $host } ({ $why }) ; choisissez-en un autre avec SIGHTLINE_METRICS_PORT.
+commands-folder-taken = Un autre serveur utilise le dossier { $folder } ; arrêtez-le, ou donnez à celui-ci son propre dossier avec --data-dir.
 commands-folder-cannot-written = Impossible d’écrire dans le dossier { $folder } ({ $why }) ; vérifiez ses droits et le disque, ou nommez-en un autre avec --data-dir.
-commands-port-cannot-used-choose-another-port = Le port { $port } de { $host } est inutilisable ({ $why }) ; choisissez-en un autre avec --port.
+commands-port-taken = Le port { $port } de { $host } est inutilisable ({ $why }) ; choisissez-en un autre avec --port.
 commands-option-not-negative = { $option } doit être un nombre fini, non négatif ; corrigez.
 commands-row-without-pass = { $path }, ligne { $row } : la cellule pass est vide ; nommez le passage de chaque point.
 commands-problem-2 = { $place } : { $problem }
 commands-distance-or-speed = Indiquez soit --distance, soit --speed, pas les deux.
-commands-grade-difference-needs-distance = --grade-difference demande une distance de visibilité ; indiquez aussi --distance ou --speed.
+commands-grade-without-distance = --grade-difference demande une distance de visibilité ; indiquez aussi --distance ou --speed.
 commands-sag-needs-distance = --headlight demande une distance de visibilité ; indiquez aussi --distance ou --speed.
 commands-height-or-heights = Indiquez soit --{ $name }, avec son incertitude u si elle est connue, soit --{ $name }-heights avec un fichier.
 commands-too-few-heights = { $path } : { $reason }. Mesurez-en davantage, ou choisissez un centile plus proche de la médiane.
-commands-not-exist-name-database-data-folder = { $place } n’existe pas ; nommez une base de données, un dossier de données ou un dossier exporté.
+commands-place-missing = { $place } n’existe pas ; nommez une base de données, un dossier de données ou un dossier exporté.
 
 ## Erreurs : démonstration
 
 
 ## Erreurs : export
 
-export-crop-could-not-encoded-export-survey = Une vue n’a pas pu être encodée ; exportez à nouveau le relevé.
-export-frame-stored-video-not-one-clicked = L’image { $frame } de la vidéo stockée n’est pas celle qui a été pointée.
+export-crop-not-encoded = Une vue n’a pas pu être encodée ; exportez à nouveau le relevé.
+export-frame-not-clicked = L’image { $frame } de la vidéo stockée n’est pas celle qui a été pointée.
 export-format-not-known = L’archive a le format { $format }, que cette version de Sightline ne connaît pas ; vérifiez-la avec { $program } ou une version ultérieure.
 export-made-by-another-version = Faite par la version { $program } ; celle-ci est { $mine }.
 export-described-otherwise = datapackage.json énumère chaque fichier avec sa taille et son empreinte ; ses descriptions { $count ->
@@ -4874,26 +4874,26 @@ export-heights-of-another-version = { $count ->
     [one] Un nombre calculé par une autre version diffère
    *[other] { $count } nombres calculés par d’autres versions diffèrent
   } de ce que calcule cette version ; couverts par la chaîne d’audit, non comparés (premier : { $first })
-export-not-follow-these-statistics-put = { $strange } ne découle pas de ces statistiques ; ajouté après coup.
-export-no-row-crops-csv-put = { $there } n’est dans aucune ligne de crops.csv ; ajouté après coup.
-export-crops-csv-other-points-frames-measurement = crops.csv : { $path } a d’autres points ou images que sa mesure ; l’un des deux est faux.
-export-not-one-whose-hash-crops-csv = { $path } n’est pas celui dont crops.csv contient l’empreinte ; il a été échangé.
-export-no-picture-size-crops-csv-tells = { $path } n’est pas une image de la taille indiquée par crops.csv ; il a été échangé.
-export-not-show-points-measurement-changed = { $overlay } ne montre pas les points de sa mesure ; il a été modifié.
-export-cannot-read-take-whole-export-again = { $description } est illisible ; reprenez l’export complet.
+export-statistics-file-added = { $strange } ne découle pas de ces statistiques ; ajouté après coup.
+export-crop-added = { $there } n’est dans aucune ligne de crops.csv ; ajouté après coup.
+export-crop-points-differ = crops.csv : { $path } a d’autres points ou images que sa mesure ; l’un des deux est faux.
+export-crop-hash = { $path } n’est pas celui dont crops.csv contient l’empreinte ; il a été échangé.
+export-crop-size = { $path } n’est pas une image de la taille indiquée par crops.csv ; il a été échangé.
+export-overlay-points = { $overlay } ne montre pas les points de sa mesure ; il a été modifié.
+export-description-unreadable = { $description } est illisible ; reprenez l’export complet.
 csv-package-no-code = Une cellule avec un code et ses valeurs ne peut être lue ({ $cell }) ; elle a été modifiée.
-export-another-files-chain-changed = { $description } a une autre valeur de { $name } que les fichiers et la chaîne ; il a été modifié.
-export-describes-otherwise-program-changed = { $description } décrit { $named } autrement que ce programme ; il a été modifié.
+export-description-differs = { $description } a une autre valeur de { $name } que les fichiers et la chaîne ; il a été modifié.
+export-program-differs = { $description } décrit { $named } autrement que ce programme ; il a été modifié.
 export-too-rows-changed = { $path } a { $value ->
     [few] trop peu de lignes
    *[many] trop de lignes
 } ; il a été modifié.
-export-not-one-these-rows-statistics-give = { $path } n’est pas celui que donnent ces lignes et statistiques ; il a été remplacé.
-export-line-says-rows-give-one-wrong = { $path }, ligne { $at } : { $name } vaut { $told }, les lignes donnent { $found } ; l’un des deux est faux.
-export-missing-named-twice-crops-csv-take = { $path } manque ou est nommé deux fois dans crops.csv ; reprenez l’export complet.
-export-first-characters-head-prove-little-give = La tête d’audit est trop courte ({ $count } caractères). Indiquez-en au moins { $least_of_head }.
-export-audit-csv-ends-not-head-kept = audit.csv finit par { $head }, non par la tête d’audit indiquée : il a été réécrit, ou c’est un autre export.
-export-no-no-whole-export-export-survey = { $checksums } manque : ce n’est pas un export complet ; exportez à nouveau le relevé.
+export-drawn-file-differs = { $path } n’est pas celui que donnent ces lignes et statistiques ; il a été remplacé.
+export-line-differs = { $path }, ligne { $at } : { $name } vaut { $told }, les lignes donnent { $found } ; l’un des deux est faux.
+export-crop-missing = { $path } manque ou est nommé deux fois dans crops.csv ; reprenez l’export complet.
+export-head-too-short = La tête d’audit est trop courte ({ $count } caractères). Indiquez-en au moins { $least_of_head }.
+export-head-differs = audit.csv finit par { $head }, non par la tête d’audit indiquée : il a été réécrit, ou c’est un autre export.
+export-no-checksums = { $checksums } manque : ce n’est pas un export complet ; exportez à nouveau le relevé.
 export-package-is-inside = L’archive est un niveau plus bas, dans { $inner } ; indiquez ce dossier.
 export-read-only = { $folder } est en lecture seule. Chaque export est inscrit au journal d’audit ; copiez le dossier sur un disque inscriptible et exportez de là.
 export-stray-files = { $count ->
@@ -4903,8 +4903,8 @@ export-stray-files = { $count ->
 export-zip-in-zip = { $place } contient { $inner } ; décompressez-le et indiquez celui-là.
 export-checksums-no-list = { $checksums } n’est pas une liste d’empreintes : il a été modifié ou coupé après l’export ; reprenez l’export complet.
 export-file-renamed = { $path } est ici sous le nom { $there } : des noms de fichiers ont été changés en route ; copiez ou décompressez l’export à nouveau avec ses noms.
-export-not-belong-export-take-out-check = { $strange } n’est pas dans SHA256SUMS : il a été ajouté, ou la liste a été modifiée. Retirez ce que vous avez ajouté, ou reprenez l’export complet.
-export-changed-after-export-take-whole-export = { $path } a été modifié après l’export ; reprenez l’export complet.
+export-file-not-listed = { $strange } n’est pas dans SHA256SUMS : il a été ajouté, ou la liste a été modifiée. Retirez ce que vous avez ajouté, ou reprenez l’export complet.
+export-file-changed = { $path } a été modifié après l’export ; reprenez l’export complet.
 export-checkpoint-form = checkpoint.json n’est pas écrit comme ce programme l’écrit ; reprenez l’export complet.
 export-checkpoint-signature = checkpoint.json porte une autre signature que celle que donne sa clé ; il a été modifié.
 export-checkpoint-other-chain = checkpoint.json ne garantit pas la fin d’audit.csv ; l’un des deux a été modifié.
@@ -4915,136 +4915,136 @@ export-no-seal = audit.csv ne finit pas par l’événement qui scelle l’archi
 export-page-not-described = { $path } n’est pas décrit par datapackage.json, ou manque bien qu’il le soit ; reprenez l’export complet.
 export-page-another-program = { $path } n’est pas la page que nomme datapackage.json ; reprenez l’export complet.
 export-page-carries-another = La page porte un autre { $path } que l’archive ; reprenez l’export complet.
-export-not-the-file-that-the-seal-names = { $path } n’est pas ce que dit le sceau de l’archive, dernier événement d’audit.csv : il a été modifié, retiré ou ajouté après l’export, et les sommes avec lui.
-export-event-of-another-survey-or-time = audit.csv : l’événement { $number } est donné ou omis là où le sceau de l’archive dit le contraire, ou la chaîne ne commence pas par le relevé ; audit.csv a été modifié après l’export.
+export-seal-differs = { $path } n’est pas ce que dit le sceau de l’archive, dernier événement d’audit.csv : il a été modifié, retiré ou ajouté après l’export, et les sommes avec lui.
+export-event-of-other = audit.csv : l’événement { $number } est donné ou omis là où le sceau de l’archive dit le contraire, ou la chaîne ne commence pas par le relevé ; audit.csv a été modifié après l’export.
 
 ## Erreurs : géométrie
 
 geometry-too-few-pictures = Photos utilisables : { $used } sur { $given }, il en faut au moins { $least } ; prenez d’autres photos de la mire entière, sous des angles différents.
-geometry-too-few-pictures-why = Photos utilisables : { $used } sur { $given }, il en faut au moins { $least } ; prenez d’autres photos de la mire entière, sous des angles différents. { $file } : { $reason }
-geometry-board-x-inner-corners-cannot-used = Une mire de { $columns }x{ $rows } coins intérieurs est inutilisable ; comptez les coins intérieurs (où quatre cases se touchent), de 3 à 60 dans chaque direction.
-geometry-square-m-cannot-right-give-side = Une case de { $square_m } m n’est pas plausible ; indiquez le côté d’une case en mètres.
-geometry-model-could-not-fitted-these-views = Le modèle { $model } n’a pas pu être ajusté à ces vues ; ajoutez des vues de différents côtés ou utilisez l’autre modèle.
-geometry-x-px-camera-calibrated-x-px = { $what } fait { $width_px }x{ $height_px } px, mais la caméra a été étalonnée à { $width_px_2 }x{ $height_px_2 } px ; utilisez un étalonnage fait à la taille de l’enregistrement.
-geometry-no-dictionary-markers-one-maker-board = { $dictionary } n’est pas un dictionnaire de marqueurs ; c’est l’un de { $dictionaries }, selon les indications du fabricant de la mire.
-geometry-markers-m-not-go-squares-m = Des marqueurs de { $marker_m } m ne vont pas avec des cases de { $square_m } m ; indiquez le côté du marqueur noir, plus petit que sa case.
-geometry-board-x-inner-corners-markers-holds = Une mire de { $columns }x{ $rows } coins intérieurs a { $needed } marqueurs et { $dictionary } en contient { $held } ; choisissez le dictionnaire avec lequel la mire a été faite.
+geometry-too-few-images = Photos utilisables : { $used } sur { $given }, il en faut au moins { $least } ; prenez d’autres photos de la mire entière, sous des angles différents. { $file } : { $reason }
+geometry-board-corner-count = Une mire de { $columns }x{ $rows } coins intérieurs est inutilisable ; comptez les coins intérieurs (où quatre cases se touchent), de 3 à 60 dans chaque direction.
+geometry-square-implausible = Une case de { $square_m } m n’est pas plausible ; indiquez le côté d’une case en mètres.
+geometry-model-misfit = Le modèle { $model } n’a pas pu être ajusté à ces vues ; ajoutez des vues de différents côtés ou utilisez l’autre modèle.
+geometry-size-not-calibrated = { $what } fait { $width_px }x{ $height_px } px, mais la caméra a été étalonnée à { $width_px_2 }x{ $height_px_2 } px ; utilisez un étalonnage fait à la taille de l’enregistrement.
+geometry-dictionary-unknown = { $dictionary } n’est pas un dictionnaire de marqueurs ; c’est l’un de { $dictionaries }, selon les indications du fabricant de la mire.
+geometry-markers-over-squares = Des marqueurs de { $marker_m } m ne vont pas avec des cases de { $square_m } m ; indiquez le côté du marqueur noir, plus petit que sa case.
+geometry-board-marker-count = Une mire de { $columns }x{ $rows } coins intérieurs a { $needed } marqueurs et { $dictionary } en contient { $held } ; choisissez le dictionnaire avec lequel la mire a été faite.
 adjustment-nothing-uncertain = la pose n’indique aucune incertitude propre ni de mire : le trafic ne peut donc rien y changer ; créez-la avec sightline pose.
 adjustment-contradictory = passages en contradiction avec les autres : { $out } sur { $passes } ; vérifiez les longueurs connues, leurs incertitudes et les points suivis.
 adjustment-does-not-settle = les passages ne convergent pas vers une seule pose ; vérifiez que chaque point suit le même endroit de son véhicule.
-geometry-must-correct-key-make-file-again = { $what } : « { $key } » doit être { $wanted } ; corrigez cette clé ou refaites le fichier.
+geometry-key-wrong = { $what } : « { $key } » doit être { $wanted } ; corrigez cette clé ou refaites le fichier.
 geometry-format-is-another = { $what } est au format { $found }, alors qu’il faut { $wanted } ; donnez un fichier de ce format.
-geometry-must-json-object-write-sightline-see = { $what } doit être un objet JSON ; écrivez-le avec sightline ou voyez docs/formats.md.
-geometry-distortion-model-not-supported-plumb-bob = { $file_name } : le modèle de distorsion « { $word } » n’est pas pris en charge ; plumb_bob, rational_polynomial, radtan, equidistant et fisheye le sont.
-geometry-too-large-calibration-file-choose-file = { $file_name } est trop volumineux pour un fichier d’étalonnage ; choisissez le fichier qui contient les paramètres intrinsèques.
-geometry-opencv-xml-save-as-yaml = { $file_name } est du XML d’OpenCV, que Sightline ne lit pas ; enregistrez-le à nouveau depuis OpenCV sous un nom finissant par .yml (FileStorage écrit alors du YAML).
+geometry-not-an-object = { $what } doit être un objet JSON ; écrivez-le avec sightline ou voyez docs/formats.md.
+geometry-distortion-unsupported = { $file_name } : le modèle de distorsion « { $word } » n’est pas pris en charge ; plumb_bob, rational_polynomial, radtan, equidistant et fisheye le sont.
+geometry-file-too-large = { $file_name } est trop volumineux pour un fichier d’étalonnage ; choisissez le fichier qui contient les paramètres intrinsèques.
+geometry-opencv-xml = { $file_name } est du XML d’OpenCV, que Sightline ne lit pas ; enregistrez-le à nouveau depuis OpenCV sous un nom finissant par .yml (FileStorage écrit alors du YAML).
 geometry-states-no-distortion = { $file_name } n’indique pas la distorsion de l’objectif ; ajoutez distortion_coefficients, ou cinq zéros si l’objectif n’en a pas.
-geometry-holds-no-camera-give-opencv-yaml = { $file_name } ne contient pas de caméra ; indiquez un YAML ou JSON OpenCV, un camera_info ROS, un camchain Kalibr ou un .cameramodel mrcal.
-geometry-holds-values-not-finite-calibrate-again = { $file_name } : { $what } contient des valeurs non finies ; refaites l’étalonnage.
-geometry-image-size-must-two-whole-numbers = { $file_name } : la taille d’image doit comporter deux nombres entiers de pixels.
-geometry-holds-no-camera-matrix-camera-matrix = { $file_name } ne contient pas de matrice de caméra (camera_matrix ou K) ; exportez les paramètres intrinsèques avec leurs coefficients de distorsion.
-geometry-camera-matrix-must-3x3-0-0 = { $file_name } : la matrice de caméra doit être de 3x3, avec 0 0 1 comme dernière ligne.
-geometry-camera-matrix-skew-which-not-supported = { $file_name } : la matrice de caméra a une obliquité, non prise en charge ; étalonnez sans elle.
-geometry-holds-no-camera-holds = { $file_name } ne contient pas de caméra « { $which } » ; il contient { $cameras }.
+geometry-no-camera = { $file_name } ne contient pas de caméra ; indiquez un YAML ou JSON OpenCV, un camera_info ROS, un camchain Kalibr ou un .cameramodel mrcal.
+geometry-values-not-finite = { $file_name } : { $what } contient des valeurs non finies ; refaites l’étalonnage.
+geometry-size-not-whole = { $file_name } : la taille d’image doit comporter deux nombres entiers de pixels.
+geometry-no-matrix = { $file_name } ne contient pas de matrice de caméra (camera_matrix ou K) ; exportez les paramètres intrinsèques avec leurs coefficients de distorsion.
+geometry-matrix-form = { $file_name } : la matrice de caméra doit être de 3x3, avec 0 0 1 comme dernière ligne.
+geometry-matrix-skew = { $file_name } : la matrice de caméra a une obliquité, non prise en charge ; étalonnez sans elle.
+geometry-camera-not-named = { $file_name } ne contient pas de caméra « { $which } » ; il contient { $cameras }.
 geometry-key-written-twice = { $file_name } contient deux fois la clé « { $key } » ; ne laissez que celle qui vaut.
-geometry-rows-and-columns-contradict = { $file_name } : { $what } annonce { $rows } lignes et { $columns } colonnes mais contient { $count } nombres ; exportez à nouveau le fichier.
+geometry-rows-contradict = { $file_name } : { $what } annonce { $rows } lignes et { $columns } colonnes mais contient { $count } nombres ; exportez à nouveau le fichier.
 geometry-camera-not-calibrated = { $file_name } : la matrice de la caméra ne contient que des 0, ce par quoi un pilote indique que la caméra n’est pas étalonnée ; étalonnez-la d’abord.
 geometry-roi-contradicts-size = { $file_name } : la partie de l’image (roi) ne tient pas dans la taille de l’image ; indiquez le camera_info d’images entières.
-geometry-focal-length-not-of-these-pixels = { $file_name } : une distance focale de { $focal } n’est pas plausible pour des images larges de { $width } px ; elle doit être en pixels.
-geometry-lens-turns-back-early = { $file_name } : avec ces coefficients de distorsion, l’objectif se replie près du milieu de l’image ; vérifiez leur ordre et le modèle d’objectif.
-geometry-camera-model-not-supported-calibrate-pinhole = { $file_name } : le modèle de caméra « { $camera_model } » n’est pas pris en charge ; étalonnez en sténopé.
-geometry-intrinsics-must-four-numbers-fu-fv = { $file_name } : intrinsics doit contenir quatre nombres, fu fv pu pv.
-geometry-lens-model-not-supported-convert-mrcal = { $file_name } : le modèle d’objectif { $word } n’est pas pris en charge ; convertissez-le avec mrcal-convert-lensmodel en LENSMODEL_OPENCV8.
+geometry-focal-implausible = { $file_name } : une distance focale de { $focal } n’est pas plausible pour des images larges de { $width } px ; elle doit être en pixels.
+geometry-lens-turns-back = { $file_name } : avec ces coefficients de distorsion, l’objectif se replie près du milieu de l’image ; vérifiez leur ordre et le modèle d’objectif.
+geometry-model-unsupported = { $file_name } : le modèle de caméra « { $camera_model } » n’est pas pris en charge ; étalonnez en sténopé.
+geometry-intrinsics-count = { $file_name } : intrinsics doit contenir quatre nombres, fu fv pu pv.
+geometry-lens-unsupported = { $file_name } : le modèle d’objectif { $word } n’est pas pris en charge ; convertissez-le avec mrcal-convert-lensmodel en LENSMODEL_OPENCV8.
 geometry-needs-intrinsics-file = { $file_name } : { $word } demande { $value } paramètres intrinsèques, le fichier en a { $count }.
-geometry-not-say-how-large-pictures-add = { $file_name } n’indique pas la taille des images ; ajoutez-y image_width et image_height.
-geometry-focal-lengths-must-positive-numbers-pixels = { $file_name } : les focales doivent être des nombres positifs de pixels.
-geometry-principal-point-lies-far-outside-picture = { $file_name } : le point principal est très en dehors de l’image ; corrigez la taille d’image.
-geometry-thin-prism-tilt-coefficients-not-supported = { $file_name } : les coefficients de prisme mince et d’inclinaison ne sont pas pris en charge ; étalonnez avec huit au plus.
-geometry-distortion-coefficients-4-5-8-supported = { $file_name } : { $count } coefficients de distorsion ; 4, 5 ou 8 sont pris en charge.
-geometry-no-readable-camera-file-give-opencv = { $file_name } n’est pas un fichier de caméra lisible ; indiquez un YAML ou JSON OpenCV, un camera_info ROS, un camchain Kalibr ou un .cameramodel mrcal.
-geometry-not-list-numbers-export-file-again = { $file_name } : { $what } n’est pas une liste de nombres ; exportez à nouveau le fichier.
-geometry-image-size-must-two-numbers-width = { $file_name } : la taille d’image doit comporter deux nombres, largeur et hauteur.
-geometry-give-camera-info-unbinned-pictures = { $file_name } : { $key } vaut { $data } ; indiquez le camera_info d’images sans regroupement de pixels.
-geometry-fisheye-model-needs-four-coefficients-file = { $file_name } : un modèle fisheye demande quatre coefficients, le fichier en a { $count }.
-geometry-board-found-none-frames = La mire n’a été trouvée dans aucune des { $count } images. { $reason }
-geometry-no-pose-fits-corners-check-camera = Aucune pose ne convient aux coins ; vérifiez que le fichier de caméra est celui de cet enregistrement et que toute la mire est dans le rayon de validité de l’objectif.
-geometry-reference-height-boards-uncertainties-must-numbers = La hauteur de référence et les incertitudes de la mire doivent être des nombres, en mètres et radians, les incertitudes non négatives.
-geometry-reference-row-m-above-road-cannot = Une rangée de référence à { $height_m } m au-dessus de la chaussée n’est pas plausible ; indiquez en mètres la hauteur au-dessus de la chaussée de la rangée de coins intérieurs « { $side } ».
-geometry-board-camera-moves-during-these-frames = La mire ou la caméra bouge pendant ces images (jusqu’à { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px) ; choisissez une plage, ou une seule image, où toutes deux sont immobiles.
-geometry-corners-not-fit-camera-model-residual = Les coins ne conviennent pas au modèle de caméra (résidu { NUMBER($rms, minimumFractionDigits: 1, maximumFractionDigits: 1) } px) ; le fichier est d’une autre caméra ou d’un autre zoom, ou la mire est courbée.
-geometry-board-seen-edge-turn-towards-camera = La mire est vue par la tranche ; tournez-la vers la caméra, d’au moins 10 degrés.
-geometry-board-lies-on-road = La mire semble posée à plat sur la chaussée ; dressez-la à angle droit avec la chaussée, rangées horizontales, ou mesurez la hauteur de la rangée de coins que vous avez nommée.
-geometry-reference-height-m-puts-camera-below = La hauteur de référence de { $height_m } m place la caméra sous la chaussée ; indiquez en mètres la hauteur au-dessus de la chaussée de la rangée de coins intérieurs « { $side } ».
-geometry-picture-x-px-cannot-planned-give = Une image de { $width_px } x { $height_px } px est hors plage ; indiquez une largeur et une hauteur de 16 à 16384.
-geometry-horizontal-field-view-degrees-cannot-planned = Un champ horizontal de { $degrees } degrés est hors plage ; indiquez une valeur de 5 à 150.
-geometry-cannot-planned-give-one = { $what } : { $value } { $unit } est hors plage ; indiquez une valeur de { $least } à { $most }.
+geometry-no-image-size = { $file_name } n’indique pas la taille des images ; ajoutez-y image_width et image_height.
+geometry-focal-not-positive = { $file_name } : les focales doivent être des nombres positifs de pixels.
+geometry-principal-point-outside = { $file_name } : le point principal est très en dehors de l’image ; corrigez la taille d’image.
+geometry-thin-prism = { $file_name } : les coefficients de prisme mince et d’inclinaison ne sont pas pris en charge ; étalonnez avec huit au plus.
+geometry-distortion-count = { $file_name } : { $count } coefficients de distorsion ; 4, 5 ou 8 sont pris en charge.
+geometry-camera-unreadable = { $file_name } n’est pas un fichier de caméra lisible ; indiquez un YAML ou JSON OpenCV, un camera_info ROS, un camchain Kalibr ou un .cameramodel mrcal.
+geometry-not-numbers = { $file_name } : { $what } n’est pas une liste de nombres ; exportez à nouveau le fichier.
+geometry-size-not-two = { $file_name } : la taille d’image doit comporter deux nombres, largeur et hauteur.
+geometry-camera-info-binned = { $file_name } : { $key } vaut { $data } ; indiquez le camera_info d’images sans regroupement de pixels.
+geometry-fisheye-count = { $file_name } : un modèle fisheye demande quatre coefficients, le fichier en a { $count }.
+geometry-board-not-found = La mire n’a été trouvée dans aucune des { $count } images. { $reason }
+geometry-pose-misfit = Aucune pose ne convient aux coins ; vérifiez que le fichier de caméra est celui de cet enregistrement et que toute la mire est dans le rayon de validité de l’objectif.
+geometry-heights-not-numbers = La hauteur de référence et les incertitudes de la mire doivent être des nombres, en mètres et radians, les incertitudes non négatives.
+geometry-row-height-implausible = Une rangée de référence à { $height_m } m au-dessus de la chaussée n’est pas plausible ; indiquez en mètres la hauteur au-dessus de la chaussée de la rangée de coins intérieurs « { $side } ».
+geometry-board-moves = La mire ou la caméra bouge pendant ces images (jusqu’à { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px) ; choisissez une plage, ou une seule image, où toutes deux sont immobiles.
+geometry-corners-misfit = Les coins ne conviennent pas au modèle de caméra (résidu { NUMBER($rms, minimumFractionDigits: 1, maximumFractionDigits: 1) } px) ; le fichier est d’une autre caméra ou d’un autre zoom, ou la mire est courbée.
+geometry-board-edge-on = La mire est vue par la tranche ; tournez-la vers la caméra, d’au moins 10 degrés.
+geometry-board-lies-flat = La mire semble posée à plat sur la chaussée ; dressez-la à angle droit avec la chaussée, rangées horizontales, ou mesurez la hauteur de la rangée de coins que vous avez nommée.
+geometry-camera-below-road = La hauteur de référence de { $height_m } m place la caméra sous la chaussée ; indiquez en mètres la hauteur au-dessus de la chaussée de la rangée de coins intérieurs « { $side } ».
+geometry-image-range = Une image de { $width_px } x { $height_px } px est hors plage ; indiquez une largeur et une hauteur de 16 à 16384.
+geometry-view-range = Un champ horizontal de { $degrees } degrés est hors plage ; indiquez une valeur de 5 à 150.
+geometry-plan-range = { $what } : { $value } { $unit } est hors plage ; indiquez une valeur de { $least } à { $most }.
 
 ## Erreurs : audit
 
 audit-signing-key-unreadable = { $path } ne contient pas de clé de signature (64 chiffres hexadécimaux) ; rétablissez-la depuis une sauvegarde.
 audit-signing-key-another = La clé de signature de cette machine n’est pas celle qui a signé la base de données ; rétablissez signing.key depuis une sauvegarde, ou donnez à toutes les machines le même SIGHTLINE_SIGNING_KEY.
-audit-database-made-another-version-verify-one = Cette base de données a été faite par une autre version ; contrôlez-la avec celle-là, ou ouvrez-la une fois avec celle-ci (`sightline serve`), qui la met à jour.
+audit-other-version = Cette base de données a été faite par une autre version ; contrôlez-la avec celle-là, ou ouvrez-la une fois avec celle-ci (`sightline serve`), qui la met à jour.
 audit-guard-missing = La base de données ne protège plus { $table } : un déclencheur qui refuse les modifications manque ou est désactivé. Restaurez une sauvegarde, ou rétablissez le déclencheur et cherchez qui l’a retiré.
-audit-not-sightline-database-name-sightline-db = { $name } n’est pas une base de données de Sightline, ou son début est endommagé ; nommez le fichier sightline.db d’un dossier de données, ou restaurez une sauvegarde.
+audit-not-a-database = { $name } n’est pas une base de données de Sightline, ou son début est endommagé ; nommez le fichier sightline.db d’un dossier de données, ou restaurez une sauvegarde.
 
 ## Erreurs : csv_package
 
-csv_package-audit-csv-event-not-follow-one = audit.csv : l’événement { $number } ne découle pas du précédent ; il a été modifié.
-csv_package-audit-csv-event-not-one-hashed = audit.csv : l’événement { $number } n’est pas celui qui a été haché ; il a été modifié.
-csv_package-missing-take-whole-export-again = { $path } manque ; reprenez l’export complet.
-csv_package-file-name-folder-export-not-exist = { $target } est un fichier ; nommez pour l’export un dossier qui n’existe pas encore.
-csv_package-holds-other-files-name-folder-empty = { $target } contient d’autres fichiers ; nommez un dossier vide ou qui n’existe pas encore.
-csv_package-holds-file-twice-no-export-take = { $place } contient un fichier deux fois, ce n’est donc pas un export ; reprenez l’export.
+csv_package-event-not-next = audit.csv : l’événement { $number } ne découle pas du précédent ; il a été modifié.
+csv_package-event-not-hashed = audit.csv : l’événement { $number } n’est pas celui qui a été haché ; il a été modifié.
+csv_package-file-missing = { $path } manque ; reprenez l’export complet.
+csv_package-target-is-file = { $target } est un fichier ; nommez pour l’export un dossier qui n’existe pas encore.
+csv_package-target-not-empty = { $target } contient d’autres fichiers ; nommez un dossier vide ou qui n’existe pas encore.
+csv_package-file-twice = { $place } contient un fichier deux fois, ce n’est donc pas un export ; reprenez l’export.
 csv_package-table-twice = { $path } est deux fois dans l’archive, on ne peut donc savoir lequel fait foi ; reprenez l’export complet.
-csv_package-cannot-read-export-name-folder-zip = { $place } ne peut pas être lu comme un export ; nommez son dossier ou son ZIP.
-csv_package-parquet-and-csv-not-pairs = { $path } est là sans son autre forme : chaque tableau d’une archive existe en CSV et en Parquet ; reprenez l’export complet.
+csv_package-not-an-export = { $place } ne peut pas être lu comme un export ; nommez son dossier ou son ZIP.
+csv_package-parquet-not-paired = { $path } est là sans son autre forme : chaque tableau d’une archive existe en CSV et en Parquet ; reprenez l’export complet.
 csv_package-parquet-described-otherwise = { $path } a d’autres colonnes, unités ou significations que ne le décrit datapackage.json ; il a été modifié.
 csv_package-parquet-not-csv = { $path } n’est pas ce que contient { $csv_path } : la colonne { $name } diffère à la ligne { $at } ; l’un des deux a été modifié.
 csv_package-parquet-other-rows = { $path } n’a pas les lignes de { $csv_path } ; l’un des deux a été modifié.
-csv_package-parquet-cannot-be-read = { $path } ne peut pas être lu comme Parquet ; reprenez l’export complet.
-csv_package-cell-not-of-its-type = { $path } a une cellule qui n’est pas du type que datapackage.json donne à sa colonne ; il a été modifié.
-csv_package-csv-of-another-form = { $path } n’est pas écrit comme Sightline écrit un tableau (vers la ligne { $at } : autre fin de ligne, autre guillemet) : des programmes pourraient y lire des choses différentes ; reprenez l’export complet.
+csv_package-parquet-unreadable = { $path } ne peut pas être lu comme Parquet ; reprenez l’export complet.
+csv_package-cell-type = { $path } a une cellule qui n’est pas du type que datapackage.json donne à sa colonne ; il a été modifié.
+csv_package-csv-form = { $path } n’est pas écrit comme Sightline écrit un tableau (vers la ligne { $at } : autre fin de ligne, autre guillemet) : des programmes pourraient y lire des choses différentes ; reprenez l’export complet.
 csv_package-zip-odd-entry = { $place } contient { $path }, qui n’est pas un simple fichier d’une archive ; reprenez l’export complet.
 csv_package-zip-bomb = { $place } : { $path } se décompresserait en bien plus que ne contient un tableau ; reprenez l’export complet.
 csv_package-too-many-files = { $place } énumère plus de fichiers qu’une archive ne peut en avoir ; reprenez l’export complet.
 csv_package-link = { $path } est un lien, non un fichier (ou un tube ou périphérique) : un export n’en a pas ; reprenez l’export complet.
 csv_package-no-json = { $path } ne peut pas être lu comme JSON : il a été coupé ou modifié après l’export ; reprenez l’export complet.
 csv_package-zip-encrypted = { $place } est protégé par un mot de passe ; décompressez-le avec le mot de passe et indiquez le dossier.
-csv_package-json-of-another-form = { $path } n’est pas écrit comme Sightline écrit du JSON (une clé en double, d’autres espaces ou nombres) : des programmes pourraient y lire des choses différentes ; reprenez l’export complet.
-csv_package-other-columns-than-described = { $path } a d’autres colonnes que celles que décrit datapackage.json ({ $column }) : il a été modifié après l’export.
-csv_package-cannot-read-csv-take-whole-export = { $path } ne peut pas être lu comme CSV ; reprenez l’export complet.
-csv_package-cannot-unpacked-take-whole-export-again = { $path } ne peut pas être décompressé ; reprenez l’export complet.
-csv_package-cannot-read-described-take-whole-export = { $path } ne peut pas être lu tel qu’il a été décrit ; reprenez l’export complet.
-csv_package-row-too-long-too-short-changed = { $path } a une ligne trop longue ou trop courte ; il a été modifié.
-csv_package-without-audit-event-missing = { $path } : { $kind_name } { $odd } est là sans événement d’audit, ou manque.
+csv_package-json-form = { $path } n’est pas écrit comme Sightline écrit du JSON (une clé en double, d’autres espaces ou nombres) : des programmes pourraient y lire des choses différentes ; reprenez l’export complet.
+csv_package-columns-differ = { $path } a d’autres colonnes que celles que décrit datapackage.json ({ $column }) : il a été modifié après l’export.
+csv_package-not-csv = { $path } ne peut pas être lu comme CSV ; reprenez l’export complet.
+csv_package-not-unpackable = { $path } ne peut pas être décompressé ; reprenez l’export complet.
+csv_package-not-as-described = { $path } ne peut pas être lu tel qu’il a été décrit ; reprenez l’export complet.
+csv_package-row-length = { $path } a une ligne trop longue ou trop courte ; il a été modifié.
+csv_package-without-event = { $path } : { $kind_name } { $odd } est là sans événement d’audit, ou manque.
 csv_package-twice-one-put = { $path } : { $columns } { $values } est là deux fois ; ajout après coup.
-csv_package-not-what-audit-event-says-changed = { $path } diffère de son événement d’audit ; il a été modifié.
-csv_package-not-one-audit-chain-vouches-changed = { $path_of } n’est pas celui que garantit la chaîne d’audit ; il a été modifié.
-csv_package-made-others-another-time-says = { $path } : { $kind_name } { $id } a un autre auteur ou une autre date que ne le dit { $path_2 }.
+csv_package-event-differs = { $path } diffère de son événement d’audit ; il a été modifié.
+csv_package-chain-file-changed = { $path_of } n’est pas celui que garantit la chaîne d’audit ; il a été modifié.
+csv_package-author-or-time = { $path } : { $kind_name } { $id } a un autre auteur ou une autre date que ne le dit { $path_2 }.
 csv_package-differs-one-changed = { $path } : { $kind_name } { $id } diffère de { $path_2 } ; l’un des deux a été modifié.
-csv_package-row-of-no-event = { $path } : la ligne { $key } n’a pas d’événement d’audit ; elle a été ajoutée.
-csv_package-row-not-as-its-events = { $path } : { $name } de la ligne { $key } diffère de ses événements d’audit ; la valeur a été modifiée.
+csv_package-row-without-event = { $path } : la ligne { $key } n’a pas d’événement d’audit ; elle a été ajoutée.
+csv_package-row-differs = { $path } : { $name } de la ligne { $key } diffère de ses événements d’audit ; la valeur a été modifiée.
 csv_package-row-missing = { $path } : la ligne { $key } manque, bien qu’un événement d’audit en parle.
-csv_package-not-csv-row-taken-out-changed = { $path } : { $mine } { $values } n’est pas dans { $table }.csv ; une ligne a été retirée ou modifiée.
+csv_package-row-dangling = { $path } : { $mine } { $values } n’est pas dans { $table }.csv ; une ligne a été retirée ou modifiée.
 
 ## Erreurs : base de données
 
-database-database-not-supported-use-sqlite-file = Une base de données { $backend } n’est pas prise en charge ; utilisez sqlite:///FILE ou postgresql+psycopg://USER@HOST/NAME.
-database-database-not-answer-check-runs-address = La base de données ne répond pas ; vérifiez qu’elle est en marche et que son adresse est juste.
-database-memory-database-would-lost-name-file = Une base en mémoire serait perdue ; nommez un fichier, comme dans sqlite:///sightline.db.
-database-disk-full-nothing-saved-make-room = Le disque est plein, rien n’a été enregistré ; libérez de la place et réessayez.
-database-database-busy-another-writer-try-again = La base de données est occupée par une autre écriture ; réessayez dans un instant.
-database-database-file-cannot-opened-writing-check = Le fichier de la base de données ne peut pas être ouvert en écriture ; vérifiez les droits du dossier.
-database-database-address-cannot-read-use-sqlite = L’adresse de la base de données est illisible ; utilisez sqlite:///FILE ou postgresql+psycopg://.
-database-no-database-check-name = Il n’y a pas de base de données { $path } ; vérifiez son nom.
-database-file-not-database-program-give-right = Ce fichier n’est pas une base de données de Sightline, ou son début est endommagé ; indiquez le bon fichier, ou restaurez une sauvegarde.
+database-not-supported = Une base de données { $backend } n’est pas prise en charge ; utilisez sqlite:///FILE ou postgresql+psycopg://USER@HOST/NAME.
+database-no-answer = La base de données ne répond pas ; vérifiez qu’elle est en marche et que son adresse est juste.
+database-in-memory = Une base en mémoire serait perdue ; nommez un fichier, comme dans sqlite:///sightline.db.
+database-disk-full = Le disque est plein, rien n’a été enregistré ; libérez de la place et réessayez.
+database-busy = La base de données est occupée par une autre écriture ; réessayez dans un instant.
+database-not-writable = Le fichier de la base de données ne peut pas être ouvert en écriture ; vérifiez les droits du dossier.
+database-address-unreadable = L’adresse de la base de données est illisible ; utilisez sqlite:///FILE ou postgresql+psycopg://.
+database-missing = Il n’y a pas de base de données { $path } ; vérifiez son nom.
+database-not-a-database = Ce fichier n’est pas une base de données de Sightline, ou son début est endommagé ; indiquez le bon fichier, ou restaurez une sauvegarde.
 database-damaged = La base de données est endommagée : des parties de son fichier contiennent autre chose. Arrêtez le serveur, gardez une copie du dossier de données et restaurez la dernière sauvegarde (sightline restore).
-database-read-only-with-log = { $path } est en lecture seule, et ses derniers changements sont encore dans le fichier voisin qui finit par -wal ; copiez le dossier sur un disque inscriptible et indiquez celui-là.
+database-read-only-log = { $path } est en lecture seule, et ses derniers changements sont encore dans le fichier voisin qui finit par -wal ; copiez le dossier sur un disque inscriptible et indiquez celui-là.
 database-damaged-tables = La base de données est endommagée dans { $tables } ; ses { $whole } autres tables sont lisibles. Arrêtez le serveur, gardez une copie du dossier de données et restaurez la dernière sauvegarde (sightline restore).
 database-account-lacks-rights = Il manque au compte de la base de données un droit nécessaire ici ; exécutez `sightline migrate` avec le compte qui possède les tables.
-database-no-migrations-set-sightline-migrations-folder = Il n’y a pas de migrations dans { $folder } ; réglez SIGHTLINE_MIGRATIONS sur le dossier qui les contient.
-database-database-made-newer-version-update-one = La base de données a été faite par une version plus récente ; mettez celle-ci à jour avant de l’ouvrir.
-database-no-may-been-removed-go-back = Introuvable : { $word ->
+database-no-migrations = Il n’y a pas de migrations dans { $folder } ; réglez SIGHTLINE_MIGRATIONS sur le dossier qui les contient.
+database-newer-version = La base de données a été faite par une version plus récente ; mettez celle-ci à jour avant de l’ouvrir.
+database-row-missing = Introuvable : { $word ->
     [survey] relevé
     [person] personne
     [study] étude
@@ -5067,17 +5067,17 @@ database-no-may-been-removed-go-back = Introuvable : { $word ->
 
 ## Erreurs : tâches
 
-jobs-somebody-else-started-job-ask-them = Quelqu’un d’autre a lancé cette tâche ; demandez-lui, ou à un opérateur, de l’annuler.
-jobs-worker-knows-no-job-kind-start = Ce processus ne connaît pas de tâche du type { $kind_name } ; lancez-en un de cette version.
-jobs-job-went-another-worker-one-stops = La tâche { $id } est passée à un autre processus ; celui-ci s’arrête.
-jobs-job-already-nothing-cancel = La tâche { $job_id } est déjà dans l’état { $state ->
+jobs-not-yours = Quelqu’un d’autre a lancé cette tâche ; demandez-lui, ou à un opérateur, de l’annuler.
+jobs-kind-unknown = Ce processus ne connaît pas de tâche du type { $kind_name } ; lancez-en un de cette version.
+jobs-other-worker = La tâche { $id } est passée à un autre processus ; celui-ci s’arrête.
+jobs-already-over = La tâche { $job_id } est déjà dans l’état { $state ->
     [done] terminé
     [failed] échec
     [cancelled] annulé
    *[other] { $state }
 } ; il n’y a rien à annuler.
-jobs-job-moved-meanwhile-nothing = L’état de la tâche { $id } a changé entre-temps ; il n’y a rien à faire.
-jobs-job-given-another-worker-one-stops = La tâche { $id } a été confiée à un autre processus ; celui-ci s’arrête.
+jobs-changed-meanwhile = L’état de la tâche { $id } a changé entre-temps ; il n’y a rien à faire.
+jobs-given-away = La tâche { $id } a été confiée à un autre processus ; celui-ci s’arrête.
 
 ## Erreurs : web
 
@@ -5089,14 +5089,14 @@ web-signing-key-missing = SIGHTLINE_SIGNING_KEY n’est pas défini, chaque mach
 infra-setting-differs = { $name } diffère de la valeur des autres processus sur cette base de données ; donnez à tous la même, ou arrêtez d’abord les autres.
 infra-clocks-apart = L’horloge de cette machine et celle de la base de données diffèrent de { $minutes } minutes ; synchronisez-les avec un serveur de temps (NTP) et redémarrez.
 web-server-busy = Le serveur est occupé et rien n’a été fait ; réessayez dans quelques secondes.
-web-you-not-signed-sign-try-again = Vous n’êtes pas connecté ; connectez-vous et réessayez.
-web-token-does-not-hold = Ce jeton n’est pas valable : il est erroné, expiré ou révoqué ; créez-en un nouveau dans Compte.
+web-not-signed-in = Vous n’êtes pas connecté ; connectez-vous et réessayez.
+web-token-invalid = Ce jeton n’est pas valable : il est erroné, expiré ou révoqué ; créez-en un nouveau dans Compte.
 web-token-lacks-scope = Ce jeton permet { $scopes }, et ceci demande { $needed } ; créez un jeton avec ce droit dans Compte.
 web-token-never = Aucun jeton ne permet ceci ; connectez-vous dans le navigateur et faites-le là.
-web-token-too-many-requests = Plus de { NUMBER($most) } requêtes en une minute avec ce jeton ; attendez une minute et continuez.
+web-token-requests-many = Plus de { NUMBER($most) } requêtes en une minute avec ce jeton ; attendez une minute et continuez.
 members-last-manager = Un relevé doit avoir un gestionnaire ; nommez-en d’abord un autre.
 audit-checkpoint-none = Ce point de contrôle n’existe pas : choisissez-en un dans la liste de la page Système.
-web-needs-role-you-ask-admin = Il faut pour cela le rôle { $needed ->
+web-needs-role = Il faut pour cela le rôle { $needed ->
     [viewer] lecteur
     [operator] opérateur
     [reviewer] vérificateur
@@ -5111,12 +5111,12 @@ web-needs-role-you-ask-admin = Il faut pour cela le rôle { $needed ->
     [admin] administrateur
    *[other] { $role }
 } ; demandez-le à un administrateur.
-web-larger-mb-make-smaller-try-again = { $name } dépasse { $most_bytes } Mo ; réduisez-le et réessayez.
+web-too-large = { $name } dépasse { $most_bytes } Mo ; réduisez-le et réessayez.
 
 ## Erreurs : linescan
 
-linescan-strips-rows-high-least-8-needed = Les bandes ont { $rows } rangées de haut ; il en faut au moins 8 pour trouver un véhicule.
-linescan-strips-differ-lines-rows-rows-expected = Les bandes diffèrent : { $shape } et { $shape_2 } lignes par rangées, { $rows } rangées attendues ; les deux caméras doivent enregistrer les mêmes lignes.
+linescan-strips-too-low = Les bandes ont { $rows } rangées de haut ; il en faut au moins 8 pour trouver un véhicule.
+linescan-strips-differ = Les bandes diffèrent : { $shape } et { $shape_2 } lignes par rangées, { $rows } rangées attendues ; les deux caméras doivent enregistrer les mêmes lignes.
 linescan-cannot-used-give = { $name } de { $value } { $unit } est inutilisable ; indiquez de { $least } à { $most } { $unit }.
 line-pose-mark-incomplete = Chaque repère a besoin d’une distance, d’une hauteur et d’une rangée.
 line-pose-not-numbers = Les distances, hauteurs et rangées des repères doivent être des nombres.
@@ -5147,11 +5147,11 @@ linescan-lane-needs-name = Une voie n’a pas de nom ; donnez-lui-en un.
 linescan-lanes-same-name = Deux voies s’appellent { $name }, ou un nom commence ou finit par une espace ; donnez à chacune son nom.
 linescan-lane-rows-both = La voie { $name } n’a qu’une rangée pour ses pneus ; donnez les deux, ou aucune.
 linescan-lane-rows-order = Les rangées de la voie { $name } ne sont pas en ordre ; donnez d’abord la plus haute, 0 ou plus.
-linescan-rig-divergence-without-distance = Une divergence exige la distance aux véhicules ; indiquez-la, ou omettez la divergence et son incertitude.
+linescan-divergence-without-distance = Une divergence exige la distance aux véhicules ; indiquez-la, ou omettez la divergence et son incertitude.
 linescan-rig-few-passes = { $count } passages utilisables ne suffisent pas pour la base et la divergence ; il en faut au moins { $least }, à deux distances ou plus.
 linescan-rig-distances-alike = Tous les passages sont entre { $nearest_m } et { $farthest_m } m, trop proches pour séparer la base de la divergence ; ajoutez des passages à une autre distance, comme la voie proche et la voie éloignée.
-linescan-rig-width-two-u = Le panneau de { $width_m } m a deux incertitudes de largeur différentes ; donnez la même à chaque ligne.
-linescan-rig-distance-two-u = La distance de { $distance_m } m a deux incertitudes différentes ; donnez la même à chaque ligne de cette position.
+linescan-width-two-u = Le panneau de { $width_m } m a deux incertitudes de largeur différentes ; donnez la même à chaque ligne.
+linescan-distance-two-u = La distance de { $distance_m } m a deux incertitudes différentes ; donnez la même à chaque ligne de cette position.
 linescan-rig-contradict = Les passages se contredisent (khi-deux { $chi2 } pour { $degrees } degrés de liberté) : le passage { $name } s’écarte des autres de { $residual_mm } mm là où { $expected_mm } mm (U95) étaient attendus. Mesurez-le à nouveau, écartez-le, ou donnez des incertitudes plus grandes.
 rig-passes-too-many = { $name } a plus de { $most } lignes ; donnez les seuls passages d’un étalonnage.
 rig-passes-columns = Il manque des colonnes à { $name } ; donnez distance_m et toutes les colonnes d’une même méthode : { $ways }.
@@ -5161,101 +5161,101 @@ commands-option-above-zero = { $option } doit être un nombre fini supérieur à
 
 ## Erreurs : mesures
 
-measurements-vehicle-not-recording-choose-one-passes = Le véhicule n’appartient pas à cet enregistrement ; choisissez l’un de ses passages.
-measurements-frame-clicked-twice-click-two-points = L’image { $twice } est pointée deux fois ; pointez les deux points sur une autre image du passage.
-measurements-point-not-any-picture-click-again = Le point « { $word } » { $point }, { $point_2 } n’est dans aucune image ; repointez.
-measurements-no-road-pose-yet-make-choose = { $name } n’a pas encore de pose de la caméra ; calculez-en ou choisissez-en une d’abord sur la page Route.
-measurements-road-pose-pictures-x-px-not = La pose de la caméra de { $name } vaut pour des images de { $size_px } x { $size_px_2 } px, non pour sa taille ; calculez-en ou choisissez-en une autre sur la page Route.
-measurements-frame-not-part-vehicle-go-frame = L’image { $frame } ne peut pas scinder le véhicule { $number } ; allez à une image après sa première ({ $first_frame }) et jusqu’à sa dernière ({ $last_frame }).
-measurements-only-two-passes-same-recording-joined = Seuls deux passages du même enregistrement peuvent être fusionnés ; choisissez-en un autre.
-measurements-vehicles-both-measurements-measurement-stays-vehicle = Les véhicules { $number } et { $number_2 } ont tous deux des mesures, et une mesure reste avec son véhicule ; écartez plutôt l’un des passages.
-measurements-vehicle-measured-before-after-frame-measurement = Le véhicule { $number } a été mesuré avant et après l’image { $frame }, et une mesure reste avec son véhicule ; scindez-le à une autre image.
-measurements-measurement-withdrawn-restore-before-you-change = Cette mesure est retirée ; restaurez-la avant de la modifier.
-measurements-repeat-stands-clicked-withdraw-click-again = Une répétition ne peut pas être modifiée ; retirez-la et repointez.
-measurements-measurement-withdrawn-already-restore-use-again = Cette mesure est déjà retirée ; restaurez-la pour l’utiliser à nouveau.
-adjusting-says-something-else-now = L’ajustement a changé depuis son affichage ; contrôlez-le à nouveau.
-adjusting-not-an-adjusted-pose-in-force = Ce n’est pas une pose ajustée en vigueur : il n’y a rien à annuler.
-computing-undo-cannot-be-undone = Une annulation ne s’annule pas ; recalculez plutôt les hauteurs.
+measurements-vehicle-other-recording = Le véhicule n’appartient pas à cet enregistrement ; choisissez l’un de ses passages.
+measurements-frame-twice = L’image { $twice } est pointée deux fois ; pointez les deux points sur une autre image du passage.
+measurements-point-outside = Le point « { $word } » { $point }, { $point_2 } n’est dans aucune image ; repointez.
+measurements-no-pose = { $name } n’a pas encore de pose de la caméra ; calculez-en ou choisissez-en une d’abord sur la page Route.
+measurements-pose-image-size = La pose de la caméra de { $name } vaut pour des images de { $size_px } x { $size_px_2 } px, non pour sa taille ; calculez-en ou choisissez-en une autre sur la page Route.
+measurements-frame-cannot-split = L’image { $frame } ne peut pas scinder le véhicule { $number } ; allez à une image après sa première ({ $first_frame }) et jusqu’à sa dernière ({ $last_frame }).
+measurements-join-other-recording = Seuls deux passages du même enregistrement peuvent être fusionnés ; choisissez-en un autre.
+measurements-join-both-measured = Les véhicules { $number } et { $number_2 } ont tous deux des mesures, et une mesure reste avec son véhicule ; écartez plutôt l’un des passages.
+measurements-split-between = Le véhicule { $number } a été mesuré avant et après l’image { $frame }, et une mesure reste avec son véhicule ; scindez-le à une autre image.
+measurements-withdrawn = Cette mesure est retirée ; restaurez-la avant de la modifier.
+measurements-repeat-fixed = Une répétition ne peut pas être modifiée ; retirez-la et repointez.
+measurements-withdrawn-already = Cette mesure est déjà retirée ; restaurez-la pour l’utiliser à nouveau.
+adjusting-changed-meanwhile = L’ajustement a changé depuis son affichage ; contrôlez-le à nouveau.
+adjusting-nothing-in-force = Ce n’est pas une pose ajustée en vigueur : il n’y a rien à annuler.
+computing-undo-of-undo = Une annulation ne s’annule pas ; recalculez plutôt les hauteurs.
 computing-undone-already = Ceci a déjà été annulé ; recalculez les hauteurs pour les retrouver.
-computing-undo-the-later-first = Les hauteurs ont été recalculées le { $when } ; annulez d’abord ce calcul.
-computing-computing-made-other-revisions = computings.csv : { $id } a fait un autre nombre de révisions qu’il ne dit ; reprenez l’export complet.
-computing-out-of-date-not-so = { $path } : la marque « périmé » de { $id } ne découle pas de ses données ; reprenez l’export complet.
+computing-undo-later-first = Les hauteurs ont été recalculées le { $when } ; annulez d’abord ce calcul.
+computing-revision-count = computings.csv : { $id } a fait un autre nombre de révisions qu’il ne dit ; reprenez l’export complet.
+computing-mark-wrong = { $path } : la marque « périmé » de { $id } ne découle pas de ses données ; reprenez l’export complet.
 computing-verdict-went-over = revisions.csv : la révision { $revision } de la mesure { $name } a une décision rendue sur une autre hauteur ; reprenez l’export complet.
-measurements-measurement-not-withdrawn-nothing-restore = Cette mesure n’est pas retirée : il n’y a rien à restaurer.
-measurements-deleted-vehicle-restore-first = { $name } a supprimé le véhicule { $vehicle_number } le { $when } ; restaurez-le d’abord.
-measurements-changed-measurement-utc-look-again = { $name } a modifié cette mesure le { $created_at } UTC ; rechargez-la.
-measurements-repeat-needs-vehicle-target-measurement-repeats = Une répétition demande le véhicule et la cible de la mesure qu’elle répète.
-measurements-road-pose-belongs-another-survey-choose = La pose { $pose_id } de la caméra appartient à un autre relevé ; choisissez-en une de ce relevé.
-measurements-measurement-without-height-needs-reason-why = Une mesure sans hauteur demande un motif ; recalculez-la.
-measurements-measurement-no-height-needs-reason-why = Une mesure qui n’a pas de hauteur demande un motif ; recalculez-la.
-measurements-measurement-stored-another-vehicle-already-click = Cette mesure a déjà été enregistrée pour un autre véhicule ; repointez.
-measurements-frame-not-picture-clicked-load-again = L’image { $frame } n’est pas celle qui a été pointée ; rechargez-la.
-measurements-measurements-csv-lacks-measurement-revisions-csv = measurements.csv : il manque une mesure que contient revisions.csv ; elle a été retirée.
-measurements-says-clicks-give-one-wrong = { $name } indique { $status }, ses pointés donnent { $status_2 } ; l’un des deux est faux.
-measurements-words-not-of-code = { $name } : { $column } ne dit pas ce que dit le code à côté ; l’un des deux a été modifié.
-measurements-names-another-pose-file-pose-changed = { $path } : { $id } nomme un autre fichier de pose que sa pose ; il a été modifié.
-measurements-measurement-no-audit-event-revision-put = { $path } : la mesure { $key } n’a pas d’événement d’audit pour la révision { $key_2 } ; ajout après coup.
-measurements-measurement-differs-audit-event-changed = { $path } : la mesure { $key } diffère de son événement d’audit ; elle a été modifiée.
-measurements-revisions-csv-measurement-no-revisions-one = revisions.csv : la mesure { $id } n’a pas de révision ; une a été retirée.
-measurements-missing-no-road-pose-take-whole = { $path } manque ou n’est pas une pose de la caméra ; reprenez l’export complet.
-measurements-says-clicks-give-one-wrong-2 = { $name } indique { $words } { $told }, ses pointés donnent { $computed } ; l’un des deux est faux.
-measurements-measurements-csv-another-last-revision = measurements.csv : { $id } a une autre valeur de { $column } que sa dernière révision.
-measurements-another-measurements-csv-one-wrong = { $path } : { $id } a une autre valeur de { $name } que measurements.csv ; l’un des deux est faux.
-measurements-where-belongs-row-taken-out-put = { $path } { $found } là où { $name } a sa place ; une ligne a été retirée ou ajoutée.
-measurements-not-measurements-csv-put = { $path } : { $row } n’est pas dans measurements.csv ; ajout après coup.
-measurements-measurements-csv-u95-not-1-96 = measurements.csv : { $id } a une U95 qui n’est pas 1,96 u ; l’un des deux est faux.
-measurements-budget-csv-contributions-give-m-measurements = budget.csv : les contributions à { $id } donnent { NUMBER($total, minimumFractionDigits: 6, maximumFractionDigits: 6) } m, measurements.csv indique { NUMBER($told, minimumFractionDigits: 6, maximumFractionDigits: 6) } m ; l’un des deux est faux.
-measurements-budget-csv-not-what-audit-event = budget.csv : les contributions à { $id } diffèrent de son événement d’audit ; l’un des deux a été modifié.
-cameras-calibration-of-other-images = calibrations.csv : { $id } nomme d’autres photos que ses événements d’audit ; reprenez l’export complet.
+measurements-not-withdrawn = Cette mesure n’est pas retirée : il n’y a rien à restaurer.
+measurements-vehicle-deleted = { $name } a supprimé le véhicule { $vehicle_number } le { $when } ; restaurez-le d’abord.
+measurements-changed-meanwhile = { $name } a modifié cette mesure le { $created_at } UTC ; rechargez-la.
+measurements-repeat-mismatch = Une répétition demande le véhicule et la cible de la mesure qu’elle répète.
+measurements-pose-other-survey = La pose { $pose_id } de la caméra appartient à un autre relevé ; choisissez-en une de ce relevé.
+measurements-empty-without-reason = Une mesure sans hauteur demande un motif ; recalculez-la.
+measurements-no-height-reason = Une mesure qui n’a pas de hauteur demande un motif ; recalculez-la.
+measurements-other-vehicle = Cette mesure a déjà été enregistrée pour un autre véhicule ; repointez.
+measurements-frame-not-clicked = L’image { $frame } n’est pas celle qui a été pointée ; rechargez-la.
+measurements-row-missing = measurements.csv : il manque une mesure que contient revisions.csv ; elle a été retirée.
+measurements-status-differs = { $name } indique { $status }, ses pointés donnent { $status_2 } ; l’un des deux est faux.
+measurements-words-differ = { $name } : { $column } ne dit pas ce que dit le code à côté ; l’un des deux a été modifié.
+measurements-pose-file-differs = { $path } : { $id } nomme un autre fichier de pose que sa pose ; il a été modifié.
+measurements-revision-without-event = { $path } : la mesure { $key } n’a pas d’événement d’audit pour la révision { $key_2 } ; ajout après coup.
+measurements-event-differs = { $path } : la mesure { $key } diffère de son événement d’audit ; elle a été modifiée.
+measurements-no-revisions = revisions.csv : la mesure { $id } n’a pas de révision ; une a été retirée.
+measurements-pose-missing = { $path } manque ou n’est pas une pose de la caméra ; reprenez l’export complet.
+measurements-result-differs = { $name } indique { $words } { $told }, ses pointés donnent { $computed } ; l’un des deux est faux.
+measurements-last-revision-differs = measurements.csv : { $id } a une autre valeur de { $column } que sa dernière révision.
+measurements-value-differs = { $path } : { $id } a une autre valeur de { $name } que measurements.csv ; l’un des deux est faux.
+measurements-row-misplaced = { $path } { $found } là où { $name } a sa place ; une ligne a été retirée ou ajoutée.
+measurements-row-added = { $path } : { $row } n’est pas dans measurements.csv ; ajout après coup.
+measurements-u95-wrong = measurements.csv : { $id } a une U95 qui n’est pas 1,96 u ; l’un des deux est faux.
+measurements-budget-sum = budget.csv : les contributions à { $id } donnent { NUMBER($total, minimumFractionDigits: 6, maximumFractionDigits: 6) } m, measurements.csv indique { NUMBER($told, minimumFractionDigits: 6, maximumFractionDigits: 6) } m ; l’un des deux est faux.
+measurements-budget-differs = budget.csv : les contributions à { $id } diffèrent de son événement d’audit ; l’un des deux a été modifié.
+cameras-calibration-images-changed = calibrations.csv : { $id } nomme d’autres photos que ses événements d’audit ; reprenez l’export complet.
 measurements-event-another-row = audit.csv : un événement de la mesure { $id } contient une autre ligne que celle qu’il a hachée ; il a été modifié.
 measurements-events-two-frames = audit.csv : deux événements décrivent différemment l’image { $frame } de l’enregistrement { $recording } ; l’un des deux a été modifié.
-measurements-frames-csv-not-as-clicked = frames.csv : l’image { $frame } de l’enregistrement { $recording } diffère des événements d’audit de ses mesures ; elle a été modifiée.
-measurements-budget-csv-not-measurements-csv-put = budget.csv : { $next } n’est pas dans measurements.csv ; ajout après coup.
-measurements-revisions-csv-revision-measurement-missing-though = revisions.csv : la révision { $revision } de la mesure { $number } manque, bien que son événement d’audit soit là ; elle a été retirée.
-measurements-clicked-another-frame-frames-csv-tells = { $path } : { $id } a été pointé sur une autre image que ne le dit frames.csv ; l’un des deux est faux.
+measurements-frame-table-differs = frames.csv : l’image { $frame } de l’enregistrement { $recording } diffère des événements d’audit de ses mesures ; elle a été modifiée.
+measurements-budget-added = budget.csv : { $next } n’est pas dans measurements.csv ; ajout après coup.
+measurements-revision-missing = revisions.csv : la révision { $revision } de la mesure { $number } manque, bien que son événement d’audit soit là ; elle a été retirée.
+measurements-frame-differs = { $path } : { $id } a été pointé sur une autre image que ne le dit frames.csv ; l’un des deux est faux.
 
 ## Erreurs : médias
 
-media-ingest-cancelled-nothing-kept = L’import de { $name } a été annulé ; rien n’en a été conservé.
-media-claims-x-pixels-more-side-million = { $name } annonce { $width } x { $height } pixels, plus de { $max_side_px } de côté ou { $max_pixels } millions en tout ; réduisez-le et réessayez.
-media-damaged-cannot-decoded-save-png-jpeg = { $name } est endommagé et ne peut pas être décodé ; enregistrez-le en PNG ou JPEG et réessayez.
+media-import-cancelled = L’import de { $name } a été annulé ; rien n’en a été conservé.
+media-image-too-large = { $name } annonce { $width } x { $height } pixels, plus de { $max_side_px } de côté ou { $max_pixels } millions en tout ; réduisez-le et réessayez.
+media-not-decodable = { $name } est endommagé et ne peut pas être décodé ; enregistrez-le en PNG ou JPEG et réessayez.
 media-empty-choose-picture = { $name } est vide ; choisissez une photo.
 media-heif-picture = { $name } est une photo HEIC ou AVIF, illisible ici ; enregistrez-la en PNG ou JPEG et réessayez.
-media-not-picture-read-here-save-png = { $name } n’est pas une photo lisible ici ; enregistrez-la en PNG ou JPEG et réessayez.
-media-damaged-header-not-say-how-large = { $name } est endommagé : son en-tête ne dit pas sa taille ; enregistrez-le en PNG ou JPEG et réessayez.
-media-picture-shape-could-not-encoded = Une image de dimensions { $shape } n’a pas pu être encodée en { $suffix }.
-media-larger-mb-make-smaller = { $name } dépasse { $max_bytes } Mo ; réduisez-le.
-media-cannot-read-check-path = { $name } est illisible ({ $strerror }) ; vérifiez le chemin.
+media-not-an-image = { $name } n’est pas une photo lisible ici ; enregistrez-la en PNG ou JPEG et réessayez.
+media-header-damaged = { $name } est endommagé : son en-tête ne dit pas sa taille ; enregistrez-le en PNG ou JPEG et réessayez.
+media-not-encodable = Une image de dimensions { $shape } n’a pas pu être encodée en { $suffix }.
+media-file-too-large = { $name } dépasse { $max_bytes } Mo ; réduisez-le.
+media-unreadable = { $name } est illisible ({ $strerror }) ; vérifiez le chemin.
 
 ## Erreurs : stockage
 
-store-no-media-address-use-folder-file = { $media_url } n’est pas une adresse de médias ; utilisez un dossier, file:///folder ou s3://bucket.
-store-no-room-needed-free-delete-recordings = Il n’y a pas de place pour { $what } ({ $needed } nécessaires, { $free } libres) ; supprimez des enregistrements devenus inutiles ou ajoutez de l’espace disque, puis réessayez.
+store-address-form = { $media_url } n’est pas une adresse de médias ; utilisez un dossier, file:///folder ou s3://bucket.
+store-no-room = Il n’y a pas de place pour { $what } ({ $needed } nécessaires, { $free } libres) ; supprimez des enregistrements devenus inutiles ou ajoutez de l’espace disque, puis réessayez.
 store-no-media-file = Il n’y a pas de fichier média { $key }.
-store-storage-s3-needs-local-cache-folder = Le stockage sur S3 demande un dossier de cache local ; nommez-en un à côté de l’adresse des médias.
-store-disk-full-not-stored-delete-recordings = Le disque est plein, { $what } n’a pas été enregistré ; supprimez des enregistrements devenus inutiles ou ajoutez de l’espace disque, puis réessayez.
-store-media-file-missing-store-restore-backup = Le fichier média { $key } manque dans le stockage ; restaurez-le depuis une sauvegarde.
-store-media-storage-did-not-answer-check = Le stockage des médias n’a pas répondu pour { $key } ({ $name }) ; vérifiez son adresse, ses identifiants et qu’il est en marche.
-store-names-no-bucket-write-s3-bucket = { $url } ne nomme pas de compartiment ; écrivez s3://bucket/prefix.
+store-no-cache = Le stockage sur S3 demande un dossier de cache local ; nommez-en un à côté de l’adresse des médias.
+store-disk-full = Le disque est plein, { $what } n’a pas été enregistré ; supprimez des enregistrements devenus inutiles ou ajoutez de l’espace disque, puis réessayez.
+store-file-lost = Le fichier média { $key } manque dans le stockage ; restaurez-le depuis une sauvegarde.
+store-no-answer = Le stockage des médias n’a pas répondu pour { $key } ({ $name }) ; vérifiez son adresse, ses identifiants et qu’il est en marche.
+store-no-bucket = { $url } ne nomme pas de compartiment ; écrivez s3://bucket/prefix.
 store-bucket-missing = Il n’y a pas de compartiment { $bucket }, et le stockage ne permet pas de le créer ({ $why }) ; créez-le, ou nommez-en un autre dans SIGHTLINE_MEDIA_URL.
-store-media-file-missing-store = Le fichier média { $key } manque dans le stockage.
-store-no-such-upload-finished-given-up = Cet envoi n’existe pas ; il a été terminé ou abandonné, recommencez-le.
-store-file-empty-choose-video-file = Le fichier est vide ; choisissez un fichier vidéo.
-store-upload-not-complete-bytes-arrived-continue = L’envoi n’est pas complet : { $have } octets sur { $size } sont arrivés ; poursuivez-le.
-store-upload-stands-byte-not-continue = L’envoi en est à l’octet { $have }, non { $at } ; poursuivez à partir de là.
-store-upload-name-already-under-way-start = Un envoi de ce nom est déjà en cours ; commencez-en un nouveau.
-store-upload-being-written-another-connection-try = Cet envoi est en cours d’écriture par une autre connexion ; réessayez.
-store-upload-goes-on-over-newer-connection = Cet envoi se poursuit par une connexion plus récente ; celle-ci est terminée.
-store-more-bytes-came-announced-start-upload = Plus d’octets sont arrivés que les { $size } annoncés ; recommencez l’envoi.
+store-file-missing = Le fichier média { $key } manque dans le stockage.
+store-no-upload = Cet envoi n’existe pas ; il a été terminé ou abandonné, recommencez-le.
+store-file-empty = Le fichier est vide ; choisissez un fichier vidéo.
+store-upload-incomplete = L’envoi n’est pas complet : { $have } octets sur { $size } sont arrivés ; poursuivez-le.
+store-upload-offset = L’envoi en est à l’octet { $have }, non { $at } ; poursuivez à partir de là.
+store-upload-name-taken = Un envoi de ce nom est déjà en cours ; commencez-en un nouveau.
+store-upload-busy = Cet envoi est en cours d’écriture par une autre connexion ; réessayez.
+store-upload-superseded = Cet envoi se poursuit par une connexion plus récente ; celle-ci est terminée.
+store-upload-too-long = Plus d’octets sont arrivés que les { $size } annoncés ; recommencez l’envoi.
 
 ## Erreurs : bandes
 
-strips-no-json-object-correct-them = { $what } ne sont pas un objet JSON ; corrigez-les.
-strips-give-line-rate-hz-no-positive = { $what } donnent un line_rate_hz qui n’est pas un nombre positif ; corrigez-le.
-strips-give-dropped-lines-no-list-line = { $what } donnent des dropped_lines qui ne sont pas une liste ordonnée de [line, count] ; corrigez-les.
-strips-larger-mb-correct-remove-file = { $what } dépassent { $sidecar_bytes } Mo ; corrigez ou supprimez ce fichier.
-strips-not-readable-json-correct-remove-file = { $what } ne sont pas un JSON lisible ; corrigez ou supprimez ce fichier.
-strips-cut-off-header-copy-again-recorder = { $name } est tronqué dans son en-tête ; copiez-le à nouveau depuis l’enregistreur.
+strips-notes-not-object = { $what } ne sont pas un objet JSON ; corrigez-les.
+strips-rate-not-positive = { $what } donnent un line_rate_hz qui n’est pas un nombre positif ; corrigez-le.
+strips-dropped-lines-form = { $what } donnent des dropped_lines qui ne sont pas une liste ordonnée de [line, count] ; corrigez-les.
+strips-notes-too-large = { $what } dépassent { $sidecar_bytes } Mo ; corrigez ou supprimez ce fichier.
+strips-notes-not-json = { $what } ne sont pas un JSON lisible ; corrigez ou supprimez ce fichier.
+strips-header-cut-off = { $name } est tronqué dans son en-tête ; copiez-le à nouveau depuis l’enregistreur.
 strips-in-colour = { $name } est en couleur, alors qu’un balayage est en niveaux de gris ; { strips-save-grey }.
 strips-transparency = { $name } a une couche de transparence, alors qu’un balayage n’en a pas ; { strips-save-grey }.
 strips-colour-with-transparency = { $name } est en couleur avec transparence, alors qu’un balayage est en niveaux de gris ; { strips-save-grey }.
@@ -5267,64 +5267,64 @@ strips-say-time-axis = si le temps suit sa { $axis ->
    *[height] hauteur
 }, dites-le
 strips-bits-pixel = { $name } a { $depth } bits par pixel ; { strips-save-grey }.
-strips-interlaced-cannot-read-pieces-save-without = { $name } est entrelacé et ne peut pas être lu par morceaux ; enregistrez-le sans entrelacement.
-strips-pixels-wide-png-here-save-tiff = { $name } fait { $width_px } pixels de large, un PNG peut en avoir { $most_wide_px } ici ; enregistrez-le en TIFF ou avec le temps selon la hauteur.
-strips-damaged-checksum-inside-not-match-copy = { $name } est endommagé : une somme de contrôle interne ne concorde pas ; copiez-le à nouveau depuis l’enregistreur.
-strips-no-plain-picture-animation-damaged = { $name } n’est pas une image simple (animation, ou endommagée) ; { strips-save-grey }.
-strips-give-png-tiff-line-scan-camera = { $name } { media-kind } ; indiquez un PNG ou TIFF de la caméra linéaire.
-strips-pixels-line-give-two-strips-equal = { $name } a { $rows } pixels par ligne et { $name_2 } { $rows_2 } ; indiquez deux bandes de même hauteur, ou rognez-les à la partie de la scène que les deux montrent.
-strips-bits-pixel-save-both-alike = { $name } a { $value } bits par pixel et { $name_2 } { $value_2 } ; enregistrez les deux de la même façon.
-strips-lines-both-begin-end-together-give = { $name } a { $lines } lignes et { $name_2 } { $lines_2 } ; toutes deux commencent et finissent ensemble : indiquez les deux bandes d’un même enregistrement, ou rognez-les à la même durée.
-strips-not-file-give-png-tiff-line = { $name } n’est pas un fichier ; indiquez un PNG ou TIFF de la caméra linéaire.
-strips-jpeg-which-changes-pixels-save-png = { $name } est un JPEG, qui altère les pixels ; enregistrez-le en PNG ou TIFF dans l’enregistreur.
-strips-would-pixels-line-time-along-more = { $name } aurait { $rows } pixels par ligne avec le temps selon sa { $time_axis ->
+strips-interlaced = { $name } est entrelacé et ne peut pas être lu par morceaux ; enregistrez-le sans entrelacement.
+strips-png-too-wide = { $name } fait { $width_px } pixels de large, un PNG peut en avoir { $most_wide_px } ici ; enregistrez-le en TIFF ou avec le temps selon la hauteur.
+strips-checksum-wrong = { $name } est endommagé : une somme de contrôle interne ne concorde pas ; copiez-le à nouveau depuis l’enregistreur.
+strips-not-plain = { $name } n’est pas une image simple (animation, ou endommagée) ; { strips-save-grey }.
+strips-not-an-image = { $name } { media-kind } ; indiquez un PNG ou TIFF de la caméra linéaire.
+strips-heights-differ = { $name } a { $rows } pixels par ligne et { $name_2 } { $rows_2 } ; indiquez deux bandes de même hauteur, ou rognez-les à la partie de la scène que les deux montrent.
+strips-bits-differ = { $name } a { $value } bits par pixel et { $name_2 } { $value_2 } ; enregistrez les deux de la même façon.
+strips-lines-differ = { $name } a { $lines } lignes et { $name_2 } { $lines_2 } ; toutes deux commencent et finissent ensemble : indiquez les deux bandes d’un même enregistrement, ou rognez-les à la même durée.
+strips-not-a-file = { $name } n’est pas un fichier ; indiquez un PNG ou TIFF de la caméra linéaire.
+strips-jpeg = { $name } est un JPEG, qui altère les pixels ; enregistrez-le en PNG ou TIFF dans l’enregistreur.
+strips-lines-too-wide = { $name } aurait { $rows } pixels par ligne avec le temps selon sa { $time_axis ->
     [width] largeur
    *[height] hauteur
 }, plus de { $most_rows } ; { $hint }.
-strips-lines-pixels-time-along-which-shows = { $name } a { $lines } lignes de { $rows } pixels avec le temps selon sa { $time_axis ->
+strips-time-axis-wrong = { $name } a { $lines } lignes de { $rows } pixels avec le temps selon sa { $time_axis ->
     [width] largeur
    *[height] hauteur
 }, ce qui ne montre aucun véhicule ; indiquez un PNG ou TIFF de la caméra linéaire.
-strips-more-thousand-million-lines-cut-into = { $name } a plus de { $most_lines } milliards de lignes ; découpez-le en parties.
-strips-notes-say-lines-lost-record-again = { $name } : ses notes disent que { $lost } lignes sur { $lines } ont été perdues ; refaites l’enregistrement.
-strips-notes-name-lost-lines-ends-correct = { $name } : ses notes nomment des lignes perdues à { $line }, mais il finit à { $lines } ; corrigez-les.
-strips-cannot-read-give-png-tiff-line = { $name } est illisible ({ $strerror }) ; indiquez un PNG ou TIFF de la caméra linéaire.
-strips-cut-off-ends-row-copy-again = { $name } est tronqué : il finit à la rangée { $row } sur { $height } ; copiez-le à nouveau depuis l’enregistreur.
-strips-damaged-row-cannot-read-copy-again = { $name } est endommagé à la rangée { $row } sur { $height } et illisible ensuite ; copiez-le à nouveau depuis l’enregistreur.
-strips-claims-picture-x-pixels-copy-again = { $name } annonce une image de { $width } x { $height } pixels ; copiez-le à nouveau depuis l’enregistreur.
-strips-claims-x-pixels-more-mb-file = { $name } annonce { $width } x { $height } pixels, plus que n’en contient un fichier de { $file_bytes } Mo ; il est endommagé ou n’est pas un enregistrement : copiez-le à nouveau depuis l’enregistreur.
-strips-rows-pixels-too-long-read-copy = { $name } a des rangées de { $width_px } pixels, trop longues pour être lues ; copiez-le à nouveau depuis l’enregistreur.
-strips-stored-strip-damaged-restore-backup-read = La bande stockée { $name } est endommagée ; restaurez-la depuis une sauvegarde ou importez-la à nouveau.
-strips-stored-strip-missing-restore-backup = La bande stockée { $name } manque ; restaurez-la depuis une sauvegarde.
+strips-too-many-lines = { $name } a plus de { $most_lines } milliards de lignes ; découpez-le en parties.
+strips-lost-lines-many = { $name } : ses notes disent que { $lost } lignes sur { $lines } ont été perdues ; refaites l’enregistrement.
+strips-lost-lines-outside = { $name } : ses notes nomment des lignes perdues à { $line }, mais il finit à { $lines } ; corrigez-les.
+strips-unreadable = { $name } est illisible ({ $strerror }) ; indiquez un PNG ou TIFF de la caméra linéaire.
+strips-cut-off = { $name } est tronqué : il finit à la rangée { $row } sur { $height } ; copiez-le à nouveau depuis l’enregistreur.
+strips-row-damaged = { $name } est endommagé à la rangée { $row } sur { $height } et illisible ensuite ; copiez-le à nouveau depuis l’enregistreur.
+strips-size-impossible = { $name } annonce une image de { $width } x { $height } pixels ; copiez-le à nouveau depuis l’enregistreur.
+strips-size-over-file = { $name } annonce { $width } x { $height } pixels, plus que n’en contient un fichier de { $file_bytes } Mo ; il est endommagé ou n’est pas un enregistrement : copiez-le à nouveau depuis l’enregistreur.
+strips-rows-too-long = { $name } a des rangées de { $width_px } pixels, trop longues pour être lues ; copiez-le à nouveau depuis l’enregistreur.
+strips-stored-damaged = La bande stockée { $name } est endommagée ; restaurez-la depuis une sauvegarde ou importez-la à nouveau.
+strips-stored-missing = La bande stockée { $name } manque ; restaurez-la depuis une sauvegarde.
 strips-spool-damaged = { $path } n’est pas une bande d’un flux, ou est endommagé ; laissez-le, et choisissez un autre --spool.
-strips-strip-no-level-only-0 = La bande { $name } n’a pas de niveau { $level }, seulement 0 à { $count }.
-strips-gain-cannot-shown-choose-one-0 = Le gain { $gain } ne peut pas être affiché ; choisissez-en un de 0,1 à 50.
-strips-strip-no-tile-level = La bande { $name } n’a pas de tuile { $index } au niveau { $level }.
-strips-index-pixels-not-fit-size = a un index de pixels qui ne correspond pas à sa taille ; { strips-copy-again }
-strips-holds-several-pictures-give-each-strip = { $name } contient plusieurs images ; donnez chaque bande en une seule longue image.
-strips-palette-line-scan-grey = { $name } a une palette, et un balayage linéaire est en niveaux de gris ; { strips-save-grey }.
-strips-colour-transparency-channel-line-scan-grey = { $name } est en couleur ou a un canal de transparence, un balayage linéaire est en niveaux de gris ; { strips-save-grey }.
-strips-holds-signed-floating-point-numbers = { $name } contient des nombres signés ou à virgule flottante ; { strips-save-grey }.
+strips-no-level = La bande { $name } n’a pas de niveau { $level }, seulement 0 à { $count }.
+strips-gain-range = Le gain { $gain } ne peut pas être affiché ; choisissez-en un de 0,1 à 50.
+strips-no-tile = La bande { $name } n’a pas de tuile { $index } au niveau { $level }.
+strips-index-size = a un index de pixels qui ne correspond pas à sa taille ; { strips-copy-again }
+strips-several-images = { $name } contient plusieurs images ; donnez chaque bande en une seule longue image.
+strips-palette = { $name } a une palette, et un balayage linéaire est en niveaux de gris ; { strips-save-grey }.
+strips-not-grey = { $name } est en couleur ou a un canal de transparence, un balayage linéaire est en niveaux de gris ; { strips-save-grey }.
+strips-number-kind = { $name } contient des nombres signés ou à virgule flottante ; { strips-save-grey }.
 strips-bits-pixel-2 = { $name } a { $bitspersample } bits par pixel ; { strips-save-grey }.
-strips-packed-which-not-read-here-save = { $name } est compressé ({ $kind_name }), illisible ici ; enregistrez-le avec une compression zstd, deflate ou LZW, ou sans.
-strips-packed-unusual-way-save-zstd-deflate = { $name } est compressé de façon inhabituelle ; enregistrez-le avec une compression zstd, deflate ou LZW, ou sans.
-strips-marked-turned-mirrored-save-upright = { $name } est marqué comme tourné ou en miroir ; enregistrez-le droit.
-strips-tiff-cut-off-whose-directory-damaged = { $name } est un TIFF tronqué ou dont le répertoire est endommagé ; { strips-copy-again }.
-strips-packed-pieces-more-mb-save-smaller = { $name } est compressé en morceaux de plus de { $piece_bytes } Mo ; enregistrez-le en bandes ou tuiles plus petites.
-strips-rows-tiles-more-mb-save-smaller = { $name } a des rangées de tuiles de plus de { $piece_bytes } Mo ; enregistrez-le en tuiles plus petites.
+strips-packing-unsupported = { $name } est compressé ({ $kind_name }), illisible ici ; enregistrez-le avec une compression zstd, deflate ou LZW, ou sans.
+strips-packing-unusual = { $name } est compressé de façon inhabituelle ; enregistrez-le avec une compression zstd, deflate ou LZW, ou sans.
+strips-not-upright = { $name } est marqué comme tourné ou en miroir ; enregistrez-le droit.
+strips-tiff-cut-off = { $name } est un TIFF tronqué ou dont le répertoire est endommagé ; { strips-copy-again }.
+strips-pieces-too-large = { $name } est compressé en morceaux de plus de { $piece_bytes } Mo ; enregistrez-le en bandes ou tuiles plus petites.
+strips-tiles-too-large = { $name } a des rangées de tuiles de plus de { $piece_bytes } Mo ; enregistrez-le en tuiles plus petites.
 strips-problem-2 = { $name } { $message }.
-strips-tiff-whose-directory-damaged = { $name } est un TIFF dont le répertoire est endommagé ; { strips-copy-again }.
-strips-frames-too-few-line-scan-choose = { $name } a { $count } images, trop peu pour un balayage linéaire ; choisissez un autre enregistrement.
-strips-no-constant-frame-rate-time-stamps = { $name } n’a pas une cadence d’images constante (ses horodatages sont irréguliers, surtout après l’image { $at }), et un balayage linéaire en demande une ; extrayez une partie régulière, ou enregistrez à cadence fixe.
-strips-cuts-cannot-cut-choose-two-different = Les { $what ->
+strips-tiff-damaged = { $name } est un TIFF dont le répertoire est endommagé ; { strips-copy-again }.
+strips-too-few-frames = { $name } a { $count } images, trop peu pour un balayage linéaire ; choisissez un autre enregistrement.
+strips-rate-uneven = { $name } n’a pas une cadence d’images constante (ses horodatages sont irréguliers, surtout après l’image { $at }), et un balayage linéaire en demande une ; extrayez une partie régulière, ou enregistrez à cadence fixe.
+strips-cuts-unusable = Les { $what ->
     [rows] rangées
    *[columns] colonnes
 } { $cut_1 } et { $cut_2 } ne peuvent pas être extraites de { $name } ; choisissez-en deux différentes de 0 à { $last_px }.
-strips-now-gives-frames-not-ingest-again = { $name } a maintenant { $count } images, et non { $count_2 } ; importez-le à nouveau.
+strips-frames-changed = { $name } a maintenant { $count } images, et non { $count_2 } ; importez-le à nouveau.
 
 ## Erreurs : vidéo
 
-video-not-file-choose-video-file = { $name } n’est pas un fichier ; choisissez un fichier vidéo.
+video-not-a-file = { $name } n’est pas un fichier ; choisissez un fichier vidéo.
 video-is-no-video = { $name } { media-kind }, non une vidéo ; choisissez un fichier vidéo.
 video-is-empty = { $name } { media-kind } ; choisissez un fichier vidéo.
 video-is-cut-off = { $name } { media-kind } ; copiez de nouveau le fichier depuis l’enregistreur, ou réparez-le sur place.
@@ -5375,92 +5375,92 @@ media-kind = { $kind ->
     [cut_in_index] est coupé au milieu de son index (moov)
    *[other] n’est pas d’un format d’image pris en charge
 }
-video-holds-no-moving-picture-only-sound = { $name } ne contient pas de vidéo, seulement du son ou des données ; choisissez un fichier vidéo.
+video-no-video-track = { $name } ne contient pas de vidéo, seulement du son ou des données ; choisissez un fichier vidéo.
 video-no-such-stream = { $name } n’a pas de piste vidéo { $number } ; il en contient { $count }, comptées à partir de 1.
-video-stream-is-a-still = La piste vidéo { $number } de { $name } est une image fixe ; choisissez une autre piste.
+video-track-is-still = La piste vidéo { $number } de { $name } est une image fixe ; choisissez une autre piste.
 video-stream-is-off = La piste vidéo { $number } de { $name } est désactivée dans le fichier ; choisissez une autre piste.
 video-slowed-in-part = Une partie seulement de { $name } est au ralenti : une seule cadence n’en donne pas les instants ; enregistrez-la avec les instants de prise de vue.
-video-uses-video-codec-cannot-decoded-here = { $name } utilise un codec vidéo qui ne peut pas être décodé ici ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
-video-not-say-how-large-picture-says = { $name } n’indique pas la taille de ses images, ou en indique une impossible ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
-video-claims-picture-x-pixels-more-side = { $name } annonce une image de { $width } x { $height } pixels, plus de { $max_side_px } de côté ou { $max_pixels } millions en tout ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
-video-claims-pixels-width-height-which-not = { $name } annonce des pixels au rapport largeur sur hauteur de { $aspect }, ce qui n’est pas plausible ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
-video-not-video-read-here-convert-mp4 = { $name } n’est pas une vidéo lisible ici ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
+video-codec-unsupported = { $name } utilise un codec vidéo qui ne peut pas être décodé ici ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
+video-size-missing = { $name } n’indique pas la taille de ses images, ou en indique une impossible ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
+video-size-too-large = { $name } annonce une image de { $width } x { $height } pixels, plus de { $max_side_px } de côté ou { $max_pixels } millions en tout ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
+video-aspect-implausible = { $name } annonce des pixels au rapport largeur sur hauteur de { $aspect }, ce qui n’est pas plausible ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
+video-not-a-video = { $name } n’est pas une vidéo lisible ici ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
 video-no-times-follow = { $name } ne donne pas l’instant de ses images : un véhicule ne peut pas y être suivi ; convertissez-le en MP4.
-video-times-not-of-filming = Les instants de { $name } ne sont pas ceux de la prise de vue (ses remarques en donnent le motif) : aucun mouvement n’est mesuré. Saisissez sa cadence de prise de vue.
-video-holds-no-picture-decoded-convert-mp4 = { $name } ne contient aucune image décodable ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
-video-recording-ended-decoder-times-set-aside = Cet enregistrement a fait planter le décodeur { $count } fois et est mis de côté ; convertissez-le en MP4 avec H.264 et envoyez-le à nouveau.
-video-decoder-ended-again-again-look-memory = Le décodeur s’est arrêté plusieurs fois de suite ; vérifiez la mémoire de cette machine.
-video-cannot-decoded-decoder-save-another-format = { $header } ne peut pas être décodé : le décodeur { $why } ; enregistrez-le dans un autre format et réessayez.
-video-frame-no-longer-wanted = Cette image n’était plus demandée.
-video-no-frame-recording-frames-0 = Il n’y a pas d’image { $n } ; cet enregistrement a les images 0 à { $count }.
-video-crop-x-pixels-scale-out-bounds = Un recadrage de { $w } x { $h } pixels à l’échelle { $scale } est hors limites ; demandez-en un plus petit.
-video-holds-no-picture-decoded-copy-again = { $name } ne contient aucune image décodable ; copiez-le à nouveau ou convertissez-le en MP4.
-video-changes-picture-size-way-split-where = { $name } change de taille d’image en cours de route ; coupez-le là où la taille change.
+video-times-not-filming = Les instants de { $name } ne sont pas ceux de la prise de vue (ses remarques en donnent le motif) : aucun mouvement n’est mesuré. Saisissez sa cadence de prise de vue.
+video-no-frame = { $name } ne contient aucune image décodable ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
+video-set-aside = Cet enregistrement a fait planter le décodeur { $count } fois et est mis de côté ; convertissez-le en MP4 avec H.264 et envoyez-le à nouveau.
+video-decoder-failing = Le décodeur s’est arrêté plusieurs fois de suite ; vérifiez la mémoire de cette machine.
+video-not-decodable = { $header } ne peut pas être décodé : le décodeur { $why } ; enregistrez-le dans un autre format et réessayez.
+video-frame-unwanted = Cette image n’était plus demandée.
+video-frame-outside = Il n’y a pas d’image { $n } ; cet enregistrement a les images 0 à { $count }.
+video-crop-outside = Un recadrage de { $w } x { $h } pixels à l’échelle { $scale } est hors limites ; demandez-en un plus petit.
+video-no-frame-readable = { $name } ne contient aucune image décodable ; copiez-le à nouveau ou convertissez-le en MP4.
+video-size-changes = { $name } change de taille d’image en cours de route ; coupez-le là où la taille change.
 video-proposals-cancelled = La proposition de points pour { $name } a été annulée ; rien n’en a été conservé.
-video-search-passes-cancelled-nothing-kept = La détection des passages dans { $name } a été annulée ; rien n’en a été conservé.
-video-cannot-made-addressable-frame-frame-convert = { $name } ne peut pas être rendu accessible image par image ; convertissez-le en MP4 avec H.264 et réessayez.
-video-disk-full-not-taken-make-room = Le disque est plein, { $name } n’a pas été importé ; libérez de la place et réessayez.
-video-frame-cannot-shown-stored-video-no = L’image { $n } ne peut pas être affichée : la vidéo stockée ne donne plus l’image dont la somme de contrôle a été notée à l’import ; restaurez le fichier depuis une sauvegarde ou importez-le comme nouvel enregistrement.
-video-stored-video-missing-no-longer-opened = La vidéo stockée { $name } manque ou ne peut plus être ouverte ; restaurez-la depuis une sauvegarde.
-video-frame-no-longer-wanted-2 = L’image { $n } n’était plus demandée.
-video-needs-bgr-frames-one-even-size = { $name } demande des images BGR d’une même taille paire, reçu { $shape } pour { $width } x { $height }.
-video-cannot-written-without-frames = { $name } ne peut pas être écrit sans images.
+video-search-cancelled = La détection des passages dans { $name } a été annulée ; rien n’en a été conservé.
+video-not-addressable = { $name } ne peut pas être rendu accessible image par image ; convertissez-le en MP4 avec H.264 et réessayez.
+video-disk-full = Le disque est plein, { $name } n’a pas été importé ; libérez de la place et réessayez.
+video-frame-changed = L’image { $n } ne peut pas être affichée : la vidéo stockée ne donne plus l’image dont la somme de contrôle a été notée à l’import ; restaurez le fichier depuis une sauvegarde ou importez-le comme nouvel enregistrement.
+video-stored-missing = La vidéo stockée { $name } manque ou ne peut plus être ouverte ; restaurez-la depuis une sauvegarde.
+video-numbered-frame-unwanted = L’image { $n } n’était plus demandée.
+video-frame-form = { $name } demande des images BGR d’une même taille paire, reçu { $shape } pour { $width } x { $height }.
+video-no-frames-written = { $name } ne peut pas être écrit sans images.
 
 ## Erreurs : personnes
 
-people-email-password-not-fit-together-check = E-mail ou mot de passe incorrect. Réessayez.
-people-password-characters-choose-another = Un mot de passe a de { $min_password } à { $max_password } caractères ; choisissez-en un autre.
-people-sign-ins-slowed-down = Beaucoup de connexions depuis votre réseau ont échoué ; réessayez dans { $seconds } s.
+people-sign-in-wrong = E-mail ou mot de passe incorrect. Réessayez.
+people-password-length = Un mot de passe a de { $min_password } à { $max_password } caractères ; choisissez-en un autre.
+people-sign-ins-slowed = Beaucoup de connexions depuis votre réseau ont échoué ; réessayez dans { $seconds } s.
 people-password-one-sign = Un mot de passe a au moins { $least } caractères différents, sans compter les espaces ; choisissez-en un autre.
-people-current-password-not-right-type-again = Le mot de passe actuel est incorrect ; saisissez-le à nouveau.
-people-no-active-account-check-address = Il n’y a pas de compte actif pour { $email } ; vérifiez l’adresse.
-people-too-many-failed-sign-ins-wait = Trop d’échecs de connexion ; attendez cinq minutes et réessayez.
-people-token-needs-name-scope-days = Un jeton demande un nom, un droit et de 1 à { NUMBER($most_days) } jours ; remplissez-les.
+people-password-wrong = Le mot de passe actuel est incorrect ; saisissez-le à nouveau.
+people-no-account = Il n’y a pas de compte actif pour { $email } ; vérifiez l’adresse.
+people-sign-ins-blocked = Trop d’échecs de connexion ; attendez cinq minutes et réessayez.
+people-token-incomplete = Un jeton demande un nom, un droit et de 1 à { NUMBER($most_days) } jours ; remplissez-les.
 people-token-too-many = Vous avez déjà { NUMBER($most) } jetons ; révoquez-en un qui ne sert plus.
-people-sign-link-used-already-too-old = Ce lien de connexion a déjà servi ou est trop ancien ; demandez-en un nouveau à un administrateur.
-people-not-email-address-write-name-place = « { $email } » n’est pas une adresse e-mail ; écrivez-la sous la forme nom@lieu.
-people-already-account-change-one-instead = Il existe déjà un compte pour { $email } ; modifiez plutôt celui-là.
-people-last-admin-make-somebody-else-admin = C’est le dernier administrateur ; nommez-en d’abord un autre.
-people-person-needs-name-fill = Une personne doit avoir un nom ; indiquez-le.
-people-no-role-use-one = Il n’y a pas de rôle « { $role } » ; utilisez l’un de { $roles }.
+people-link-used = Ce lien de connexion a déjà servi ou est trop ancien ; demandez-en un nouveau à un administrateur.
+people-email-form = « { $email } » n’est pas une adresse e-mail ; écrivez-la sous la forme nom@lieu.
+people-account-exists = Il existe déjà un compte pour { $email } ; modifiez plutôt celui-là.
+people-last-admin = C’est le dernier administrateur ; nommez-en d’abord un autre.
+people-no-name = Une personne doit avoir un nom ; indiquez-le.
+people-role-unknown = Il n’y a pas de rôle « { $role } » ; utilisez l’un de { $roles }.
 
 ## Erreurs : poses
 
-poses-no-frames-yet-wait-until-ready = { $name } n’a pas encore d’images ; attendez qu’il soit prêt.
-poses-frames-no-span-frames-0 = Les images { $first_frame } à { $last_frame } ne sont pas une plage de { $name } ; il a les images 0 à { $frame_count }.
-poses-no-frame-shows-board = Images { $first } à { $last } : { $reason }
-poses-calibration-pictures-x-px-x-px = L’étalonnage vaut pour des images de { $width_px } x { $height_px } px et { $name } a { $width_px_2 } x { $height_px_2 } px ; choisissez un étalonnage fait à la taille de l’enregistrement.
-poses-calibration-belongs-another-survey-choose-one = L’étalonnage { $calibration_id } appartient à un autre relevé ; choisissez-en un de ce relevé.
+poses-no-frames = { $name } n’a pas encore d’images ; attendez qu’il soit prêt.
+poses-frames-outside = Les images { $first_frame } à { $last_frame } ne sont pas une plage de { $name } ; il a les images 0 à { $frame_count }.
+poses-board-not-shown = Images { $first } à { $last } : { $reason }
+poses-calibration-image-size = L’étalonnage vaut pour des images de { $width_px } x { $height_px } px et { $name } a { $width_px_2 } x { $height_px_2 } px ; choisissez un étalonnage fait à la taille de l’enregistrement.
+poses-calibration-other-survey = L’étalonnage { $calibration_id } appartient à un autre relevé ; choisissez-en un de ce relevé.
 
 ## Erreurs : qualité
 
-quality-no-recording-uses-road-pose-any = Plus aucun enregistrement n’utilise cette pose de la caméra ; rechargez la page Contrôles.
-quality-traffics-direction-now-not-what-you = La direction du trafic est maintenant de { $turn_deg }°, non la valeur affichée ; rechargez la page.
-quality-frame-not-vehicle-which-passes-frames = Le véhicule { $number } n’apparaît pas dans l’image { $frame } ; il passe dans les images { $first_frame } à { $last_frame }. Allez à l’une d’elles.
-quality-clicked-their-own-measurements-again-needed = { $name } a repointé { $pairs } de ses propres mesures ; il en faut { $least_pairs } pour une incertitude de pointé propre. Repointez-en d’autres.
-quality-repeats-csv-repeat-missing-though-audit = repeats.csv : la répétition { $left } manque, bien que son événement d’audit soit là.
-quality-repeats-csv-not-what-audit-event = repeats.csv : { $number } diffère de son événement d’audit ; il a été modifié.
+quality-pose-unused = Plus aucun enregistrement n’utilise cette pose de la caméra ; rechargez la page Contrôles.
+quality-direction-changed = La direction du trafic est maintenant de { $turn_deg }°, non la valeur affichée ; rechargez la page.
+quality-frame-outside-pass = Le véhicule { $number } n’apparaît pas dans l’image { $frame } ; il passe dans les images { $first_frame } à { $last_frame }. Allez à l’une d’elles.
+quality-repeats-too-few = { $name } a repointé { $pairs } de ses propres mesures ; il en faut { $least_pairs } pour une incertitude de pointé propre. Repointez-en d’autres.
+quality-repeat-missing = repeats.csv : la répétition { $left } manque, bien que son événement d’audit soit là.
+quality-repeat-differs = repeats.csv : { $number } diffère de son événement d’audit ; il a été modifié.
 
 ## Erreurs : enregistrements
 
-recordings-images-add-least-three-better-15 = Photos de { $name } : { $images } ; ajoutez-en au moins trois, mieux 15 à 25.
-recordings-belongs-another-survey-choose-one-surveys = { $name } appartient à un autre relevé ; choisissez-en un de ce relevé.
-recordings-no-frames-yet-wait-until-ingest = { $name } n’a pas encore d’images ; attendez la fin de son import.
-recordings-no-road-pose-yet-nothing-says = { $name } n’a pas encore de pose de la caméra : la position de sa caméra est inconnue.
-recordings-still-being-ingested-wait-until-ready = { $name } est encore en cours d’import ; attendez qu’il soit prêt.
-recordings-could-not-ingested-no-frames-see = { $name } n’a pas pu être importé et n’a donc pas d’images ; voyez son erreur et réessayez.
-recordings-frame-table-not-whole-ingest-recording = La table des images de { $name } n’est pas complète ; importez à nouveau l’enregistrement.
-recordings-recording-no-frame-choose-one-within = L’enregistrement { $recording_id } n’a pas d’image { $n } ; choisissez-en une qu’il contient.
-recordings-frame-no-thumbnail-ask-frame-itself = L’image { $n } de { $name } n’a pas de vignette ; demandez l’image elle-même.
-recordings-being-ingested-already-wait-cancel = { $name } est déjà en cours d’import ; attendez ou annulez.
-recordings-ingest-cancelled-start-again-delete-recording = L’import a été annulé ; relancez-le ou supprimez l’enregistrement.
-recordings-being-ingested-cancel-first = { $name } est en cours d’import ; annulez-le d’abord.
-recordings-times-not-in-doubt = Les instants de { $name } sont ceux de la prise de vue ; aucune cadence n’est nécessaire.
-recordings-rate-was-measured-with = Des mesures ou des balayages utilisent déjà la cadence de prise de vue de { $name } ; pour en utiliser une autre, envoyez le fichier à nouveau.
+recordings-too-few-images = Photos de { $name } : { $images } ; ajoutez-en au moins trois, mieux 15 à 25.
+recordings-other-survey = { $name } appartient à un autre relevé ; choisissez-en un de ce relevé.
+recordings-no-frames = { $name } n’a pas encore d’images ; attendez la fin de son import.
+recordings-no-pose = { $name } n’a pas encore de pose de la caméra : la position de sa caméra est inconnue.
+recordings-not-ready = { $name } est encore en cours d’import ; attendez qu’il soit prêt.
+recordings-import-failed = { $name } n’a pas pu être importé et n’a donc pas d’images ; voyez son erreur et réessayez.
+recordings-frame-table-incomplete = La table des images de { $name } n’est pas complète ; importez à nouveau l’enregistrement.
+recordings-frame-outside = L’enregistrement { $recording_id } n’a pas d’image { $n } ; choisissez-en une qu’il contient.
+recordings-no-thumbnail = L’image { $n } de { $name } n’a pas de vignette ; demandez l’image elle-même.
+recordings-importing-already = { $name } est déjà en cours d’import ; attendez ou annulez.
+recordings-import-cancelled = L’import a été annulé ; relancez-le ou supprimez l’enregistrement.
+recordings-importing = { $name } est en cours d’import ; annulez-le d’abord.
+recordings-times-are-filming = Les instants de { $name } sont ceux de la prise de vue ; aucune cadence n’est nécessaire.
+recordings-rate-in-use = Des mesures ou des balayages utilisent déjà la cadence de prise de vue de { $name } ; pour en utiliser une autre, envoyez le fichier à nouveau.
 recordings-picture-is-there = La piste vidéo { $number } est déjà dans ce relevé, sous le nom { $name }.
-recordings-recordings-cannot-changed-leave-out = { $unknown } d’un enregistrement n’est pas modifiable ; omettez-le.
-recordings-recording-needs-name-fill = Un enregistrement doit avoir un nom ; indiquez-le.
-recordings-street-lighting-on-or-off = L’éclairage public était allumé ou éteint ; choisissez.
+recordings-field-unknown = { $unknown } d’un enregistrement n’est pas modifiable ; omettez-le.
+recordings-no-name = Un enregistrement doit avoir un nom ; indiquez-le.
+recordings-street-lighting-unknown = L’éclairage public était allumé ou éteint ; choisissez.
 recordings-start-in-future = { $start }, fuseau { $zone }, n’est pas encore arrivé ; indiquez l’heure à laquelle l’enregistrement a commencé.
 recordings-start-too-early = Il n’y avait pas de vidéo numérique le { $start } ; indiquez le jour où l’enregistrement a commencé.
 recordings-misfit-size = Ses images font { $width } x { $height } px, mais l’étalonnage de sa caméra vaut pour { $lens_width } x { $lens_height } px : filmez à la taille étalonnée, ou étalonnez à celle-ci.
@@ -5471,175 +5471,175 @@ local-time-cannot-read = { $text } ne peut pas être lu comme une heure ; écr
 local-time-skipped = { $time } n’existe pas dans le fuseau { $zone }, où les horloges l’ont sauté en avançant ; indiquez l’heure qu’elles affichaient ({ $before } avant le changement, { $after } après).
 local-time-twice = { $time } se présente deux fois dans le fuseau { $zone }, où les horloges ont reculé ; dites si c’est la première ({ $first }) ou la seconde ({ $second }).
 local-time-other-offset = À { $time }, les horloges du fuseau { $zone } sont à { $offset } ; indiquez ce décalage ou aucun.
-measurements-filmed-at-another-time = measurements.csv : { $id } a été filmé à une autre heure que ne le donne le début de son enregistrement ; l’un des deux a été modifié.
-measurements-vehicles-csv-other-time = vehicles.csv : { $id } a été filmé à une autre heure que ne le donne le début de son enregistrement ; l’un des deux a été modifié.
-recordings-lighting-daytime-low-light-choose-one = La luminosité est daytime ou low_light ; choisissez.
-recordings-recording-measurements-stays-audit-needs-frames = Cet enregistrement a des mesures et ne peut pas être supprimé : un audit a besoin de ses images.
-recordings-camera-not-found-moved-since-road = Aucun mouvement de la caméra n’a été détecté depuis sa pose ; il n’y a rien à décider.
-recordings-say-why-road-pose-still-good = Indiquez pourquoi la pose de la caméra vaut encore, pour qu’un audit puisse suivre la décision.
-recordings-nothing-decided-about-recordings-camera-nothing = Rien n’a été décidé sur la caméra de cet enregistrement : il n’y a rien à annuler.
-recordings-belongs-another-survey-choose-one-surveys-2 = { $word ->
+measurements-filmed-time = measurements.csv : { $id } a été filmé à une autre heure que ne le donne le début de son enregistrement ; l’un des deux a été modifié.
+measurements-vehicle-time = vehicles.csv : { $id } a été filmé à une autre heure que ne le donne le début de son enregistrement ; l’un des deux a été modifié.
+recordings-lighting-unknown = La luminosité est daytime ou low_light ; choisissez.
+recordings-measured = Cet enregistrement a des mesures et ne peut pas être supprimé : un audit a besoin de ses images.
+recordings-camera-not-moved = Aucun mouvement de la caméra n’a été détecté depuis sa pose ; il n’y a rien à décider.
+recordings-pose-without-reason = Indiquez pourquoi la pose de la caméra vaut encore, pour qu’un audit puisse suivre la décision.
+recordings-no-decision = Rien n’a été décidé sur la caméra de cet enregistrement : il n’y a rien à annuler.
+recordings-named-other-survey = { $word ->
     [camera] Caméra
     [calibration] Étalonnage
     [recording] Enregistrement
    *[other] { $word }
 } { $row_id } : appartient à un autre relevé ; choisissez dans ce relevé.
-recordings-road-pose-pictures-x-px-x = La pose { $pose_id } de la caméra vaut pour des images de { $posed } x { $posed_2 } px et { $name } a { $filmed } x { $filmed_2 } px ; choisissez une pose faite à la taille de l’enregistrement.
-recordings-frames-found-now-not-those-measured = Les images trouvées maintenant ne sont pas celles qui ont été mesurées ; envoyez la vidéo comme nouvelle.
-recordings-uploads-speak-tus-1-0-0 = Les envois utilisent tus 1.0.0 ; envoyez l’en-tête Tus-Resumable: 1.0.0.
-recordings-too-many-uploads-announced = Vous avez { $most } envois incomplets ; terminez ou annulez-en d’abord.
-recordings-upload-not-say-how-long-file = L’envoi ne dit pas la longueur du fichier ; envoyez l’en-tête Upload-Length.
-recordings-bytes-upload-come-application-offset-octet = Les octets d’un envoi arrivent en application/offset+octet-stream ; envoyez ce Content-Type.
-recordings-upload-not-name-file-send-filename = L’envoi ne nomme pas son fichier ; envoyez filename dans l’en-tête Upload-Metadata.
-recordings-uploads-purpose-video-strip-send-one = Le but de l’envoi est video ou strip ; envoyez l’un des deux dans Upload-Metadata.
-recordings-uploads-cannot-read-send-base64-utf = { $word } de l’envoi est illisible ; envoyez-le en base64 d’UTF-8.
-recordings-upload-finished-already-look-recording-list = Cet envoi est déjà terminé ; cherchez son enregistrement dans la liste.
-recordings-upload-became-recording-deleted-since-upload = Cet envoi est devenu un enregistrement supprimé depuis ; envoyez-le à nouveau.
-recordings-upload-finished-already-make-scan = Cet envoi est déjà terminé ; créez-en le balayage.
-recordings-upload-finished-delete-recording-instead = Cet envoi est terminé ; supprimez plutôt son enregistrement.
+recordings-pose-image-size = La pose { $pose_id } de la caméra vaut pour des images de { $posed } x { $posed_2 } px et { $name } a { $filmed } x { $filmed_2 } px ; choisissez une pose faite à la taille de l’enregistrement.
+recordings-frames-differ = Les images trouvées maintenant ne sont pas celles qui ont été mesurées ; envoyez la vidéo comme nouvelle.
+recordings-tus-version = Les envois utilisent tus 1.0.0 ; envoyez l’en-tête Tus-Resumable: 1.0.0.
+recordings-too-many-uploads = Vous avez { $most } envois incomplets ; terminez ou annulez-en d’abord.
+recordings-upload-without-length = L’envoi ne dit pas la longueur du fichier ; envoyez l’en-tête Upload-Length.
+recordings-upload-content-type = Les octets d’un envoi arrivent en application/offset+octet-stream ; envoyez ce Content-Type.
+recordings-upload-without-name = L’envoi ne nomme pas son fichier ; envoyez filename dans l’en-tête Upload-Metadata.
+recordings-upload-purpose = Le but de l’envoi est video ou strip ; envoyez l’un des deux dans Upload-Metadata.
+recordings-upload-metadata = { $word } de l’envoi est illisible ; envoyez-le en base64 d’UTF-8.
+recordings-upload-finished = Cet envoi est déjà terminé ; cherchez son enregistrement dans la liste.
+recordings-upload-of-deleted = Cet envoi est devenu un enregistrement supprimé depuis ; envoyez-le à nouveau.
+recordings-upload-awaits-scan = Cet envoi est déjà terminé ; créez-en le balayage.
+recordings-upload-is-recording = Cet envoi est terminé ; supprimez plutôt son enregistrement.
 
 ## Erreurs : résultats
 
-results-cannot-read-take-whole-export-again = { $path } : { $name } est illisible ; reprenez l’export complet.
-results-database-holds-which-version-not-know = La base de données contient { $name } « { $unknown } », que cette version ne connaît pas.
-results-reference-heights-u-must-least-0 = La u des hauteurs de référence doit être d’au moins 0 et inférieure à 1 m, par exemple 0,0173.
-results-more-values-your-own-cannot-drawn = Au plus { $most_own } valeurs propres peuvent être tracées ; retirez-en.
-results-value-your-own-must-lie-between = Une valeur propre doit être entre 0 et 10 m, par exemple 1,08.
-results-somebody-changed-standards-meanwhile-load-them = Les normes ont été modifiées entre-temps ; rechargez-les et refaites votre modification.
-results-table-standards-cannot-drawn-most = Un tableau de { $count } normes est trop long ; { $most } au plus.
-results-stands-table-twice-give-each-value = { $twice } figure deux fois dans le tableau ; donnez à chaque valeur un nom propre.
-results-standard-needs-name-such-aashto-usa = Une norme doit avoir un nom, par exemple AASHTO (USA).
-results-height-must-lie-between-0-10 = La hauteur de { $name } doit être entre 0 et 10 m, par exemple 1,08.
+results-cell-unreadable = { $path } : { $name } est illisible ; reprenez l’export complet.
+results-word-unknown = La base de données contient { $name } « { $unknown } », que cette version ne connaît pas.
+results-reference-u = La u des hauteurs de référence doit être d’au moins 0 et inférieure à 1 m, par exemple 0,0173.
+results-own-values-many = Au plus { $most_own } valeurs propres peuvent être tracées ; retirez-en.
+results-own-value-range = Une valeur propre doit être entre 0 et 10 m, par exemple 1,08.
+results-standards-changed = Les normes ont été modifiées entre-temps ; rechargez-les et refaites votre modification.
+results-standards-many = Un tableau de { $count } normes est trop long ; { $most } au plus.
+results-standard-twice = { $twice } figure deux fois dans le tableau ; donnez à chaque valeur un nom propre.
+results-standard-no-name = Une norme doit avoir un nom, par exemple AASHTO (USA).
+results-standard-height = La hauteur de { $name } doit être entre 0 et 10 m, par exemple 1,08.
 results-standard-percent = { $name } : un centile est supérieur à 0 et inférieur à 100 ; corrigez-le, ou laissez-le vide.
-results-last-day-lies-before-first-exchange = Le dernier jour précède le premier ; inversez-les.
+results-days-exchanged = Le dernier jour précède le premier ; inversez-les.
 recordings-hours-are-none = Les heures commencent et finissent au même moment : rien n’y a été filmé ; choisissez une autre fin.
-results-no-survey-may-been-removed = Il n’y a pas de relevé { $survey_id } ; il a pu être supprimé.
+results-no-survey = Il n’y a pas de relevé { $survey_id } ; il a pu être supprimé.
 
 ## Erreurs : vérifications
 
-reviews-fix-needs-both-points-contact-target = Une correction demande les deux points, contact et cible ; pointez-les et joignez-les.
-reviews-line-scan-not-fixed = Une hauteur de balayage ne se corrige pas à la vérification ; rejetez-la, ou remesurez-la sous Balayages.
-reviews-only-fix-carries-points-leave-them = Seule une correction porte des points ; omettez-les ou choisissez la décision « corrigé ».
-reviews-measurement-withdrawn-nothing-review = Cette mesure est retirée ; il n’y a rien à vérifier.
-reviews-repeat-not-reviewed-review-measurement-repeats = Une répétition ne se vérifie pas ; vérifiez la mesure qu’elle répète.
-reviews-rejection-needs-reason-say-what-wrong = Un rejet demande un motif ; indiquez ce qui ne va pas pour que ce soit corrigé.
-reviews-fix-needs-new-points-only-fix = Une correction demande les nouveaux points, et seule une correction en a ; pointez-les et joignez-les.
-reviews-somebody-changed-plan-meanwhile = Le plan a été modifié entre-temps ; rechargez-le et refaites votre modification.
-reviews-plan-one-in-between = Saisissez un nombre de 0 (aucun contrôle en aveugle) à { $most }.
-reviews-click-it-again-before = Le plan du relevé demande une répétition en aveugle de cette mesure ; pointez contact et cible, puis rendez votre décision.
-reviews-fix-changes-nothing-accept = Cette correction ne change rien ; déplacez un point, ou validez la mesure.
+reviews-fix-one-point = Une correction demande les deux points, contact et cible ; pointez-les et joignez-les.
+reviews-fix-line-scan = Une hauteur de balayage ne se corrige pas à la vérification ; rejetez-la, ou remesurez-la sous Balayages.
+reviews-points-without-fix = Seule une correction porte des points ; omettez-les ou choisissez la décision « corrigé ».
+reviews-withdrawn = Cette mesure est retirée ; il n’y a rien à vérifier.
+reviews-repeat = Une répétition ne se vérifie pas ; vérifiez la mesure qu’elle répète.
+reviews-rejection-no-reason = Un rejet demande un motif ; indiquez ce qui ne va pas pour que ce soit corrigé.
+reviews-fix-without-points = Une correction demande les nouveaux points, et seule une correction en a ; pointez-les et joignez-les.
+reviews-plan-changed = Le plan a été modifié entre-temps ; rechargez-le et refaites votre modification.
+reviews-plan-range = Saisissez un nombre de 0 (aucun contrôle en aveugle) à { $most }.
+reviews-repeat-first = Le plan du relevé demande une répétition en aveugle de cette mesure ; pointez contact et cible, puis rendez votre décision.
+reviews-fix-unchanged = Cette correction ne change rien ; déplacez un point, ou validez la mesure.
 reviews-waits-review-already = Ceci attend déjà une vérification.
-reviews-nobody-reviews-their-own-measurement-ask = Vous ne pouvez pas vérifier votre propre mesure ; demandez à un autre vérificateur.
-reviews-measurements-csv-verdict-not-newest-review = measurements.csv : la décision sur { $one } n’est pas celle de sa dernière vérification ; l’une des deux est fausse.
+reviews-own-measurement = Vous ne pouvez pas vérifier votre propre mesure ; demandez à un autre vérificateur.
+reviews-verdict-differs = measurements.csv : la décision sur { $one } n’est pas celle de sa dernière vérification ; l’une des deux est fausse.
 
 ## Erreurs : balayages
 
-scans-calibrated-line-scan-meanwhile-look-calibration = { $name } a étalonné ce balayage entre-temps ; contrôlez d’abord cet étalonnage.
-scans-mark-row-line-lies-outside-strip = Un repère à la rangée { NUMBER($row_px, minimumFractionDigits: 1, maximumFractionDigits: 1) }, ligne { NUMBER($line, minimumFractionDigits: 0, maximumFractionDigits: 0) } est hors de la bande ; repointez-le.
-scans-heights-need-line-cameras-pose-calibrate = Les hauteurs demandent la pose de la caméra linéaire ; étalonnez d’abord la hauteur avec un jalon (Étalonner la hauteur).
-scans-eye-needs-side-say-which = Le côté du conducteur de ce véhicule n’est pas indiqué ; choisissez d’abord proche ou éloigné.
-scans-click-line-row-lies-outside-strip = Un pointé à la ligne { NUMBER($line, minimumFractionDigits: 0, maximumFractionDigits: 0) }, rangée { NUMBER($row, minimumFractionDigits: 1, maximumFractionDigits: 1) } est hors de la bande ; repointez.
-scans-target-no-height-needs-reason-why = Une cible qui n’a pas de hauteur demande un motif ; remesurez-la.
-scans-height-withdrawn-already-nothing-done = Cette hauteur est déjà retirée ; il n’y a rien à faire.
-scans-measured-target-meanwhile-look-height-first = { $name } a mesuré cette cible entre-temps ; contrôlez d’abord cette hauteur.
+scans-calibrated-meanwhile = { $name } a étalonné ce balayage entre-temps ; contrôlez d’abord cet étalonnage.
+scans-mark-outside = Un repère à la rangée { NUMBER($row_px, minimumFractionDigits: 1, maximumFractionDigits: 1) }, ligne { NUMBER($line, minimumFractionDigits: 0, maximumFractionDigits: 0) } est hors de la bande ; repointez-le.
+scans-no-pose = Les hauteurs demandent la pose de la caméra linéaire ; étalonnez d’abord la hauteur avec un jalon (Étalonner la hauteur).
+scans-side-missing = Le côté du conducteur de ce véhicule n’est pas indiqué ; choisissez d’abord proche ou éloigné.
+scans-click-outside = Un pointé à la ligne { NUMBER($line, minimumFractionDigits: 0, maximumFractionDigits: 0) }, rangée { NUMBER($row, minimumFractionDigits: 1, maximumFractionDigits: 1) } est hors de la bande ; repointez.
+scans-height-no-reason = Une cible qui n’a pas de hauteur demande un motif ; remesurez-la.
+scans-height-withdrawn = Cette hauteur est déjà retirée ; il n’y a rien à faire.
+scans-target-measured-meanwhile = { $name } a mesuré cette cible entre-temps ; contrôlez d’abord cette hauteur.
 scans-calibration-no-row = { $path } : l’étalonnage { $marks } n’est dans aucune ligne de { $path_2 }.
 scans-rig-needs-distance = Saisissez la distance des caméras aux véhicules : si les plans divergent, les vitesses utilisent la base à cette distance.
 scans-rig-passes-without = { $path } : des passages de l’étalonnage { $id } existent, mais pas l’étalonnage lui-même ; une ligne manque.
-scans-rig-passes-not-those = { $path } : les passages de l’étalonnage { $id } ne sont pas ceux de son événement d’audit.
-scans-rig-cannot-be-solved = { $path } : les passages de l’étalonnage { $id } ne donnent aucun étalonnage ; l’un d’eux est faux.
-scans-rig-not-what-passes-give = { $path } : { $name } de l’étalonnage { $id } n’est pas ce que donnent ses passages.
-scans-marks-calibration-not-those-event = { $path } : les repères de l’étalonnage { $id } ne sont pas ceux de son événement.
-scans-row-marked-current-not-newest-revision = { $path } : une ligne marquée comme en vigueur n’est pas la dernière révision.
+scans-rig-passes-differ = { $path } : les passages de l’étalonnage { $id } ne sont pas ceux de son événement d’audit.
+scans-rig-unsolvable = { $path } : les passages de l’étalonnage { $id } ne donnent aucun étalonnage ; l’un d’eux est faux.
+scans-rig-differs = { $path } : { $name } de l’étalonnage { $id } n’est pas ce que donnent ses passages.
+scans-marks-differ = { $path } : les repères de l’étalonnage { $id } ne sont pas ceux de son événement.
+scans-current-not-newest = { $path } : une ligne marquée comme en vigueur n’est pas la dernière révision.
 scans-height-no-row = { $path } : la hauteur { $budget } n’est dans aucune ligne de { $path_2 }.
-scans-sources-height-not-those-clicks = { $path } : les sources de la hauteur { $id } ne sont pas celles de ses pointés.
+scans-sources-differ = { $path } : les sources de la hauteur { $id } ne sont pas celles de ses pointés.
 scans-marks-clicks-give = { $name } a { $column } { $told }, ses repères et pointés donnent { $computed }.
-scans-cannot-solved-marks-one-wrong = { $name } ne peut pas être calculé à partir de ses repères ; l’un d’eux est faux.
-scans-vehicle-no-measured-motion-no-match = Ce véhicule n’a pas de mouvement mesuré : il n’y a pas de recalage à montrer.
-scans-camera-2s-strip-ends-before-vehicle = La bande de la caméra 2 finit avant ce véhicule : il n’y a pas de recalage à montrer.
-scans-both-cameras-name-same-upload-upload = Les deux caméras nomment le même envoi ; envoyez une bande pour chacune.
-scans-same-picture-give-strip-each-camera = { $name } et { $name_2 } sont la même image ; indiquez la bande de chaque caméra.
-scans-frames-uneven-times-line-scan-needs = { $name } a des images à intervalles irréguliers, et un balayage linéaire demande une cadence régulière ; enregistrez à cadence d’images constante.
-scans-cuts-cannot-cut-choose-two-different = { $what ->
+scans-marks-unsolvable = { $name } ne peut pas être calculé à partir de ses repères ; l’un d’eux est faux.
+scans-no-motion = Ce véhicule n’a pas de mouvement mesuré : il n’y a pas de recalage à montrer.
+scans-second-strip-ends = La bande de la caméra 2 finit avant ce véhicule : il n’y a pas de recalage à montrer.
+scans-upload-twice = Les deux caméras nomment le même envoi ; envoyez une bande pour chacune.
+scans-strips-same = { $name } et { $name_2 } sont la même image ; indiquez la bande de chaque caméra.
+scans-frames-uneven = { $name } a des images à intervalles irréguliers, et un balayage linéaire demande une cadence régulière ; enregistrez à cadence d’images constante.
+scans-cuts-unusable = { $what ->
     [rows] Les rangées
    *[columns] Les colonnes
 } { $cut_1 } et { $cut_2 } ne peuvent pas être extraites ; choisissez-en deux différentes de 0 à { $last_px }.
-scans-read-already-nothing-done = { $name } a déjà été importé ; il n’y a rien à faire.
-scans-could-not-read-see-error-try = { $name } n’a pas pu être importé ; voyez son erreur et réessayez.
+scans-read-already = { $name } a déjà été importé ; il n’y a rien à faire.
+scans-import-failed = { $name } n’a pas pu être importé ; voyez son erreur et réessayez.
 scans-still-being-recorded = { $name } est encore en cours d’enregistrement ; son image sera disponible quand cette partie du flux se terminera.
-scans-still-being-read-wait-until-ready = { $name } est encore en cours d’import ; attendez qu’il soit prêt.
+scans-not-ready = { $name } est encore en cours d’import ; attendez qu’il soit prêt.
 scans-already-wait-cancel = { $name } : { $what ->
     [read] import
    *[searched] détection de véhicules
 } déjà en cours ; attendez ou annulez.
-scans-strip-uploaded-another-survey-upload-one = La { $word ->
+scans-strip-other-survey = La { $word ->
     [first] première
    *[second] seconde
 } bande a été envoyée à un autre relevé ; envoyez-la à celui-ci.
-scans-uploaded-video-upload-again-strip = { $filename } a été envoyé comme vidéo ; envoyez-le à nouveau comme bande.
-scans-belongs-line-scan-recording-already-upload = { $filename } appartient déjà à un enregistrement de balayage linéaire ; envoyez-le à nouveau.
-scans-strip-not-arrived-whole-yet-finish = La { $word ->
+scans-upload-is-video = { $filename } a été envoyé comme vidéo ; envoyez-le à nouveau comme bande.
+scans-upload-used = { $filename } appartient déjà à un enregistrement de balayage linéaire ; envoyez-le à nouveau.
+scans-strip-incomplete = La { $word ->
     [first] première
    *[second] seconde
 } bande, { $filename }, n’est pas encore arrivée en entier ; terminez son envoi.
-scans-changed-look-again-redo-yours = { $name } a modifié { $name_2 } le { $when } ; rechargez-le et refaites votre modification.
-scans-scans-cannot-changed-leave-out = { $unknown } d’un balayage n’est pas modifiable ; omettez-le.
-scans-start-u-cannot-be = Une incertitude du début de { $u_s } s est hors plage ; saisissez une incertitude-type supérieure à 0 et d’au plus 3600 s.
-scans-vehicle-passed-at-another-time = { $path } : le véhicule { $number } est passé à une autre heure que ne le donnent le début de son enregistrement et ses lignes ; l’un des deux a été modifié.
-scans-direction-not-of-lines = { $path } : la révision { $number } a un autre sens que ne le donnent ses lignes devant les deux caméras ; l’un des deux a été modifié.
-scans-axles-need-a-motion = Les essieux ne se comptent que sur un véhicule dont le mouvement est mesuré ; ce n’est pas le cas ici.
+scans-changed-meanwhile = { $name } a modifié { $name_2 } le { $when } ; rechargez-le et refaites votre modification.
+scans-field-unknown = { $unknown } d’un balayage n’est pas modifiable ; omettez-le.
+scans-start-u-range = Une incertitude du début de { $u_s } s est hors plage ; saisissez une incertitude-type supérieure à 0 et d’au plus 3600 s.
+scans-vehicle-time-differs = { $path } : le véhicule { $number } est passé à une autre heure que ne le donnent le début de son enregistrement et ses lignes ; l’un des deux a été modifié.
+scans-direction-differs = { $path } : la révision { $number } a un autre sens que ne le donnent ses lignes devant les deux caméras ; l’un des deux a été modifié.
+scans-axles-without-motion = Les essieux ne se comptent que sur un véhicule dont le mouvement est mesuré ; ce n’est pas le cas ici.
 scans-axle-outside-vehicle = Un essieu est hors du véhicule ; pointez son moyeu entre l’avant et l’arrière.
 scans-traffic-no-start = Le début de ce balayage n’est pas confirmé ; confirmez-le, et son trafic sera compté par tranche horaire.
 scans-traffic-other-minutes = Le trafic ne se compte pas en tranches de { $minutes } min ; choisissez 1, 5, 15 ou 60.
 scans-traffic-not-read = Ce balayage n’est pas importé : son trafic est inconnu.
-scans-scan-needs-name-fill = Un balayage doit avoir un nom ; indiquez-le.
-scans-people-worked-scans-vehicles-stays-audit = Des personnes ont travaillé sur les véhicules de ce balayage : il ne peut pas être supprimé, car un audit a besoin de ses bandes.
-scans-recording-belongs-another-survey-choose-one = L’enregistrement appartient à un autre relevé ; choisissez-en un de ce relevé.
+scans-no-name = Un balayage doit avoir un nom ; indiquez-le.
+scans-worked-on = Des personnes ont travaillé sur les véhicules de ce balayage : il ne peut pas être supprimé, car un audit a besoin de ses bandes.
+scans-recording-other-survey = L’enregistrement appartient à un autre relevé ; choisissez-en un de ce relevé.
 scans-changed-look-again = { $name_of } a modifié { $name } ; rechargez.
-scans-not-been-read-yet-wait-until = { $name } n’a pas encore été importé ; attendez qu’il soit prêt.
-scans-people-worked-cameras-stay-add-line = Des personnes ont travaillé sur { $name } : ses caméras ne peuvent pas être échangées ; ajoutez un balayage aux bandes échangées.
-scans-vehicle-not-measured-yet-no-wheelbase = Ce véhicule n’est pas encore mesuré et n’a donc pas d’empattement ; placez d’abord ses bornes.
-scans-wheel-lies-outside-strips-which-end = Une roue est hors des bandes, qui finissent à la ligne { $lines }.
-scans-camera-front-line-must-come-before = À la caméra { $camera }, l’avant (ligne { NUMBER($front, minimumFractionDigits: 1, maximumFractionDigits: 1) }) doit précéder l’arrière ({ NUMBER($rear, minimumFractionDigits: 1, maximumFractionDigits: 1) }) ; replacez-les.
-scans-boundaries-camera-lie-outside-strip-which = Les bornes à la caméra { $camera } sont hors de la bande, qui finit à la ligne { $lines } ; replacez-les.
-scans-front-rear-camera-lines-apart-more = L’avant et l’arrière à la caméra { $camera } sont à { NUMBER($rear, minimumFractionDigits: 0, maximumFractionDigits: 0) } lignes l’un de l’autre, plus qu’un véhicule n’en occupe ; replacez-les.
-scans-nothing-camera-2s-strip-looks-like = Rien dans la bande de la caméra 2 ne ressemble à ce véhicule ; placez-y son avant et son arrière à la main, ou retirez-le si ce n’en est pas un.
-scans-vehicle-no-speed-needs-reason-why = Un véhicule qui n’a pas de vitesse demande un motif ; remesurez-le.
-scans-vehicle-measured-again-meanwhile-look-newer = Ce véhicule a été remesuré entre-temps ; contrôlez le nouveau résultat.
-scans-nobody-reviews-boundaries-they-placed-themselves = Vous ne pouvez pas vérifier les bornes que vous avez placées ; demandez à un autre vérificateur.
-scans-camera-2-needs-both-lines-front = La caméra 2 demande les deux lignes, avant et arrière, ou aucune ; envoyez les deux ou omettez les deux.
-scans-wheelbase-needs-both-wheels-send-both = Un empattement demande les deux roues ; envoyez les deux lignes, ou aucune pour les retirer.
-scans-vehicle-not-deleted-nothing-restore = Ce véhicule n’a pas été supprimé : il n’y a rien à restaurer.
-scans-deleted-vehicle-restore-first = { $name } a supprimé le véhicule { $number } le { $when } ; restaurez-le d’abord.
-scans-changed-vehicle-look-again-redo-yours = { $name } a modifié le véhicule { $number } le { $when } ; rechargez-le et refaites votre modification.
-scans-scanned-vehicle-no-leave-out = Un véhicule balayé n’a pas de { $unknown } ; omettez-le.
-scans-m-cannot-used-give-metres-4 = { $name } de { $value } m : hors plage ; indiquez cette dimension en mètres, par exemple 4,447.
-scans-vehicle-not-newest-revision-changed = { $path } : le véhicule { $number } n’est pas sa dernière révision ; il a été modifié.
+scans-unread = { $name } n’a pas encore été importé ; attendez qu’il soit prêt.
+scans-cameras-worked-on = Des personnes ont travaillé sur { $name } : ses caméras ne peuvent pas être échangées ; ajoutez un balayage aux bandes échangées.
+scans-vehicle-not-measured = Ce véhicule n’est pas encore mesuré et n’a donc pas d’empattement ; placez d’abord ses bornes.
+scans-wheel-outside = Une roue est hors des bandes, qui finissent à la ligne { $lines }.
+scans-front-after-rear = À la caméra { $camera }, l’avant (ligne { NUMBER($front, minimumFractionDigits: 1, maximumFractionDigits: 1) }) doit précéder l’arrière ({ NUMBER($rear, minimumFractionDigits: 1, maximumFractionDigits: 1) }) ; replacez-les.
+scans-boundaries-outside = Les bornes à la caméra { $camera } sont hors de la bande, qui finit à la ligne { $lines } ; replacez-les.
+scans-boundaries-far-apart = L’avant et l’arrière à la caméra { $camera } sont à { NUMBER($rear, minimumFractionDigits: 0, maximumFractionDigits: 0) } lignes l’un de l’autre, plus qu’un véhicule n’en occupe ; replacez-les.
+scans-second-camera-blank = Rien dans la bande de la caméra 2 ne ressemble à ce véhicule ; placez-y son avant et son arrière à la main, ou retirez-le si ce n’en est pas un.
+scans-speed-no-reason = Un véhicule qui n’a pas de vitesse demande un motif ; remesurez-le.
+scans-vehicle-measured-meanwhile = Ce véhicule a été remesuré entre-temps ; contrôlez le nouveau résultat.
+scans-own-boundaries = Vous ne pouvez pas vérifier les bornes que vous avez placées ; demandez à un autre vérificateur.
+scans-second-camera-half = La caméra 2 demande les deux lignes, avant et arrière, ou aucune ; envoyez les deux ou omettez les deux.
+scans-wheel-missing = Un empattement demande les deux roues ; envoyez les deux lignes, ou aucune pour les retirer.
+scans-vehicle-not-deleted = Ce véhicule n’a pas été supprimé : il n’y a rien à restaurer.
+scans-vehicle-deleted = { $name } a supprimé le véhicule { $number } le { $when } ; restaurez-le d’abord.
+scans-vehicle-changed = { $name } a modifié le véhicule { $number } le { $when } ; rechargez-le et refaites votre modification.
+scans-vehicle-field-unknown = Un véhicule balayé n’a pas de { $unknown } ; omettez-le.
+scans-metres-range = { $name } de { $value } m : hors plage ; indiquez cette dimension en mètres, par exemple 4,447.
+scans-vehicle-not-newest = { $path } : le véhicule { $number } n’est pas sa dernière révision ; il a été modifié.
 scans-verdict-went-over = { $path } : la ligne { $id } porte une décision rendue sur une autre mesure ; reprenez l’export complet.
-scans-verdict-row-not-one-given = { $path } : la décision de la ligne { $number } n’est pas celle qui a été rendue.
+scans-verdict-differs = { $path } : la décision de la ligne { $number } n’est pas celle qui a été rendue.
 
 ## Erreurs : statistiques
 
-statistics-no-percentile-give-one-between-0 = Il n’y a pas de centile { $percent } ; indiquez-en un entre 0 et 100, par exemple 10.
-statistics-width-spread-must-lengths-above-0 = Largeur et dispersion doivent être des longueurs supérieures à 0, en mètres, par exemple 0,02 et 0,08.
+statistics-percentile-range = Il n’y a pas de centile { $percent } ; indiquez-en un entre 0 et 100, par exemple 10.
+statistics-width-not-positive = Largeur et dispersion doivent être des longueurs supérieures à 0, en mètres, par exemple 0,02 et 0,08.
 
 ## Erreurs : relevés
 
-surveys-file-photograph-missing-changed-take-out = Le fichier de la photo « { $name } » manque ou a été modifié ; retirez-la du relevé et ajoutez-la à nouveau.
-surveys-survey-takes-photographs-take-one-out = Un relevé contient au plus { $most_photographs } photos ; retirez-en une avant d’en ajouter une autre.
-surveys-photographs-added-taken-out-meanwhile-look = Des photos ont été ajoutées ou retirées entre-temps ; rechargez et refaites l’ordre.
-surveys-changed-photograph-look-again-redo-yours = { $name } a modifié cette photo le { $when } ; rechargez-la et refaites votre modification.
-surveys-caption-most-characters-shorten = Une légende a au plus { $most_caption } caractères ; raccourcissez-la.
+surveys-photograph-missing = Le fichier de la photo « { $name } » manque ou a été modifié ; retirez-la du relevé et ajoutez-la à nouveau.
+surveys-photographs-many = Un relevé contient au plus { $most_photographs } photos ; retirez-en une avant d’en ajouter une autre.
+surveys-photographs-changed = Des photos ont été ajoutées ou retirées entre-temps ; rechargez et refaites l’ordre.
+surveys-photograph-changed = { $name } a modifié cette photo le { $when } ; rechargez-la et refaites votre modification.
+surveys-caption-long = Une légende a au plus { $most_caption } caractères ; raccourcissez-la.
 surveys-no-row-put = { $strange } n’est dans aucune ligne de { $path } ; ajouté après coup.
-surveys-not-photograph-audit-event-names-exchanged = { $file } n’est pas la photo que nomme son événement d’audit ; elle a été échangée.
-surveys-no-survey-named-check-name-home = Il n’y a pas de relevé nommé « { $name } » ; vérifiez le nom sur la page d’accueil.
-surveys-changed-survey-look-again-redo = { $name } a modifié ce relevé le { $when } ; rechargez-le et refaites votre modification.
+surveys-photograph-replaced = { $file } n’est pas la photo que nomme son événement d’audit ; elle a été échangée.
+surveys-no-survey = Il n’y a pas de relevé nommé « { $name } » ; vérifiez le nom sur la page d’accueil.
+surveys-changed-meanwhile = { $name } a modifié ce relevé le { $when } ; rechargez-le et refaites votre modification.
 surveys-place-half-coordinates = Des coordonnées sont une latitude et une longitude ; indiquez les deux ou aucune.
 surveys-place-latitude = Une latitude est entre −90 et 90 degrés, pas { $latitude } : latitude et longitude sont-elles inversées ?
 surveys-place-longitude = Une longitude de { $longitude } est hors plage ; indiquez de −180 à 180 degrés.
 surveys-place-speed-limit = Une vitesse limite de { $kmh } km/h est hors plage ; indiquez une valeur supérieure à 0 et d’au plus { $fastest } km/h.
-surveys-survey-needs-name-fill = Un relevé doit avoir un nom ; indiquez-le.
-surveys-inset-cannot-used-give-known-target = Le retrait de « { $target } » est inutilisable ; indiquez une cible connue et une incertitude positive ou nulle.
-surveys-asks-nothing-choose-target = Un relevé demande au moins une cible de jour et une en faible luminosité ; choisissez-les.
+surveys-no-name = Un relevé doit avoir un nom ; indiquez-le.
+surveys-inset-unusable = Le retrait de « { $target } » est inutilisable ; indiquez une cible connue et une incertitude positive ou nulle.
+surveys-asks-nothing = Un relevé demande au moins une cible de jour et une en faible luminosité ; choisissez-les.
 surveys-sampling-step = Un passage sur n : n est entre 1 et { $most_step }, le premier numéro entre 1 et n ; corrigez-les.
 surveys-sampling-share = Une part des passages est supérieure à 0 et d’au plus 100 % ; corrigez-la.
 surveys-sampling-headway = Le temps intervéhiculaire des véhicules libres doit être supérieur à 0 et d’au plus { $most_headway_s } s ; corrigez-le.
@@ -5651,9 +5651,9 @@ surveys-class-fhwa = Une classe FHWA de { $category } n’est pas comprise entre
 
 vehicles-no-row-used-line = Aucune ligne de { $name } n’est utilisable ; ligne { $line } : { $reason }
 csv-too-large = { $name } dépasse { $most_bytes } Mo ; répartissez-le en plusieurs fichiers.
-vehicles-no-column-first-line-names-columns = { $name } n’a pas de colonne { $missing } ; sa première ligne nomme les colonnes, parmi { $known }.
-vehicles-not-category-use-one = « { $category } » n’est pas une catégorie ; utilisez l’une de { $categories }.
-vehicles-which-not-year-give-four-digits = { $column } vaut « { $cell } », qui n’est pas une année ; indiquez quatre chiffres.
+vehicles-column-missing = { $name } n’a pas de colonne { $missing } ; sa première ligne nomme les colonnes, parmi { $known }.
+vehicles-category-unknown = « { $category } » n’est pas une catégorie ; utilisez l’une de { $categories }.
+vehicles-not-a-year = { $column } vaut « { $cell } », qui n’est pas une année ; indiquez quatre chiffres.
 csv-empty = { $name } est vide ; sa première ligne doit nommer les colonnes { $needed }.
 csv-no-column = { $name } n’a pas de colonne { $missing } ; sa première ligne doit nommer les colonnes { $needed }.
 csv-column-twice = { $name }, ligne { $line } : la colonne { $column } est nommée deux fois ; gardez celle qui compte.
@@ -5662,34 +5662,34 @@ csv-fewer-cells = { $name }, ligne { $line } : { $cells } cellules, alors que l
 csv-header-again = { $name }, ligne { $line } : elle nomme à nouveau les colonnes, comme là où des tableaux ont été réunis ; ôtez cette ligne.
 csv-open-quote = { $name }, ligne { $line } : un guillemet n’est pas fermé sur sa ligne ; fermez-le ou ôtez-le, et ne mettez pas de saut de ligne dans une cellule.
 csv-after-a-quote = { $name }, ligne { $line } : du texte suit un guillemet fermant ; doublez un guillemet dans une cellule, ou ôtez-le.
-csv-rest-of-a-cell = { $name }, ligne { $line } : c’est peut-être la suite de la cellule que la ligne { $opened } ne ferme pas ; corrigez les deux lignes.
+csv-cell-not-closed = { $name }, ligne { $line } : c’est peut-être la suite de la cellule que la ligne { $opened } ne ferme pas ; corrigez les deux lignes.
 csv-empty-cell = { $name }, ligne { $line } : { $column } est vide ; remplissez la cellule.
 csv-not-a-number = { $name }, ligne { $line } : { $column } vaut « { $cell } », qui n’est pas un nombre ; corrigez la cellule.
 csv-number-separated = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; écrivez les décimales avec un point et rien entre les milliers.
-csv-no-size-of-a-vehicle = { $name }, ligne { $line } : { $column } vaut « { $cell } », et aucun véhicule n’a plus de 20 m ; en { $unit }, ce serait { $metres } m. Indiquez des mètres.
-csv-size-not-above-0 = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; une dimension est supérieure à 0. Corrigez la cellule.
+csv-size-too-large = { $name }, ligne { $line } : { $column } vaut « { $cell } », et aucun véhicule n’a plus de 20 m ; en { $unit }, ce serait { $metres } m. Indiquez des mètres.
+csv-size-not-positive = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; une dimension est supérieure à 0. Corrigez la cellule.
 csv-uncertainty-below-0 = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; une incertitude n’est pas négative. Corrigez la cellule.
 csv-not-utf-8 = { $name } n’est pas un texte UTF-8 ; enregistrez-le en CSV UTF-8.
-vehicles-gives-frames-now-gave-when-read = { $name } a maintenant { $count } images et en avait { $count_2 } à l’import ; importez-le à nouveau.
-vehicles-search-passes-cancelled-start-again-when = La détection des passages a été annulée. Vous pouvez la relancer.
-vehicles-passes-being-looked-already-wait = Une détection des passages de { $name } est déjà en cours ; attendez la fin.
-vehicles-vehicle-needs-first-last-frame-mark = Un véhicule demande sa première et sa dernière image ; marquez le passage sur la frise.
+vehicles-frames-changed = { $name } a maintenant { $count } images et en avait { $count_2 } à l’import ; importez-le à nouveau.
+vehicles-search-cancelled = La détection des passages a été annulée. Vous pouvez la relancer.
+vehicles-search-running = Une détection des passages de { $name } est déjà en cours ; attendez la fin.
+vehicles-no-frames = Un véhicule demande sa première et sa dernière image ; marquez le passage sur la frise.
 vehicles-year-to-come = Aucun modèle de { $year } n’a pu passer encore ; donnez une année jusqu’à { $most }.
-vehicles-vehicle-no-leave-out = Un véhicule n’a pas de { $unknown } ; omettez-le.
-vehicles-frames-not-span-recording-ends-frame = Les images { $first } à { $last } ne sont pas une plage de cet enregistrement ; il finit à l’image { $end }.
-vehicles-best-frame-lies-outside-frames-choose = La meilleure image { $best } est hors des images { $first } à { $last } ; choisissez l’une d’elles.
+vehicles-field-unknown = Un véhicule n’a pas de { $unknown } ; omettez-le.
+vehicles-frames-outside = Les images { $first } à { $last } ne sont pas une plage de cet enregistrement ; il finit à l’image { $end }.
+vehicles-best-frame-outside = La meilleure image { $best } est hors des images { $first } à { $last } ; choisissez l’une d’elles.
 vehicles-model-size-unknown = { $size } n’est pas une dimension d’un modèle ; donnez-en parmi { $known }.
-vehicles-model-by-size-needs-sizes = Un modèle choisi d’après ses dimensions doit dire lesquelles ; ajoutez model_sizes.
-vehicles-no-driver-only-eye-choose-another = « Aucun conducteur visible » est un motif pour l’œil du conducteur, non pour { $target } ; choisissez-en un autre.
-vehicles-known-height-m-cannot-used-give = Une hauteur connue de { $height } m est inutilisable ; indiquez-la en mètres, par exemple 1,624.
-vehicles-known-height-of-none = { $target ->
+vehicles-model-without-sizes = Un modèle choisi d’après ses dimensions doit dire lesquelles ; ajoutez model_sizes.
+vehicles-no-driver-target = « Aucun conducteur visible » est un motif pour l’œil du conducteur, non pour { $target } ; choisissez-en un autre.
+vehicles-known-height-range = Une hauteur connue de { $height } m est inutilisable ; indiquez-la en mètres, par exemple 1,624.
+vehicles-known-height-kind = { $target ->
     [roof] Aucun toit
     [driver_eye] Aucun œil de conducteur
     [taillight] Aucun feu arrière
     [headlight] Aucun projecteur
    *[other] Aucun repère
 } n’est à { $height } m au-dessus de la route ; indiquez des mètres, de { $low } à { $high }.
-vehicles-uncertainty-m-cannot-used-give-metres = Une incertitude de { $u_height } m est inutilisable ; indiquez-la en mètres, par exemple 0,005.
+vehicles-u-range = Une incertitude de { $u_height } m est inutilisable ; indiquez-la en mètres, par exemple 0,005.
 
 ## Erreurs : ce que le cadre logiciel refuse, et ce qui a été dit avant
 
@@ -5698,7 +5698,7 @@ request-needs-header = Les requêtes qui modifient quelque chose demandent l’e
 request-from-another-site = Cette requête vient d’un autre site et a été refusée ; utilisez les pages de Sightline.
 request-no-json = Le corps de la requête n’est pas un JSON valide ; envoyez un objet JSON.
 request-cannot-be-used = La partie { $place } de la requête est inutilisable : { $said } ; corrigez-la et renvoyez.
-request-value-cannot-be-used = La valeur « { $name } » de la partie { $place } est inutilisable : { $said } ; corrigez-la et renvoyez.
+request-value-unusable = La valeur « { $name } » de la partie { $place } est inutilisable : { $said } ; corrigez-la et renvoyez.
 request-extra = champ inconnu
 request-missing = champ obligatoire
 request-finite = doit être un nombre fini
@@ -5742,9 +5742,9 @@ server-something-went-wrong = Un problème est survenu sur le serveur et rien n�
 ## Erreurs : une autre personne a été plus rapide
 
 quality-tyres-changed-meanwhile = { $name } a modifié les pneus de ce véhicule entre-temps ; contrôlez-les d’abord.
-measurements-discarded-but-measured-withdraw = Le véhicule { $number } est mesuré et ne peut donc pas être écarté ; retirez d’abord ses mesures.
-measurements-vehicles-csv-not-in-sample = vehicles.csv : l’appartenance du véhicule { $id } à l’échantillon, ou à ce qui compte, n’est pas ce que donnent sampling.csv et les passages ; il a été modifié.
-measurements-not-visible-but-measured-withdraw = { $target } : mesuré sur ce véhicule, donc visible ; retirez d’abord la mesure.
+measurements-discard-measured = Le véhicule { $number } est mesuré et ne peut donc pas être écarté ; retirez d’abord ses mesures.
+measurements-sample-differs = vehicles.csv : l’appartenance du véhicule { $id } à l’échantillon, ou à ce qui compte, n’est pas ce que donnent sampling.csv et les passages ; il a été modifié.
+measurements-invisible-measured = { $target } : mesuré sur ce véhicule, donc visible ; retirez d’abord la mesure.
 measurements-already-measured = { $name } a déjà mesuré cette cible du véhicule ; gardez l’une des deux.
 lots-lead = Les hauteurs peuvent être vérifiées par lots : un échantillon de chaque lot est vérifié, puis le lot est accepté ou contrôlé en entier. Le plan indique le risque de décision erronée dans chaque sens.
 lots-loading = lots
@@ -5869,16 +5869,16 @@ lots-judged-already = Une partie de cet échantillon est déjà vérifiée : le
 lots-not-accepted = Seul un lot accepté peut être annulé ; contrôlez l’état de celui-ci.
 lots-decided-already = Le lot { $number } a reçu une décision entre-temps ; contrôlez-la d’abord.
 lots-event-another-row = audit.csv : l’événement { $number } contient un autre lot que celui qu’il a haché ; reprenez l’export complet.
-lots-verdict-of-no-lot = reviews.csv : une décision par le lot { $lot }, qui n’existe pas ; reprenez l’export complet.
-lots-seed-not-the-chains = lots.csv : la graine du lot { $id } ne découle pas de la chaîne d’audit ; le tirage a été choisi.
-lots-not-drawn-by-its-seed = audit.csv : le lot { $id } n’a pas été tiré dans l’ordre de sa graine ; le tirage a été modifié.
-lots-plan-keeps-no-risk = lots.csv : le plan du lot { $id } ne respecte pas les risques qu’il nomme ; il a été modifié.
+lots-verdict-without-lot = reviews.csv : une décision par le lot { $lot }, qui n’existe pas ; reprenez l’export complet.
+lots-seed-differs = lots.csv : la graine du lot { $id } ne découle pas de la chaîne d’audit ; le tirage a été choisi.
+lots-order-differs = audit.csv : le lot { $id } n’a pas été tiré dans l’ordre de sa graine ; le tirage a été modifié.
+lots-plan-risk = lots.csv : le plan du lot { $id } ne respecte pas les risques qu’il nomme ; il a été modifié.
 lots-decided-otherwise = audit.csv : les décisions sur le lot { $id } ne découlent pas l’une de l’autre ; elles ont été modifiées.
-lots-sample-not-the-draws = audit.csv : l’échantillon du lot { $id } n’est pas le début de son tirage ; il a été modifié.
-lots-counts-not-those-of-verdicts = audit.csv : les nombres du lot { $id } ne sont pas ceux des décisions de son échantillon ; l’un des deux est faux.
-lots-accepted-beyond-its-plan = audit.csv : le lot { $id } a été accepté avec plus de hauteurs non conformes que son plan n’en admet, ou sans vérification.
-lots-verdicts-not-those-of-its-rest = reviews.csv : les décisions par le lot { $id } ne sont pas celles de son reste ; certaines ont été ajoutées ou retirées.
-lots-verdict-before-the-decision = audit.csv : une décision par le lot { $id } précède la décision sur le lot ; l’une des deux est fausse.
+lots-sample-differs = audit.csv : l’échantillon du lot { $id } n’est pas le début de son tirage ; il a été modifié.
+lots-counts-differ = audit.csv : les nombres du lot { $id } ne sont pas ceux des décisions de son échantillon ; l’un des deux est faux.
+lots-beyond-plan = audit.csv : le lot { $id } a été accepté avec plus de hauteurs non conformes que son plan n’en admet, ou sans vérification.
+lots-rest-differs = reviews.csv : les décisions par le lot { $id } ne sont pas celles de son reste ; certaines ont été ajoutées ou retirées.
+lots-verdict-too-early = audit.csv : une décision par le lot { $id } précède la décision sur le lot ; l’une des deux est fausse.
 reviews-verdict-given-meanwhile = { $name } a rendu entre-temps la décision « { $verdict } » ; contrôlez-la d’abord.
 
 ## Distance de visibilité : la page
@@ -6091,7 +6091,7 @@ catalogue-say-the-columns = { $name } n’a pas de colonne { $missing } ; attr
 catalogue-no-rows = { $name } a un en-tête et aucune ligne de modèle en dessous ; ajoutez-en une.
 catalogue-column-twice = Les colonnes { $first } et { $second } sont toutes deux { $field } ; choisissez celle qui compte.
 catalogue-size-impossible = { $column } vaut { $value }, ce qui n’est pas plausible pour un véhicule ; indiquez-le en mètres, de { $low } à { $high }.
-catalogue-size-in-other-unit = { $column } vaut { $value }, ce qui n’est pas plausible en mètres ; en { $unit } ce serait { $metres } m. Donnez des mètres, ou indiquez l’unité.
+catalogue-size-unit = { $column } vaut { $value }, ce qui n’est pas plausible en mètres ; en { $unit } ce serait { $metres } m. Donnez des mètres, ou indiquez l’unité.
 catalogue-u-impossible = { $column } vaut { $value }, ce qui n’est pas plausible pour l’incertitude-type d’une dimension ; indiquez des mètres, de 0 à 1.
 catalogue-unit-doubtful = { $column } : la moitié de ses valeurs sont { $middle } ou plus, ce qui n’est pas plausible en { $unit } ; elles ressemblent à des { $other }. Rien n’a été enregistré. Indiquez l’unité { $sign }, ou convertissez le fichier.
 catalogue-there-already = { $make } { $model } ({ $year }) est déjà dans le catalogue ; corrigez plutôt cette ligne.
@@ -6109,26 +6109,26 @@ studies-fleet-header = { $path } demande une colonne category (ou lighting, stra
 studies-fleet-variable = { $path }, ligne { $row } : un parc ne se divise pas selon { $cell } ; utilisez l’un de { $known }.
 studies-fleet-class-twice = { $path }, ligne { $row } : { $name } est là deux fois ; gardez une seule ligne.
 studies-fleet-empty = { $path } n’a pas de ligne ; donnez une ligne par classe.
-studies-shares-do-not-sum = { $path } : les parts de { $variable } totalisent { $total }, non 1 ; corrigez-les, ou donnez à la place registrations.
-studies-registrations-do-not-sum = { $path } : { $first } totalise { $first_sum } véhicules et { $other } { $other_sum } ; les deux doivent décrire le même parc.
+studies-shares-sum = { $path } : les parts de { $variable } totalisent { $total }, non 1 ; corrigez-les, ou donnez à la place registrations.
+studies-registrations-sum = { $path } : { $first } totalise { $first_sum } véhicules et { $other } { $other_sum } ; les deux doivent décrire le même parc.
 studies-sites-header = { $path } demande les colonnes site et stratum ; ajoutez-les.
 studies-sites-there-differ = { $path }, ligne { $row } : la strate { $stratum } a un autre sites_there plus haut ; écrivez le même nombre, ou aucun, dans chacune de ses lignes.
 studies-traffic-of-some = { $path } : traffic n’est là que pour certains sites, ou vaut 0 ; donnez-le pour tous les sites ou pour aucun.
 studies-not-a-count = { $path }, ligne { $row } : { $name } vaut { $cell }, qui n’est pas un nombre entier de 1 ou plus ; corrigez-le ou laissez-le vide.
 studies-not-an-amount = { $path }, ligne { $row } : { $name } vaut { $cell }, qui n’est pas un nombre de 0 ou plus ; corrigez-le.
 studies-no-package-there = { $place } n’est pas une archive et n’en contient pas ; nommez des dossiers ou ZIP exportés, ou un dossier qui en contient.
-studies-package-does-not-verify = { $place } échoue au contrôle et ne peut pas servir à une étude : { $problem }
+studies-package-unverified = { $place } échoue au contrôle et ne peut pas servir à une étude : { $problem }
 studies-package-without-sample = { $place } ne dit pas lesquels de ses véhicules comptent, car faite par une version antérieure ; exportez à nouveau son relevé.
 studies-package-without-parquet = { $place } a été faite par une version antérieure, sans Parquet ; exportez à nouveau son relevé.
 studies-survey-without-poses = { $place } n’a pas de pose de la caméra, donc pas de hauteur ; omettez-le, ou calculez la pose de ses enregistrements (et exportez à nouveau une archive).
 studies-same-survey-twice = { $first } et { $second } sont des archives du même relevé ; gardez la plus récente.
-studies-packages-of-two-versions = { $first } (version { $first_version }) et { $second } (version { $second_version }) ont d’autres colonnes dans { $table } ; exportez les deux avec une même version.
+studies-versions-differ = { $first } (version { $first_version }) et { $second } (version { $second_version }) ont d’autres colonnes dans { $table } ; exportez les deux avec une même version.
 studies-no-height-counts = Aucun des relevés n’a de hauteur validée qui compte ; vérifiez des mesures (et exportez à nouveau une archive).
 studies-class-unknown = Le parc a { $variable } { $name }, que Sightline ne connaît pas ; utilisez { $known }.
 studies-class-never-seen = Le parc a { $variable } { $name }, qu’aucun relevé ne contient ; omettez-le et faites totaliser 1 aux autres parts, ou mesurez-en.
-studies-class-not-in-fleet = Les relevés contiennent { $count } véhicules de { $variable } { $name }, que le parc n’a pas ; ajoutez-lui une ligne (0 pour les exclure).
-studies-site-not-in-sites = Le tableau des sites n’a pas de ligne pour { $site } ; ajoutez-la.
-studies-more-sites-than-there = La strate { $stratum } a { $count } sites ici, mais sites_there indique { $there } ; corrigez-le.
+studies-fleet-lacks-class = Les relevés contiennent { $count } véhicules de { $variable } { $name }, que le parc n’a pas ; ajoutez-lui une ligne (0 pour les exclure).
+studies-site-missing = Le tableau des sites n’a pas de ligne pour { $site } ; ajoutez-la.
+studies-too-many-sites = La strate { $stratum } a { $count } sites ici, mais sites_there indique { $there } ; corrigez-le.
 studies-needs-a-name = Une étude doit avoir un nom ; indiquez-le.
 studies-needs-each-survey = Vous ne voyez pas actuellement chaque relevé de cette étude ; demandez à un gestionnaire de ces relevés de vous ajouter.
 studies-open-needs-managers = Vous ne gérez pas { $name } ; seule une personne qui gère chacun des relevés d’une étude peut la montrer à tous. Demandez à un gestionnaire de { $name }.
@@ -6136,7 +6136,7 @@ studies-has-no-survey = L’étude n’a pas de relevé ; ajoutez-en au moins 
 studies-goal-of-study = { $goal } m n’est pas une U95 entre 0 et 1 m ; 0,010 m font 10 mm.
 studies-survey-stands-twice = { $name } figure deux fois dans l’étude ; gardez-le une seule fois.
 studies-no-year = { $year } n’est pas une année possible pour { $name } ; corrigez-la, ou laissez vide.
-studies-site-in-two-strata = Le site { $site } est dans les strates { $first } et { $second } ; donnez-lui-en une seule, dans tous ses relevés et dans le tableau des sites.
+studies-two-strata = Le site { $site } est dans les strates { $first } et { $second } ; donnez-lui-en une seule, dans tous ses relevés et dans le tableau des sites.
 studies-site-without-stratum = Le site { $site } n’a pas de strate, alors que d’autres en ont ; donnez-en une à chaque site, ou à aucun.
 studies-changed-meanwhile = { $name } a modifié cette étude le { $when }. Rechargez-la et refaites votre modification.
 studies-goal-no-length = --goal { $goal } n’est pas une U95 en mètres entre 0 et 1 ; 0,010 fait 10 mm.
@@ -6144,10 +6144,10 @@ studies-compared-with-itself = { $name } ne peut pas être comparée à elle-mê
 studies-compared-without-figures = { $name } n’a pas été calculée ; calculez-la d’abord.
 studies-fleet-two-amounts = { $path } a une colonne share et une colonne registrations ; gardez celle qui compte.
 studies-registrations-of-nobody = { $path } : la somme de { $variable } est de 0 véhicule ; indiquez combien il y en a.
-studies-output-is-a-package = { $place } est l’archive d’un relevé, ou se trouve dans une archive ; nommez pour l’étude un dossier à elle.
+studies-output-in-package = { $place } est l’archive d’un relevé, ou se trouve dans une archive ; nommez pour l’étude un dossier à elle.
 traffic-duration-twice = { $path } indique lui-même sa durée ; omettez --duration.
 traffic-no-duration-inside = { $path } n’indique pas sa durée ; écrivez-le à nouveau avec sightline linescan --json.
-traffic-lanes-of-its-own = Les véhicules de { $name } ont leurs propres voies ({ $lanes }) ; omettez --lane.
+traffic-own-lanes = Les véhicules de { $name } ont leurs propres voies ({ $lanes }) ; omettez --lane.
 traffic-no-duration = { $path } contient des lignes de sightline stream, qui n’indiquent pas la durée ; indiquez --duration en secondes.
 traffic-no-recording = { $path } n’est pas une sortie de sightline linescan --json ni de sightline stream ; indiquez l’une d’elles.
 traffic-file-too-large = { $path } dépasse { $most_gb } Go ; ajoutez l’enregistrement par parties.
@@ -6184,7 +6184,7 @@ traffic-no-archive = { $path } ne contient pas d’archive de trafic ; créez-
 traffic-being-changed = { $path } est en cours de modification par un autre processus ; réessayez quand il a fini.
 traffic-cannot-write = Impossible d’écrire { $path } ({ $strerror }) ; choisissez un autre dossier, ou libérez de la place.
 traffic-no-u-start = --u-start { $u_start_s } n’est pas une incertitude-type en secondes ; indiquez 0 ou plus.
-traffic-no-length-of-time = --duration { $duration_s } n’est pas un temps en secondes supérieur à 0 ; corrigez-le.
+traffic-duration-not-positive = --duration { $duration_s } n’est pas un temps en secondes supérieur à 0 ; corrigez-le.
 traffic-no-minutes = --minutes { $minutes } ne divise pas un jour ; utilisez 1, 5, 15, 30, 60 ou un autre diviseur.
 traffic-no-percents = --percentile { $text } doit donner des nombres différents, supérieurs à 0 et inférieurs à 100, comme 15,50,85.
 traffic-no-limits = --lengths { $text } doit donner des longueurs croissantes en mètres entre 0 et 100, comme 6,12.
@@ -6195,7 +6195,7 @@ traffic-no-such-site = L’archive de trafic n’a pas de site { $site } ; ell
 commands-errors-several-targets = Les hauteurs sont de { $targets } ; utilisez --by target pour comparer chacune à ses références.
 commands-errors-unknown-target = Ligne { $line } : la cible est « { $target } » ; utilisez l’une de { $known }.
 commands-compare-two-values = --compare { $text } demande --by et deux valeurs différentes de sa colonne, comme --by year --compare 2020,2026.
-commands-compare-no-such-value = Aucune ligne avec une hauteur n’a { $name } dans { $by } ; comparez deux valeurs parmi { $known }.
+commands-compare-value-unknown = Aucune ligne avec une hauteur n’a { $name } dans { $by } ; comparez deux valeurs parmi { $known }.
 
 ## La page que porte une archive (index.html) : lue sans serveur ; elle n’a pas de code commun avec ce qui a mesuré
 
@@ -6824,8 +6824,8 @@ statistics-risk-cannot-be = Un risque de { $risk } est hors plage ; indiquez-e
 print-board-title = Damier : { $columns } × { $rows } coins intérieurs, cases de { $square_mm } mm
 print-board-title-charuco = Mire ChArUco : { $columns } × { $rows } coins intérieurs, cases de { $square_mm } mm, marqueurs { $dictionary } de { $marker_mm } mm
 print-board-check = Imprimez sur { $paper } à taille réelle (100 %), sans ajustement à la page. Mesurez ensuite la barre ci-dessus : elle fait { $bar_mm } mm de long. Si l’impression diffère, mesurez une rangée entière de cases et indiquez la taille réelle d’une case.
-geometry-board-larger-than-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm marge blanche comprise, plus grande que A0 ; choisissez des cases plus petites, ou nommez un rouleau de papier, par exemple 1200x900.
-geometry-board-not-on-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm marge blanche comprise et ne tient pas sur { $paper } ; choisissez un papier plus grand ou des cases plus petites.
+geometry-board-over-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm marge blanche comprise, plus grande que A0 ; choisissez des cases plus petites, ou nommez un rouleau de papier, par exemple 1200x900.
+geometry-board-off-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm marge blanche comprise et ne tient pas sur { $paper } ; choisissez un papier plus grand ou des cases plus petites.
 geometry-paper-not-known = Il n’y a pas de papier { $paper } ; utilisez l’un de { $papers }, ou sa largeur et sa hauteur en mm, par exemple 841x1500.
 reference-value-cannot-be = Une référence ({ $quantity }) de { $value } { $unit } est hors plage ; indiquez une valeur supérieure à { $least } et d’au plus { $most } { $unit }.
 reference-u-cannot-be = Une incertitude de { $u } { $unit } pour { $quantity } de { $value } { $unit } est hors plage ; indiquez une incertitude-type supérieure à 0 et non supérieure à la valeur elle-même.
@@ -6850,8 +6850,8 @@ reference-line-nobody-near = Aucun véhicule n’est passé à moins de { $toler
 reference-line-several = Les véhicules { $numbers } sont passés à moins de { $tolerance_s } s de { $time } ; donnez le numéro du bon.
 reference-line-fits-others = D’après son heure c’est le véhicule { $number }, mais la ligne { $lines } donne aussi sa grandeur { $quantity } par { $source } ; donnez les numéros des véhicules.
 reference-line-fits-cars = D’après son heure c’est le véhicule { $number }, mais la ligne { $lines } lui donne un autre nom de voiture ; donnez les numéros des véhicules.
-reference-line-vehicle-without-time = Le véhicule { $number } n’a pas d’heure à comparer à celle-ci ; omettez l’heure.
-reference-line-time-of-another = Le véhicule { $number } est passé à { $apart_s } s de cette heure, plus de { $tolerance_s } s.
+reference-vehicle-without-time = Le véhicule { $number } n’a pas d’heure à comparer à celle-ci ; omettez l’heure.
+reference-time-of-another = Le véhicule { $number } est passé à { $apart_s } s de cette heure, plus de { $tolerance_s } s.
 reference-times-need-start = { $name } contient des heures, mais le début de ce balayage n’est pas confirmé, donc aucun véhicule n’a d’heure. Confirmez le début, ou donnez les numéros des véhicules.
 reference-times-later = Les heures de { $count } lignes sont en retard de { $off_s } s (médiane) sur celles de leurs véhicules.
 reference-times-earlier = Les heures de { $count } lignes sont en avance de { $off_s } s (médiane) sur celles de leurs véhicules.
@@ -6859,7 +6859,7 @@ reference-times-start = Le début de ce balayage n’est connu qu’à ± { $U95
 reference-line-replaces = Remplace { $quantity } { $value } { $unit } (u = { $u } { $unit }).
 reference-line-renames = Était un passage de { $car }.
 reference-car-too-long = Le nom du véhicule dépasse 100 caractères ; raccourcissez-le.
-scans-reference-does-not-follow = { $path } : { $name } de la ligne { $number } ne découle pas de la référence et de la valeur propre du véhicule.
+scans-reference-differs = { $path } : { $name } de la ligne { $number } ne découle pas de la référence et de la valeur propre du véhicule.
 
 ## Said: motions, gaps and runs of line scans
 

@@ -92,15 +92,15 @@ class Attempts:
     def _count_without_disk(self, of: str) -> None:
         tried = self._without_disk.get(of, 0)
         if tried >= PER_ACCOUNT.most:
-            raise TooMany("people-too-many-failed-sign-ins-wait", retry_after_s=PER_ACCOUNT.seconds)
+            raise TooMany("people-sign-ins-blocked", retry_after_s=PER_ACCOUNT.seconds)
         self._without_disk[of] = tried + 1
 
 
 def _require_room(session: Session, address: str, account: str | None) -> None:
     if account is not None and (seconds := limits.wait_s(session, PER_ACCOUNT, account)):
-        raise TooMany("people-too-many-failed-sign-ins-wait", retry_after_s=seconds)
+        raise TooMany("people-sign-ins-blocked", retry_after_s=seconds)
     if seconds := limits.wait_s(session, PER_ADDRESS, address, pace_s=PACE_S):
-        raise TooMany("people-sign-ins-slowed-down", seconds=seconds, retry_after_s=seconds)
+        raise TooMany("people-sign-ins-slowed", seconds=seconds, retry_after_s=seconds)
 
 
 def _account(email: str, address: str) -> str:
@@ -143,7 +143,7 @@ def sign_in(services: Services, attempts: Attempts, email: str, password: str, a
         person = person_by_email(session, email)
         stored = password_hash_of(session, person.id) if person and person.active else None
     if not matches(stored, password) or person is None:
-        raise NotSignedIn("people-email-password-not-fit-together-check")
+        raise NotSignedIn("people-sign-in-wrong")
     attempts.succeeded(email, address)
     # With a full disk these wait for another time: who makes room has to get in.
     with suppress(NoRoom), services.writing(SIGN_IN) as session:
@@ -182,15 +182,13 @@ def change_password(
         NotAllowed: the current one is missing or wrong.
     """
     if not MIN_PASSWORD <= len(new) <= MAX_PASSWORD:
-        raise BadInput(
-            "people-password-characters-choose-another", min_password=MIN_PASSWORD, max_password=MAX_PASSWORD
-        )
+        raise BadInput("people-password-length", min_password=MIN_PASSWORD, max_password=MAX_PASSWORD)
     if len(set("".join(new.split()).casefold())) < LEAST_DIFFERENT:
         raise BadInput("people-password-one-sign", least=LEAST_DIFFERENT)
     with services.reading() as session:
         stored = password_hash_of(session, person.id)
     if stored is not None and not by_link and not matches(stored, current or ""):
-        raise NotAllowed("people-current-password-not-right-type-again")
+        raise NotAllowed("people-password-wrong")
     hashed = _hasher.hash(new)
     with services.writing() as session:
         return set_password(session, person.id, hashed, actor=person.id)
@@ -237,5 +235,5 @@ def new_sign_in_link(services: Services, email: str) -> str:
     with services.writing() as session:
         person = person_by_email(session, email)
         if person is None or not person.active:
-            raise BadInput("people-no-active-account-check-address", email=email)
+            raise BadInput("people-no-account", email=email)
         return link_path(create_sign_in_link(session, person.id, actor=None))

@@ -45,9 +45,9 @@ def create_person(session: Session, *, name: str, email: str, role: Role, actor:
     """A new account without a password; give them a link. Raises Conflict if the address is taken."""
     name, email = _checked(name, role), email.strip().lower()
     if "@" not in email:
-        raise BadInput("people-not-email-address-write-name-place", email=email)
+        raise BadInput("people-email-form", email=email)
     if person_by_email(session, email) is not None:
-        raise Conflict("people-already-account-change-one-instead", email=email)
+        raise Conflict("people-account-exists", email=email)
     values = {"name": name, "email": email, "role": role, "active": True, "created_at": now()}
     person_id = add_row(session, people, values)
     after = {"name": name, "email": email, "role": role, "active": True}
@@ -76,7 +76,7 @@ def update_person(
 def _keep_an_admin(session: Session, person_id: int) -> None:
     others = select(people.c.id).where(people.c.role == "admin", people.c.active, people.c.id != person_id)
     if session.execute(others).first() is None:
-        raise Conflict("people-last-admin-make-somebody-else-admin")
+        raise Conflict("people-last-admin")
 
 
 def password_hash_of(session: Session, person_id: int) -> str | None:
@@ -145,7 +145,7 @@ def create_sign_in_link(
 
 def use_sign_in_link(session: Session, token: str) -> Person:
     """Whose link this is; it works once. Raises NotSignedIn for a used, old or unknown one."""
-    refused = NotSignedIn("people-sign-link-used-already-too-old")
+    refused = NotSignedIn("people-link-used")
     query = select(sign_in_links).where(sign_in_links.c.token_hash == token_hash(token))
     link = session.execute(query).mappings().one_or_none()
     if link is None or link["used_at"] is not None or link["expires_at"] <= now():
@@ -169,9 +169,9 @@ def _end_links(session: Session, person_id: int) -> None:
 
 def _checked(name: str, role: str) -> str:
     if not name.strip():
-        raise BadInput("people-person-needs-name-fill")
+        raise BadInput("people-no-name")
     if role not in get_args(Role):
-        raise BadInput("people-no-role-use-one", role=role, roles=", ".join(get_args(Role)))
+        raise BadInput("people-role-unknown", role=role, roles=", ".join(get_args(Role)))
     return name.strip()
 
 

@@ -34,7 +34,7 @@ def create_api_token(
         Conflict: the person has very many already.
     """
     if not name.strip() or not scopes or not 1 <= days <= MOST_DAYS:
-        raise BadInput("people-token-needs-name-scope-days", most_days=MOST_DAYS)
+        raise BadInput("people-token-incomplete", most_days=MOST_DAYS)
     moment = now()
     mine = select(func.count()).where(
         _t.person_id == person_id, _t.revoked_at.is_(None), _t.expires_at > moment

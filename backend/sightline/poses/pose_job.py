@@ -96,10 +96,10 @@ def request_pose(session: Session, wanted: PoseRequest, *, actor: int) -> Job:
     """Queue the solution. Raises at once for what can be seen to be wrong without looking at a frame."""
     recording = get_recording(session, wanted.recording_id)
     if recording.state != "ready" or recording.frame_count is None:
-        raise BadInput("poses-no-frames-yet-wait-until-ready", name=recording.name)
+        raise BadInput("poses-no-frames", name=recording.name)
     if not wanted.first_frame <= wanted.last_frame < recording.frame_count:
         raise BadInput(
-            "poses-frames-no-span-frames-0",
+            "poses-frames-outside",
             first_frame=wanted.first_frame,
             last_frame=wanted.last_frame,
             name=recording.name,

@@ -182,7 +182,7 @@ def board_in_span(
     if not any(corners.found for corners in seen.corners):
         reasons = Counter(corners.reason or Said("board-not-found") for corners in seen.corners)
         reason, _ = reasons.most_common(1)[0]
-        raise BadInput("poses-no-frame-shows-board", first=first, last=last, reason=reason)
+        raise BadInput("poses-board-not-shown", first=first, last=last, reason=reason)
     return seen
 
 
@@ -261,7 +261,7 @@ def check_fits(camera: Camera, width_px: int, height_px: int, name: str) -> None
     """Refuse a calibration of another picture size: its pixels mean something else."""
     if (camera.width_px, camera.height_px) != (width_px, height_px):
         raise BadInput(
-            "poses-calibration-pictures-x-px-x-px",
+            "poses-calibration-image-size",
             width_px=camera.width_px,
             height_px=camera.height_px,
             name=name,

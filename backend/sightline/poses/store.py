@@ -67,4 +67,4 @@ def _whole(session: Session, condition: ColumnElement[bool]) -> tuple[Pose, ...]
 def _calibration_of_survey(session: Session, calibration_id: int, survey_id: int) -> None:
     camera_id = get_row(session, calibrations, calibration_id, "calibration")["camera_id"]
     if get_row(session, cameras, camera_id, "camera")["survey_id"] != survey_id:
-        raise BadInput("poses-calibration-belongs-another-survey-choose-one", calibration_id=calibration_id)
+        raise BadInput("poses-calibration-other-survey", calibration_id=calibration_id)

@@ -29,7 +29,7 @@ def replace_in_force(
     Raises Conflict where no recording uses the pose any more.
     """
     if not users:
-        raise Conflict("quality-no-recording-uses-road-pose-any")
+        raise Conflict("quality-pose-unused")
     own = next((one for one in users if one.id == before.recording_id), users[0])
     made = add_pose(
         session,

@@ -15,9 +15,9 @@ def request_drift(session: Session, recording_id: int, *, actor: int | None) -> 
     """Queue a look at the whole recording. Raises Conflict without a road pose, BadInput while not ready."""
     recording = get_recording(session, recording_id)
     if recording.state != "ready" or not recording.frame_count:
-        raise BadInput("poses-no-frames-yet-wait-until-ready", name=recording.name)
+        raise BadInput("poses-no-frames", name=recording.name)
     if recording.pose_id is None:
-        raise Conflict("recordings-no-road-pose-yet-nothing-says", name=recording.name)
+        raise Conflict("recordings-no-pose", name=recording.name)
     payload = {"recording_id": recording_id, "pose_id": recording.pose_id}
     return registry.enqueue(
         session, DRIFT, payload, survey_id=recording.survey_id, recording_id=recording_id, actor=actor

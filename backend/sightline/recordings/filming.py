@@ -71,7 +71,7 @@ class FilmedWithin:
     def require_sense(self) -> None:
         """Raise BadInput where nothing could be of it."""
         if self.filmed_from and self.filmed_to and self.filmed_to < self.filmed_from:
-            raise BadInput("results-last-day-lies-before-first-exchange")
+            raise BadInput("results-days-exchanged")
         if self.hour_from is not None and self.hour_from == self.hour_to:
             raise BadInput("recordings-hours-are-none")
 

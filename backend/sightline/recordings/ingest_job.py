@@ -28,7 +28,7 @@ from sightline.recordings.records import Facts, Recording
 
 KIND = "ingest"
 PASSES = "passes"
-STOPPED = Said("recordings-ingest-cancelled-start-again-delete-recording")
+STOPPED = Said("recordings-import-cancelled")
 # Mean luminance (0-255) below which low light is proposed; people decide.
 LOW_LIGHT_BELOW = 60.0
 
@@ -45,7 +45,7 @@ def retry_ingest(services: Services, recording_id: int, actor: int) -> Job:
     with services.writing() as session:
         recording = recordings.get_recording(session, recording_id)
         if recording.job and recording.job.kind == KIND and recording.job.state in ("queued", "running"):
-            raise Conflict("recordings-being-ingested-already-wait-cancel", name=recording.name)
+            raise Conflict("recordings-importing-already", name=recording.name)
         recording = recordings.restart_ingest(session, recording_id, actor=actor)
         job = queue_ingest(session, recording, actor)
     stills_of(services).forget(recording_id)
@@ -91,7 +91,7 @@ def add_picture(session: Session, recording_id: int, number: int, actor: int) ->
     if not 1 <= number <= len(pictures):
         raise BadInput("video-no-such-stream", name=of.name, number=number, count=max(1, len(pictures)))
     if pictures[number - 1]["still"]:
-        raise BadInput("video-stream-is-a-still", name=of.name, number=number)
+        raise BadInput("video-track-is-still", name=of.name, number=number)
     if pictures[number - 1]["off"]:
         raise BadInput("video-stream-is-off", name=of.name, number=number)
     for one in recordings.list_recordings(session, of.survey_id):
@@ -149,7 +149,7 @@ def _read(context: JobContext, path: Path, recording: Recording, folder: Path) -
             filmed_hz=recording.filmed_hz,
         )
     except IngestCancelled as stopped:
-        raise Cancelled("recordings-ingest-cancelled-start-again-delete-recording") from stopped
+        raise Cancelled("recordings-import-cancelled") from stopped
 
 
 def _keep_working_copy(store: MediaStore, recording: Recording, found: Ingested) -> str | None:
@@ -200,7 +200,7 @@ def thumbnail(services: Services, recording_id: int, n: int) -> bytes:
     """The thumbnail of frame n as JPEG. Raises NotFound where that frame has none."""
     recording = stills_of(services).open(recording_id).recording
     if n not in recording.thumbs:
-        raise NotFound("recordings-frame-no-thumbnail-ask-frame-itself", n=n, name=recording.name)
+        raise NotFound("recordings-no-thumbnail", n=n, name=recording.name)
     with zipfile.ZipFile(services.media.local_path(thumbnails_key(recording))) as archive:
         return archive.read(f"{n}.jpg")
 
@@ -267,7 +267,7 @@ def remove_recording(services: Services, recording_id: int, actor: int) -> None:
     with services.writing() as session:
         recording = recordings.get_recording(session, recording_id)
         if recording.job and recording.job.kind == KIND and recording.job.state in ("queued", "running"):
-            raise Conflict("recordings-being-ingested-cancel-first", name=recording.name)
+            raise Conflict("recordings-importing", name=recording.name)
         recordings.remove_recording(session, recording_id, actor=actor)
     stills_of(services).forget(recording_id)
     # Nobody can record the same content while the lock is held; what was recorded since then keeps it.

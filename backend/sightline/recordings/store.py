@@ -97,16 +97,16 @@ def update_recording(
     change: dict[str, Any] = dict(changes)
     unknown = set(change) - set(RecordingChanges.__annotations__)
     if unknown:
-        raise BadInput("recordings-recordings-cannot-changed-leave-out", unknown=", ".join(sorted(unknown)))
+        raise BadInput("recordings-field-unknown", unknown=", ".join(sorted(unknown)))
     if "filming" in change:
         filming = change.pop("filming")
         change |= dict.fromkeys(("started_at", "time_zone")) if filming is None else asdict(filming)
     if "name" in change and not str(change["name"]).strip():
-        raise BadInput("recordings-recording-needs-name-fill")
+        raise BadInput("recordings-no-name")
     if change.get("lighting") not in (None, "daytime", "low_light"):
-        raise BadInput("recordings-lighting-daytime-low-light-choose-one")
+        raise BadInput("recordings-lighting-unknown")
     if change.get("street_lighting") not in (None, *get_args(StreetLighting)):
-        raise BadInput("recordings-street-lighting-on-or-off")
+        raise BadInput("recordings-street-lighting-unknown")
     for column, word in ((recordings.c.camera_id, "camera"), (recordings.c.pose_id, "camera pose")):
         if change.get(column.name) is not None:
             row_id = cast(int, change[column.name])
@@ -133,7 +133,7 @@ def note_ingested(
             if fingerprint == frame_table_fingerprint(known):
                 change_times(session, recording_id, found.time_s)
         if fingerprint != frame_table_fingerprint(known):
-            raise Conflict("recordings-frames-found-now-not-those-measured")
+            raise Conflict("recordings-frames-differ")
     else:
         replace_frames(session, recording_id, found)
     values = {**asdict(facts), "frame_count": len(found), "state": "ready", "error": None}
@@ -162,12 +162,12 @@ def state_filming_rate(
     """
     before = _row(session, recording_id)
     if before["state"] != "ready":
-        raise Conflict("recordings-still-being-ingested-wait-until-ready", name=before["name"])
+        raise Conflict("recordings-not-ready", name=before["name"])
     if not before["report"].get("clock_doubt"):
         if before["filmed_hz"] is None:
-            raise Conflict("recordings-times-not-in-doubt", name=before["name"])
+            raise Conflict("recordings-times-are-filming", name=before["name"])
         if is_held(session, recordings, recording_id, (HOLDS, KEEPS_TIMES)):
-            raise Conflict("recordings-rate-was-measured-with", name=before["name"])
+            raise Conflict("recordings-rate-in-use", name=before["name"])
     _write(session, before, {"filmed_hz": filmed_hz}, "update", actor)
     return restart_ingest(session, recording_id, actor=actor)
 
@@ -179,7 +179,7 @@ def remove_recording(session: Session, recording_id: int, *, actor: int | None) 
     """
     gone = get_recording(session, recording_id)
     if is_held(session, recordings, recording_id):
-        raise Conflict("recordings-recording-measurements-stays-audit-needs-frames")
+        raise Conflict("recordings-measured")
     remove_frames(session, recording_id)
     change_row(session, recordings, recording_id, {"deleted_at": now()})
     before = {"name": gone.name, "sha256": gone.sha256}
@@ -210,9 +210,9 @@ def decide_drift(session: Session, recording_id: int, reason: str, *, actor: int
     before = _row(session, recording_id)
     check = drift_check_of(before["drift"], before["pose_id"])
     if check is None or check["state"] != "moved":
-        raise Conflict("recordings-camera-not-found-moved-since-road")
+        raise Conflict("recordings-camera-not-moved")
     if not reason.strip():
-        raise BadInput("recordings-say-why-road-pose-still-good")
+        raise BadInput("recordings-pose-without-reason")
     decision: DriftDecision = {
         "pose_id": before["pose_id"],
         "spans": [one for one in check["spans"] if one["moved"]],
@@ -228,7 +228,7 @@ def take_back_drift_decision(session: Session, recording_id: int, *, actor: int 
     """The measurements after the bump are flagged again. Raises Conflict where nothing was decided."""
     before = _row(session, recording_id)
     if before["drift_decision"] is None:
-        raise Conflict("recordings-nothing-decided-about-recordings-camera-nothing")
+        raise Conflict("recordings-no-decision")
     return _write(session, before, {"drift_decision": None}, "take_back_drift_decision", actor)
 
 
@@ -274,7 +274,7 @@ def _row(session: Session, recording_id: int) -> dict[str, Any]:
 
 def _same_survey(session: Session, table: Any, row_id: int, word: str, survey_id: int) -> None:
     if get_row(session, table, row_id, word)["survey_id"] != survey_id:
-        raise BadInput("recordings-belongs-another-survey-choose-one-surveys-2", word=word, row_id=row_id)
+        raise BadInput("recordings-named-other-survey", word=word, row_id=row_id)
 
 
 def _same_size(session: Session, recording: Mapping[str, Any], pose_id: int) -> None:
@@ -285,7 +285,7 @@ def _same_size(session: Session, recording: Mapping[str, Any], pose_id: int) -> 
     filmed = (recording["width_px"], recording["height_px"])
     if None not in posed + filmed and posed != filmed:
         raise BadInput(
-            "recordings-road-pose-pictures-x-px-x",
+            "recordings-pose-image-size",
             pose_id=pose_id,
             posed=posed[0],
             posed_2=posed[1],

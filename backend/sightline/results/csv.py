@@ -42,7 +42,7 @@ def _standard(row: dict[str, str]) -> Standard:
     kinds: dict[str, StandardHeight] = {word: word for word in get_args(StandardHeight)}
     what = kinds.get(row["what"])
     if what is None or not row["height_m"] or row["drawn"] not in ("true", "false"):
-        raise Damaged("results-cannot-read-take-whole-export-again", path=STANDARDS.key, name=row["name"])
+        raise Damaged("results-cell-unreadable", path=STANDARDS.key, name=row["name"])
     return record_in(Standard, row, what=what, code=row.get("code"))
 
 
@@ -98,5 +98,5 @@ def selection_in(files: Files) -> Selection:
         }
     )
     if selection_rows(selection) != rows or any(word not in _WORDS[by] for by, word in rows if by in _WORDS):
-        raise Damaged("results-cannot-read-take-whole-export-again", path=SELECTION.key, name="word")
+        raise Damaged("results-cell-unreadable", path=SELECTION.key, name="word")
     return selection

@@ -271,9 +271,7 @@ def _codes(name: str, values: Sequence[str | None], words: Sequence[str]) -> Int
     try:
         return np.array([code[word] for word in values], dtype=np.int64)
     except KeyError as unknown:
-        raise Damaged(
-            "results-database-holds-which-version-not-know", name=name, unknown=str(unknown.args[0])
-        ) from None
+        raise Damaged("results-word-unknown", name=name, unknown=str(unknown.args[0])) from None
 
 
 def _class_sets(session: Session, survey: Ints, category: Ints) -> Ints:

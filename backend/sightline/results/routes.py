@@ -69,7 +69,7 @@ def statistics_of_measurements(
 ) -> StatisticsBody:
     """Error table, figures and distributions of the measurements that a filter leaves."""
     if not 0.0 <= u_reference_m < 1.0:
-        raise BadInput("results-reference-heights-u-must-least-0")
+        raise BadInput("results-reference-u")
     own = _own("eye_car", eye_limit_m) + _own("object_stopping", object_limit_m)
     chosen = replace(
         heights,
@@ -106,9 +106,9 @@ def choose_standards(
 
 def _own(what: StandardHeight, limits_m: list[float]) -> tuple[Standard, ...]:
     if len(limits_m) > MOST_OWN:
-        raise BadInput("results-more-values-your-own-cannot-drawn", most_own=MOST_OWN)
+        raise BadInput("results-own-values-many", most_own=MOST_OWN)
     if any(not 0.0 < limit < 10.0 for limit in limits_m):
-        raise BadInput("results-value-your-own-must-lie-between")
+        raise BadInput("results-own-value-range")
     return tuple(Standard("own value", what, limit, "entered on the page", code="own") for limit in limits_m)
 
 

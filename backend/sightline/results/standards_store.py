@@ -60,7 +60,7 @@ def choose_standards(
     """
     before = get_standards(session, survey_id)
     if version != before.version:
-        raise Conflict("results-somebody-changed-standards-meanwhile-load-them")
+        raise Conflict("results-standards-changed")
     known = {one.code: one.words for one in (*STANDARDS, *before.standards)}
     table = tuple(_kept_code(_stripped(one), known) for one in standards)
     _refuse(table)
@@ -80,18 +80,18 @@ def _kept_code(one: Standard, known: Mapping[str | None, tuple[str, ...]]) -> St
 
 def _refuse(table: Sequence[Standard]) -> None:
     if len(table) > MOST:
-        raise BadInput("results-table-standards-cannot-drawn-most", count=len(table), most=MOST)
+        raise BadInput("results-standards-many", count=len(table), most=MOST)
     for one in table:
         if not one.name:
-            raise BadInput("results-standard-needs-name-such-aashto-usa")
+            raise BadInput("results-standard-no-name")
         if not 0.0 < one.height_m < 10.0:
-            raise BadInput("results-height-must-lie-between-0-10", name=one.name)
+            raise BadInput("results-standard-height", name=one.name)
         if one.percent is not None and not 0.0 < one.percent < 100.0:
             raise BadInput("results-standard-percent", name=one.name)
     named = [(one.what, one.name) for one in table]
     twice = next((name for what, name in named if named.count((what, name)) > 1), None)
     if twice is not None:
-        raise BadInput("results-stands-table-twice-give-each-value", twice=twice)
+        raise BadInput("results-standard-twice", twice=twice)
 
 
 def _newest(session: Session, survey_ids: Sequence[int]) -> dict[int, StandardsOfSurvey]:

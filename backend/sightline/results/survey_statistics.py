@@ -224,11 +224,11 @@ def _wanted(chosen: Filter, places: Mapping[int, Any]) -> tuple[int, ...] | None
 
 def _refuse(chosen: Filter, places: Mapping[int, Any]) -> None:
     if chosen.first_day and chosen.last_day and chosen.last_day < chosen.first_day:
-        raise BadInput("results-last-day-lies-before-first-exchange")
+        raise BadInput("results-days-exchanged")
     chosen.require_sense()
     for survey_id in chosen.survey_ids:
         if survey_id not in places or (chosen.seen is not None and survey_id not in chosen.seen):
-            raise NotFound("results-no-survey-may-been-removed", survey_id=survey_id)
+            raise NotFound("results-no-survey", survey_id=survey_id)
 
 
 @dataclass(frozen=True)

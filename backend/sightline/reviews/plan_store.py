@@ -34,9 +34,9 @@ def choose_review_plan(
     """
     before = get_review_plan(session, survey_id)
     if version != before.version:
-        raise Conflict("reviews-somebody-changed-plan-meanwhile")
+        raise Conflict("reviews-plan-changed")
     if not 0 <= blind_one_in <= MOST:
-        raise BadInput("reviews-plan-one-in-between", most=MOST)
+        raise BadInput("reviews-plan-range", most=MOST)
     made = choice.choose(session, _KIND, survey_id, before.blind_one_in, blind_one_in, actor)
     return ReviewPlan(blind_one_in, made)
 

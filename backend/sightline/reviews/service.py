@@ -47,10 +47,10 @@ def review(
     if verdict == "fixed":
         before = require_revision(session, series_id, revision)
         if isinstance(before, ScanHeight):
-            raise BadInput("reviews-line-scan-not-fixed")
+            raise BadInput("reviews-fix-line-scan")
         fixed = _fixed(session, before, frame, contact, target_point, actor)
     elif contact is not None or target_point is not None or frame is not None:
-        raise BadInput("reviews-only-fix-carries-points-leave-them")
+        raise BadInput("reviews-points-without-fix")
     return add_review(
         session,
         series_id,
@@ -72,12 +72,12 @@ def _fixed(
     actor: int,
 ) -> MeasurementValues:
     if contact is None or target_point is None:
-        raise BadInput("reviews-fix-needs-both-points-contact-target")
+        raise BadInput("reviews-fix-one-point")
     n = before.values.frame if frame is None else frame
     clicks = clicked_again(before.values, n, contact, target_point)
     values = values_of_vehicle(session, before.vehicle_id, clicks, actor=actor)
     if _made_with(values) == _made_with(before.values):
-        raise BadInput("reviews-fix-changes-nothing-accept")
+        raise BadInput("reviews-fix-unchanged")
     return values
 
 

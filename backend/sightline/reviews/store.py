@@ -55,12 +55,12 @@ def add_review(
     """
     before = require_revision(session, series_id, seen_revision)
     if (verdict == "fixed") != (fixed is not None):
-        raise BadInput("reviews-fix-needs-new-points-only-fix")
+        raise BadInput("reviews-fix-without-points")
     not_own(session, before, actor)
     if before.withdrawn:
-        raise Conflict("reviews-measurement-withdrawn-nothing-review")
+        raise Conflict("reviews-withdrawn")
     if before.repeat_of is not None:
-        raise Conflict("reviews-repeat-not-reviewed-review-measurement-repeats")
+        raise Conflict("reviews-repeat")
     told = require_verdict(before.review, seen, verdict, reason)
     content: dict[str, Any] = {"series_id": before.id, "revision": before.revision, "verdict": verdict}
     content |= {"reason": told, "lot_id": None, "result_revision": before.revision}
@@ -182,7 +182,7 @@ def require_clicked_again(session: Session, one: Measurement, actor: int) -> Non
     """Raises BadInput where the survey's plan wants it clicked again first, NotAllowed for one's own."""
     not_own(session, one, actor)
     if _drawn(session, one.survey_id, [one], actor):
-        raise BadInput("reviews-click-it-again-before")
+        raise BadInput("reviews-repeat-first")
 
 
 def _drawn(session: Session, survey_id: int, found: Sequence[Measurement], actor: int | None) -> set[int]:
@@ -213,4 +213,4 @@ def not_own(session: Session, before: Measurement | ScanHeight, actor: int) -> N
     """
     query = select(is_own(actor)).where(revision_rows.c.id == before.revision_id)
     if session.execute(query).scalar_one():
-        raise NotAllowed("reviews-nobody-reviews-their-own-measurement-ask")
+        raise NotAllowed("reviews-own-measurement")

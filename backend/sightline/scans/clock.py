@@ -52,7 +52,7 @@ def clock_of(row: Mapping[Any, Any]) -> ScanClock | None:
 def clock_said(local: str, zone: str, u_start_s: float, present: datetime) -> ScanClock:
     """What a person said of a start. Raises BadInput: see `start_of`; and an uncertainty beyond an hour."""
     if not 0 < u_start_s <= MOST_U_START_S:
-        raise BadInput("scans-start-u-cannot-be", u_s=f"{u_start_s:g}")
+        raise BadInput("scans-start-u-range", u_s=f"{u_start_s:g}")
     return ScanClock(start_of(local, zone, present), u_start_s)
 
 

@@ -38,7 +38,7 @@ def match_picture(services: Services, scan: Scan, measured: ScanMeasurement | No
     Raises BadInput for a vehicle without a motion.
     """
     if measured is None or measured.values.status != "ok" or measured.values.speed_mps is None:
-        raise BadInput("scans-vehicle-no-measured-motion-no-match")
+        raise BadInput("scans-no-motion")
     values = measured.values
     reader_1, reader_2 = open_strips(services, scan)
     start, stop, step = window_of(values, reader_1.lines)
@@ -73,7 +73,7 @@ def laid_over(reader: StripReader, at: NDArray[np.float64], misalignment_px: flo
     Raises BadInput where the strip has none of them.
     """
     if at.min() > reader.lines - 1:
-        raise BadInput("scans-camera-2s-strip-ends-before-vehicle")
+        raise BadInput("scans-second-strip-ends")
     parts = []
     rows = np.arange(reader.rows) + misalignment_px
     for part in np.array_split(np.clip(at, 0, reader.lines - 1), -(-len(at) // _AT_ONCE)):

@@ -46,11 +46,11 @@ def create_from_strips(
     Raises NotFound, Conflict for an upload that is not whole or belongs to a scan already, BadInput.
     """
     if first_upload == second_upload:
-        raise BadInput("scans-both-cameras-name-same-upload-upload")
+        raise BadInput("scans-upload-twice")
     first = _strip(session, survey_id, first_upload, "first")
     second = _strip(session, survey_id, second_upload, "second")
     if first.sha256 == second.sha256:
-        raise BadInput("scans-same-picture-give-strip-each-camera", name=first.name, name_2=second.name)
+        raise BadInput("scans-strips-same", name=first.name, name_2=second.name)
     made = store.create_scan(
         session,
         survey_id,
@@ -80,17 +80,17 @@ def create_from_video(
     """A scan cut from a video along two pixel columns or rows; its line rate is the video's frame rate."""
     recording = get_recording(session, source.recording_id)
     if recording.state != "ready" or not recording.width_px or not recording.height_px:
-        raise BadInput("poses-no-frames-yet-wait-until-ready", name=recording.name)
+        raise BadInput("poses-no-frames", name=recording.name)
     rate_hz = recording.report.get("rate_hz")
     if recording.vfr or not rate_hz:
-        raise BadInput("scans-frames-uneven-times-line-scan-needs", name=recording.name)
+        raise BadInput("scans-frames-uneven", name=recording.name)
     require_clock_of_filming(recording.report.get("clock_doubt"), recording.name)
     cuts = (source.cut_1_px, source.cut_2_px)
     what = "columns" if source.cut_along == "columns" else "rows"
     size_px = recording.width_px if what == "columns" else recording.height_px
     if cuts[0] == cuts[1] or not all(0 <= one < size_px for one in cuts):
         raise BadInput(
-            "scans-cuts-cannot-cut-choose-two-different",
+            "scans-cuts-unusable",
             what=what,
             cut_1=cuts[0],
             cut_2=cuts[1],
@@ -120,7 +120,7 @@ def retry_reading(session: Session, scan_id: int, actor: int) -> Job:
     """Read the strips again after a failed or cancelled reading. Raises Conflict where there is no need."""
     scan = store.get_scan(session, scan_id)
     if scan.state == "ready":
-        raise Conflict("scans-read-already-nothing-done", name=scan.name)
+        raise Conflict("scans-read-already", name=scan.name)
     require_idle(session, scan)
     find = (scan.job.payload.get("find") if scan.job else None) or None
     scan = store.restart_reading(session, scan_id, actor=actor)
@@ -162,11 +162,11 @@ def shows(scan: Scan, line: float, row_px: float) -> bool:
 def require_ready(scan: Scan) -> None:
     """Raises BadInput while a scan has no strips to look at."""
     if scan.state == "failed":
-        raise BadInput("scans-could-not-read-see-error-try", name=scan.name)
+        raise BadInput("scans-import-failed", name=scan.name)
     if scan.state == "live":
         raise BadInput("scans-still-being-recorded", name=scan.name)
     if scan.state != "ready":
-        raise BadInput("scans-still-being-read-wait-until-ready", name=scan.name)
+        raise BadInput("scans-not-ready", name=scan.name)
 
 
 def require_idle(session: Session, scan: Scan) -> None:
@@ -209,17 +209,17 @@ def tidy(services: Services, scan: Scan) -> None:
 def _strip(session: Session, survey_id: int, upload_id: int, word: str) -> StripSource:
     upload = get_upload(session, upload_id)
     if upload.survey_id != survey_id:
-        raise BadInput("scans-strip-uploaded-another-survey-upload-one", word=word)
+        raise BadInput("scans-strip-other-survey", word=word)
     if upload.purpose != "strip":
-        raise BadInput("scans-uploaded-video-upload-again-strip", filename=upload.filename)
+        raise BadInput("scans-upload-is-video", filename=upload.filename)
     if upload.scan_id is not None:
-        raise Conflict("scans-belongs-line-scan-recording-already-upload", filename=upload.filename)
+        raise Conflict("scans-upload-used", filename=upload.filename)
     return _arrived(upload, word)
 
 
 def _arrived(upload: Upload, word: str) -> StripSource:
     if upload.finished_at is None or upload.sha256 is None:
-        raise Conflict("scans-strip-not-arrived-whole-yet-finish", word=word, filename=upload.filename)
+        raise Conflict("scans-strip-incomplete", word=word, filename=upload.filename)
     return StripSource(upload.filename, upload.media_key, upload.sha256, upload.id)
 
 

@@ -74,7 +74,7 @@ def create_scan(
     if isinstance(source, CutSource):
         recording = get_row(session, recordings, source.recording_id, "recording")
         if recording["survey_id"] != survey_id:
-            raise BadInput("scans-recording-belongs-another-survey-choose-one")
+            raise BadInput("scans-recording-other-survey")
         content |= {"source": "video", "first_source_sha256": recording["sha256"], **asdict(source)}
     elif isinstance(source, LiveSource):
         content["source"] = "live"
@@ -134,16 +134,16 @@ def update_scan(session: Session, scan_id: int, changes: Changes, *, version: in
     before = _row(session, scan_id)
     if before["version"] != version:
         name, when = last_change(session, before)
-        raise Conflict("scans-changed-look-again-redo-yours", name=name, name_2=before["name"], when=when)
+        raise Conflict("scans-changed-meanwhile", name=name, name_2=before["name"], when=when)
     change: dict[str, Any] = dict(changes)
     if "clock" in change:
         clock = change.pop("clock")
         change |= dict.fromkeys(CLOCK) if clock is None else clock.columns()
     unknown = set(change) - _CHANGEABLE
     if unknown:
-        raise BadInput("scans-scans-cannot-changed-leave-out", unknown=", ".join(sorted(unknown)))
+        raise BadInput("scans-field-unknown", unknown=", ".join(sorted(unknown)))
     if "name" in change and not str(change["name"]).strip():
-        raise BadInput("scans-scan-needs-name-fill")
+        raise BadInput("scans-no-name")
     if any(key in change and change[key] != before[key] for key in CALIBRATED):
         change.setdefault("baseline_correlation", 0.0)
     rig = rig_from({key: change.get(key, before[key]) for key in RIG})
@@ -169,7 +169,7 @@ def remove_scan(session: Session, scan_id: int, *, actor: int | None) -> Scan:
     """
     gone = get_scan(session, scan_id)
     if scan_worked_on(session, scan_id):
-        raise Conflict("scans-people-worked-scans-vehicles-stays-audit")
+        raise Conflict("scans-worked-on")
     change_row(session, scans, scan_id, {"deleted_at": now()})
     before = {"name": gone.name, "deleted": False}
     trail.record(session, actor, "delete", "scan", scan_id, gone.survey_id, before, {"deleted": True})

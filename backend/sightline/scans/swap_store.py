@@ -37,9 +37,9 @@ def swap_scan_cameras(session: Session, scan_id: int, *, version: int, actor: in
             "scans-changed-look-again", name_of=name_of(session, before["updated_by"]), name=scan.name
         )
     if scan.state != "ready":
-        raise Conflict("scans-not-been-read-yet-wait-until", name=scan.name)
+        raise Conflict("scans-unread", name=scan.name)
     if scan_worked_on(session, scan_id):
-        raise Conflict("scans-people-worked-cameras-stay-add-line", name=scan.name)
+        raise Conflict("scans-cameras-worked-on", name=scan.name)
     row = get_row(session, table, scan_id, "line-scan recording")
     change = {name: row[other] for pair in _PAIRS for name, other in (pair, pair[::-1])}
     if row["misalignment_px"] is not None:

@@ -121,7 +121,7 @@ def _directions(revisions: Mapping[int, Mapping[str, str]]) -> None:
     """Which camera a vehicle reached first follows from its lines."""
     for number, row in revisions.items():
         if row["direction"] != Crossings(*(float(row[name]) for name in _LINES)).direction:
-            raise Damaged("scans-direction-not-of-lines", path=SCAN_MEASUREMENTS.key, number=number)
+            raise Damaged("scans-direction-differs", path=SCAN_MEASUREMENTS.key, number=number)
 
 
 def _current(vehicles: Mapping[int, Mapping[str, str]], revisions: Mapping[int, Mapping[str, str]]) -> None:
@@ -142,7 +142,7 @@ def _current(vehicles: Mapping[int, Mapping[str, str]], revisions: Mapping[int, 
         if vehicle["measurement_id"] != measured["id"] or any(
             vehicle[name] != measured[name] for name in shared
         ):
-            raise Damaged("scans-vehicle-not-newest-revision-changed", path=SCAN_VEHICLES.key, number=number)
+            raise Damaged("scans-vehicle-not-newest", path=SCAN_VEHICLES.key, number=number)
 
 
 def _passings(
@@ -162,7 +162,7 @@ def _passings(
             passed = passing_of(clock, motion["front_line_1"], speed, u_length, rig)
         for name in Passing.__slots__:
             if row[name] != cell_text(written[name], None if passed is None else getattr(passed, name)):
-                raise Damaged("scans-vehicle-passed-at-another-time", path=SCAN_VEHICLES.key, number=number)
+                raise Damaged("scans-vehicle-time-differs", path=SCAN_VEHICLES.key, number=number)
 
 
 def _verdicts(
@@ -179,7 +179,7 @@ def _verdicts(
         known = [newest[one] for one in (number, int(row.get("verdict_of_id") or 0)) if one in newest]
         _, given = max(known, default=(0, {"verdict": "to_review"}))
         if any(row[name] != given.get(said, "") for name, said in _SAID.items()):
-            raise Damaged("scans-verdict-row-not-one-given", path=judged.path, number=number)
+            raise Damaged("scans-verdict-differs", path=judged.path, number=number)
 
 
 def check_verdicts_gone_over(

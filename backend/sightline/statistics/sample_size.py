@@ -29,9 +29,9 @@ def vehicles_needed(percent: float, width_m: float, sd_m: float) -> SampleSize:
     Raises BadInput for a percentile outside 0 to 100 or widths that are not positive.
     """
     if not 0.0 < percent < 100.0:
-        raise BadInput("statistics-no-percentile-give-one-between-0", percent=format(percent, "g"))
+        raise BadInput("statistics-percentile-range", percent=format(percent, "g"))
     if not (0.0 < width_m < 10.0 and 0.0 < sd_m < 10.0):
-        raise BadInput("statistics-width-spread-must-lengths-above-0")
+        raise BadInput("statistics-width-not-positive")
     p = percent / 100.0
     z = COVERAGE_95
     at_percentile = float(scipy.stats.norm.pdf(scipy.stats.norm.ppf(p))) / sd_m

@@ -52,12 +52,12 @@ def _shares(path: Path, found: dict[str, dict[str, float]], amount: str) -> dict
     first = next(iter(sums))
     for variable, total in sums.items():
         if amount == "share" and abs(total - 1.0) > _CLOSE:
-            raise BadInput("studies-shares-do-not-sum", path=path, variable=variable, total=f"{total:.4g}")
+            raise BadInput("studies-shares-sum", path=path, variable=variable, total=f"{total:.4g}")
         if total <= 0.0:
             raise BadInput("studies-registrations-of-nobody", path=path, variable=variable)
         if abs(total - sums[first]) > _CLOSE * max(sums[first], 1e-300):
             raise BadInput(
-                "studies-registrations-do-not-sum",
+                "studies-registrations-sum",
                 path=path,
                 first=first,
                 first_sum=f"{sums[first]:.8g}",

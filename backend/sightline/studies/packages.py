@@ -44,7 +44,7 @@ def refuse_output(output: Path, places: Sequence[Path]) -> None:
     inside = {place.resolve() for place in places if place.is_dir()}
     around = {one.resolve() for one in (output, *output.absolute().parents)}
     if (output / AUDIT.path).is_file() or inside & around:
-        raise BadInput("studies-output-is-a-package", place=output)
+        raise BadInput("studies-output-in-package", place=output)
 
 
 def studied(places: Sequence[Path], check: Check, scratch: Path) -> list[StudiedPackage]:
@@ -62,11 +62,11 @@ def _studied(place: Path, check: Check, scratch: Path) -> StudiedPackage:
     files = open_package(place)
     problem = check(files)
     if problem is not None:
-        raise BadInput("studies-package-does-not-verify", place=place, problem=problem)
+        raise BadInput("studies-package-unverified", place=place, problem=problem)
     try:
         return _read(place, files, scratch)
     except Damaged as error:
-        raise BadInput("studies-package-does-not-verify", place=place, problem=error.message) from error
+        raise BadInput("studies-package-unverified", place=place, problem=error.message) from error
 
 
 def _read(place: Path, files: Files, scratch: Path) -> StudiedPackage:
@@ -121,7 +121,7 @@ def _refuse_versions(packages: Sequence[StudiedPackage]) -> None:
         for name in READ:
             if form[name] != first[name]:
                 raise BadInput(
-                    "studies-packages-of-two-versions",
+                    "studies-versions-differ",
                     first=packages[0].place,
                     first_version=packages[0].made_with,
                     second=one.place,

@@ -34,15 +34,13 @@ def places_of(surveys: Sequence[StudiedSurvey], sites: Mapping[str, SiteFacts] |
     facts = {name: SiteFacts(_ONE_STRATUM, np.inf, None) for name in names} if sites is None else dict(sites)
     for name in names:
         if name not in facts:
-            raise BadInput("studies-site-not-in-sites", site=name)
+            raise BadInput("studies-site-missing", site=name)
     strata = sorted({facts[name].stratum for name in names})
     stratum = np.array([strata.index(facts[name].stratum) for name in names], dtype=np.int64)
     there = np.array([next(facts[n].sites_there for n in names if facts[n].stratum == s) for s in strata])
     for h, count in enumerate(np.bincount(stratum)):
         if count > there[h]:
-            raise BadInput(
-                "studies-more-sites-than-there", stratum=strata[h], count=int(count), there=there[h]
-            )
+            raise BadInput("studies-too-many-sites", stratum=strata[h], count=int(count), there=there[h])
     traffic = [facts[name].traffic for name in names]
     return Places(
         names=names,

@@ -88,17 +88,15 @@ def _sites(facts: StudyFacts) -> Mapping[str, SiteFacts] | None:
         before = told.setdefault(one.site, one.stratum)
         if before != one.stratum:
             raise BadInput(
-                "studies-site-in-two-strata", site=one.site, first=before or "–", second=one.stratum or "–"
+                "studies-two-strata", site=one.site, first=before or "–", second=one.stratum or "–"
             )
     if facts.sites_csv.strip():
         sites = read_sites(SITES, facts.sites_csv)
         for site, stratum in told.items():
             if site not in sites:
-                raise BadInput("studies-site-not-in-sites", site=site)
+                raise BadInput("studies-site-missing", site=site)
             if stratum and sites[site].stratum != stratum:
-                raise BadInput(
-                    "studies-site-in-two-strata", site=site, first=sites[site].stratum, second=stratum
-                )
+                raise BadInput("studies-two-strata", site=site, first=sites[site].stratum, second=stratum)
         return sites
     if not any(told.values()):
         return None

@@ -85,7 +85,7 @@ def refuse_fleet(fleet: Fleet | None, cars: tuple[Ints, Ints, Ints], places: Pla
                 raise BadInput("studies-class-never-seen", variable=variable, name=name)
         for name in sorted(seen - set(shares)):
             count = int(np.count_nonzero(code == words.index(name)))
-            raise BadInput("studies-class-not-in-fleet", variable=variable, name=name, count=count)
+            raise BadInput("studies-fleet-lacks-class", variable=variable, name=name, count=count)
 
 
 def _coded(

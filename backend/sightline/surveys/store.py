@@ -99,7 +99,7 @@ def survey_by_name(session: Session, name: str) -> Survey:
     query = select(surveys).where(surveys.c.name == name).order_by(surveys.c.id.desc()).limit(1)
     row = session.execute(query).mappings().one_or_none()
     if row is None:
-        raise BadInput("surveys-no-survey-named-check-name-home", name=name)
+        raise BadInput("surveys-no-survey", name=name)
     return _survey(dict(row))
 
 
@@ -116,7 +116,7 @@ def update_survey(session: Session, changed: Survey, *, actor: int | None) -> Su
     before = get_row(session, surveys, changed.id, "survey")
     if before["version"] != changed.version:
         who, when = last_change(session, before)
-        raise Conflict("surveys-changed-survey-look-again-redo", name=who, when=when)
+        raise Conflict("surveys-changed-meanwhile", name=who, when=when)
     content = _content(changed, _with_codes_of(changed.insets, insets_of(before["insets"])))
     stamps = {"version": changed.version + 1, "updated_at": now(), "updated_by": actor}
     change_row(session, surveys, changed.id, {**content, **stamps})
@@ -127,12 +127,12 @@ def update_survey(session: Session, changed: Survey, *, actor: int | None) -> Su
 
 def _content(told: SurveyContent, insets: Mapping[str, Inset]) -> dict[str, Any]:
     if not told.name.strip():
-        raise BadInput("surveys-survey-needs-name-fill")
+        raise BadInput("surveys-no-name")
     if not told.asked.daytime or not told.asked.low_light:
-        raise BadInput("surveys-asks-nothing-choose-target")
+        raise BadInput("surveys-asks-nothing")
     for target, inset in insets.items():
         if target not in USUAL_INSETS or not inset.u_inset_m >= 0:
-            raise BadInput("surveys-inset-cannot-used-give-known-target", target=target)
+            raise BadInput("surveys-inset-unusable", target=target)
     whole = {**_USUAL, **insets}
     return {
         "name": told.name.strip(),

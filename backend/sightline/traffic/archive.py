@@ -50,7 +50,7 @@ def add_recorded(folder: Path, recorded: Recorded, stood: Stood) -> int:
     """
     _check_name("site", stood.site)
     if recorded.lanes and stood.lane:
-        raise BadInput("traffic-lanes-of-its-own", name=recorded.name, lanes=", ".join(recorded.lanes))
+        raise BadInput("traffic-own-lanes", name=recorded.name, lanes=", ".join(recorded.lanes))
     day_start(stood.start.date(), stood.zone)  # a zone that is on the list
     folder.mkdir(parents=True, exist_ok=True)
     with _held(folder):

@@ -90,7 +90,7 @@ def results_in(place: Path) -> tuple[list[Results], list[str]]:
         else:
             others.append(path.name)
     if not ours:
-        raise BadInput("commands-flow-nothing-in-folder", place=place)
+        raise BadInput("commands-flow-folder-empty", place=place)
     return ours, others
 
 

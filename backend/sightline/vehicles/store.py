@@ -64,7 +64,7 @@ def create_vehicle(
     """A vehicle of a recording; `first_frame` and `last_frame` are needed. Numbers count up in the survey."""
     recording = get_row(session, recordings, recording_id, "recording", recordings.c.deleted_at.is_(None))
     if "first_frame" not in fields or "last_frame" not in fields:
-        raise BadInput("vehicles-vehicle-needs-first-last-frame-mark")
+        raise BadInput("vehicles-no-frames")
     _check_year(fields)
     content: dict[str, Any] = {**_empty(), **_checked(fields, recording["frame_count"])}
     survey_id, moment = recording["survey_id"], now()
@@ -141,7 +141,7 @@ def restore_vehicle(session: Session, vehicle_id: int, *, actor: int | None) -> 
     """Bring a deleted vehicle back. Raises Conflict for one that is not deleted."""
     before = get_row(session, vehicles, vehicle_id, "vehicle")
     if before["deleted_at"] is None:
-        raise Conflict("scans-vehicle-not-deleted-nothing-restore")
+        raise Conflict("scans-vehicle-not-deleted")
     stamps = {"version": before["version"] + 1, "updated_at": now(), "updated_by": actor}
     change_row(session, vehicles, vehicle_id, {"deleted_at": None, **stamps})
     then, after = {"deleted": True}, {"deleted": False}
@@ -167,9 +167,7 @@ def _current(session: Session, vehicle_id: int, version: int | None) -> dict[str
     row = get_row(session, vehicles, vehicle_id, "vehicle", _ALIVE)
     if version is not None and row["version"] != version:
         name, when = last_change(session, row)
-        raise Conflict(
-            "scans-changed-vehicle-look-again-redo-yours", name=name, number=row["number"], when=when
-        )
+        raise Conflict("scans-vehicle-changed", name=name, number=row["number"], when=when)
     return row
 
 
@@ -187,27 +185,27 @@ def _checked(fields: Mapping[str, Any], frame_count: int | None) -> dict[str, An
     values = dict(fields)
     unknown = set(values) - _FIELDS
     if unknown:
-        raise BadInput("vehicles-vehicle-no-leave-out", unknown=", ".join(sorted(unknown)))
+        raise BadInput("vehicles-field-unknown", unknown=", ".join(sorted(unknown)))
     first, last, best = values["first_frame"], values["last_frame"], values.get("best_frame")
     end = last if frame_count is None else frame_count - 1
     if not 0 <= first <= last <= end:
-        raise BadInput("vehicles-frames-not-span-recording-ends-frame", first=first, last=last, end=end)
+        raise BadInput("vehicles-frames-outside", first=first, last=last, end=end)
     if best is not None and not first <= best <= last:
-        raise BadInput("vehicles-best-frame-lies-outside-frames-choose", best=best, first=first, last=last)
+        raise BadInput("vehicles-best-frame-outside", best=best, first=first, last=last)
     for target, name in NOT_VISIBLE.items():
         if values.get(name) == "no_driver" and target != "driver_eye":
-            raise BadInput("vehicles-no-driver-only-eye-choose-another", target=target)
+            raise BadInput("vehicles-no-driver-target", target=target)
     values["model_sizes"] = _sizes_of_choice(values.get("model_chosen_by"), values.get("model_sizes"))
     for known, names in KNOWN.items():
         height, u_height = values.get(names.height), values.get(names.u)
         if height is not None and not 0 < height <= MOST_HEIGHT_M:
-            raise BadInput("vehicles-known-height-m-cannot-used-give", height=format(height, "g"))
+            raise BadInput("vehicles-known-height-range", height=format(height, "g"))
         low, high = KNOWN_WITHIN_M[known]
         if height is not None and not low <= height <= high:
             given = format(height, "g")
-            raise BadInput("vehicles-known-height-of-none", target=known, height=given, low=low, high=high)
+            raise BadInput("vehicles-known-height-kind", target=known, height=given, low=low, high=high)
         if u_height is not None and not 0 <= u_height <= MOST_HEIGHT_M:
-            raise BadInput("vehicles-uncertainty-m-cannot-used-give-metres", u_height=format(u_height, "g"))
+            raise BadInput("vehicles-u-range", u_height=format(u_height, "g"))
     return values
 
 
@@ -218,7 +216,7 @@ def _sizes_of_choice(chosen_by: str | None, sizes: str | None) -> str | None:
     if unknown is not None:
         raise BadInput("vehicles-model-size-unknown", size=unknown, known=", ".join(get_args(ModelSize)))
     if chosen_by == BY_SIZE and not words:
-        raise BadInput("vehicles-model-by-size-needs-sizes")
+        raise BadInput("vehicles-model-without-sizes")
     return " ".join(dict.fromkeys(words)) or None if chosen_by is not None else None
 
 

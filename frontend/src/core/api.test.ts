@@ -153,7 +153,7 @@ describe("a lost connection", () => {
   });
 
   it("names what the server says is away, and forgets it when nothing answers", async () => {
-    const code = "database-database-not-answer-check-runs-address";
+    const code = "database-no-answer";
     const said = { kind: "database_away", code, values: {}, message: "The database does not answer." };
     server.mockResolvedValueOnce(answer(503, { error: said }));
     const done = api.ask("GET /surveys");

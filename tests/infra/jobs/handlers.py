@@ -44,8 +44,8 @@ def meet_an_outage(context: registry.JobContext) -> registry.Outcome:
         with context.services.writing() as session:
             request_job_cancel(session, context.job.id, actor=None)
     if context.payload["what"] == "storage":
-        raise StorageAway("store-media-storage-did-not-answer-check", key="k", name="Timeout")
-    raise DatabaseAway("database-database-not-answer-check-runs-address")
+        raise StorageAway("store-no-answer", key="k", name="Timeout")
+    raise DatabaseAway("database-no-answer")
 
 
 def _mark(session: Session, job: Job, error: Said) -> None:

@@ -260,7 +260,7 @@ def test_progress_that_found_the_database_busy_is_stored_with_the_next_look(
         claimed = claim_job(session, job.id, worker="this process")
     assert claimed is not None
     busy, store = (
-        [DatabaseAway("database-database-busy-another-writer-try-again")],
+        [DatabaseAway("database-busy")],
         runner_module.note_progress,
     )
 
@@ -320,7 +320,7 @@ def test_a_job_waits_until_the_database_takes_its_end(
     def away(*given: Any, **named: Any) -> None:
         if len(refused) < 3:
             refused.append("away")
-            raise DatabaseAway("database-database-not-answer-check-runs-address")
+            raise DatabaseAway("database-no-answer")
         back(*given, **named)
 
     monkeypatch.setattr(runner_module, "put_back", away)

@@ -67,14 +67,12 @@ def frames_of(wish: CalibrationRequest, frame_count: int) -> list[int]:
     first = wish.first_frame or 0
     last = frame_count - 1 if wish.last_frame is None else wish.last_frame
     if not 0 <= first <= last < frame_count:
-        raise BadInput(
-            "cameras-frames-not-recording-frames-0", first=first, last=last, frame_count=frame_count - 1
-        )
+        raise BadInput("cameras-frames-outside", first=first, last=last, frame_count=frame_count - 1)
     every = wish.every or max(1, -(-(last - first + 1) // USUAL_FRAMES))
     frames = list(range(first, last + 1, every))
     if len(frames) > MOST_FRAMES:
         least = -(-(last - first + 1) // MOST_FRAMES)
-        raise BadInput("cameras-every-th-frame-would-views-take", every=every, count=len(frames), least=least)
+        raise BadInput("cameras-too-many-views", every=every, count=len(frames), least=least)
     return frames
 
 
@@ -177,7 +175,7 @@ def import_calibration(
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise BadInput("cameras-not-text-file-choose-calibration-yaml", file_name=file_name) from error
+        raise BadInput("cameras-not-text", file_name=file_name) from error
     from sightline.geometry.imports import read_camera  # with its YAML only when it is asked for
 
     imported = read_camera(text, file_name, which=which)

@@ -28,7 +28,7 @@ def check_calibrations(files: Files, replay: Replay) -> None:
         named = {str(view["image_id"]) for view in views if view.get("image_id") is not None}
         images = told["images"]
         if named != set(images) or any(added.get(one) != key for one, key in images.items()):
-            raise Damaged("cameras-calibration-of-other-images", id=number)
+            raise Damaged("cameras-calibration-images-changed", id=number)
 
 
 def _values(record: Mapping[str, Any]) -> Mapping[str, Any]:

@@ -158,7 +158,7 @@ def _camera(
     if calibration_id is not None:
         return calibration_id
     if width_px is None or height_px is None or field_of_view_deg is None:
-        raise BadInput("cameras-choose-calibration-give-pictures-width-height")
+        raise BadInput("cameras-no-image-size")
     return PlainCamera(width_px, height_px, field_of_view_deg)
 
 

@@ -44,5 +44,5 @@ def _plain(camera: PlainCamera) -> Camera:
 def _calibrated(session: Session, survey_id: int, calibration_id: int) -> Camera:
     calibration = get_calibration(session, calibration_id)
     if get_camera(session, calibration.camera_id).survey_id != survey_id:
-        raise BadInput("cameras-calibration-belongs-another-survey-choose-one", calibration_id=calibration_id)
+        raise BadInput("cameras-calibration-other-survey", calibration_id=calibration_id)
     return camera_from_dict(calibration.document, f"calibration {calibration_id}")

@@ -50,7 +50,7 @@ def make_evidence(
     with services.writing() as session:
         vehicle = get_scan_vehicle(session, vehicle_id)
         if _measured(vehicle).id != seen.id:
-            raise Conflict("scans-vehicle-measured-again-meanwhile-look-newer")
+            raise Conflict("scans-vehicle-measured-meanwhile")
         before = _before(session, vehicle)
         document = _stated(session, vehicle, before, page, actor)
         document["pictures"] = [one.facts for one in pictures]

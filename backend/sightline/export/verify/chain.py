@@ -71,7 +71,7 @@ def walk(files: Files, seal: Seal, headers: Mapping[str, Collection[str]]) -> Re
         told.count, told.head = int(event["number"]), event["hash"]
         first = told.count == 1
         if event["survey_id"] != str(seal.survey_id) or (first and not _begins(event, seal)):
-            raise Damaged("export-event-of-another-survey-or-time", number=told.count)
+            raise Damaged("export-event-of-other", number=told.count)
         if told.count > seal.as_of or event["entity"] == ENTITY:
             continue
         told.moment, told.survey_head = stamp(event["at"]), event["hash"]

@@ -73,7 +73,7 @@ def _compare(files: Files, table: Table, rows: Iterable[Row]) -> int:
             found = cell_text(column, row.get(column.name))
             if not same_cell(column, told[column.name], found):
                 raise Damaged(
-                    "export-line-says-rows-give-one-wrong",
+                    "export-line-differs",
                     path=table.key,
                     at=at,
                     name=column.name,
@@ -113,10 +113,10 @@ def check_drawn(
     made = drawn(AsOf(files, as_of), found, written, language)
     for path, content in made:
         if path not in files.paths or read_whole(files, path) != content:
-            raise Damaged("export-not-one-these-rows-statistics-give", path=path)
+            raise Damaged("export-drawn-file-differs", path=path)
     strange = {path for path in files.paths if path.startswith("figures/")} - {path for path, _ in made}
     if strange:
-        raise Damaged("export-not-follow-these-statistics-put", strange=min(strange))
+        raise Damaged("export-statistics-file-added", strange=min(strange))
     return len(made)
 
 
@@ -135,12 +135,12 @@ def check_crops(files: Files, written: Mapping[str, Written]) -> int:
             continue
         for path in (row["file"], row["overlay"]):
             if path not in there:
-                raise Damaged("export-missing-named-twice-crops-csv-take", path=path)
+                raise Damaged("export-crop-missing", path=path)
             there.discard(path)
         _check_crop(files, row, measured[row["measurement_id"]], written)
         count += 1
     if there:
-        raise Damaged("export-no-row-crops-csv-put", there=min(there))
+        raise Damaged("export-crop-added", there=min(there))
     return count
 
 
@@ -160,11 +160,11 @@ def _check_crop(
             inside = float(measured[f"{word}{k}_{axis}_px"]) - int(row[f"{axis}_px"])
             same = same and float(row[f"{word}_{axis}_px"]) == inside
     if not same:
-        raise Damaged("export-crops-csv-other-points-frames-measurement", path=path)
+        raise Damaged("export-crop-points-differ", path=path)
     if written[path].sha256 != row["sha256"]:
-        raise Damaged("export-not-one-whose-hash-crops-csv", path=path)
+        raise Damaged("export-crop-hash", path=path)
     picture = cv2.imdecode(np.frombuffer(read_whole(files, path), np.uint8), cv2.IMREAD_GRAYSCALE)
     if picture is None or picture.shape != (int(row["height_px"]), int(row["width_px"])):
-        raise Damaged("export-no-picture-size-crops-csv-tells", path=path)
+        raise Damaged("export-crop-size", path=path)
     if read_whole(files, row["overlay"]) != expected_overlay(row, measured):
-        raise Damaged("export-not-show-points-measurement-changed", overlay=row["overlay"])
+        raise Damaged("export-overlay-points", overlay=row["overlay"])

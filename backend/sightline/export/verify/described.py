@@ -91,7 +91,7 @@ def read_description(files: Files) -> Described:
             raise Damaged("export-format-not-known", format=number, program=str(made.get("sightline")))
         return Described(document, tables_described(document), made, str(document["language"]))
     except (KeyError, TypeError, AttributeError) as error:
-        raise Damaged("export-cannot-read-take-whole-export-again", description=DESCRIPTION) from error
+        raise Damaged("export-description-unreadable", description=DESCRIPTION) from error
 
 
 def check_description(
@@ -118,19 +118,19 @@ def _check_own(described_as: Described, expected: Mapping[str, Any]) -> None:
     found = described_as.document
     exact = not described_as.program.endswith(_INEXACT)
     if list(found) != list(expected):
-        raise Damaged("export-another-files-chain-changed", description=DESCRIPTION, name="order")
+        raise Damaged("export-description-differs", description=DESCRIPTION, name="order")
     for name in sorted(set(expected) - {"resources"}):
         if json_bytes(found[name]) != json_bytes(expected[name]):
-            raise Damaged("export-another-files-chain-changed", description=DESCRIPTION, name=name)
+            raise Damaged("export-description-differs", description=DESCRIPTION, name=name)
     if exact and any(found["made_with"].get(part) != described_as.mine[part] for part in PARTS):
-        raise Damaged("export-another-files-chain-changed", description=DESCRIPTION, name="made_with")
+        raise Damaged("export-description-differs", description=DESCRIPTION, name="made_with")
     if found["language"] not in languages():
-        raise Damaged("export-another-files-chain-changed", description=DESCRIPTION, name="language")
+        raise Damaged("export-description-differs", description=DESCRIPTION, name="language")
     mine, theirs = (list(one["resources"]) for one in (expected, found))
     for n in range(max(len(mine), len(theirs))):
         if json_bytes(mine[n : n + 1]) != json_bytes(theirs[n : n + 1]):
             named = (theirs[n : n + 1] or mine[n : n + 1])[0].get("path", "a file")
-            raise Damaged("export-describes-otherwise-program-changed", description=DESCRIPTION, named=named)
+            raise Damaged("export-program-differs", description=DESCRIPTION, named=named)
 
 
 def _compare_others(
@@ -146,10 +146,10 @@ def _compare_others(
             sums == (None, None) if there is None else sums == (there.size, f"sha256:{there.sha256}")
         )
         if not is_right or paths[path] > 1:
-            raise Damaged("export-describes-otherwise-program-changed", description=DESCRIPTION, named=path)
+            raise Damaged("export-program-differs", description=DESCRIPTION, named=path)
     for path in sorted(set(written) - set(paths) - _UNDESCRIBED):
         if not path.startswith(_CROPS):
-            raise Damaged("export-describes-otherwise-program-changed", description=DESCRIPTION, named=path)
+            raise Damaged("export-program-differs", description=DESCRIPTION, named=path)
     mine = {one["path"]: one for one in expected["resources"]}
     otherwise = sum(json_bytes(mine.get(one["path"])) != json_bytes(one) for one in resources)
     names = {*found.document, *expected} - {"resources", "format", "made_with"}

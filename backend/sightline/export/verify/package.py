@@ -151,14 +151,12 @@ def _same_head(told: ReplayedState, head: str | None) -> list[str]:
     if head is None:
         return []
     if len(head) < _LEAST_OF_HEAD:
-        raise BadInput(
-            "export-first-characters-head-prove-little-give", count=len(head), least_of_head=_LEAST_OF_HEAD
-        )
+        raise BadInput("export-head-too-short", count=len(head), least_of_head=_LEAST_OF_HEAD)
     if told.head.startswith(head.lower()):
         return []
     if told.survey_head.startswith(head.lower()):
         return ["The head is that of the survey's last event: it vouches for the rows, not for the seal."]
-    raise Damaged("export-audit-csv-ends-not-head-kept", head=told.head[:16])
+    raise Damaged("export-head-differs", head=told.head[:16])
 
 
 def _signed(files: Files, told: ReplayedState, survey_id: int, key: str | None) -> tuple[str, str]:
@@ -191,7 +189,7 @@ def checksums(files: Files) -> dict[str, Written]:
     """Every file is there with the bytes it was written with, and no other. Raises Damaged."""
     there = files.paths
     if CHECKSUMS not in there:
-        raise BadInput("export-no-no-whole-export-export-survey", checksums=CHECKSUMS)
+        raise BadInput("export-no-checksums", checksums=CHECKSUMS)
     listed: dict[str, str] = {}
     for line in read_whole(files, CHECKSUMS).decode("utf-8", "replace").splitlines():
         sum_, _, path = line.partition("  ")
@@ -207,14 +205,14 @@ def checksums(files: Files) -> dict[str, Written]:
     if renamed := [path for path in strange if path.lower() in awaited]:
         raise Damaged("export-file-renamed", path=awaited[renamed[0].lower()], there=renamed[0])
     if strange:
-        raise Damaged("export-not-belong-export-take-out-check", strange=strange[0])
+        raise Damaged("export-file-not-listed", strange=strange[0])
     written: dict[str, Written] = {}
     for path, sum_ in listed.items():
         if path not in there:
             raise missing(path)
         written[path] = sum_of(files, path)
         if written[path].sha256 != sum_:
-            raise Damaged("export-changed-after-export-take-whole-export", path=path)
+            raise Damaged("export-file-changed", path=path)
     if read_whole(files, CHECKSUMS) != checksum_lines(written):
-        raise Damaged("export-changed-after-export-take-whole-export", path=CHECKSUMS)
+        raise Damaged("export-file-changed", path=CHECKSUMS)
     return written

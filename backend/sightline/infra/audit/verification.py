@@ -76,7 +76,7 @@ def verify_database(url: str, name: str = "This address") -> Verification:
     """
     with engine_at(url, must_exist=True) as engine:
         if not _holds_a_chain(engine):
-            raise BadInput("audit-not-sightline-database-name-sightline-db", name=name)
+            raise BadInput("audit-not-a-database", name=name)
         with reading(session_factory(engine)) as session:
             _require_version(session)
             require_whole_pages(session.connection())
@@ -86,7 +86,7 @@ def verify_database(url: str, name: str = "This address") -> Verification:
 def _require_version(session: Session) -> None:
     """Raises BadInput for a database of another version, whose tables are others."""
     if stored_revision(session.connection()) != newest_revision():
-        raise BadInput("audit-database-made-another-version-verify-one")
+        raise BadInput("audit-other-version")
 
 
 def _holds_a_chain(engine: Engine) -> bool:
@@ -172,7 +172,7 @@ def _anchors(session: Session, walk: _Walk) -> None:
             for row in _all(session, table):
                 chain = survey_chain(row["survey_id"])
                 if not _was(walk, chain, row["audit_count"], row["audit_head"]):
-                    raise _Problem("audit-chain-not-in-export", id=row["id"])
+                    raise _Problem("audit-chain-not-exported", id=row["id"])
     _checkpoints(walk)
 
 

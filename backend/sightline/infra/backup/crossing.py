@@ -80,7 +80,7 @@ def fill_sqlite(
             for some in _in_pieces(_rows(folder / f"{table.name}{ENDING}", columns)):
                 connection.execute(insert(bare), some)
         except (DatabaseError, ValueError) as error:
-            raise Damaged("backup-rows-do-not-fit", name=table.name) from error
+            raise Damaged("backup-rows-misfit", name=table.name) from error
     for trigger in triggers:
         connection.exec_driver_sql(trigger.sql)
 

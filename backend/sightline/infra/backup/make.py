@@ -121,7 +121,7 @@ def _require_apart(folder: Path, settings: Settings) -> None:
     """Neither holds the other: a backup must outlive the data folder, and not hold itself."""
     ours, data = folder.absolute().resolve(), settings.data_dir.absolute().resolve()
     if ours.is_relative_to(data) or data.is_relative_to(ours):
-        raise BadInput("backup-folder-in-data-folder", folder=folder)
+        raise BadInput("backup-folders-nested", folder=folder)
 
 
 def _sound_copy(services: Services, folder: Path, place: Path, before: Manifest | None, tell: Tell) -> _State:

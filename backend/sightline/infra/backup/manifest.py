@@ -141,7 +141,7 @@ def locked(folder: Path) -> Iterator[None]:
     """
     folder.mkdir(parents=True, exist_ok=True, mode=0o700)
     if not (folder / LOCK).exists() and any(folder.iterdir()):
-        raise BadInput("backup-folder-holds-other-things", folder=folder)
+        raise BadInput("backup-folder-not-empty", folder=folder)
     with (folder / LOCK).open("ab") as file:
         try:
             fcntl.lockf(file, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -81,12 +81,12 @@ def copy_in(
         try:
             _fill(connection, folder / f"{name}{ENDING}", name, table)
         except (DriverError, DBAPIError) as error:
-            raise Damaged("backup-rows-do-not-fit", name=name) from error
+            raise Damaged("backup-rows-misfit", name=name) from error
     try:
         for key in keys:
             _run(connection, f"ALTER TABLE {key.place} ADD CONSTRAINT {key.name} {key.said}")
     except DBAPIError as error:
-        raise Damaged("backup-rows-do-not-fit", name=key.place) from error
+        raise Damaged("backup-rows-misfit", name=key.place) from error
 
 
 def _fill(connection: Connection, path: Path, name: str, table: CopiedTable) -> None:

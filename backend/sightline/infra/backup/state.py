@@ -19,7 +19,7 @@ def require_this_version(session: Session) -> str:
     """The revision of the schema. Raises BadInput for one that this program would have to migrate."""
     revision = stored_revision(session.connection())
     if revision is None or revision != newest_revision():
-        raise BadInput("audit-database-made-another-version-verify-one")
+        raise BadInput("audit-other-version")
     return revision
 
 

@@ -23,9 +23,9 @@ def chain(files: Files) -> Iterator[Event]:
     before = GENESIS
     for count, row in enumerate(read_rows(files, "audit.csv"), start=1):
         if (row["number"], row["previous_hash"]) != (str(count), before):
-            raise Damaged("csv_package-audit-csv-event-not-follow-one", number=row["number"])
+            raise Damaged("csv_package-event-not-next", number=row["number"])
         if link_hash(before, row["content_sha256"]) != row["hash"] or not _content_holds(row):
-            raise Damaged("csv_package-audit-csv-event-not-one-hashed", number=count)
+            raise Damaged("csv_package-event-not-hashed", number=count)
         yield row
         before = row["hash"]
 

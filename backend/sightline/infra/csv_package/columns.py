@@ -162,7 +162,7 @@ def check_words(files: Files, headers: Mapping[str, Collection[str]]) -> None:
             cells = read_columns(files, path, (words, code)) if words in header else ()
             for row, (told, by) in enumerate(cells, 2):
                 if unsafe(told) != (words_of(said_in(by)) or ""):
-                    raise Damaged("measurements-words-not-of-code", name=f"{path}:{row}", column=words)
+                    raise Damaged("measurements-words-differ", name=f"{path}:{row}", column=words)
 
 
 def within(

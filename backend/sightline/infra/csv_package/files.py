@@ -200,7 +200,7 @@ def fresh_folder(target: Path) -> Iterator[Path]:
         fresh = Path(tempfile.mkdtemp(prefix=f".{target.name}-", dir=target.parent))
     except OSError as error:
         why = error.strerror or str(error)
-        raise BadInput("commands-cannot-written-choose-another-place", path=target, strerror=why) from error
+        raise BadInput("commands-not-writable", path=target, strerror=why) from error
     try:
         yield fresh
         fresh.chmod(0o755)
@@ -211,9 +211,9 @@ def fresh_folder(target: Path) -> Iterator[Path]:
 
 def _refuse_strangers(target: Path) -> None:
     if target.is_symlink() or (target.exists() and not target.is_dir()):
-        raise BadInput("csv_package-file-name-folder-export-not-exist", target=target)
+        raise BadInput("csv_package-target-is-file", target=target)
     if target.is_dir() and any(target.iterdir()) and not (target / CHECKSUMS).is_file():
-        raise BadInput("csv_package-holds-other-files-name-folder-empty", target=target)
+        raise BadInput("csv_package-target-not-empty", target=target)
 
 
 def _put_in_place(fresh: Path, target: Path) -> None:
@@ -285,7 +285,7 @@ class ZipFiles:
         entries = [one for one in self._archive.infolist() if not one.is_dir()]
         self.paths = frozenset(one.filename for one in entries)
         if len(self.paths) < len(entries):
-            raise BadInput("csv_package-holds-file-twice-no-export-take", place=place)
+            raise BadInput("csv_package-file-twice", place=place)
         for one in entries:
             if not is_plain(one.filename) or (one.external_attr >> 28) not in (0, _REGULAR):
                 raise BadInput("csv_package-zip-odd-entry", place=place, path=one.filename[:100])
@@ -304,7 +304,7 @@ class ZipFiles:
             with self._archive.open(path) as file:
                 yield cast(BinaryIO, file)
         except (zipfile.BadZipFile, zlib.error, EOFError, OSError) as error:
-            raise Damaged("csv_package-cannot-unpacked-take-whole-export-again", path=path) from error
+            raise Damaged("csv_package-not-unpackable", path=path) from error
 
 
 def is_plain(path: str) -> bool:
@@ -328,7 +328,7 @@ def _check_listing(place: Path) -> None:
 
 
 def missing(path: str) -> Damaged:
-    return Damaged("csv_package-missing-take-whole-export-again", path=path)
+    return Damaged("csv_package-file-missing", path=path)
 
 
 #: What Macs and Windows put beside files that they show or pack.
@@ -358,7 +358,7 @@ class InFolder:
         self._places = {path.removeprefix(f"{folder}/"): path for path in files.paths}
         self.paths = frozenset(self._places)
         if len(self.paths) < len(files.paths):
-            raise BadInput("csv_package-holds-file-twice-no-export-take", place=folder)
+            raise BadInput("csv_package-file-twice", place=folder)
 
     def open(self, path: str) -> AbstractContextManager[BinaryIO]:
         if path not in self._places:
@@ -404,7 +404,7 @@ def open_package(place: Path) -> Files:
     try:
         return FolderFiles(place) if place.is_dir() else ZipFiles(place)
     except (OSError, zipfile.BadZipFile, RuntimeError) as error:
-        raise BadInput("csv_package-cannot-read-export-name-folder-zip", place=place) from error
+        raise BadInput("csv_package-not-an-export", place=place) from error
 
 
 def place_of(files: Files, table: str) -> str:
@@ -451,10 +451,10 @@ def read_rows(files: Files, path: str) -> Iterator[dict[str, str]]:
         try:
             for row in csv.DictReader(text, strict=True):
                 if None in row or None in row.values():
-                    raise Damaged("csv_package-row-too-long-too-short-changed", path=path)
+                    raise Damaged("csv_package-row-length", path=path)
                 yield _EarlierRow(row) if lacking else row
         except (UnicodeDecodeError, csv.Error) as error:
-            raise Damaged("csv_package-cannot-read-csv-take-whole-export", path=path) from error
+            raise Damaged("csv_package-not-csv", path=path) from error
         finally:
             text.detach()
 
@@ -467,7 +467,7 @@ def read_header(files: Files, path: str) -> list[str]:
     try:
         return next(csv.reader([first.decode("utf-8")], strict=True), [])
     except (UnicodeDecodeError, csv.Error) as error:
-        raise Damaged("csv_package-cannot-read-csv-take-whole-export", path=path) from error
+        raise Damaged("csv_package-not-csv", path=path) from error
 
 
 def read_columns(files: Files, path: str, names: tuple[str, ...]) -> Iterator[list[str]]:
@@ -485,7 +485,7 @@ def read_columns(files: Files, path: str, names: tuple[str, ...]) -> Iterator[li
                 cells = row + added if lacking else row
                 yield [cells[place] for place in places]
         except (UnicodeDecodeError, csv.Error, ValueError, IndexError) as error:
-            raise Damaged("csv_package-cannot-read-described-take-whole-export", path=path) from error
+            raise Damaged("csv_package-not-as-described", path=path) from error
         finally:
             text.detach()
 

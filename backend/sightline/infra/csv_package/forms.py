@@ -31,8 +31,8 @@ def read_json(files: Files, path: str) -> Any:
     except (json.JSONDecodeError, UnicodeDecodeError, RecursionError) as error:
         raise Damaged("csv_package-no-json", path=path) from error
     except ValueError as error:
-        raise Damaged("csv_package-json-of-another-form", path=path) from error
-    raise Damaged("csv_package-json-of-another-form", path=path)
+        raise Damaged("csv_package-json-form", path=path) from error
+    raise Damaged("csv_package-json-form", path=path)
 
 
 def _each_once(pairs: Sequence[tuple[str, Any]]) -> dict[str, Any]:
@@ -63,18 +63,18 @@ def _described(files: Files) -> dict[str, list[str]]:
         tables = {one["path"]: one["schema"]["fields"] for one in found["resources"] if "schema" in one}
         return {path: [str(field["name"]) for field in fields] for path, fields in tables.items()}
     except (KeyError, TypeError) as error:
-        raise Damaged("export-cannot-read-take-whole-export-again", description=DESCRIPTION) from error
+        raise Damaged("export-description-unreadable", description=DESCRIPTION) from error
 
 
 def _check_table(files: Files, path: str, columns: Sequence[str]) -> None:
     header = read_header(files, path)
     if header != columns or len(set(header)) < len(header):
         odd = sorted(set(header) ^ set(columns)) or [one for one in header if header.count(one) > 1] or header
-        raise Damaged("csv_package-other-columns-than-described", path=path, column=(odd or ["none"])[0])
+        raise Damaged("csv_package-columns-differ", path=path, column=(odd or ["none"])[0])
     with files.open(path) as file:
         for at, told, written in _as_written(file, path):
             if told != written:
-                raise Damaged("csv_package-csv-of-another-form", path=path, at=at)
+                raise Damaged("csv_package-csv-form", path=path, at=at)
 
 
 def _as_written(file: BinaryIO, path: str) -> Iterator[tuple[int, str, str]]:
@@ -87,14 +87,14 @@ def _as_written(file: BinaryIO, path: str) -> Iterator[tuple[int, str, str]]:
         while rows := list(islice(reader, _ROWS_AT_ONCE)):
             width = len(rows[0]) if width is None else width
             if any(len(row) != width for row in rows):
-                raise Damaged("csv_package-row-too-long-too-short-changed", path=path)
+                raise Damaged("csv_package-row-length", path=path)
             out = io.StringIO()
             csv.writer(out, lineterminator="\n").writerows(rows)
             yield at, "".join(lines), out.getvalue()
             at += len(lines)
             lines.clear()
     except (UnicodeDecodeError, csv.Error) as error:
-        raise Damaged("csv_package-cannot-read-csv-take-whole-export", path=path) from error
+        raise Damaged("csv_package-not-csv", path=path) from error
     finally:
         text.detach()
 

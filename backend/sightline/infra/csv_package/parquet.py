@@ -74,7 +74,7 @@ def check_parquet(files: Files, described: Mapping[str, Schema]) -> int:
     wanted = {parquet_path(path): path for path in described if path in files.paths and has_parquet(path)}
     there = {path for path in files.paths if path.startswith(PARQUET)}
     if there != set(wanted):
-        raise Damaged("csv_package-parquet-and-csv-not-pairs", path=min(there ^ set(wanted)))
+        raise Damaged("csv_package-parquet-not-paired", path=min(there ^ set(wanted)))
     for path, csv_path in wanted.items():
         _check_table(files, path, csv_path, arrow_schema(described[csv_path]))
     return len(wanted)
@@ -97,7 +97,7 @@ def _check_table(files: Files, path: str, csv_path: str, schema: pa.Schema) -> N
             assert mine is not None
             at += mine.num_rows
     except (pa.ArrowException, OSError) as error:
-        raise Damaged("csv_package-parquet-cannot-be-read", path=path) from error
+        raise Damaged("csv_package-parquet-unreadable", path=path) from error
 
 
 def _tell_difference(
@@ -138,7 +138,7 @@ def _csv_batches(files: Files, path: str, schema: pa.Schema) -> Iterator[pa.Reco
             )
             yield from reader
         except (pa.ArrowException, OSError) as error:
-            raise Damaged("csv_package-cell-not-of-its-type", path=path) from error
+            raise Damaged("csv_package-cell-type", path=path) from error
 
 
 def _pieces(batches: Iterable[pa.RecordBatch], rows: int) -> Iterator[pa.Table]:

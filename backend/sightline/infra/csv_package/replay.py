@@ -100,11 +100,11 @@ def hold(
         key = tuple(row[name] for name in names) or (str(at),)
         told = wanted.pop(key, None)
         if told is None:
-            raise Damaged("csv_package-row-of-no-event", path=table.key, key=" ".join(key))
+            raise Damaged("csv_package-row-without-event", path=table.key, key=" ".join(key))
         name = first_difference(columns, row, told)
         if name is not None:
             said = " ".join(row[each] for each in table.primary) or str(at)
-            raise Damaged("csv_package-row-not-as-its-events", path=table.key, name=name, key=said)
+            raise Damaged("csv_package-row-differs", path=table.key, name=name, key=said)
         yield row
     if wanted:
         raise Damaged("csv_package-row-missing", path=table.key, key=" ".join(min(wanted)))

@@ -28,7 +28,7 @@ def check_keys(files: Files, described: Sequence[AnyTable]) -> int:
             for values in read_columns(files, one.path, mine):
                 if all(values) and tuple(values) not in known[table, theirs]:
                     raise Damaged(
-                        "csv_package-not-csv-row-taken-out-changed",
+                        "csv_package-row-dangling",
                         path=one.path,
                         mine=" ".join(mine),
                         values=" ".join(values),
@@ -70,18 +70,18 @@ def check_records(
     columns = {column.name: column for column in table.columns}
     if set(rows) != set(expected):
         odd = min(set(rows) ^ set(expected))
-        raise Damaged("csv_package-without-audit-event-missing", path=table.key, kind_name=kind, odd=odd)
+        raise Damaged("csv_package-without-event", path=table.key, kind_name=kind, odd=odd)
     for id_, row in rows.items():
         path = record_path(kind, id_)
         record = json.loads(read_whole(files, path))
         if content_hash(record) != expected[id_]:
-            raise Damaged("csv_package-not-what-audit-event-says-changed", path=path)
+            raise Damaged("csv_package-event-differs", path=path)
         if json.loads(read_whole(files, path_of(id_))) != record["document"]:
-            raise Damaged("csv_package-not-one-audit-chain-vouches-changed", path_of=path_of(id_))
+            raise Damaged("csv_package-chain-file-changed", path_of=path_of(id_))
         stamped = [row["created_at"], row["created_by_id"]]
         if stamped != [stamp(record["created_at"]), str(record["created_by"] or "")]:
             raise Damaged(
-                "csv_package-made-others-another-time-says",
+                "csv_package-author-or-time",
                 path=table.key,
                 kind_name=kind,
                 id=id_,

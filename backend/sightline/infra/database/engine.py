@@ -85,19 +85,19 @@ def make_engine(url: str, *, must_exist: bool = False) -> Engine:
     try:
         parsed = make_url(url)
     except ArgumentError:
-        raise BadInput("database-database-address-cannot-read-use-sqlite") from None
+        raise BadInput("database-address-unreadable") from None
     if parsed.drivername in ("postgresql", "postgres"):
         parsed = parsed.set(drivername="postgresql+psycopg")
     backend = parsed.get_backend_name()
     if backend == "sqlite":
         path = str(parsed.database or "")
         if must_exist and not Path(path).is_file():
-            raise BadInput("database-no-database-check-name", path=path)
+            raise BadInput("database-missing", path=path)
         return _sqlite_engine(path, parsed.render_as_string(hide_password=False))
     if backend == "postgresql":
         engine: Engine = _limits().limited_engine(parsed, **_POOL)
         return engine
-    raise BadInput("database-database-not-supported-use-sqlite-file", backend=backend)
+    raise BadInput("database-not-supported", backend=backend)
 
 
 @contextmanager
@@ -112,7 +112,7 @@ def engine_at(url: str, *, must_exist: bool = False) -> Iterator[Engine]:
 
 def _sqlite_engine(path: str, url: str) -> Engine:
     if path in ("", ":memory:"):
-        raise BadInput("database-memory-database-would-lost-name-file")
+        raise BadInput("database-in-memory")
     Path(path).absolute().parent.mkdir(parents=True, exist_ok=True, mode=0o700)
     given: dict[str, Any] = {"timeout": 10, "check_same_thread": False}
     if (unchanging := read_only_address(Path(path))) is not None:
@@ -137,7 +137,7 @@ def read_only_address(path: Path) -> str | None:
         return None
     log = Path(f"{path}-wal")
     if log.is_file() and log.stat().st_size:
-        raise DatabaseAway("database-read-only-with-log", path=path)
+        raise DatabaseAway("database-read-only-log", path=path)
     return f"{path.absolute().as_uri()}?mode=ro&immutable=1"
 
 
@@ -316,8 +316,8 @@ def _sync_log(log: Path) -> None:
             os.close(file)
     except OSError as error:
         if error.errno in (errno.ENOSPC, errno.EDQUOT):
-            raise NoRoom("database-disk-full-nothing-saved-make-room") from error
-        raise DatabaseAway("database-database-file-cannot-opened-writing-check") from error
+            raise NoRoom("database-disk-full") from error
+        raise DatabaseAway("database-not-writable") from error
 
 
 @contextmanager
@@ -394,25 +394,25 @@ def explanation(error: DatabaseError) -> SightlineError | None:
     if code == _NO_RIGHT:
         return BadInput("database-account-lacks-rights")
     if code == _ENDED:
-        return DatabaseAway("database-database-not-answer-check-runs-address")
+        return DatabaseAway("database-no-answer")
     if (damage := damage_in(words)) is not None:
         return damage
     if not isinstance(error, OperationalError):
         return None
     words = words.lower()
     if "full" in words or "no space" in words:
-        return NoRoom("database-disk-full-nothing-saved-make-room")
+        return NoRoom("database-disk-full")
     if "locked" in words or "lock timeout" in words:
-        return DatabaseAway("database-database-busy-another-writer-try-again")
+        return DatabaseAway("database-busy")
     if "unable to open" in words or "readonly" in words:
-        return DatabaseAway("database-database-file-cannot-opened-writing-check")
-    return DatabaseAway("database-database-not-answer-check-runs-address")
+        return DatabaseAway("database-not-writable")
+    return DatabaseAway("database-no-answer")
 
 
 def damage_in(words: str) -> SightlineError | None:
     """The sentence for a file whose content is not a database's any more, by SQLite's words; else None."""
     if "not a database" in words:
-        return BadInput("database-file-not-database-program-give-right")
+        return BadInput("database-not-a-database")
     if any(sign in words for sign in _DAMAGED):
         return Damaged("database-damaged")
     return None

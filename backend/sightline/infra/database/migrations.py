@@ -13,7 +13,7 @@ def alembic_config() -> Config:
     """Alembic's configuration, without any ini file."""
     folder = migrations_folder()
     if not (folder / "env.py").is_file():
-        raise BadInput("database-no-migrations-set-sightline-migrations-folder", folder=folder)
+        raise BadInput("database-no-migrations", folder=folder)
     config = Config()
     config.set_main_option("script_location", str(folder).replace("%", "%%"))
     return config
@@ -28,6 +28,6 @@ def upgrade(connection: Connection, to: str = "head") -> None:
     known = {script.revision for script in ScriptDirectory.from_config(config).walk_revisions()}
     current = stored_revision(connection)
     if {current, to} - known - {None, "head"}:
-        raise BadInput("database-database-made-newer-version-update-one")
+        raise BadInput("database-newer-version")
     config.attributes["connection"] = connection
     command.upgrade(config, to)

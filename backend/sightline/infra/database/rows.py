@@ -82,7 +82,7 @@ def named_table(column: Column[Any]) -> Table:
 def missing(word: str, row_id: int | None = None) -> NotFound:
     """The error for a thing that is not there."""
     number = "" if row_id is None else f" {row_id}"
-    return NotFound("database-no-may-been-removed-go-back", word=word, number=number)
+    return NotFound("database-row-missing", word=word, number=number)
 
 
 @lru_cache(maxsize=1024)

@@ -120,7 +120,7 @@ async def _work(runner: Runner, queues: list[str]) -> None:
         except asyncio.CancelledError:
             pass
         except ConnectorException as error:
-            raise DatabaseAway("database-database-not-answer-check-runs-address") from error
+            raise DatabaseAway("database-no-answer") from error
         finally:
             looking.cancel()
 

@@ -130,7 +130,7 @@ def again(session: Session, job: Job, actor: int) -> Job:
         raise Conflict("jobs-only-failed-again", state=job.state)
     kind = registered(job.kind)
     if kind is None or kind.failed is not None:
-        raise BadInput("jobs-again-on-its-page", kind=job.kind)
+        raise BadInput("jobs-restart-elsewhere", kind=job.kind)
     place = {"survey_id": job.survey_id, "recording_id": job.recording_id}
     place |= {"scan_id": job.scan_id, "study_id": job.study_id}
     return enqueue(session, job.kind, job.payload, **place, actor=actor)

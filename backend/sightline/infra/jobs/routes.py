@@ -58,5 +58,5 @@ def cancel(job_id: PathId, who: Stopper, role: ActingAs, services: Wired) -> Job
     with services.writing() as session:
         job = store.get_job(session, job_id)
         if job.created_by != who.id and RANK[role] < RANK["operator"]:
-            raise NotAllowed("jobs-somebody-else-started-job-ask-them")
+            raise NotAllowed("jobs-not-yours")
         return JobBody.model_validate(registry.cancel(session, job, who.id))

@@ -93,7 +93,7 @@ class Runner:
     def _handle(self, job: Job, watch: "Watch") -> Outcome:
         handler = registered(job.kind)
         if handler is None:
-            raise SightlineError("jobs-worker-knows-no-job-kind-start", kind_name=job.kind)
+            raise SightlineError("jobs-kind-unknown", kind_name=job.kind)
         return handler.run(JobContext(job, self.services, watch.report, watch.is_over))
 
     def _finish(self, job: Job, outcome: Outcome) -> None:
@@ -133,7 +133,7 @@ class Watch:
         """Note the progress; the thread stores it. Raises Cancelled or JobLost."""
         self._progress = (min(max(fraction, 0.0), 1.0), message or self._progress[1])
         if not self._hold.held:
-            raise JobLost("jobs-job-went-another-worker-one-stops", id=self._job.id)
+            raise JobLost("jobs-other-worker", id=self._job.id)
         if self.is_over():
             raise Cancelled("jobs-cancelled")
 

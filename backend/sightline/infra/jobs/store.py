@@ -130,7 +130,7 @@ def request_job_cancel(session: Session, job_id: int, *, actor: int | None) -> J
     """Stop a job: a queued one at once, a running one when it next looks. Raises Conflict if it is over."""
     before = get_job(session, job_id)
     if before.state not in ("queued", "running"):
-        raise Conflict("jobs-job-already-nothing-cancel", job_id=job_id, state=before.state)
+        raise Conflict("jobs-already-over", job_id=job_id, state=before.state)
     if before.state == "queued":
         change: dict[str, Any] = {"state": "cancelled", "finished_at": now(), "message": None}
     else:
@@ -230,7 +230,7 @@ def postpone_job(session: Session, job: Job) -> Job:
 def _back(session: Session, job: Job, change: Mapping[str, Any], action: str) -> Job:
     done = session.execute(update(jobs).where(*_held(job)).values(change).returning(jobs.c.id))
     if done.first() is None:
-        raise JobLost("jobs-job-moved-meanwhile-nothing", id=job.id)
+        raise JobLost("jobs-changed-meanwhile", id=job.id)
     after = {"state": "queued", "attempts": job.attempts}
     trail.record(session, None, action, "job", job.id, job.survey_id, {"state": "running"}, after)
     return get_job(session, job.id)
@@ -245,7 +245,7 @@ def _end(session: Session, job: Job, state: JobState, change: Mapping[str, Any])
     values = {**change, "state": state, "finished_at": now()}
     done = session.execute(update(jobs).where(*_held(job)).values(values).returning(jobs.c.id))
     if done.first() is None:
-        raise JobLost("jobs-job-given-another-worker-one-stops", id=job.id)
+        raise JobLost("jobs-given-away", id=job.id)
     told = {key: change[key] for key in ("result", "error") if key in change}
     after = {"state": state, "attempts": job.attempts, **told}
     trail.record(session, job.created_by, state, "job", job.id, job.survey_id, {"state": "running"}, after)

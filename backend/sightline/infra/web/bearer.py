@@ -102,7 +102,7 @@ class Bearers:
             if left:
                 return
         if not self._store.spend(token, BLOCK):
-            raise TooMany("web-token-too-many-requests", most=PER_TOKEN.most)
+            raise TooMany("web-token-requests-many", most=PER_TOKEN.most)
         with self._lock:
             self._left[token.id] = self._left.get(token.id, 0) + BLOCK - 1
 

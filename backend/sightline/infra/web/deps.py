@@ -123,13 +123,13 @@ def _asking(request: Request) -> Asking:
     if text is None:
         person: Person | None = request.app.state.sign_in.person_of(request)
         if person is None:
-            raise NotSignedIn("web-you-not-signed-sign-try-again")
+            raise NotSignedIn("web-not-signed-in")
         return Asking(person)
     bearers: Bearers = request.app.state.bearers
     token = bearers.token_of(text, address_of(request))
     owner = None if token is None else request.app.state.sign_in.person(token.person_id)
     if token is None or owner is None:
-        raise NotSignedIn("web-token-does-not-hold")
+        raise NotSignedIn("web-token-invalid")
     return Asking(owner, token.scopes)
 
 
@@ -197,7 +197,7 @@ class require:
     def check(self, who: Asking, role: ActingRole) -> Person:
         """The person, where role and scope suffice. Raises NotAllowed."""
         if RANK[role] < RANK[self.role]:
-            raise NotAllowed("web-needs-role-you-ask-admin", needed=self.role, role=role)
+            raise NotAllowed("web-needs-role", needed=self.role, role=role)
         if who.scopes is not None and self.scope not in who.scopes:
             raise self._refused(who.scopes)
         return who.person

@@ -48,7 +48,7 @@ _COMPLAINTS = {
     "string_pattern_mismatch": "request-pattern",
     "nul": "request-nul",
 }
-FULL = NoRoom("database-disk-full-nothing-saved-make-room")
+FULL = NoRoom("database-disk-full")
 
 
 class BadMethod(SightlineError):
@@ -100,7 +100,7 @@ def complaint_of(error: RequestValidationError) -> BadInput:
     said = _complaint(first)
     if not names:
         return BadInput("request-cannot-be-used", place=place, said=said)
-    return BadInput("request-value-cannot-be-used", name=".".join(names), place=place, said=said)
+    return BadInput("request-value-unusable", name=".".join(names), place=place, said=said)
 
 
 def _complaint(one: Mapping[str, Any]) -> Said | str:

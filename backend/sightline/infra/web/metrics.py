@@ -71,7 +71,7 @@ def serve_metrics(host: str, port: int, registry: CollectorRegistry) -> Callable
         server, thread = start_http_server(port, host, registry)
     except OSError as error:
         why = (error.strerror or str(error)).lower()
-        raise BadInput("commands-metrics-port-cannot-be-used", port=port, host=host, why=why) from error
+        raise BadInput("commands-metrics-port-taken", port=port, host=host, why=why) from error
 
     def stop() -> None:
         _end(server)

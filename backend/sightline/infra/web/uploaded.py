@@ -20,5 +20,5 @@ def whole_file(file: UploadFile, most_bytes: int, name: str) -> bytes:
     """The content of a small uploaded file. Raises BadInput for one that is too large."""
     content = file.file.read(most_bytes + 1)
     if len(content) > most_bytes:
-        raise BadInput("web-larger-mb-make-smaller-try-again", name=name, most_bytes=most_bytes // 1000000)
+        raise BadInput("web-too-large", name=name, most_bytes=most_bytes // 1000000)
     return content

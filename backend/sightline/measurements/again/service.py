@@ -186,7 +186,7 @@ def require_undoable(session: Session, computing_id: int) -> Computing:
     """Raises NotFound, Conflict saying why it cannot be undone."""
     one = get_computing(session, computing_id)
     if one.kind == "undo":
-        raise Conflict("computing-undo-cannot-be-undone")
+        raise Conflict("computing-undo-of-undo")
     if one.undone_by is not None:
         raise Conflict("computing-undone-already")
     later = [
@@ -195,7 +195,7 @@ def require_undoable(session: Session, computing_id: int) -> Computing:
         if other.id > one.id and other.kind != "undo" and other.undone_by is None
     ]
     if later:
-        raise Conflict("computing-undo-the-later-first", when=f"{later[0].created_at:%Y-%m-%d %H:%M} UTC")
+        raise Conflict("computing-undo-later-first", when=f"{later[0].created_at:%Y-%m-%d %H:%M} UTC")
     return one
 
 

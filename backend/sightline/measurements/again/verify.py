@@ -47,7 +47,7 @@ def check_computings(files: Files, replay: Replay, revisions: Mapping[int, int])
     kinds: dict[str, str] = {}
     for row in replay.hold(files, REPLAYED):
         if revisions.get(int(row["id"]), 0) != int(row["heights"]):
-            raise Damaged("computing-computing-made-other-revisions", id=row["id"])
+            raise Damaged("computing-revision-count", id=row["id"])
         kinds[row["id"]] = row["kind"]
     rejected = _rejections(files)
     for name, group in groupby(read_rows(files, "revisions.csv"), key=lambda row: row["measurement_id"]):
@@ -87,7 +87,7 @@ def check_out_of_date(
             else ()
         )
         if said != joined(found):
-            raise Damaged("computing-out-of-date-not-so", path=path, id=id_)
+            raise Damaged("computing-mark-wrong", path=path, id=id_)
 
 
 def _rejections(files: Files) -> set[tuple[str, str]]:

@@ -30,9 +30,9 @@ def change_vehicle(
         standing = measurements_of_vehicles(session, of_vehicle).get(vehicle_id, ())
         measured = {one.values.target for one in standing} & set(after.not_visible)
         if measured:
-            raise BadInput("measurements-not-visible-but-measured-withdraw", target=min(measured))
+            raise BadInput("measurements-invisible-measured", target=min(measured))
     if after.discarded and measurements_of_vehicles(session, of_vehicle).get(vehicle_id):
-        raise BadInput("measurements-discarded-but-measured-withdraw", number=after.number)
+        raise BadInput("measurements-discard-measured", number=after.number)
     targets = set[Target]()
     if (before.side, before.side_from) != (after.side, after.side_from):
         targets.add("driver_eye")

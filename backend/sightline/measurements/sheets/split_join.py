@@ -26,7 +26,7 @@ def split(
     whole = get_vehicle(session, vehicle_id)
     if not whole.first_frame < frame <= whole.last_frame:
         raise BadInput(
-            "measurements-frame-not-part-vehicle-go-frame",
+            "measurements-frame-cannot-split",
             frame=frame,
             number=whole.number,
             first_frame=whole.first_frame,
@@ -59,11 +59,11 @@ def join(
     """
     one, other = get_vehicle(session, vehicle_id), get_vehicle(session, other_id)
     if one.id == other.id or one.recording_id != other.recording_id:
-        raise BadInput("measurements-only-two-passes-same-recording-joined")
+        raise BadInput("measurements-join-other-recording")
     both = frames_used_of_vehicle(session, one.id), frames_used_of_vehicle(session, other.id)
     if both[0] and both[1]:
         raise Conflict(
-            "measurements-vehicles-both-measurements-measurement-stays-vehicle",
+            "measurements-join-both-measured",
             number=one.number,
             number_2=other.number,
         )
@@ -84,9 +84,7 @@ def _side_of_measurements(session: Session, whole: Vehicle, frame: int) -> int:
     """0 if nothing was measured at or after `frame`, 1 if all was. Raises Conflict."""
     used = {n for frames in frames_used_of_vehicle(session, whole.id) for n in frames}
     if any(n < frame for n in used) and any(n >= frame for n in used):
-        raise Conflict(
-            "measurements-vehicle-measured-before-after-frame-measurement", number=whole.number, frame=frame
-        )
+        raise Conflict("measurements-split-between", number=whole.number, frame=frame)
     return int(any(n >= frame for n in used))
 
 

@@ -24,9 +24,9 @@ def check_vehicles(files: Files, replay: Replay) -> None:
         counts = counts_in_results(rule, taken, row["check_target"] == "true")
         says_so = (row["in_sample"], row.get("counts", str(counts).lower()))
         if says_so != (str(taken).lower(), str(counts).lower()):
-            raise Damaged("measurements-vehicles-csv-not-in-sample", id=id_)
+            raise Damaged("measurements-sample-differs", id=id_)
         if row["filmed_at"] != filmed(row["recording_id"], int(row["first_frame"])):
-            raise Damaged("measurements-vehicles-csv-other-time", id=id_)
+            raise Damaged("measurements-vehicle-time", id=id_)
 
 
 def _headways(files: Files) -> dict[int, float]:

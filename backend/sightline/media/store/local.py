@@ -57,12 +57,12 @@ def open_store(media_url: str, cache_dir: Path | None = None, cache_bytes: int =
         from sightline.media.store.s3 import S3Store
 
         if cache_dir is None:
-            raise BadInput("store-storage-s3-needs-local-cache-folder")
+            raise BadInput("store-no-cache")
         return S3Store(media_url, cache_dir, cache_bytes)
     if parts.scheme == "file":
         return LocalStore(Path(url2pathname(parts.path)))
     if "://" in media_url or not media_url:
-        raise BadInput("store-no-media-address-use-folder-file", media_url=repr(media_url))
+        raise BadInput("store-address-form", media_url=repr(media_url))
     return LocalStore(Path(media_url))
 
 
@@ -82,7 +82,7 @@ def check_room(folder: Path, size: int, what: str = "this file") -> None:
     free = shutil.disk_usage(folder).free
     if size + RESERVE_BYTES > free:
         raise NoRoom(
-            "store-no-room-needed-free-delete-recordings",
+            "store-no-room",
             what=what,
             needed=_mb(size),
             free=_mb(max(0, free - RESERVE_BYTES)),
@@ -97,7 +97,7 @@ def no_room_told(what: str = "this file") -> Iterator[None]:
     except OSError as error:
         if error.errno not in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
             raise
-        raise NoRoom("store-disk-full-not-stored-delete-recordings", what=what) from error
+        raise NoRoom("store-disk-full", what=what) from error
 
 
 def _mb(size: int) -> str:
@@ -122,7 +122,7 @@ class LocalStore:
     def local_path(self, key: str) -> Path:
         path = self._path(key)
         if not path.is_file():
-            raise NotFound("store-media-file-missing-store-restore-backup", key=key)
+            raise NotFound("store-file-lost", key=key)
         return path
 
     def exists(self, key: str) -> bool:

@@ -43,7 +43,7 @@ class S3Store:
         parts = urlsplit(url)
         query = parse_qs(parts.query)
         if not parts.netloc:
-            raise BadInput("store-names-no-bucket-write-s3-bucket", url=repr(url))
+            raise BadInput("store-no-bucket", url=repr(url))
         self._bucket = parts.netloc
         self._prefix = parts.path.strip("/")
         self._cache = cache_dir
@@ -78,7 +78,7 @@ class S3Store:
                 return path
             size = self._size(key)
             if size is None:
-                raise NotFound("store-media-file-missing-store-restore-backup", key=key)
+                raise NotFound("store-file-lost", key=key)
             with self._room_for(size, key), _told(key), no_room_told(f"a local copy of {key}"):
                 self._fetch(key, path)
             return path
@@ -110,7 +110,7 @@ class S3Store:
             return io.BufferedReader(_Body(key, body), _PIECE_BYTES)
         except ClientError as error:
             if _code(error) in ("NoSuchKey", "404"):
-                raise NotFound("store-media-file-missing-store", key=key) from error
+                raise NotFound("store-file-missing", key=key) from error
             raise _failed(key, error) from error
         except BotoCoreError as error:
             raise _failed(key, error) from error
@@ -196,7 +196,7 @@ def _told(key: str) -> Iterator[None]:
 
 
 def _failed(key: str, error: Exception) -> StorageAway:
-    return StorageAway("store-media-storage-did-not-answer-check", key=key, name=type(error).__name__)
+    return StorageAway("store-no-answer", key=key, name=type(error).__name__)
 
 
 def _code(error: ClientError) -> str:

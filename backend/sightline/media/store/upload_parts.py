@@ -46,7 +46,7 @@ def create(upload_dir: Path, upload_id: str, size: int) -> None:
     Raises BadInput (nothing to send), NoRoom (before a byte is sent) and Conflict (id taken).
     """
     if size < 1:
-        raise BadInput("store-file-empty-choose-video-file")
+        raise BadInput("store-file-empty")
     upload_dir.mkdir(parents=True, exist_ok=True)
     check_room(upload_dir, size, "this upload")
     part = _path(upload_dir, upload_id)
@@ -54,7 +54,7 @@ def create(upload_dir: Path, upload_id: str, size: int) -> None:
         try:
             part.touch(exist_ok=False)
         except FileExistsError as error:
-            raise Conflict("store-upload-name-already-under-way-start") from error
+            raise Conflict("store-upload-name-taken") from error
         sync_to_disk(upload_dir)
 
 
@@ -92,7 +92,7 @@ def append(upload_dir: Path, upload_id: str, size: int, at: int, chunks: Iterabl
             for chunk in chunks:
                 _require_last_writer(part, writer)
                 if have + len(chunk) > size:
-                    raise BadInput("store-more-bytes-came-announced-start-upload", size=size)
+                    raise BadInput("store-upload-too-long", size=size)
                 with no_room_told("the rest of this upload"):
                     _write_all(handle, chunk)
                 have += len(chunk)
@@ -106,7 +106,7 @@ def append(upload_dir: Path, upload_id: str, size: int, at: int, chunks: Iterabl
 
 def _require_offset(have: int, at: int) -> None:
     if at != have:
-        raise Conflict("store-upload-stands-byte-not-continue", have=have, at=at)
+        raise Conflict("store-upload-offset", have=have, at=at)
 
 
 def _write_all(handle: int, chunk: bytes) -> None:
@@ -124,7 +124,7 @@ def finish(upload_dir: Path, upload_id: str, size: int) -> FinishedUpload:
     path = _part(upload_dir, upload_id)
     have = path.stat().st_size
     if have != size:
-        raise Conflict("store-upload-not-complete-bytes-arrived-continue", have=have, size=size)
+        raise Conflict("store-upload-incomplete", have=have, size=size)
     return FinishedUpload(path, sha256_of(path), size)
 
 
@@ -160,7 +160,7 @@ def _part(upload_dir: Path, upload_id: str) -> Path:
 
 
 def _not_there() -> NotFound:
-    return NotFound("store-no-such-upload-finished-given-up")
+    return NotFound("store-no-upload")
 
 
 def _writer(part: Path) -> Path:
@@ -175,7 +175,7 @@ def _require_last_writer(part: Path, name: str) -> None:
     except FileNotFoundError as error:
         raise _not_there() from error
     if last != name:
-        raise Conflict("store-upload-goes-on-over-newer-connection")
+        raise Conflict("store-upload-superseded")
 
 
 @contextmanager
@@ -198,7 +198,7 @@ def _taken_over(part: Path) -> Iterator[tuple[int, str]]:
         end = time.monotonic() + TAKE_OVER_S
         while not _is_locked(handle):
             if time.monotonic() >= end:
-                raise Conflict("store-upload-being-written-another-connection-try")
+                raise Conflict("store-upload-busy")
             time.sleep(LOOK_S)
             _require_last_writer(part, name)
         _require_last_writer(part, name)

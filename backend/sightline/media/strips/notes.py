@@ -44,13 +44,11 @@ def read_notes(name: str, said: str, path: Path) -> StripNotes:
     what = f"The notes in {beside.name}"
     if beside.is_file():
         if beside.stat().st_size > _SIDECAR_BYTES:
-            raise BadInput(
-                "strips-larger-mb-correct-remove-file", what=what, sidecar_bytes=_SIDECAR_BYTES // 10**6
-            )
+            raise BadInput("strips-notes-too-large", what=what, sidecar_bytes=_SIDECAR_BYTES // 10**6)
         try:
             document = json.loads(beside.read_bytes())
         except (ValueError, RecursionError):
-            raise BadInput("strips-not-readable-json-correct-remove-file", what=what) from None
+            raise BadInput("strips-notes-not-json", what=what) from None
     else:
         what = f"The description inside {name}"
         try:
@@ -67,17 +65,17 @@ def notes_of(document: object, what: str) -> StripNotes:
     number of lines lost just before that line of the file). Raises BadInput, beginning with `what`.
     """
     if not isinstance(document, dict):
-        raise BadInput("strips-no-json-object-correct-them", what=what)
+        raise BadInput("strips-notes-not-object", what=what)
     rate = document.get("line_rate_hz")
     if rate is not None and not _is_number(rate, 0.0):
-        raise BadInput("strips-give-line-rate-hz-no-positive", what=what)
+        raise BadInput("strips-rate-not-positive", what=what)
     dropped = document.get("dropped_lines") or []
     pairs = isinstance(dropped, list) and all(
         isinstance(one, list) and len(one) == 2 and all(type(n) is int and n >= 0 for n in one)
         for one in dropped
     )
     if not pairs or dropped != sorted(dropped):
-        raise BadInput("strips-give-dropped-lines-no-list-line", what=what)
+        raise BadInput("strips-dropped-lines-form", what=what)
     found = tuple(Dropped(line, count) for line, count in dropped if count)
     return StripNotes(float(rate) if rate is not None else None, found)
 

@@ -25,7 +25,7 @@ _READ_BYTES = 1 << 18
 _MOST_CHUNKS = 10_000
 _KINDS = {
     2: "strips-in-colour",
-    3: "strips-palette-line-scan-grey",
+    3: "strips-palette",
     4: "strips-transparency",
     6: "strips-colour-with-transparency",
 }
@@ -40,7 +40,7 @@ class PngSheet:
         with path.open("rb") as file:
             head = file.read(33)
         if len(head) < 33 or head[12:16] != b"IHDR":
-            raise BadInput("strips-cut-off-header-copy-again-recorder", name=name)
+            raise BadInput("strips-header-cut-off", name=name)
         size = path.stat().st_size
         self.width_px, self.height_px, depth, colour, _, _, interlaced = struct.unpack(
             ">IIBBBBB", head[16:29]
@@ -50,12 +50,12 @@ class PngSheet:
         if colour != 0 or depth not in (8, 16):
             raise BadInput("strips-bits-pixel", name=name, depth=depth)
         if interlaced:
-            raise BadInput("strips-interlaced-cannot-read-pieces-save-without", name=name)
+            raise BadInput("strips-interlaced", name=name)
         self.dtype: np.dtype[Any] = np.dtype(np.uint8 if depth == 8 else np.uint16)
         check_claim(name, self.width_px, self.height_px, depth // 8, size)
         if self.width_px > MOST_WIDE_PX:
             raise BadInput(
-                "strips-pixels-wide-png-here-save-tiff",
+                "strips-png-too-wide",
                 name=name,
                 width_px=self.width_px,
                 most_wide_px=MOST_WIDE_PX,
@@ -128,7 +128,7 @@ class PngSheet:
                     continue
                 others += 1
                 if head[4:] == b"acTL" or others > _MOST_CHUNKS:
-                    raise BadInput("strips-no-plain-picture-animation-damaged", name=self.name)
+                    raise BadInput("strips-not-plain", name=self.name)
                 file.seek(length + 4, 1)
 
     def _content(self, file: BinaryIO, length: int) -> Iterator[bytes]:
@@ -142,7 +142,7 @@ class PngSheet:
             yield piece
         said = file.read(4)
         if len(said) == 4 and int.from_bytes(said, "big") != crc:
-            raise BadInput("strips-damaged-checksum-inside-not-match-copy", name=self.name)
+            raise BadInput("strips-checksum-wrong", name=self.name)
 
 
 def _chunk(kind: bytes, content: bytes) -> bytes:

@@ -91,7 +91,7 @@ def check_pair(first: Strip, second: Strip) -> None:
     """Refuse two strips that cannot be of one recording. Raises BadInput."""
     if first.rows != second.rows:
         raise BadInput(
-            "strips-pixels-line-give-two-strips-equal",
+            "strips-heights-differ",
             name=first.name,
             rows=first.rows,
             name_2=second.name,
@@ -99,7 +99,7 @@ def check_pair(first: Strip, second: Strip) -> None:
         )
     if first.dtype != second.dtype:
         raise BadInput(
-            "strips-bits-pixel-save-both-alike",
+            "strips-bits-differ",
             name=first.name,
             value=8 * first.dtype.itemsize,
             name_2=second.name,
@@ -107,7 +107,7 @@ def check_pair(first: Strip, second: Strip) -> None:
         )
     if first.lines != second.lines:
         raise BadInput(
-            "strips-lines-both-begin-end-together-give",
+            "strips-lines-differ",
             name=first.name,
             lines=first.lines,
             name_2=second.name,
@@ -122,19 +122,19 @@ def chunk_lines(rows: int, item_bytes: int) -> int:
 
 def _sheet(path: Path, name: str) -> tuple[Sheet, str]:
     if not path.is_file():
-        raise BadInput("strips-not-file-give-png-tiff-line", name=name)
+        raise BadInput("strips-not-a-file", name=name)
     try:
         with path.open("rb") as file:
             head = file.read(16)
     except OSError as error:
-        raise BadInput("strips-cannot-read-give-png-tiff-line", name=name, strerror=error.strerror) from None
+        raise BadInput("strips-unreadable", name=name, strerror=error.strerror) from None
     if head.startswith(png.MAGIC):
         return png.PngSheet(path, name), ""
     if head[:4] in tiff.MAGICS:
         return tiff.tiff_sheet(path, name)
     if head.startswith(b"\xff\xd8\xff"):
-        raise BadInput("strips-jpeg-which-changes-pixels-save-png", name=name)
-    raise BadInput("strips-give-png-tiff-line-scan-camera", name=name, kind=why_not_video(path) or "other")
+        raise BadInput("strips-jpeg", name=name)
+    raise BadInput("strips-not-an-image", name=name, kind=why_not_video(path) or "other")
 
 
 def _check_shape(name: str, lines: int, rows: int, time_axis: TimeAxis) -> None:
@@ -143,7 +143,7 @@ def _check_shape(name: str, lines: int, rows: int, time_axis: TimeAxis) -> None:
         other_way = Said("strips-say-time-axis", axis=other)
         hint = other_way if lines <= MOST_ROWS else Said("strips-give-one-strip")
         raise BadInput(
-            "strips-would-pixels-line-time-along-more",
+            "strips-lines-too-wide",
             name=name,
             rows=rows,
             time_axis=time_axis,
@@ -152,26 +152,22 @@ def _check_shape(name: str, lines: int, rows: int, time_axis: TimeAxis) -> None:
         )
     if rows < LEAST_ROWS or lines < 2:
         raise BadInput(
-            "strips-lines-pixels-time-along-which-shows",
+            "strips-time-axis-wrong",
             name=name,
             lines=lines,
             rows=rows,
             time_axis=time_axis,
         )
     if lines > MOST_LINES:
-        raise BadInput(
-            "strips-more-thousand-million-lines-cut-into", name=name, most_lines=MOST_LINES // 10**9
-        )
+        raise BadInput("strips-too-many-lines", name=name, most_lines=MOST_LINES // 10**9)
 
 
 def _check_gaps(name: str, lines: int, dropped: Sequence[Dropped]) -> None:
     lost = sum(gap.count for gap in dropped)
     if lost > lines // 2:
-        raise BadInput("strips-notes-say-lines-lost-record-again", name=name, lost=lost, lines=lines + lost)
+        raise BadInput("strips-lost-lines-many", name=name, lost=lost, lines=lines + lost)
     if dropped and dropped[-1].line >= lines:
-        raise BadInput(
-            "strips-notes-name-lost-lines-ends-correct", name=name, line=dropped[-1].line, lines=lines
-        )
+        raise BadInput("strips-lost-lines-outside", name=name, line=dropped[-1].line, lines=lines)
 
 
 def _shape(sheet: Sheet, time_axis: TimeAxis) -> tuple[int, int]:

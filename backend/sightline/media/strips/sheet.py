@@ -53,10 +53,10 @@ class Sheet(Protocol):
 def check_claim(name: str, width: int, height: int, item_bytes: int, file_bytes: int) -> None:
     """Refuse a header that claims nothing, or more than a file of its size can hold."""
     if width < 1 or height < 1:
-        raise BadInput("strips-claims-picture-x-pixels-copy-again", name=name, width=width, height=height)
+        raise BadInput("strips-size-impossible", name=name, width=width, height=height)
     if width * height * item_bytes > ANY_FILE_BYTES + LARGEST_RATIO * file_bytes:
         raise BadInput(
-            "strips-claims-x-pixels-more-mb-file",
+            "strips-size-over-file",
             name=name,
             width=width,
             height=height,
@@ -66,12 +66,12 @@ def check_claim(name: str, width: int, height: int, item_bytes: int, file_bytes:
 
 def cut_off(name: str, row: int, height: int) -> BadInput:
     """The refusal of a file that ends too early."""
-    return BadInput("strips-cut-off-ends-row-copy-again", name=name, row=row, height=height)
+    return BadInput("strips-cut-off", name=name, row=row, height=height)
 
 
 def damaged(name: str, row: int, height: int) -> BadInput:
     """The refusal of a file whose bytes are not what they were."""
-    return BadInput("strips-damaged-row-cannot-read-copy-again", name=name, row=row, height=height)
+    return BadInput("strips-row-damaged", name=name, row=row, height=height)
 
 
 class RawSheet:
@@ -89,7 +89,7 @@ class RawSheet:
         row_bytes = self.width_px * self._stored.itemsize
         if row_bytes > PIECE_BYTES:
             self.close()
-            raise BadInput("strips-rows-pixels-too-long-read-copy", name=name, width_px=self.width_px)
+            raise BadInput("strips-rows-too-long", name=name, width_px=self.width_px)
         self._row_bytes = row_bytes
 
     def bands(self) -> Iterator[Pixels]:

@@ -38,7 +38,7 @@ class StripReader:
     def __init__(self, path: Path, name: str | None = None, bits: int = 8) -> None:
         self.name, self.bits = name or path.name, bits
         if not path.is_file():
-            raise NotFound("strips-stored-strip-missing-restore-backup", name=self.name)
+            raise NotFound("strips-stored-missing", name=self.name)
         self._handle = os.open(path, os.O_RDONLY)
         weakref.finalize(self, os.close, self._handle)
         try:
@@ -70,9 +70,7 @@ class StripReader:
         Raises NotFound for a level that is not there, Damaged.
         """
         if not 0 <= level < len(self.levels):
-            raise NotFound(
-                "strips-strip-no-level-only-0", name=self.name, level=level, count=len(self.levels) - 1
-            )
+            raise NotFound("strips-no-level", name=self.name, level=level, count=len(self.levels) - 1)
         start, stop = max(0, start), min(self.levels[level], stop)
         out = np.empty((max(0, stop - start), self.rows), self.dtype)
         for index in range(start // TILE_LINES, -(-stop // TILE_LINES) if stop > start else 0):
@@ -95,10 +93,10 @@ class StripReader:
         out of 0.1 to 50.
         """
         if not 0.1 <= gain <= 50:
-            raise BadInput("strips-gain-cannot-shown-choose-one-0", gain=gain)
+            raise BadInput("strips-gain-range", gain=gain)
         count = -(-self.levels[level] // TILE_LINES) if 0 <= level < len(self.levels) else 0
         if not 0 <= index < count:
-            raise NotFound("strips-strip-no-tile-level", name=self.name, index=index, level=level)
+            raise NotFound("strips-no-tile", name=self.name, index=index, level=level)
         first = index * TILE_LINES
         rows = min(TILE_LINES, self.levels[level] - first)
         return jpeg(self.shown(self._tile(level, index, rows)[:, : self.rows], gain), QUALITY)
@@ -132,7 +130,7 @@ class StripReader:
             raise self._damaged() from error
 
     def _damaged(self) -> Damaged:
-        return Damaged("strips-stored-strip-damaged-restore-backup-read", name=self.name)
+        return Damaged("strips-stored-damaged", name=self.name)
 
 
 class ReaderCache:

@@ -98,7 +98,7 @@ def pieces_of(page: tifffile.TiffPage, handle: int, byteorder: str, least: int =
     across, down = -(-width // max(1, piece_width)), -(-length // max(1, piece_length))
     offsets, counts = np.asarray(page.dataoffsets, np.int64), np.asarray(page.databytecounts, np.int64)
     if min(piece_width, piece_length) < 1 or min(len(offsets), len(counts)) < max(least, across * down):
-        raise BadInput("strips-index-pixels-not-fit-size")
+        raise BadInput("strips-index-size")
     stored = np.dtype(f"{byteorder}u{page.bitspersample // 8}")
     return Pieces(
         handle=handle,
@@ -128,7 +128,7 @@ def opened(path: Path, name: str) -> tifffile.TiffFile:
         if not len(tiff.pages):
             raise ValueError
     except Exception:  # damaged tags end in errors of a dozen kinds
-        raise BadInput("strips-tiff-cut-off-whose-directory-damaged", name=name) from None
+        raise BadInput("strips-tiff-cut-off", name=name) from None
     return tiff
 
 
@@ -150,28 +150,28 @@ def tiff_sheet(path: Path, name: str) -> tuple[Sheet, str]:
                 raise
             raise BadInput("strips-problem-2", name=name, message=error.message) from None
         except Exception:  # as above
-            raise BadInput("strips-tiff-whose-directory-damaged", name=name) from None
+            raise BadInput("strips-tiff-damaged", name=name) from None
 
 
 def _check(name: str, page: Any, further: bool, file_bytes: int) -> None:
     if further:
-        raise BadInput("strips-holds-several-pictures-give-each-strip", name=name)
+        raise BadInput("strips-several-images", name=name)
     if page.photometric == 3:
-        raise BadInput("strips-palette-line-scan-grey", name=name)
+        raise BadInput("strips-palette", name=name)
     if page.samplesperpixel != 1 or page.photometric not in (0, 1):
-        raise BadInput("strips-colour-transparency-channel-line-scan-grey", name=name)
+        raise BadInput("strips-not-grey", name=name)
     if page.sampleformat not in (1, 4):
-        raise BadInput("strips-holds-signed-floating-point-numbers", name=name)
+        raise BadInput("strips-number-kind", name=name)
     if page.bitspersample not in (8, 16):
         raise BadInput("strips-bits-pixel-2", name=name, bitspersample=page.bitspersample)
     if int(page.compression) not in (1, *_UNPACK):
         kind = getattr(page.compression, "name", str(page.compression))
-        raise BadInput("strips-packed-which-not-read-here-save", name=name, kind_name=kind)
+        raise BadInput("strips-packing-unsupported", name=name, kind_name=kind)
     if page.predictor not in (1, 2) or page.fillorder != 1:
-        raise BadInput("strips-packed-unusual-way-save-zstd-deflate", name=name)
+        raise BadInput("strips-packing-unusual", name=name)
     turned = page.tags.get("Orientation")
     if turned is not None and turned.value != 1:
-        raise BadInput("strips-marked-turned-mirrored-save-upright", name=name)
+        raise BadInput("strips-not-upright", name=name)
     check_claim(name, page.imagewidth, page.imagelength, page.bitspersample // 8, file_bytes)
 
 
@@ -203,16 +203,12 @@ class PackedSheet:
         self._pieces, self._tiled, self._negative = pieces, tiled, negative
         self._open = True
         if pieces.length * pieces.width * self.dtype.itemsize > PIECE_BYTES:
-            raise BadInput(
-                "strips-packed-pieces-more-mb-save-smaller", name=name, piece_bytes=PIECE_BYTES >> 20
-            )
+            raise BadInput("strips-pieces-too-large", name=name, piece_bytes=PIECE_BYTES >> 20)
 
     def bands(self) -> Iterator[Pixels]:
         pieces = self._pieces
         if pieces.length * self.width_px * self.dtype.itemsize > 2 * PIECE_BYTES:
-            raise BadInput(
-                "strips-rows-tiles-more-mb-save-smaller", name=self.name, piece_bytes=PIECE_BYTES >> 19
-            )
+            raise BadInput("strips-tiles-too-large", name=self.name, piece_bytes=PIECE_BYTES >> 19)
         for top in range(0, self.height_px, pieces.length):
             rows = min(pieces.length, self.height_px - top)
             beside = [self._piece(top, i, rows) for i in range(pieces.across)]

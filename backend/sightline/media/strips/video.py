@@ -37,12 +37,12 @@ def line_rate(time_s: NDArray[np.float64], name: str, tick_s: float = 0.001) -> 
     """
     count = len(time_s)
     if count < LEAST_FRAMES:
-        raise BadInput("strips-frames-too-few-line-scan-choose", name=name, count=count)
+        raise BadInput("strips-too-few-frames", name=name, count=count)
     step_s = float(time_s[-1] - time_s[0]) / (count - 1)
     off_s = np.abs(time_s - (time_s[0] + step_s * np.arange(count)))
     if step_s <= 0 or float(off_s.max()) > max(ROUNDING * tick_s, JITTER * step_s):
         at = int(np.argmax(np.abs(np.diff(time_s) - np.median(np.diff(time_s)))))
-        raise BadInput("strips-no-constant-frame-rate-time-stamps", name=name, at=at)
+        raise BadInput("strips-rate-uneven", name=name, at=at)
     return 1.0 / step_s
 
 
@@ -88,9 +88,7 @@ def cut_strips(
                 file.write(gray[:, column].tobytes())
             count = n + 1
         if count != len(time_s):
-            raise BadInput(
-                "strips-now-gives-frames-not-ingest-again", name=name, count=count, count_2=len(time_s)
-            )
+            raise BadInput("strips-frames-changed", name=name, count=count, count_2=len(time_s))
         strips = []
         for camera, file in enumerate((first, second), 1):
             file.flush()
@@ -116,7 +114,7 @@ def _turned(gray: Gray, along: CutAlong) -> Gray:
 def _check_cuts(cuts_px: tuple[int, int], size_px: int, along: CutAlong, name: str) -> None:
     if not all(0 <= cut < size_px for cut in cuts_px) or cuts_px[0] == cuts_px[1]:
         raise BadInput(
-            "strips-cuts-cannot-cut-choose-two-different",
+            "strips-cuts-unusable",
             what="columns" if along == "columns" else "rows",
             cut_1=cuts_px[0],
             cut_2=cuts_px[1],

@@ -132,14 +132,14 @@ def open_container(path: Path, name: str | None = None) -> InputContainer:
     """
     name = name or path.name
     if not path.is_file():
-        raise BadInput("video-not-file-choose-video-file", name=name)
+        raise BadInput("video-not-a-file", name=name)
     if kind := why_not_video(path):
         raise BadInput(_PROBLEMS[kind], name=name, kind=kind)
     options = {"format_whitelist": FORMATS, "protocol_whitelist": "file", "max_pixels": str(MAX_PIXELS)}
     try:
         return av.open(f"file:{path}", options=options)
     except (av.error.FFmpegError, ValueError, UnicodeError) as error:
-        raise BadInput("video-not-video-read-here-convert-mp4", name=name) from error
+        raise BadInput("video-not-a-video", name=name) from error
 
 
 def video_stream(
@@ -157,7 +157,7 @@ def video_stream(
     """
     moving = _moving(container)
     if not moving:
-        raise BadInput("video-holds-no-moving-picture-only-sound", name=name)
+        raise BadInput("video-no-video-track", name=name)
     on = [one for one in moving if not _is_off(container, one)] or moving
     stream = on[0]
     if number is not None:
@@ -166,12 +166,12 @@ def video_stream(
             raise BadInput("video-no-such-stream", name=name, number=number, count=len(every))
         stream = every[number - 1]
         if stream not in moving:
-            raise BadInput("video-stream-is-a-still", name=name, number=number)
+            raise BadInput("video-track-is-still", name=name, number=number)
         if stream not in on:
             raise BadInput("video-stream-is-off", name=name, number=number)
     context = stream.codec_context
     if context is None:
-        raise BadInput("video-uses-video-codec-cannot-decoded-here", name=name)
+        raise BadInput("video-codec-unsupported", name=name)
     _check_size(name, context.width, context.height, stream.sample_aspect_ratio)
     context.thread_type = "AUTO"
     context.thread_count = threads
@@ -238,10 +238,10 @@ def _pictures(container: InputContainer) -> tuple[Picture, ...]:
 
 def _check_size(name: str, width: int, height: int, aspect: Fraction | None) -> None:
     if width <= 0 or height <= 0:
-        raise BadInput("video-not-say-how-large-picture-says", name=name)
+        raise BadInput("video-size-missing", name=name)
     if width > MAX_SIDE_PX or height > MAX_SIDE_PX or width * height > MAX_PIXELS:
         raise BadInput(
-            "video-claims-picture-x-pixels-more-side",
+            "video-size-too-large",
             name=name,
             width=width,
             height=height,
@@ -249,7 +249,7 @@ def _check_size(name: str, width: int, height: int, aspect: Fraction | None) -> 
             max_pixels=MAX_PIXELS // 1000000,
         )
     if aspect and not Fraction(1, MAX_ASPECT) <= aspect <= MAX_ASPECT:
-        raise BadInput("video-claims-pixels-width-height-which-not", name=name, aspect=aspect)
+        raise BadInput("video-aspect-implausible", name=name, aspect=aspect)
 
 
 def decoded(
@@ -357,7 +357,7 @@ def frames_of(
             pts = frame_pts(frame)
             yield n, n if pts == NO_PTS else pts, upright_gray(frame, layout)
     if n is None:
-        raise BadInput("video-holds-no-picture-decoded-convert-mp4", name=name)
+        raise BadInput("video-no-frame", name=name)
 
 
 def numbered(
@@ -381,7 +381,7 @@ def numbered(
             layout = layout_of(frame, stream.sample_aspect_ratio)
             if size_px is not None and size_px != (layout.width_px, layout.height_px):
                 raise BadInput(
-                    "measurements-road-pose-pictures-x-px-not",
+                    "measurements-pose-image-size",
                     name=name,
                     size_px=size_px[0],
                     size_px_2=size_px[1],

@@ -38,7 +38,7 @@ class CrashTracker:
             since = self._clock() - self._limits.aside_s
             kills = [at for at in self._kills.get(recording, ()) if at > since]
         if len(kills) >= self._limits.kills:
-            raise CannotDecode("video-recording-ended-decoder-times-set-aside", count=len(kills))
+            raise CannotDecode("video-set-aside", count=len(kills))
 
     def died(self, decoding: Set[str]) -> Set[str]:
         """The process ended while these were being decoded: the guilty ones, perhaps none."""

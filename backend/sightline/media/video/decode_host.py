@@ -73,7 +73,7 @@ class Question:
         n = self.header.get("n")
         if self.media is None or n is None:
             return CannotDecode(
-                "video-cannot-decoded-decoder-save-another-format",
+                "video-not-decodable",
                 header=self.header.get("name", Said("video-this-recording")),
                 why=why,
             )
@@ -315,7 +315,7 @@ class DecodeHost:
         for _ in range(TRIES):
             self._crashes.check(question.recording)
             if not wanted():
-                raise NoLongerWanted("video-frame-no-longer-wanted")
+                raise NoLongerWanted("video-frame-unwanted")
             try:
                 with self._crashes.turn(question.recording):
                     return self._running().ask(next(self._numbers), question, wanted)
@@ -324,7 +324,7 @@ class DecodeHost:
                     return self._alone(question, wanted)
                 if question.recording in died.culprits:
                     raise question.refusal(died.why) from died
-        raise SightlineError("video-decoder-ended-again-again-look-memory")
+        raise SightlineError("video-decoder-failing")
 
     def _alone(self, question: Question, wanted: CancelCheck) -> Reply:
         """The answer of a fresh child that does nothing else, one such at a time."""

@@ -108,7 +108,7 @@ class FrameServer:
         Raises BadInput for a size or scale out of bounds.
         """
         if not 1 <= scale <= MOST_CROP_SCALE or w < 1 or h < 1 or w * h * scale * scale > MOST_CROP_PX:
-            raise BadInput("video-crop-x-pixels-scale-out-bounds", w=w, h=h, scale=scale)
+            raise BadInput("video-crop-outside", w=w, h=h, scale=scale)
         _check(media, n)
         return self._pictures.crop_png(media, n, (x, y, w, h, scale), wanted, display)
 
@@ -168,4 +168,4 @@ def _key(media: RecordingMedia, n: int, display: Display = "plain") -> str:
 
 def _check(media: RecordingMedia, n: int) -> None:
     if not 0 <= n < len(media):
-        raise NotFound("video-no-frame-recording-frames-0", n=n, count=len(media) - 1)
+        raise NotFound("video-frame-outside", n=n, count=len(media) - 1)

@@ -194,9 +194,9 @@ def _decode_all(
         rows.crc.append(luma_crc(frame))
         thumbs.offer(n, frame)
     if not rows.pts:
-        raise BadInput("video-holds-no-picture-decoded-copy-again", name=watch.name)
+        raise BadInput("video-no-frame-readable", name=watch.name)
     if damage.other_size > OTHER_SIZE_SHARE * (len(rows.pts) + damage.other_size):
-        raise BadInput("video-changes-picture-size-way-split-where", name=watch.name)
+        raise BadInput("video-size-changes", name=watch.name)
     return facts, rows, thumbs
 
 

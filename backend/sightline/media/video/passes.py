@@ -92,7 +92,7 @@ def _searched(
         stride = max(1, round(rate / PICTURES_HZ))
         n = width_px = 0
         finder: PassFinder | None = None
-        stopped = partial(PassesCancelled, "video-search-passes-cancelled-nothing-kept")
+        stopped = partial(PassesCancelled, "video-search-cancelled")
         watch = Watch(on_progress, is_cancelled, name, path.stat().st_size, stopped)
         for n, frame, layout in numbered(container, stream, name, look=watch.look):
             if n % stride:
@@ -110,7 +110,7 @@ def _searched(
             )
             finder.offer(downsample(n, gray))
     if finder is None:
-        raise BadInput("video-holds-no-picture-decoded-copy-again", name=name)
+        raise BadInput("video-no-frame-readable", name=name)
     return finder, n + 1, width_px
 
 

@@ -91,8 +91,8 @@ def make_copy(
         return WorkingCopy(_write(read, folder, number), float(rate))
     except (av.error.FFmpegError, ValueError) as error:
         if isinstance(error, OSError) and error.errno == errno.ENOSPC:
-            raise NoRoom("video-disk-full-not-taken-make-room", name=name) from error
-        raise BadInput("video-cannot-made-addressable-frame-frame-convert", name=name) from error
+            raise NoRoom("video-disk-full", name=name) from error
+        raise BadInput("video-not-addressable", name=name) from error
 
 
 def _try_with_times(read: _Read, folder: Path) -> WorkingCopy | None:

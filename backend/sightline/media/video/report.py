@@ -108,7 +108,7 @@ def clock_doubt_of(time_s: NDArray[np.float64], stated: Stated) -> ClockDoubt | 
 def require_clock_of_filming(doubt: object, name: str) -> None:
     """Raise BadInput before a motion is measured from times in doubt (`IngestReport.clock_doubt`)."""
     if doubt is not None:
-        raise BadInput("video-times-not-of-filming", name=name)
+        raise BadInput("video-times-not-filming", name=name)
 
 
 def times_of_filming(time_s: NDArray[np.float64], filmed_hz: float, name: str = "") -> NDArray[np.float64]:

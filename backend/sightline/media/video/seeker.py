@@ -109,7 +109,7 @@ class Seeker:
                 self._container, name, threads, self._media.stream_number
             )
         except BadInput as error:
-            raise Damaged("video-stored-video-missing-no-longer-opened", name=name) from error
+            raise Damaged("video-stored-missing", name=name) from error
         self._threads = threads
         self._frames: Iterator[av.VideoFrame] = self._from_here(self._container)
         self._layout: Layout | None = None
@@ -147,7 +147,7 @@ class Seeker:
         raise self._damaged(n)
 
     def _damaged(self, n: int) -> Damaged:
-        return Damaged("video-frame-cannot-shown-stored-video-no", n=n)
+        return Damaged("video-frame-changed", n=n)
 
     def _short_cuts(self, n: int) -> Iterator[_Attempt]:
         """The nearest start with frames left out, where the way is long."""

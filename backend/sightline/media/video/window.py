@@ -193,7 +193,7 @@ class Window:
         is_step_back = any((identity, m, int(media.crc[m])) in self._frames for m in after)
         found = desk.seeker.find(n, wanted, jump=not is_step_back)
         if found is None:
-            raise NoLongerWanted("video-frame-no-longer-wanted-2", n=n)
+            raise NoLongerWanted("video-numbered-frame-unwanted", n=n)
         return found
 
     def _desk(self, media: RecordingMedia, identity: str) -> _OpenDecoder:

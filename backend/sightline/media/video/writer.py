@@ -60,13 +60,11 @@ def _encode(
             container.mux(stream.encode(frame))
             count += 1
         if count == 0:
-            raise BadInput("video-cannot-written-without-frames", name=name)
+            raise BadInput("video-no-frames-written", name=name)
         container.mux(stream.encode(None))
     return count
 
 
 def _check_shape(name: str, image: NDArray[np.uint8], width: int, height: int) -> None:
     if image.shape != (height, width, 3) or width % 2 or height % 2:
-        raise BadInput(
-            "video-needs-bgr-frames-one-even-size", name=name, shape=image.shape, width=width, height=height
-        )
+        raise BadInput("video-frame-form", name=name, shape=image.shape, width=width, height=height)

@@ -211,7 +211,7 @@ def put_in_force(
         why = told.reason or Said("adjustment-no-pass")
         raise BadInput(why.code, **why.values)
     if abs(_camera_height(found).value - seen_camera_height_m) > _SAME_M:
-        raise Conflict("adjusting-says-something-else-now")
+        raise Conflict("adjusting-changed-meanwhile")
     before = get_pose(session, pose_id)
     made = replace_in_force(
         session,
@@ -247,7 +247,7 @@ def take_back(session: Session, pose_id: int, *, actor: int) -> Job | None:
     stored = get_pose(session, pose_id)
     users = _users(session, stored)
     if stored.adjusted_from is None or not users:
-        raise Conflict("adjusting-not-an-adjusted-pose-in-force")
+        raise Conflict("adjusting-nothing-in-force")
     for one in users:
         update_recording(session, one.id, {"pose_id": stored.adjusted_from}, actor=actor)
     mine = [

@@ -44,7 +44,7 @@ def add_wheel_pair(
     vehicle = get_row(session, vehicles, vehicle_id, "vehicle", vehicles.c.deleted_at.is_(None))
     found = get_frame(session, vehicle["recording_id"], frame)
     if found.crc32 != frame_crc32:
-        raise Conflict("measurements-frame-not-picture-clicked-load-again", frame=frame)
+        raise Conflict("measurements-frame-not-clicked", frame=frame)
     places = (frame, found.pts, found.time_s, found.crc32, *first, *second)
     return _append(session, vehicle, dict(zip(_PLACED, places, strict=True)), False, "create", actor)
 

@@ -121,14 +121,12 @@ def turn_of(session: Session, pose_id: int, seen_rad: float | None = None) -> Tu
     survey_id = get_pose(session, pose_id).survey_id
     at = next((one for one in check_traffic(session, survey_id) if one.pose_id == pose_id), None)
     if at is None:
-        raise Conflict("quality-no-recording-uses-road-pose-any")
+        raise Conflict("quality-pose-unused")
     if at.reason is not None:
         raise BadInput(at.reason.code, **at.reason.values)
     assert at.mean_rad is not None and at.u_mean_rad is not None and at.changes is not None
     if seen_rad is not None and abs(seen_rad - at.mean_rad) > _SAME_TURN_RAD:
-        raise Conflict(
-            "quality-traffics-direction-now-not-what-you", turn_deg=format(np.rad2deg(at.mean_rad), "+.2f")
-        )
+        raise Conflict("quality-direction-changed", turn_deg=format(np.rad2deg(at.mean_rad), "+.2f"))
     return Turn(at.mean_rad, at.u_mean_rad, at.used, at.recordings, at.changes)
 
 
@@ -270,7 +268,7 @@ def store_pair(
         raise BadInput(found.code, **found.values)
     if not vehicle.first_frame <= frame <= vehicle.last_frame:
         raise BadInput(
-            "quality-frame-not-vehicle-which-passes-frames",
+            "quality-frame-outside-pass",
             frame=frame,
             number=vehicle.number,
             first_frame=vehicle.first_frame,

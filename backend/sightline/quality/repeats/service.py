@@ -171,7 +171,7 @@ def use_own_sigma(session: Session, survey_id: int, person_id: int, *, own: bool
     found = _of_person(clicks_of_survey(session, survey_id), Who(who.id, who.name), None)
     if not found.may_choose or found.sigma.sd is None:
         raise BadInput(
-            "quality-clicked-their-own-measurements-again-needed",
+            "quality-repeats-too-few",
             name=who.name,
             pairs=found.pairs,
             least_pairs=LEAST_PAIRS,

@@ -19,7 +19,7 @@ def check_repeats(
         heights.check(f"repeats.csv: {number}", row, events.programs_of_repeats.get(number, ""))
         stored = {**row, "out_of_date": ""}  # its mark follows from more than its event
         if events.repeats.pop(number, None) != events.of_row(REPEATS, stored):
-            raise Damaged("quality-repeats-csv-not-what-audit-event", number=number)
+            raise Damaged("quality-repeat-differs", number=number)
     left = [number for number in events.repeats if not is_gone(events.of_vehicle[number])]
     if left:
-        raise Damaged("quality-repeats-csv-repeat-missing-though-audit", left=left[0])
+        raise Damaged("quality-repeat-missing", left=left[0])

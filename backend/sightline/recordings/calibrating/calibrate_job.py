@@ -43,15 +43,13 @@ def start(services: Services, camera_id: int, wish: CalibrationRequest, actor: i
         camera = get_camera(session, camera_id)
         if wish.recording_id is None:
             if camera.images < 3:
-                raise BadInput(
-                    "recordings-images-add-least-three-better-15", name=camera.name, images=camera.images
-                )
+                raise BadInput("recordings-too-few-images", name=camera.name, images=camera.images)
         else:
             recording = get_recording(session, wish.recording_id)
             if recording.survey_id != camera.survey_id:
-                raise BadInput("recordings-belongs-another-survey-choose-one-surveys", name=recording.name)
+                raise BadInput("recordings-other-survey", name=recording.name)
             if recording.state != "ready" or recording.frame_count is None:
-                raise BadInput("recordings-no-frames-yet-wait-until-ingest", name=recording.name)
+                raise BadInput("recordings-no-frames", name=recording.name)
             frames_of(wish, recording.frame_count)
         payload = {"camera_id": camera_id, **vars(wish)}
         return registry.enqueue(

@@ -127,7 +127,7 @@ class Stills:
     def _with_frame(self, recording_id: int, n: int) -> OpenRecording:
         opened = self.open(recording_id)
         if not 0 <= n < len(opened.media):
-            raise NotFound("video-no-frame-recording-frames-0", n=n, count=len(opened.media) - 1)
+            raise NotFound("video-frame-outside", n=n, count=len(opened.media) - 1)
         return opened
 
     def _read(self, recording_id: int, known: OpenRecording | None) -> OpenRecording:
@@ -141,7 +141,7 @@ class Stills:
                 return OpenRecording(recording, known.media, known.time_s, self._timer())
             table = get_frame_table(session, recording_id)
         if len(table) != recording.frame_count:
-            raise Damaged("recordings-frame-table-not-whole-ingest-recording", name=recording.name)
+            raise Damaged("recordings-frame-table-incomplete", name=recording.name)
         path, report = self._store.local_path(file_key(recording)), recording.report
         stream = None if "working_copy" in report else recording.stream_number
         media = RecordingMedia(path, table.pts, table.crc32, table.key, stream)
@@ -173,5 +173,5 @@ def file_key(recording: Recording) -> str:
 
 def _not_ready(recording: Recording) -> BadInput:
     if recording.state == "failed":
-        return BadInput("recordings-could-not-ingested-no-frames-see", name=recording.name)
-    return BadInput("recordings-still-being-ingested-wait-until-ready", name=recording.name)
+        return BadInput("recordings-import-failed", name=recording.name)
+    return BadInput("recordings-not-ready", name=recording.name)

@@ -47,7 +47,7 @@ def get_frame(session: Session, recording_id: int, n: int) -> Frame:
 
 def missing_frame(recording_id: int, n: int) -> NotFound:
     """The error for a frame that is not there."""
-    return NotFound("recordings-recording-no-frame-choose-one-within", recording_id=recording_id, n=n)
+    return NotFound("recordings-frame-outside", recording_id=recording_id, n=n)
 
 
 def replace_frames(session: Session, recording_id: int, found: FrameTable) -> None:

@@ -62,7 +62,7 @@ class UploadBody:
 def require_tus_version(tus_resumable: Annotated[str | None, Header()] = None) -> None:
     """Refuse another version of the protocol, as it asks."""
     if tus_resumable != VERSION:
-        raise UnsupportedTusVersion("recordings-uploads-speak-tus-1-0-0")
+        raise UnsupportedTusVersion("recordings-tus-version")
 
 
 SPEAKS = Depends(require_tus_version)
@@ -95,7 +95,7 @@ def create_upload(
     With the metadata `purpose` = `strip` it becomes no recording but waits for a line-scan recording.
     """
     if upload_length is None:
-        raise BadInput("recordings-upload-not-say-how-long-file")
+        raise BadInput("recordings-upload-without-length")
     filename, purpose = filename_of(upload_metadata), purpose_of(upload_metadata)
     upload = service.begin_upload(services, survey_id, filename, upload_length, who.id, purpose=purpose)
     headers = {"Location": f"/api/uploads/{upload.id}", "Tus-Resumable": VERSION, "Upload-Offset": "0"}
@@ -126,7 +126,7 @@ async def continue_upload(
 ) -> Response:
     """Bytes behind `Upload-Offset`. The request that brings the last one answers `Sightline-Recording`."""
     if request.headers.get("content-type") != CONTENT_TYPE:
-        raise UnsupportedMediaType("recordings-bytes-upload-come-application-offset-octet")
+        raise UnsupportedMediaType("recordings-upload-content-type")
     upload = await anyio.to_thread.run_sync(_upload, services, upload_id)
     pieces = _pieces(request)
 
@@ -234,7 +234,7 @@ def filename_of(metadata: str | None) -> str:
     """The file name in tus's Upload-Metadata ("key base64,key base64"). Raises BadInput."""
     name = _told(metadata, "filename", "file name")
     if name is None:
-        raise BadInput("recordings-upload-not-name-file-send-filename")
+        raise BadInput("recordings-upload-without-name")
     return clean_name(name)
 
 
@@ -242,7 +242,7 @@ def purpose_of(metadata: str | None) -> UploadPurpose:
     """What the file is for: a video unless it is said to be a strip. Raises BadInput."""
     told = _told(metadata, "purpose", "purpose")
     if told not in (None, "video", "strip"):
-        raise BadInput("recordings-uploads-purpose-video-strip-send-one")
+        raise BadInput("recordings-upload-purpose")
     return "strip" if told == "strip" else "video"
 
 
@@ -254,5 +254,5 @@ def _told(metadata: str | None, wanted: str, word: str) -> str | None:
         try:
             return base64.b64decode(value, validate=True).decode("utf-8")
         except (binascii.Error, UnicodeDecodeError) as error:
-            raise BadInput("recordings-uploads-cannot-read-send-base64-utf", word=word) from error
+            raise BadInput("recordings-upload-metadata", word=word) from error
     return None

@@ -67,7 +67,7 @@ def begin_upload(
         give_up_uploads(services, maker=actor)
     with services.writing() as session:
         if len(unfinished_uploads(session, maker=actor)) >= MOST_ANNOUNCED:
-            raise TooMany("recordings-too-many-uploads-announced", most=MOST_ANNOUNCED)
+            raise TooMany("recordings-too-many-uploads", most=MOST_ANNOUNCED)
         upload = create_upload(
             session,
             survey_id,
@@ -109,7 +109,7 @@ def take_bytes(services: Services, upload: Upload, at: int, chunks: Iterable[byt
     Raises Conflict (another offset, another writer, finished), BadInput (more than announced), NoRoom.
     """
     if upload.finished_at is not None:
-        raise Conflict("recordings-upload-finished-already-look-recording-list")
+        raise Conflict("recordings-upload-finished")
     return upload_parts.append(upload_folder(services), part_name(upload.id), upload.size_bytes, at, chunks)
 
 
@@ -207,7 +207,7 @@ def _recording_of(services: Services, upload_id: int) -> Recording | None:
         try:
             return get_recording(session, upload.recording_id)
         except NotFound as gone:
-            raise Conflict("recordings-upload-became-recording-deleted-since-upload") from gone
+            raise Conflict("recordings-upload-of-deleted") from gone
 
 
 def abandon_upload(services: Services, upload_id: int, actor: int | None) -> None:

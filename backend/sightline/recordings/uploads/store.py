@@ -59,7 +59,7 @@ def finish_upload(session: Session, upload_id: int, *, recording_id: int, actor:
     """All bytes are in and became this recording."""
     before = get_upload(session, upload_id)
     if before.finished_at is not None:
-        raise Conflict("recordings-upload-finished-already-look-recording-list")
+        raise Conflict("recordings-upload-finished")
     change_row(session, uploads, upload_id, {"recording_id": recording_id, "finished_at": now()})
     after = {"recording_id": recording_id}
     trail.record(session, actor, "finish", "upload", upload_id, before.survey_id, None, after)
@@ -72,7 +72,7 @@ def strip_arrived(
     """All bytes of a strip are in and stored under `media_key`; it waits for its scan."""
     before = get_upload(session, upload_id)
     if before.finished_at is not None:
-        raise Conflict("recordings-upload-finished-already-make-scan")
+        raise Conflict("recordings-upload-awaits-scan")
     after = {"media_key": media_key, "sha256": sha256}
     change_row(session, uploads, upload_id, {**after, "finished_at": now()})
     trail.record(session, actor, "finish", "upload", upload_id, before.survey_id, None, after)
@@ -95,7 +95,7 @@ def remove_upload(session: Session, upload_id: int, *, actor: int | None) -> Upl
     """Give up an upload; the caller removes its bytes. Raises Conflict for one that became something."""
     gone = get_upload(session, upload_id)
     if gone.finished_at is not None and (gone.purpose == "video" or gone.scan_id is not None):
-        raise Conflict("recordings-upload-finished-delete-recording-instead")
+        raise Conflict("recordings-upload-is-recording")
     session.execute(delete(uploads).where(uploads.c.id == upload_id))
     before = {"filename": gone.filename, "size_bytes": gone.size_bytes}
     trail.record(session, actor, "delete", "upload", upload_id, gone.survey_id, before, None)

@@ -65,7 +65,7 @@ def check_lots(files: Files, events: LotEvents, replay: Replay, vehicle_of: Mapp
         else:
             by_series[int(review["series_id"])].append(review)
     if strange := set(by_lot) - set(lots):
-        raise Damaged("lots-verdict-of-no-lot", lot=min(strange))
+        raise Damaged("lots-verdict-without-lot", lot=min(strange))
 
     def there(number: int) -> bool:
         return not replay.is_gone("vehicle", vehicle_of[number])
@@ -100,15 +100,15 @@ def _check_draw(lot: Lot, draw: Event) -> None:
     """The seed is the chain's, the order the seed's, and the plan keeps both risks that it promises."""
     items = [(int(number), int(revision)) for number, revision in draw["items"]]
     if seed_of(draw["head"], items) != lot.seed:
-        raise Damaged("lots-seed-not-the-chains", id=lot.id)
+        raise Damaged("lots-seed-differs", id=lot.id)
     numbers = [number for number, _ in items]
     if drawn_order(lot.seed, numbers) != numbers or len(set(numbers)) != lot.size or len(items) != lot.size:
-        raise Damaged("lots-not-drawn-by-its-seed", id=lot.id)
+        raise Damaged("lots-order-differs", id=lot.id)
     plan = (lot.sample_size, lot.acceptance_number)
     refused = 1.0 - accepted_with(lot.size, worst_good(lot.size, lot.risks), *plan)
     passed = accepted_with(lot.size, best_bad(lot.size, lot.risks), *plan)
     if refused > lot.risks.producer_risk + _HAIR or passed > lot.risks.consumer_risk + _HAIR:
-        raise Damaged("lots-plan-keeps-no-risk", id=lot.id)
+        raise Damaged("lots-plan-risk", id=lot.id)
 
 
 def _check_decisions(
@@ -131,7 +131,7 @@ def _check_decisions(
     left = set(first.left_out)
     drawn = [one.measurement_id for one in items if one.measurement_id not in left]
     if list(first.sample) != drawn[: lot.sample_size] or first.rest != len(drawn) - len(first.sample):
-        raise Damaged("lots-sample-not-the-draws", id=lot.id)
+        raise Damaged("lots-sample-differs", id=lot.id)
     span = (int(draw["event"]), int(decisions[0]["event"]))
     least, most, judged = 0, 0, 0
     for one in items:
@@ -145,10 +145,10 @@ def _check_decisions(
         least += conforming == {False}
         most += conforming is not None and False in conforming
     if judged != first.judged or not least <= first.nonconforming <= most:
-        raise Damaged("lots-counts-not-those-of-verdicts", id=lot.id)
+        raise Damaged("lots-counts-differ", id=lot.id)
     enough = first.judged == len(first.sample) > 0 and first.nonconforming <= lot.acceptance_number
     if first.choice == "accepted" and not enough:
-        raise Damaged("lots-accepted-beyond-its-plan", id=lot.id)
+        raise Damaged("lots-beyond-plan", id=lot.id)
 
 
 _COURSES = (["accepted"], ["full_inspection"], ["dissolved"], ["accepted", "taken_back"])
@@ -196,11 +196,11 @@ def _check_verdicts(
     told = [(int(one["series_id"]), int(one["revision"])) for one in accepted]
     wanted = rest if "accepted" in chosen else set()
     if set(told) != wanted or len(told) != len(wanted) or len(again) + len(accepted) != len(given):
-        raise Damaged("lots-verdicts-not-those-of-its-rest", id=lot.id)
+        raise Damaged("lots-rest-differs", id=lot.id)
     taken = {int(one["series_id"]) for one in again}
     back = chosen.get("taken_back")
     if not taken <= {number for number, _ in rest} or len(again) != (int(back["rest"]) if back else 0):
-        raise Damaged("lots-verdicts-not-those-of-its-rest", id=lot.id)
+        raise Damaged("lots-rest-differs", id=lot.id)
     for verdicts, choice in ((accepted, "accepted"), (again, "taken_back")):
         if any(one["event"] < chosen[choice]["event"] for one in verdicts):
-            raise Damaged("lots-verdict-before-the-decision", id=lot.id)
+            raise Damaged("lots-verdict-too-early", id=lot.id)

@@ -27,7 +27,7 @@ def append_line_pose(
     revision = before.revision if before else 0
     if revision != seen_revision:
         name = name_or_somebody(before.created_by if before else None)
-        raise Conflict("scans-calibrated-line-scan-meanwhile-look-calibration", name=name)
+        raise Conflict("scans-calibrated-meanwhile", name=name)
     content = {"survey_id": scan["survey_id"], "scan_id": scan_id, "revision": revision + 1, **asdict(values)}
     written_once(
         session,

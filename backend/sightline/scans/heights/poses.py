@@ -123,7 +123,7 @@ def store_line_pose(
     rounded = _rounded(rod)
     for mark in rounded.marks:
         if not shows(scan, mark.line, mark.row_px):
-            raise BadInput("scans-mark-row-line-lies-outside-strip", row_px=mark.row_px, line=mark.line)
+            raise BadInput("scans-mark-outside", row_px=mark.row_px, line=mark.line)
     values = solved_values(_solved(rounded), rounded)
     return append_line_pose(session, scan_id, values, seen_revision=seen_revision, actor=actor)
 

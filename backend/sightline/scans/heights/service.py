@@ -107,10 +107,10 @@ def store_scan_height(
     scan = get_scan(session, vehicle.scan_id)
     clicks = filled_in(clicked, get_survey(session, scan.survey_id).insets, vehicle.category)
     if clicks.inset_m is None:
-        raise BadInput("scans-eye-needs-side-say-which")
+        raise BadInput("scans-side-missing")
     for line, row in (clicks.contact, clicks.target_point):
         if not shows(scan, line, row):
-            raise BadInput("scans-click-line-row-lies-outside-strip", line=line, row=row)
+            raise BadInput("scans-click-outside", line=line, row=row)
     pose = _pose(session, scan.id)
     found = answer(pose_of(pose.values), clicks)
     values = height_values(pose.id, clicks, found, _beside(vehicle, clicks))
@@ -174,7 +174,7 @@ def remarks_on_clicks(values: ScanHeightValues) -> list[Said]:
 def _pose(session: Session, scan_id: int) -> StoredLinePose:
     found = current_line_poses(session, scan_id)
     if found is None:
-        raise BadInput("scans-heights-need-line-cameras-pose-calibrate")
+        raise BadInput("scans-no-pose")
     return found
 
 

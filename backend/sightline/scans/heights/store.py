@@ -40,7 +40,7 @@ def append_scan_height(
     Raises NotFound, Conflict if it was measured meanwhile or the vehicle was deleted, BadInput.
     """
     if values.status != "ok" and not values.reason:
-        raise BadInput("scans-target-no-height-needs-reason-why")
+        raise BadInput("scans-height-no-reason")
     before = current(session, vehicle_id, values.target)
     return _append(session, vehicle_id, values, before, seen_revision, actor)
 
@@ -53,7 +53,7 @@ def withdraw_scan_height(
     if before is None:
         raise missing("height of this target")
     if before.withdrawn:
-        raise Conflict("scans-height-withdrawn-already-nothing-done")
+        raise Conflict("scans-height-withdrawn")
     return _append(session, vehicle_id, before.values, before, seen_revision, actor, withdrawn=True)
 
 
@@ -156,7 +156,7 @@ def _append(
     revision = before.revision if before else 0
     if revision != seen_revision:
         name = name_or_somebody(before.created_by if before else None)
-        raise Conflict("scans-measured-target-meanwhile-look-height-first", name=name)
+        raise Conflict("scans-target-measured-meanwhile", name=name)
     if before is None:
         place = {"survey_id": vehicle["survey_id"], "scan_id": vehicle["scan_id"]}
         key = f"scan {vehicle_id} {values.target}"

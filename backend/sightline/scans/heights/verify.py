@@ -119,7 +119,7 @@ def _out_of_date(files: Files) -> None:
                 insets=insets,
             )
         if row["out_of_date"] != joined(found):
-            raise Damaged("computing-out-of-date-not-so", path=LINE_HEIGHTS.key, id=row["id"])
+            raise Damaged("computing-mark-wrong", path=LINE_HEIGHTS.key, id=row["id"])
 
 
 def line_height_put_back(then: Row, row: Row) -> bool:
@@ -132,7 +132,7 @@ def _rod(row: Row, marks: list[Row], told: Mapping[str, Any]) -> Rod:
     numbers = ("distance_m", "height_m", "row_px", "line")
     clicked = tuple(Mark(*(float(mark[column]) for column in numbers)) for mark in marks)
     if [asdict(mark) for mark in clicked] != told["marks"]:
-        raise Damaged("scans-marks-calibration-not-those-event", path=LINE_MARKS.key, id=row["id"])
+        raise Damaged("scans-marks-differ", path=LINE_MARKS.key, id=row["id"])
     sigma_px = float(row["sigma_px"]) if row["sigma_px"] else None
     return Rod(clicked, sigma_px, float(row["u_distance_m"]), float(row["u_lean_rad"]))
 
@@ -142,7 +142,7 @@ def _pose(row: Row, rod: Rod, marks: list[Row]) -> LinePose:
     try:
         pose = solve(rod)
     except LinePoseError as error:
-        raise Damaged("scans-cannot-solved-marks-one-wrong", name=name) from error
+        raise Damaged("scans-marks-unsolvable", name=name) from error
     _same(name, row, "camera_height_m", pose.camera_height_m)
     _same(name, row, "u_camera_height_m", math.sqrt(pose.covariance[3, 3]))
     _same(name, row, "rms_px", pose.rms_px)
@@ -172,7 +172,7 @@ def _heights(
         if row["current"] == "true":
             marked.add(row["id"])
     if marked != {row["id"] for row in newest.values()}:
-        raise Damaged("scans-row-marked-current-not-newest-revision", path=LINE_HEIGHTS.key)
+        raise Damaged("scans-current-not-newest", path=LINE_HEIGHTS.key)
     if budget:
         raise Damaged(
             "scans-height-no-row", path=LINE_BUDGET.key, budget=min(budget), path_2=LINE_HEIGHTS.key
@@ -182,13 +182,11 @@ def _heights(
 def _height(row: Row, found: LineHeight, budget: list[Row]) -> None:
     name = f"{LINE_HEIGHTS.key}: height {row['id']}"
     if row["status"] != found.status:
-        raise Damaged(
-            "measurements-says-clicks-give-one-wrong", name=name, status=row["status"], status_2=found.status
-        )
+        raise Damaged("measurements-status-differs", name=name, status=row["status"], status_2=found.status)
     for column in _FIGURES:
         _same(name, row, column, getattr(found, column))
     if [one["source"] for one in budget] != [one.source for one in found.budget]:
-        raise Damaged("scans-sources-height-not-those-clicks", path=LINE_BUDGET.key, id=row["id"])
+        raise Damaged("scans-sources-differ", path=LINE_BUDGET.key, id=row["id"])
     for told, entry in zip(budget, found.budget, strict=True):
         _same(f"{LINE_BUDGET.key}: {entry.source} of height {row['id']}", told, "u_m", entry.u_m)
 

@@ -140,9 +140,7 @@ class LiveRun:
                 first_id=self._first_id,
             )
         except OSError as error:
-            raise BadInput(
-                "commands-cannot-written-choose-another-place", path=self.folder, strerror=error.strerror
-            ) from None
+            raise BadInput("commands-not-writable", path=self.folder, strerror=error.strerror) from None
         self._segment, self._skip, self._began = made, -1.0, self._clock.steady()
         made.belongs_to(self._keeper.begin(facts))
         return made

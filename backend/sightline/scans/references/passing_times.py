@@ -102,11 +102,11 @@ class Matching:
         """The line's time minus that of the vehicle that it names. Raises BadInput beyond the tolerance."""
         of = next((one for one in self.passed if one.number == number), None)
         if of is None:
-            raise BadInput("reference-line-vehicle-without-time", number=number)
+            raise BadInput("reference-vehicle-without-time", number=number)
         apart = apart_s(at, of)
         if abs(apart) > self.tolerance_s:
             raise BadInput(
-                "reference-line-time-of-another",
+                "reference-time-of-another",
                 number=number,
                 apart_s=f"{abs(apart):.1f}",
                 tolerance_s=f"{self.tolerance_s:g}",

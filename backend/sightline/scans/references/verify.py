@@ -34,7 +34,7 @@ def check_references(
                 continue
             if rows[one.reference.id][column.name] != cell_text(column, column.of_object(one)):
                 raise Damaged(
-                    "scans-reference-does-not-follow",
+                    "scans-reference-differs",
                     path=SCAN_REFERENCES.key,
                     name=column.name,
                     number=one.reference.id,

@@ -56,7 +56,7 @@ def _given(row: Row, rows: list[Row], told: Mapping[str, Any]) -> list[RigPass]:
         {"name": one["pass"], **{name: float(one[name]) for name in GIVEN if one[name]}} for one in rows
     ]
     if given != told["passes"] or [int(one["number"]) for one in rows] != list(range(1, len(rows) + 1)):
-        raise Damaged("scans-rig-passes-not-those", path=RIG_PASSES.key, id=row["id"])
+        raise Damaged("scans-rig-passes-differ", path=RIG_PASSES.key, id=row["id"])
     return [RigPass(**one) for one in given]
 
 
@@ -65,20 +65,20 @@ def _calibration(row: Row, rows: list[Row], passes: list[RigPass]) -> None:
     try:
         found = solve_passes(passes, common)
     except BadInput as error:
-        raise Damaged("scans-rig-cannot-be-solved", path=RIG_CALIBRATIONS.key, id=row["id"]) from error
+        raise Damaged("scans-rig-unsolvable", path=RIG_CALIBRATIONS.key, id=row["id"]) from error
     values = calibration_values(passes, common, found)
     for name in _FIGURES:
         _same(RIG_CALIBRATIONS, row, name, getattr(values, name), row["id"])
     if int(row["degrees_of_freedom"]) != found.degrees_of_freedom:
         raise Damaged(
-            "scans-rig-not-what-passes-give",
+            "scans-rig-differs",
             path=RIG_CALIBRATIONS.key,
             name="degrees_of_freedom",
             id=row["id"],
         )
     for one, fitted in zip(rows, found.passes, strict=True):
         if one["kind"] != fitted.kind:
-            raise Damaged("scans-rig-not-what-passes-give", path=RIG_PASSES.key, name="kind", id=row["id"])
+            raise Damaged("scans-rig-differs", path=RIG_PASSES.key, name="kind", id=row["id"])
         for name in ("span_m", "u_span_m", "residual_m"):
             _same(RIG_PASSES, one, name, getattr(fitted, name), row["id"])
 
@@ -90,4 +90,4 @@ def _same(table: AnyTable, row: Row, name: str, value: float, number: str) -> No
     if name in ("chi2", "p_value"):
         most = max(most, 1e-6)
     if not math.fabs(told - value) <= most:
-        raise Damaged("scans-rig-not-what-passes-give", path=table.path, name=name, id=number)
+        raise Damaged("scans-rig-differs", path=table.path, name=name, id=number)

@@ -86,12 +86,12 @@ def place_wheels(
     vehicle, scan = _seen(services, vehicle_id, version)
     before = vehicle.measurement
     if before is None:
-        raise BadInput("scans-vehicle-not-measured-yet-no-wheelbase")
+        raise BadInput("scans-vehicle-not-measured")
     values = with_wheels(_own(before.values), lines)
     if lines is not None and values.wheelbase_m is None:
         raise BadInput("scan-motion-no-wheelbase", reason=values.warnings[-1].values["reason"])
     if lines is not None and not all(0 <= line < (scan.lines or 0) for line in lines):
-        raise BadInput("scans-wheel-lies-outside-strips-which-end", lines=(scan.lines or 1) - 1)
+        raise BadInput("scans-wheel-outside", lines=(scan.lines or 1) - 1)
     made = replace(values, cause="wheels", placed_by=actor, run_id=None, code_version=code_version())
     with services.writing() as session:
         append_scan_measurement(session, vehicle_id, made, version=version, actor=actor)
@@ -107,7 +107,7 @@ def place_axles(
     vehicle, scan = _seen(services, vehicle_id, version)
     before = vehicle.measurement
     if before is None or before.values.status != "ok":
-        raise BadInput("scans-axles-need-a-motion")
+        raise BadInput("scans-axles-without-motion")
     values = before.values
     if lines is None:
         readers = open_strips(services, scan)
@@ -179,7 +179,7 @@ def add_vehicle(
         try:
             crossings = seen_by_camera_2(*first, scan.rig, readers[0].rows, reads)
         except LookupError:
-            raise BadInput("scans-nothing-camera-2s-strip-looks-like") from None
+            raise BadInput("scans-second-camera-blank") from None
     else:
         crossings = Crossings(*first, *second)
     motion = measured_at(crossings, scan.rig, method, readers)
@@ -247,10 +247,8 @@ def _check(crossings: Crossings, readers: Readers) -> None:
     )
     for camera, ((front, rear), reader) in enumerate(zip(spans, readers, strict=True), 1):
         if not front < rear:
-            raise BadInput("scans-camera-front-line-must-come-before", camera=camera, front=front, rear=rear)
+            raise BadInput("scans-front-after-rear", camera=camera, front=front, rear=rear)
         if not 0 <= front < rear <= reader.lines - 1:
-            raise BadInput(
-                "scans-boundaries-camera-lie-outside-strip-which", camera=camera, lines=reader.lines - 1
-            )
+            raise BadInput("scans-boundaries-outside", camera=camera, lines=reader.lines - 1)
         if rear - front > min(MOST_LINES, MOST_PIXELS / reader.rows):
-            raise BadInput("scans-front-rear-camera-lines-apart-more", camera=camera, rear=rear - front)
+            raise BadInput("scans-boundaries-far-apart", camera=camera, rear=rear - front)

@@ -173,6 +173,6 @@ def _check(values: ScanValues) -> None:
         (2, values.front_line_2, values.rear_line_2),
     ):
         if not front < rear:
-            raise BadInput("scans-camera-front-line-must-come-before", camera=camera, front=front, rear=rear)
+            raise BadInput("scans-front-after-rear", camera=camera, front=front, rear=rear)
     if values.status != "ok" and not values.reason:
-        raise BadInput("scans-vehicle-no-speed-needs-reason-why")
+        raise BadInput("scans-speed-no-reason")

@@ -30,9 +30,9 @@ def add_scan_review(
     before = get_scan_measurement(session, measurement_id)
     require_scan_vehicle_version(session, before.vehicle_id, None)
     if not is_newest_scan_measurement(session, before):
-        raise Conflict("scans-vehicle-measured-again-meanwhile-look-newer")
+        raise Conflict("scans-vehicle-measured-meanwhile")
     if before.values.placed_by == actor:
-        raise NotAllowed("scans-nobody-reviews-boundaries-they-placed-themselves")
+        raise NotAllowed("scans-own-boundaries")
     told = require_verdict(before.review, seen, verdict, reason)
     content = {"survey_id": before.survey_id, "measurement_id": measurement_id, "verdict": verdict}
     written_once(

@@ -43,7 +43,7 @@ def add_scan_vehicle(
     if body.front_line_2 is not None and body.rear_line_2 is not None:
         second = (body.front_line_2, body.rear_line_2)
     elif body.front_line_2 is not None or body.rear_line_2 is not None:
-        raise BadInput("scans-camera-2-needs-both-lines-front")
+        raise BadInput("scans-second-camera-half")
     first = (body.front_line_1, body.rear_line_1)
     made = edits.add_vehicle(services, scan_id, first, second, body.method, who.id)
     return changed_vehicle(services, made, who.id)
@@ -72,7 +72,7 @@ def place_wheels(vehicle_id: PathId, body: WheelsIn, who: Operator, services: Wi
     if body.front_wheel_line is not None and body.rear_wheel_line is not None:
         lines = (body.front_wheel_line, body.rear_wheel_line)
     elif body.front_wheel_line is not None or body.rear_wheel_line is not None:
-        raise BadInput("scans-wheelbase-needs-both-wheels-send-both")
+        raise BadInput("scans-wheel-missing")
     edits.place_wheels(services, vehicle_id, lines, body.version, who.id)
     return changed_vehicle(services, vehicle_id, who.id)
 

@@ -150,7 +150,7 @@ def restore_scan_vehicle(session: Session, vehicle_id: int, *, actor: int | None
     """Bring a vehicle back. Raises Conflict for one that was not taken out."""
     before = get_row(session, scan_vehicles, vehicle_id, "scanned vehicle")
     if before["deleted_at"] is None:
-        raise Conflict("scans-vehicle-not-deleted-nothing-restore")
+        raise Conflict("scans-vehicle-not-deleted")
     return _write(
         session, before, {"deleted_at": None}, "restore", ({"deleted": True}, {"deleted": False}), actor
     )
@@ -180,12 +180,10 @@ def require_scan_vehicle_version(session: Session, vehicle_id: int, version: int
     get_row(session, scans, row["scan_id"], "line-scan recording", scans.c.deleted_at.is_(None))
     if row["deleted_at"] is not None:
         name, when = last_change(session, row)
-        raise Conflict("scans-deleted-vehicle-restore-first", name=name, number=row["number"], when=when)
+        raise Conflict("scans-vehicle-deleted", name=name, number=row["number"], when=when)
     if version is not None and row["version"] != version:
         name, when = last_change(session, row)
-        raise Conflict(
-            "scans-changed-vehicle-look-again-redo-yours", name=name, number=row["number"], when=when
-        )
+        raise Conflict("scans-vehicle-changed", name=name, number=row["number"], when=when)
     return row
 
 
@@ -193,12 +191,12 @@ def _checked(given: Mapping[str, Any]) -> dict[str, Any]:
     values = dict(given)
     unknown = set(values) - _FIELDS
     if unknown:
-        raise BadInput("scans-scanned-vehicle-no-leave-out", unknown=", ".join(sorted(unknown)))
+        raise BadInput("scans-vehicle-field-unknown", unknown=", ".join(sorted(unknown)))
     for name in _LENGTHS:
         value = values.get(name)
         least = 0.0 if name.startswith("u_") else 1e-3
         if value is not None and not least <= value <= 100:
-            raise BadInput("scans-m-cannot-used-give-metres-4", name=name, value=format(value, "g"))
+            raise BadInput("scans-metres-range", name=name, value=format(value, "g"))
     if "run_of" in values:
         values["run_of"] = (values["run_of"] or "").strip() or None
     return values

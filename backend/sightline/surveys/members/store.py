@@ -131,7 +131,7 @@ def put_member(
         Conflict: the survey would have no manager any more.
     """
     if role not in get_args(SurveyRole):
-        raise BadInput("people-no-role-use-one", role=role, roles=", ".join(get_args(SurveyRole)))
+        raise BadInput("people-role-unknown", role=role, roles=", ".join(get_args(SurveyRole)))
     before = _member_row(session, survey_id, person_id)
     after = {"person_id": person_id, "role": role}
     if before is None:

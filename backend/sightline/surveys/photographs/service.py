@@ -50,5 +50,5 @@ def photograph_content(services: Services, photograph: Photograph) -> bytes:
     except (NotFound, OSError):
         content = b""
     if sha256_hex(content) != photograph.sha256:
-        raise Damaged("surveys-file-photograph-missing-changed-take-out", name=photograph.name)
+        raise Damaged("surveys-photograph-missing", name=photograph.name)
     return content

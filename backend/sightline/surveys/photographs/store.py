@@ -58,7 +58,7 @@ def add_photograph(
 def require_photograph_room(session: Session, survey_id: int) -> None:
     """Raises BadInput if a survey has as many photographs as it may."""
     if len(list_photographs(session, survey_id)) >= MOST_PHOTOGRAPHS:
-        raise BadInput("surveys-survey-takes-photographs-take-one-out", most_photographs=MOST_PHOTOGRAPHS)
+        raise BadInput("surveys-photographs-many", most_photographs=MOST_PHOTOGRAPHS)
 
 
 def get_photograph(session: Session, photograph_id: int, *, deleted: bool = False) -> Photograph:
@@ -93,7 +93,7 @@ def order_photographs(
     """Put the photographs into the order of `ids`. Raises Conflict if these are not the ones there are."""
     there = [one.id for one in list_photographs(session, survey_id)]
     if sorted(there) != sorted(ids):
-        raise Conflict("surveys-photographs-added-taken-out-meanwhile-look")
+        raise Conflict("surveys-photographs-changed")
     for position, photograph_id in enumerate(ids, start=1):
         change_row(session, photographs, photograph_id, {"position": position})
     before, after = {"order": there}, {"order": list(ids)}
@@ -126,7 +126,7 @@ def _current(session: Session, photograph_id: int, version: int) -> dict[str, An
     row = get_row(session, photographs, photograph_id, "photograph", photographs.c.deleted_at.is_(None))
     if row["version"] != version:
         name, when = last_change(session, row)
-        raise Conflict("surveys-changed-photograph-look-again-redo-yours", name=name, when=when)
+        raise Conflict("surveys-photograph-changed", name=name, when=when)
     return row
 
 
@@ -140,7 +140,7 @@ def _change(
 def _caption(text: str) -> str:
     caption = " ".join(text.split())
     if len(caption) > MOST_CAPTION:
-        raise BadInput("surveys-caption-most-characters-shorten", most_caption=MOST_CAPTION)
+        raise BadInput("surveys-caption-long", most_caption=MOST_CAPTION)
     return caption
 
 

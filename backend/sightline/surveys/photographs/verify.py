@@ -23,7 +23,7 @@ def check_photographs(files: Files, replay: Replay, written: Mapping[str, Writte
     strange = {path for path in files.paths if path.startswith(FOLDER)}
     for row in hold(files, PHOTOGRAPHS, expected, in_order=True):
         if row["file"] not in written or written[row["file"]].sha256 != row["sha256"]:
-            raise Damaged("surveys-not-photograph-audit-event-names-exchanged", file=row["file"])
+            raise Damaged("surveys-photograph-replaced", file=row["file"])
         strange.discard(row["file"])
     if strange:
         raise Damaged("surveys-no-row-put", strange=min(strange), path=PHOTOGRAPHS.key)

@@ -312,9 +312,7 @@ def _missing(columns: Sequence[ImportColumn], name: str) -> Said | None:
     if not missing:
         return None
     if len(columns) < len(_NEEDED):
-        raise BadInput(
-            "vehicles-no-column-first-line-names-columns", name=name, missing=missing, known=", ".join(FIELDS)
-        )
+        raise BadInput("vehicles-column-missing", name=name, missing=missing, known=", ".join(FIELDS))
     return Said("catalogue-say-the-columns", name=name, missing=missing)
 
 
@@ -398,5 +396,5 @@ def _year(cell: str, column: str) -> int | None:
     if not cell:
         return None
     if not (cell.isascii() and cell.isdigit()) or not 1885 <= int(cell[:9]) <= 2100:
-        raise BadInput("vehicles-which-not-year-give-four-digits", column=column, cell=cell[:40])
+        raise BadInput("vehicles-not-a-year", column=column, cell=cell[:40])
     return int(cell)

@@ -132,7 +132,7 @@ def require_possible(row: CatalogueRow) -> None:
         raise BadInput("catalogue-too-long", most_make=MOST_MAKE, most_model=MOST_MODEL)
     if row.category is not None and row.category not in get_args(Category):
         raise BadInput(
-            "vehicles-not-category-use-one", category=row.category, categories=", ".join(get_args(Category))
+            "vehicles-category-unknown", category=row.category, categories=", ".join(get_args(Category))
         )
     for name in SIZES:
         _require_size(name, row.size(name))
@@ -170,7 +170,7 @@ def _require_size(name: ModelSize, value: float | None) -> None:
     for unit in others:
         if low <= value * METRES[unit] <= high:
             raise BadInput(
-                "catalogue-size-in-other-unit",
+                "catalogue-size-unit",
                 column=f"{name}_m",
                 value=f"{value:g}",
                 unit=UNIT_WORDS[unit],

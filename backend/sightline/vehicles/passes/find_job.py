@@ -35,9 +35,9 @@ def request_passes(session: Session, recording_id: int, *, actor: int) -> Job:
     """Queue the search. Raises NotFound, BadInput (no frames yet), Conflict while one waits or runs."""
     recording = get_recording(session, recording_id)
     if recording.state != "ready":
-        raise BadInput("poses-no-frames-yet-wait-until-ready", name=recording.name)
+        raise BadInput("poses-no-frames", name=recording.name)
     if jobs_under_way(session, KIND, recording_id=recording_id):
-        raise Conflict("vehicles-passes-being-looked-already-wait", name=recording.name)
+        raise Conflict("vehicles-search-running", name=recording.name)
     return registry.enqueue(
         session, KIND, {}, survey_id=recording.survey_id, recording_id=recording_id, actor=actor
     )
@@ -64,11 +64,11 @@ def look_for_passes(context: JobContext) -> Finish:
             stream_number=opened.media.stream_number,
         )
     except PassesCancelled as stopped:
-        raise Cancelled("vehicles-search-passes-cancelled-start-again-when") from stopped
+        raise Cancelled("vehicles-search-cancelled") from stopped
     count = search.frames
     if count != len(opened.media):
         raise Damaged(
-            "vehicles-gives-frames-now-gave-when-read",
+            "vehicles-frames-changed",
             name=recording.name,
             count=count,
             count_2=len(opened.media),

@@ -34,9 +34,9 @@ def request_proposals(session: Session, recording_id: int, *, actor: int) -> Job
     """
     recording = get_recording(session, recording_id)
     if recording.state != "ready":
-        raise BadInput("poses-no-frames-yet-wait-until-ready", name=recording.name)
+        raise BadInput("poses-no-frames", name=recording.name)
     if recording.pose_id is None:
-        raise Conflict("measurements-no-road-pose-yet-make-choose", name=recording.name)
+        raise Conflict("measurements-no-pose", name=recording.name)
     if not found_passes(session, recording_id):
         raise BadInput("proposals-no-found-passes", name=recording.name)
     if jobs_under_way(session, KIND, recording_id=recording_id):
@@ -56,7 +56,7 @@ def make_proposals(context: JobContext) -> Finish:
         recording = get_recording(session, recording_id)
         vehicles = found_passes(session, recording_id)
         if recording.pose_id is None:
-            raise Conflict("measurements-no-road-pose-yet-make-choose", name=recording.name)
+            raise Conflict("measurements-no-pose", name=recording.name)
         pose_id = recording.pose_id
         pose = pose_from_dict(get_pose(session, pose_id).document, "the camera pose")
     context.progress(0.0, Said("proposals-looking"))
