@@ -266,9 +266,7 @@ function Measured({ figure, by }: { figure: TrafficFigure; by: number }) {
   return (
     <>
       {figure.value === null ? "–" : fixed(figure.value * by, 2)}
-      {figure.u !== null && (
-        <Small>{say("flows-u", { u: twoDigits(figure.u * by) })}</Small>
-      )}
+      {figure.u !== null && <Small>{say("flows-u", { u: twoDigits(figure.u * by) })}</Small>}
     </>
   );
 }
