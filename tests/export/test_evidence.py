@@ -351,6 +351,24 @@ def test_who_writes_the_event_anew_too_is_told_by_the_numbers(
         )
 
 
+def test_words_of_another_version_are_no_fault_and_its_answer_is_held_to_the_numbers(
+    viewer: Client, scan: dict[str, Any], services: Services
+) -> None:
+    """Only the version that made a file knows how it worded it."""
+    file = made(viewer, vehicles(viewer, scan)[1], SPEED)
+    key = signing_key(services.settings)
+    document = document_of(file)
+    document["decision"]["words"] = "As it was said then."
+    assert "decision: words" in (checked(signed_again(file, document, key)).problem or "")
+    document["program"] = "0.0.9"
+    found = checked(signed_again(file, document, key))
+    assert found.ok, found.problem
+    words = document_of(file)["decision"]["words"]
+    assert any("Another version worded" in one and words in one for one in found.notes)
+    document["decision"]["limit" if "limit" in document["decision"] else "value"] = 1.0
+    assert "decision: " in (checked(signed_again(file, document, key)).problem or "")
+
+
 STRANGE = (None, [], {}, "x", -1, 1e308, True, [None])
 
 

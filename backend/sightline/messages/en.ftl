@@ -6754,6 +6754,7 @@ evidence-numbers = For the { $part ->
    *[measurement] measurement
   }, this does not follow from lines, rig and budget: { $named }.
 evidence-page-other-version = The page was made by another version of Sightline: its hash is signed, but the page could not be compared with a page of this version.
+evidence-words-other-version = Another version worded the decision, so its words were not compared; in the words of this one: { $words }
 evidence-key-given = The signature proves what the holder of that key signed, not who held the key, nor that it is true, nor when it was made.
 evidence-key-not-given = Signed with key { $key }: a forger can sign with a key of their own. Compare it with the key shown by the installation, or give that as --key.
 statistics-risk-cannot-be = A risk of { $risk } is out of range; give { $least } to { $most }.

@@ -6815,6 +6815,7 @@ evidence-numbers = Pour { $part ->
    *[measurement] la mesure
   }, ceci ne découle pas des lignes, du dispositif et du bilan d’incertitude : { $named }.
 evidence-page-other-version = La page a été faite par une autre version du programme : son empreinte est signée, mais n’a pas été comparée à une page de cette version.
+evidence-words-other-version = Une autre version a formulé la décision, dont les mots n’ont donc pas été comparés ; dans les mots de celle-ci : { $words }
 evidence-key-given = La signature prouve ce que le détenteur de cette clé a signé, non qui détenait la clé, ni que cela est vrai, ni quand cela a été fait.
 evidence-key-not-given = Signé avec la clé { $key } : un faussaire peut signer avec sa propre clé. Comparez-la à celle qu’affiche l’installation, ou indiquez celle-ci avec --key.
 statistics-risk-cannot-be = Un risque de { $risk } est hors plage ; indiquez-en un de { $least } à { $most }.

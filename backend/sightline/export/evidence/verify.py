@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from math import hypot, isclose, isfinite
 from typing import Any
@@ -184,9 +185,11 @@ def _derived(page: ReadPage) -> Iterator[str]:
 
 
 def _decision(page: ReadPage) -> Iterator[str]:
+    """Value, limit and answer; the words, where this version made them: another one may word it otherwise."""
     told = page.document["decision"]
     found = decision_of(page.document, rule_of(told))
-    other = sorted(name for name in {*told, *found} if told.get(name) != found.get(name))
+    names = {*told, *found} - (set() if _is_ours(page.document) else {"words"})
+    other = sorted(name for name in names if told.get(name) != found.get(name))
     if other:
         yield say("evidence-made-again", {"named": ", ".join(f"decision: {name}" for name in other)})
 
@@ -194,8 +197,13 @@ def _decision(page: ReadPage) -> Iterator[str]:
 def _translations(page: ReadPage) -> Iterator[str]:
     """What this version says in other languages; another one may word it otherwise."""
     document = page.document
-    if document["program"] == code_version() and document["said"] != translations_of(document):
+    if _is_ours(document) and document["said"] != translations_of(document):
         yield say("evidence-made-again", {"named": "said"})
+
+
+def _is_ours(document: Document) -> bool:
+    """Whether this version made the file."""
+    return bool(document["program"] == code_version())
 
 
 def _numbers(page: ReadPage) -> Iterator[str]:
@@ -291,5 +299,9 @@ def _notes(page: ReadPage, key: str | None) -> Iterator[str]:
             yield say("evidence-page-other-version", {})
     except BadInput as error:
         yield error.message
+    with suppress(KeyError, TypeError, ValueError, AttributeError, ArithmeticError, BadInput):
+        if not _is_ours(page.document):
+            told = decision_of(page.document, rule_of(page.document["decision"]))
+            yield say("evidence-words-other-version", {"words": told["words"]})
     shown = str(page.document.get("key"))[:16]
     yield say("evidence-key-given" if key is not None else "evidence-key-not-given", {"key": shown})
