@@ -228,7 +228,7 @@ FORMS: dict[str, tuple[str, Callable[[bytes], bytes], str]] = {
         lambda b: b.replace(b"0.0,", b"0.00,", 1),
         "is not written as",
     ),
-    "no text": ("tables/measurements.csv", lambda b: b.replace(b"roof", b"\xff", 1), "cannot be read as CSV"),
+    "no text": ("tables/cameras.csv", lambda b: b[:-3] + b"\xff\r\n", "cannot be read as CSV"),
 }
 
 
