@@ -73,7 +73,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
     """Tests that needed a second try are named here and in .build/flaky.txt, with what the first one said."""
-    again = {report.nodeid: report.longreprtext for report in terminalreporter.stats.get("rerun", [])}
+    again: dict[str, str] = {}
+    for report in terminalreporter.stats.get("rerun", []):
+        again[report.nodeid] = again.get(report.nodeid, "") + report.longreprtext
     place = ROOT / ".build" / "flaky.txt"
     place.parent.mkdir(exist_ok=True)
     place.write_text("".join(f"{name}\n{said}\n\n" for name, said in sorted(again.items())))

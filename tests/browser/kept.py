@@ -76,7 +76,10 @@ def chosen_of_scan(api: APIRequestContext, scan: Answer) -> Choices:
 
 def made(api: APIRequestContext, survey_id: int) -> dict[str, str]:
     """What can be made and taken away again: by the address that does so, the version that was seen."""
-    found = {f"/api/studies/{one['id']}?version=": str(one["version"]) for one in ask(api, "/api/studies")}
+    found = {}
+    for listed in ask(api, "/api/studies"):
+        place = f"/api/studies/{listed['id']}"
+        found[f"{place}?version="] = str(ask(api, place)["study"]["version"])
     for scan in ask(api, f"/api/surveys/{survey_id}/scans"):
         for one in ask(api, f"/api/scans/{scan['id']}/vehicles"):
             for told in one["references"]:

@@ -6,6 +6,7 @@ import math
 import threading
 import zipfile
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,9 +16,11 @@ from sightline.demo import build, made, parts
 from sightline.demo import scan as scan_demo
 from sightline.demo.request import ensure_requested
 from sightline.errors import SightlineError
+from sightline.export.verify.package import verify_package
 from sightline.geometry.board import Board
 from sightline.geometry.corners import find_board
 from sightline.infra.audit.verification import verify_records
+from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Cancelled
 from sightline.infra.services import Services
@@ -28,6 +31,7 @@ from tests.simulation.make import SCAN_VEHICLES
 from tests.simulation.scan_art import EYE_M
 from tests.simulation.truth import spots_of
 from tests.support.app import Client
+from tests.support.packages import written
 
 pytestmark = pytest.mark.once
 TRUTH: dict[str, Any] = json.loads(made.TRUTH.read_text())
@@ -44,6 +48,7 @@ def test_it_is_made_once_and_its_heights_are_the_truth(
     nobody: Client,
     work: Callable[[], list[Job]],
     monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
 ) -> None:
     found: list[parts.Parts] = []
 
@@ -81,6 +86,8 @@ def test_it_is_made_once_and_its_heights_are_the_truth(
     with services.reading() as session:
         assert demo_survey_id(session) == survey_id
         assert verify_records(session).ok
+    check = verify_package(FolderFiles(written(services, survey_id, tmp_path / "package")))
+    assert check.ok, check.problem
 
 
 def check_truth(admin: Client, survey_id: int) -> None:

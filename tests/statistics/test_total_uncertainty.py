@@ -19,9 +19,25 @@ from sightline.statistics.total_uncertainty import (
     TotalUncertainty,
     difference,
     sample_of_measurements,
+    total_figures,
 )
 
 P10 = 10.0
+
+
+def test_no_share_below_a_higher_limit_is_smaller() -> None:
+    """Of few heights a step and the error that is taken out of it may fall together."""
+    limits = np.linspace(1.0, 1.3, 61)
+    few = sample(9, 4, sites=1, shared_m=0.02, random_m=0.02)
+    found = TotalUncertainty(few)
+    plain = [found.share_below(float(limit)).value for limit in limits]
+    assert plain != sorted(plain), "a sample that needs it"
+    told = total_figures(few, [50.0], list(limits))
+    assert told is not None
+    for name in ("value", "U95_low", "U95_high"):
+        parts = [getattr(one, name) for one in told.shares]
+        assert parts == sorted(parts), name
+    assert sorted(one.value for one in told.shares) == sorted(plain)
 
 
 def sample(

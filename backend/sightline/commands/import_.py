@@ -159,8 +159,7 @@ def _await_read(remote: Remote, recording_id: int, name: str, tell: Tell) -> dic
         if recording["state"] == "ready":
             return recording
         if recording["state"] == "failed":
-            reason = str(recording["error"] or "").rstrip(".")
-            raise BadInput("import-cannot-be-read", name=name, reason=reason)
+            raise BadInput("import-cannot-be-read", name=name, reason=_reason_of(recording, ""))
         job = recording["job"]
         tell(0.5 + 0.25 * (job["progress"] if job else 0.0), f"{name}: reading its frames")
         time.sleep(_POLL_S)
@@ -178,10 +177,14 @@ def _await_passes(remote: Remote, survey_id: int, recording_id: int, name: str, 
         time.sleep(_POLL_S)
         job = remote.ask(f"/jobs/{job['id']}")
     if job["state"] != "done":
-        raise BadInput(
-            "import-passes-not-found", name=name, reason=str(job["error"] or job["state"]).rstrip(".")
-        )
+        raise BadInput("import-passes-not-found", name=name, reason=_reason_of(job, job["state"]))
     return len(remote.ask(f"/surveys/{survey_id}/vehicles?recording_id={recording_id}"))
+
+
+def _reason_of(failed: dict[str, Any], otherwise: str) -> str:
+    """Why a job or a recording failed, to stand within a sentence."""
+    error = failed["error"]
+    return str(error["message"] if error else otherwise).rstrip(".")
 
 
 State = tuple[int, int]

@@ -217,7 +217,8 @@ def _said(files: Files, tables: Sequence[AnyTable], carried: Set[str], language:
     """
     said: dict[str, str] = {}
     for one in standards_in(files):
-        said |= dict(zip(one.words, in_language(one, language).words, strict=True))
+        if one.code is not None:
+            said |= dict(zip(one.words, in_language(one, language).words, strict=True))
     said |= {note: note_in(note, language) for (note,) in read_columns(files, INSETS.key, ("note",))}
     for table in explained(tables):
         if table.path not in carried:

@@ -172,7 +172,7 @@ sample-any-class = toutes classes
 sample-response = Bilan des passages
 sample-lighting = Luminosité
 sample-classes = Classes
-sample-of = cible
+sample-of = Cible
 sample-passes = Passages
 sample-discarded = Écartés
 sample-out = Hors éch.
@@ -1101,7 +1101,7 @@ recordings-lighting-of = Luminosité de { $recording }
 recordings-lighting-of-proposed = Luminosité de { $recording }, proposée par Sightline
 recordings-lighting-guess = { $lighting } (proposée)
 
-filmed-start = Filmé à partir de { $time } ({ $zone })
+filmed-start = Début du film : { $time } ({ $zone })
 filmed-at = filmé { $time }
 filmed-proposed = Début non confirmé ; proposé d’après le fichier : { $time } ({ $zone })
 filmed-unknown = Début inconnu : le fichier n’en indique pas.
@@ -3921,12 +3921,12 @@ overview-scans-find = { $count ->
     [one] Détectez les véhicules d’un balayage.
    *[other] Détectez les véhicules de { $count } balayages.
 }
-overview-scans-review = { $count ->
-    [one] Vérifiez { $open } véhicule sur 1.
+overview-scans-review = { $open ->
+    [one] Vérifiez { $open } véhicule sur { $count }.
    *[other] Vérifiez { $open } véhicules sur { $count }.
 }
-overview-scans-review-heights = { $count ->
-    [one] Vérifiez { $open } hauteur sur 1.
+overview-scans-review-heights = { $open ->
+    [one] Vérifiez { $open } hauteur sur { $count }.
    *[other] Vérifiez { $open } hauteurs sur { $count }.
 }
 overview-scans-accepted = { $all ->

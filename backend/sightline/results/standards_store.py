@@ -15,7 +15,7 @@ from sqlalchemy.orm import Session
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import choice
 from sightline.infra.database.rows import get_row
-from sightline.results.usual_standards import STANDARDS, stored_standards
+from sightline.results.usual_standards import STANDARDS, coded, stored_standards
 from sightline.statistics.standards import Standard
 from sightline.surveys.tables import surveys
 
@@ -74,8 +74,10 @@ def _stripped(one: Standard) -> Standard:
 
 
 def _kept_code(one: Standard, known: Mapping[str | None, tuple[str, ...]]) -> Standard:
-    """Without its code once its words are a person's."""
-    return one if one.code is None or known.get(one.code) == one.words else replace(one, code=None)
+    """With its code while its words are the program's, whether or not it was sent along."""
+    if one.code is None:
+        return coded(one)
+    return one if known.get(one.code) == one.words else replace(one, code=None)
 
 
 def _refuse(table: Sequence[Standard]) -> None:

@@ -22,12 +22,12 @@ _CODES = {one.words: one.code for one in STANDARDS}
 
 def standards_in(files: Files) -> tuple[Standard, ...]:
     """The table of a package, which has no codes: who has the program's words gets one. Raises Damaged."""
-    return tuple(_coded(one) for one in csv.standards_in(files))
+    return tuple(coded(one) for one in csv.standards_in(files))
 
 
 def stored_standards(stored: Iterable[Mapping[str, Any]]) -> tuple[Standard, ...]:
     """A table as an audit event holds it; one of before there were codes gets them by its words."""
-    return tuple(Standard(**one) if "code" in one else _coded(Standard(**one)) for one in stored)
+    return tuple(Standard(**one) if "code" in one else coded(Standard(**one)) for one in stored)
 
 
 def in_language(one: Standard, language: str) -> Standard:
@@ -41,5 +41,6 @@ def in_language(one: Standard, language: str) -> Standard:
     return replace(one, name=name, vehicle_class=vehicle_class, source=source, cited_by=cited_by)
 
 
-def _coded(one: Standard) -> Standard:
+def coded(one: Standard) -> Standard:
+    """With the code that belongs to its words, if they are the program's."""
     return replace(one, code=_CODES.get(one.words))

@@ -53,6 +53,11 @@ def _motion_cells(told: Told) -> Cells:
     return cells
 
 
+def _vehicle_cells(told: Told) -> Cells:
+    """Who made the row is told of its motion, whose own row is held to its event."""
+    return {name: one for name, one in told.items() if name != "created_by_id"}
+
+
 def _verdict_cells(told: Told) -> Cells:
     return {**told, "reviewer_id": told["actor_id"]}
 
@@ -60,7 +65,7 @@ def _verdict_cells(told: Told) -> Cells:
 _SCAN, _VEHICLE = ("scan_id", "scan"), ("vehicle_id", "scan_vehicle")
 _REPLAYED = (
     Replayed(LINE_SCANS, "scan", cells=_scan_cells),
-    Replayed(SCAN_VEHICLES, "scan_vehicle", _SCAN),
+    Replayed(SCAN_VEHICLES, "scan_vehicle", _SCAN, _vehicle_cells),
     Replayed(SCAN_MEASUREMENTS, "scan_measurement", _VEHICLE, _motion_cells),
     Replayed(SCAN_REVIEWS, "scan_review", _VEHICLE, _verdict_cells),
     Replayed(SCAN_REFERENCES, "scan_reference", _VEHICLE),

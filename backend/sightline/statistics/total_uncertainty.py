@@ -11,7 +11,7 @@ One engine serves a survey and a study: a survey is a study of one stratum in wh
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -539,8 +539,21 @@ def total_figures(
         mean=found.mean(),
         sd=found.sd(),
         percentiles=[found.percentile(percent) for percent in percents],
-        shares=[found.share_below(limit) for limit in limits_m],
+        shares=_rising(limits_m, [found.share_below(limit) for limit in limits_m]),
     )
+
+
+def _rising(limits_m: Sequence[float], shares: Sequence[TotalFigure]) -> list[TotalFigure]:
+    """Shares below limits, those of higher ones no smaller: values and ends put in order (monotone
+    rearrangement), for of few heights a step and the error taken out of it may fall together.
+    """
+    out = list(shares)
+    known = sorted((limit, n) for n, limit in enumerate(limits_m) if shares[n].U95_low is not None)
+    names = ("value", "U95_low", "U95_high")
+    parts = [sorted(getattr(shares[n], name) for _limit, n in known) for name in names]
+    for (_limit, n), *in_order in zip(known, *parts, strict=True):
+        out[n] = replace(out[n], **dict(zip(names, in_order, strict=True)))
+    return out
 
 
 def difference(one: TotalUncertainty, other: TotalUncertainty, percent: float) -> TotalFigure | Said:

@@ -148,12 +148,16 @@ def _content(told: SurveyContent, insets: Mapping[str, Inset]) -> dict[str, Any]
 
 
 def _with_codes_of(insets: Mapping[str, Inset], before: Mapping[str, Inset]) -> dict[str, Inset]:
-    """Each without its code once its note is a person's."""
-    known = {(one.code, one.note) for one in (*_USUAL.values(), *before.values()) if one.code}
-    return {
-        name: one if (one.code, one.note) in known else replace(one, code=None)
-        for name, one in insets.items()
-    }
+    """Each with its code while its note is the program's, whether or not it was sent along."""
+    known = [(one.code, one.note) for one in (*_USUAL.values(), *before.values()) if one.code]
+    own = {note: code for code, note in reversed(known)}
+
+    def code_of(name: str, one: Inset) -> str | None:
+        if one.code is None:
+            return name if (name, one.note) in known else own.get(one.note)
+        return one.code if (one.code, one.note) in known else None
+
+    return {name: replace(one, code=code_of(name, one)) for name, one in insets.items()}
 
 
 def _survey(row: Mapping[str, Any]) -> Survey:

@@ -111,7 +111,10 @@ class Saying(CanonicalJson):
     cache_ok = True
 
     def process_result_value(self, value: str | None, dialect: Dialect) -> Any:
-        return self.said(super().process_result_value(value, dialect))
+        try:
+            return self.said(super().process_result_value(value, dialect))
+        except ValueError:  # a sentence, as earlier programs stored why a job failed
+            return Said.read(value or "")
 
     @staticmethod
     def said(read: Any) -> Any:

@@ -4,7 +4,7 @@ import { Button, Empty, FormDialog, JobProgress, Loaded, Notice, PageHead, Probl
 import { asked, navigate } from "../../core/address";
 import { api } from "../../core/api";
 import { isOver, useJobAction } from "../../core/jobs";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { may } from "../../core/session";
 import { formatMoment } from "../../core/times";
@@ -46,7 +46,11 @@ function useComputing({ study, job: newest }: StudyPage, reload: () => Promise<v
   });
   const compute = () =>
     work.start(() => api.write("POST /studies/{study_id}/computings", { study_id: study.id }));
-  return { ...work, compute, failed: !work.underWay && newest?.state === "failed" ? newest.error : null };
+  return {
+    ...work,
+    compute,
+    failed: !work.underWay && newest?.state === "failed" ? sentenceOf(newest.error) : null,
+  };
 }
 
 function Page({ page, reload }: { page: StudyPage; reload: () => Promise<void> }) {
