@@ -248,7 +248,10 @@ export class ReviewModel {
         });
       else
         await this.history.run(
-          say("review-step-verdict", { target: TARGET_WORDS[target], vehicle: vehicleName(item.vehicle.number) }),
+          say("review-step-verdict", {
+            target: TARGET_WORDS[target],
+            vehicle: vehicleName(item.vehicle.number),
+          }),
           async (changes) => {
             await changes.write(this.given.given, id, { verdict, reason: reason ?? null });
           },
