@@ -2090,7 +2090,13 @@ review-reason-frame = Another frame shows it better.
 review-reason-hidden = The feature is hidden.
 review-reason-wrong = The wrong vehicle or target.
 review-reason-side = The driver sits on the other side.
-review-step-verdict = verdict on { $target } of vehicle { $vehicle }
+review-step-verdict = verdict on { $target ->
+    [roof] roof
+    [driver_eye] driver’s eye
+    [taillight] taillight
+    [headlight] headlight
+   *[other] other target
+} of vehicle { $vehicle }
 review-error = Height error
 review-side = Driver’s side
 review-signs = Check closely

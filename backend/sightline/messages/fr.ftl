@@ -2089,7 +2089,13 @@ review-reason-frame = Une autre image le montre mieux.
 review-reason-hidden = L’élément visé est masqué.
 review-reason-wrong = Mauvais véhicule ou mauvaise cible.
 review-reason-side = Le conducteur est assis de l’autre côté.
-review-step-verdict = décision ({ $target }, véhicule { $vehicle })
+review-step-verdict = décision ({ $target ->
+    [roof] toit
+    [driver_eye] œil du conducteur
+    [taillight] feu arrière
+    [headlight] projecteur
+   *[other] autre cible
+}, véhicule { $vehicle })
 review-error = Erreur de hauteur
 review-side = Côté du conducteur
 review-signs = À contrôler de près

@@ -7,7 +7,7 @@ import { say } from "../../core/messages";
 import { may } from "../../core/session";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Measurement, ReviewItem } from "../../core/types";
-import { TARGET_WORDS, vehicleName } from "../../core/words";
+import { vehicleName } from "../../core/words";
 import { type Again, BlindClicks } from "../../viewer/blind";
 import { Geometry } from "../../viewer/geometry";
 import { fromServer, type ImagePoint, pair } from "../../viewer/points";
@@ -248,10 +248,7 @@ export class ReviewModel {
         });
       else
         await this.history.run(
-          say("review-step-verdict", {
-            target: TARGET_WORDS[target],
-            vehicle: vehicleName(item.vehicle.number),
-          }),
+          say("review-step-verdict", { target, vehicle: vehicleName(item.vehicle.number) }),
           async (changes) => {
             await changes.write(this.given.given, id, { verdict, reason: reason ?? null });
           },
