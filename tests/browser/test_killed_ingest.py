@@ -19,8 +19,8 @@ ROUND, ROUNDS = 25, 40
 STAYS_HALFWAY = """
 import os, sys, time
 if "worker" in sys.orig_argv:
-    from sightline.media.video import ingest
-    look = ingest._Watch.look
+    from sightline.media.cancelling import Watch
+    look = Watch.look
     def look_and_stay(self, position):
         if position is None or position < self.size / 2:
             return look(self, position)
@@ -28,7 +28,7 @@ if "worker" in sys.orig_argv:
         look(self, position)
         while not os.path.exists(os.environ["MAY_GO_ON"]):
             time.sleep(0.05)
-    ingest._Watch.look = look_and_stay
+    Watch.look = look_and_stay
 """
 
 
