@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, get_args
+from typing import TYPE_CHECKING
 
 import click
 
 from sightline.commands.files import read_bytes, write_whole
 from sightline.commands.options import (
     FILE,
+    choice_option,
     data_dir_option,
     json_option,
     opened_services,
@@ -34,9 +35,7 @@ def catalogue() -> None:
 @catalogue.command("import")
 @click.argument("file", type=FILE)
 @click.option("--dry-run", is_flag=True, help="Show the result for each line without storing anything.")
-@click.option(
-    "--unit", type=click.Choice(get_args(SizeUnit)), help="Unit of columns that state none (default: metres)."
-)
+@choice_option("--unit", of=SizeUnit, help="Unit of columns that state none (default: metres).")
 @click.option(
     "--column",
     "columns",
@@ -44,11 +43,10 @@ def catalogue() -> None:
     metavar="FIELD=HEADER",
     help="Meaning of a column (height_m=Roof); =HEADER skips it. May be repeated.",
 )
-@click.option(
+@choice_option(
     "--on-conflict",
-    type=click.Choice(get_args(OnConflict)),
+    of=OnConflict,
     default="keep",
-    show_default=True,
     help="What to do with sizes that differ from the catalogue's.",
 )
 @json_option

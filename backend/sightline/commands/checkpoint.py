@@ -7,11 +7,11 @@ from pathlib import Path
 import click
 
 from sightline.commands.files import write_whole
-from sightline.commands.options import data_dir_option, opened_services
+from sightline.commands.options import data_dir_option, opened_services, output_option
 
 
 @click.command("checkpoint")
-@click.option("-o", "--output", type=click.Path(path_type=Path), help="JSON file to write.")
+@output_option("JSON file to write.", required=False)
 @click.option("--new-key", is_flag=True, help="First make a new signing key, signed by the old one.")
 @data_dir_option
 def checkpoint(output: Path | None, new_key: bool, data_dir: Path | None) -> None:

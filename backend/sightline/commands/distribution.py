@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sightline.commands.files import read_csv
-from sightline.commands.options import json_option, print_json
+from sightline.commands.options import FILE, json_option, print_json
 from sightline.errors import BadInput
 from sightline.infra.given_csv import GivenTable
 
@@ -36,7 +36,7 @@ class Rows:
 
 
 @click.command()
-@click.argument("heights", type=click.Path(path_type=Path))
+@click.argument("heights", type=FILE)
 @click.option("--by", "by", metavar="COLUMN", help="Compute each value of this column separately.")
 @click.option(
     "--percentile",

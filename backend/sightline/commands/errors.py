@@ -11,7 +11,7 @@ import numpy as np
 
 from sightline.commands.distribution import Rows, length_in, sample_of
 from sightline.commands.files import read_csv
-from sightline.commands.options import FILE, json_option, print_json
+from sightline.commands.options import FILE, choice_option, json_option, print_json
 from sightline.enums import Rounding, Target
 from sightline.errors import BadInput
 
@@ -27,12 +27,11 @@ _ROOFS: Key = ("roof", False)
 
 @click.command()
 @click.argument("heights", type=FILE)
-@click.option(
+@choice_option(
     "--round",
     "rounding",
-    type=click.Choice(get_args(Rounding)),
+    of=Rounding,
     default="cm",
-    show_default=True,
     help="Rounding of both heights: whole centimetres, as Dupuis et al., or none.",
 )
 @click.option(

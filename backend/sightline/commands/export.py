@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
 import click
 
 from sightline.commands.options import (
+    choice_option,
     data_dir_option,
     opened_services,
     output_option,
@@ -25,21 +26,19 @@ _DAY = click.DateTime(["%Y-%m-%d"])
 @survey_option
 @output_option("Folder to write; an earlier package there is replaced.")
 @click.option("--crops/--no-crops", default=True, help="Include crops of the clicked frames (default).")
-@click.option(
-    "--lighting", type=click.Choice(get_args(Lighting)), help="Limit statistics and report to this lighting."
-)
-@click.option(
+@choice_option("--lighting", of=Lighting, help="Limit statistics and report to this lighting.")
+@choice_option(
     "--set",
     "class_sets",
     multiple=True,
-    type=click.Choice(get_args(ClassSet)),
+    of=ClassSet,
     help="Limit statistics and report to this set of classes. May be repeated.",
 )
-@click.option(
+@choice_option(
     "--category",
     "categories",
     multiple=True,
-    type=click.Choice(get_args(Category)),
+    of=Category,
     help="Limit statistics and report to this class. May be repeated.",
 )
 @click.option(

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sightline.commands.files import write_whole
-from sightline.commands.options import json_option, print_json
+from sightline.commands.options import FILE, json_option, print_json
 from sightline.commands.scanned import cell_of
 from sightline.errors import BadInput
 from sightline.linescan.traffic import LENGTH_LIMITS_M, MINUTES, headways_s, streams_of
@@ -27,7 +27,7 @@ _SCANS = "line_scans.csv"
 
 
 @click.command()
-@click.argument("places", nargs=-1, required=True, metavar="PLACE...", type=click.Path(path_type=Path))
+@click.argument("places", nargs=-1, required=True, metavar="PLACE...", type=FILE)
 @click.option(
     "--interval",
     "lengths",

@@ -4,37 +4,39 @@ import csv
 import io
 from dataclasses import asdict
 from pathlib import Path
-from typing import get_args
 
 import click
 
-from sightline.commands.options import filmed_at_option, json_option, stream_option
+from sightline.commands.options import (
+    FILE,
+    choice_option,
+    filmed_at_option,
+    json_option,
+    number_option,
+    stream_option,
+)
 from sightline.enums import DriverSide, Target
 from sightline.errors import BadInput
 from sightline.messages.said import Said
 
-_PATH = click.Path(path_type=Path)
 _MOST_FRAMES = 120  # to each side, where the pass is not given
 
 
 @click.command("follow")
-@click.argument("video", type=_PATH)
-@click.option("--pose", "pose_file", type=_PATH, required=True, help="pose.json of the recording.")
+@click.argument("video", type=FILE)
+@click.option("--pose", "pose_file", type=FILE, required=True, help="pose.json of the recording.")
 @click.option("--frame", type=click.IntRange(0), required=True, help="Frame of the points.")
 @click.option("--contact", metavar="X,Y", required=True, help="Tyre contact point, pixels.")
 @click.option("--second", metavar="X,Y", help="Contact point of the other tyre on the same side, pixels.")
 @click.option("--target", metavar="X,Y", required=True, help="Target point, pixels.")
-@click.option("--kind", type=click.Choice(get_args(Target)), default="other", show_default=True,
-              help="Kind of target; sets the default inset.")  # fmt: skip
-@click.option("--side", type=click.Choice(get_args(DriverSide)), help="Driver's side, for an eye.")
-@click.option(
-    "--inset", type=float, help="Approximate inset: distance of the target behind the side plane, metres."
-)
-@click.option("--u-inset", type=float, help="u of the inset, metres.")
-@click.option("--sigma", type=float, default=1.0, show_default=True, help="u of the given points, pixels.")
+@choice_option("--kind", of=Target, default="other", help="Kind of target; sets the default inset.")
+@choice_option("--side", of=DriverSide, help="Driver's side, for an eye.")
+@number_option("--inset", help="Approximate inset: distance of the target behind the side plane, metres.")
+@number_option("--u-inset", help="u of the inset, metres.")
+@number_option("--sigma", default=1.0, help="u of the given points, pixels.")
 @click.option("--first", type=click.IntRange(0), help="First frame of the pass.")
 @click.option("--last", type=click.IntRange(0), help="Last frame of the pass.")
-@click.option("-o", "--output", type=_PATH, help="tracks.csv to write.")
+@click.option("-o", "--output", type=FILE, help="tracks.csv to write.")
 @stream_option
 @filmed_at_option
 @json_option

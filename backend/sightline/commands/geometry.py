@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict, replace
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
 import click
 import numpy as np
@@ -15,7 +15,14 @@ from click.core import ParameterSource
 
 from sightline.commands.clicks import OF_HEIGHT, Assumed, assumed_inset, heights_csv
 from sightline.commands.files import read_json, read_text, write_json, write_whole
-from sightline.commands.options import FILE, json_option, number_option, output_option, stream_option
+from sightline.commands.options import (
+    FILE,
+    choice_option,
+    json_option,
+    number_option,
+    output_option,
+    stream_option,
+)
 from sightline.commands.tracks_csv import pass_to_dict, read_tracks
 from sightline.coverage import expanded
 from sightline.enums import BoardSide, DriverSide, LensModel, Target
@@ -115,9 +122,7 @@ def read_pose_file(path: Path) -> RoadPose:
 @click.command()
 @click.argument("images", nargs=-1, required=True, type=FILE)
 @board_options
-@click.option(
-    "--model", type=click.Choice(get_args(LensModel)), default="brown", show_default=True, help="Lens model."
-)
+@choice_option("--model", of=LensModel, default="brown", help="Lens model.")
 @click.option("--bent-board", is_flag=True, help="The board may be bent: model its shape too.")
 @output_option("camera.json to write.")
 @stream_option
@@ -186,9 +191,7 @@ def _halves_text(found: CrossValidation | Said) -> str:
 @click.command("import-camera")
 @click.argument("file", type=FILE)
 @output_option("camera.json to write.")
-@click.option(
-    "--model", type=click.Choice(get_args(LensModel)), help="Lens model, if the file does not state it."
-)
+@choice_option("--model", of=LensModel, help="Lens model, if the file does not state it.")
 @click.option("--size", "size_text", metavar="WxH", help="Image size, if the file does not state it.")
 @click.option("--which", help="Camera to use from a file with several: left, right or its name.")
 @json_option
@@ -228,12 +231,11 @@ def parse_size(text: str | None) -> tuple[int, int] | None:
     required=True,
     help="Height of the reference row of corners above the road, metres.",
 )
-@click.option(
+@choice_option(
     "--reference",
     "side",
-    type=click.Choice(get_args(BoardSide)),
+    of=BoardSide,
     default="top",
-    show_default=True,
     help="Reference row: the top or the bottom row of inner corners.",
 )
 @number_option(
@@ -298,8 +300,8 @@ def pose(
 @click.option("--pose", "pose_file", type=FILE, required=True, help="pose.json of the recording.")
 @click.option("--contact", metavar="X,Y", help="Tyre contact point, pixels.")
 @click.option("--target", metavar="X,Y", help="Target point, pixels.")
-@click.option("--kind", type=click.Choice(get_args(Target)), help="Kind of target; sets the default inset.")
-@click.option("--side", type=click.Choice(get_args(DriverSide)), help="Driver's side of the vehicle.")
+@choice_option("--kind", of=Target, help="Kind of target; sets the default inset.")
+@choice_option("--side", of=DriverSide, help="Driver's side of the vehicle.")
 @number_option(
     "--inset",
     help="Inset: distance of the target behind the side plane, metres (default: that of --kind, else 0).",

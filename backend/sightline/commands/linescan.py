@@ -11,12 +11,12 @@ import json
 from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
 import click
 
 from sightline.commands.files import write_whole
-from sightline.commands.options import FILE, json_option, number_option, output_option
+from sightline.commands.options import FILE, choice_option, json_option, number_option, output_option
 from sightline.commands.scanned import (
     COLUMNS,
     TIMES,
@@ -49,11 +49,10 @@ from sightline.messages.said import Said
     help="Time of line 0 at camera 1 with its offset from UTC: 2026-05-04T06:00:00.000+02:00.",
 )
 @number_option("--u-start", "u_start_s", help="u of the start (k = 1), seconds.")
-@click.option(
+@choice_option(
     "--time-axis",
-    type=click.Choice(get_args(TimeAxis)),
+    of=TimeAxis,
     default="width",
-    show_default=True,
     help="Axis of the images along which time runs.",
 )
 @output_option("vehicles.csv to write (default: print it).", required=False)

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar, get_args
 
 import click
 
@@ -28,6 +28,15 @@ def number_option(*names: str, default: float | None = None, **about: Any) -> Ca
     if default is not None:
         about |= {"default": default, "show_default": bool(default)}
     return click.option(*names, type=float, **about)
+
+
+def choice_option(
+    *names: str, of: Any, default: str | None = None, **about: Any
+) -> Callable[[Command], Command]:
+    """An option with one of the words that a type `of` them allows; a default is shown."""
+    if default is not None:
+        about |= {"default": default, "show_default": True}
+    return click.option(*names, type=click.Choice(get_args(of)), **about)
 
 
 def output_option(what: str, *, required: bool = True) -> Callable[[Command], Command]:

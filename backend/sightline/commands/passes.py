@@ -4,12 +4,12 @@ from pathlib import Path
 
 import click
 
-from sightline.commands.options import filmed_at_option, json_option, print_json, stream_option
+from sightline.commands.options import FILE, filmed_at_option, json_option, print_json, stream_option
 from sightline.detection.classify import FoundPass
 
 
 @click.command()
-@click.argument("video", type=click.Path(path_type=Path))
+@click.argument("video", type=FILE)
 @stream_option
 @filmed_at_option
 @json_option

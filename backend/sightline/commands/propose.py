@@ -5,17 +5,15 @@ from typing import Any
 
 import click
 
-from sightline.commands.options import filmed_at_option, json_option, print_json, stream_option
+from sightline.commands.options import FILE, filmed_at_option, json_option, print_json, stream_option
 from sightline.detection.classify import FoundPass
 from sightline.messages import say
 from sightline.proposals.propose import Proposals, Proposed
 
-_PATH = click.Path(path_type=Path)
-
 
 @click.command("propose")
-@click.argument("video", type=_PATH)
-@click.option("--pose", "pose_file", type=_PATH, required=True, help="pose.json of the recording.")
+@click.argument("video", type=FILE)
+@click.option("--pose", "pose_file", type=FILE, required=True, help="pose.json of the recording.")
 @stream_option
 @filmed_at_option
 @json_option

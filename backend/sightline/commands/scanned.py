@@ -13,7 +13,7 @@ import click
 
 from sightline.commands.clicks import harmless, metres
 from sightline.commands.files import read_json
-from sightline.commands.options import FILE, number_option
+from sightline.commands.options import FILE, choice_option, number_option
 from sightline.enums import ScanDirection, ScanMethod
 from sightline.errors import BadInput
 from sightline.linescan.clock import u_passing_s
@@ -116,11 +116,10 @@ U_LINE_RATE = number_option(
     "--u-line-rate", "u_line_rate_ratio", default=0.0, help="Relative u of the line rate (1e-4 is 0.01 %)."
 )
 _RIG = (
-    click.option(
+    choice_option(
         "--method",
-        type=click.Choice(get_args(ScanMethod)),
+        of=ScanMethod,
         default="direct",
-        show_default=True,
         help="Direct registration, or block matching as in the paper (Douxchamps et al.).",
     ),
     number_option(

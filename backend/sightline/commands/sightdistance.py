@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, get_args
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from sightline.commands.options import FILE, json_option, number_option, print_json
+from sightline.commands.options import FILE, choice_option, json_option, number_option, print_json
 from sightline.enums import CurveCase, SightKind
 from sightline.errors import BadInput
 
@@ -27,11 +27,10 @@ FOOT_M = 0.3048
 @number_option("--object-percentile", default=5.0, help="Percentile of --object-heights.")
 @number_option("--distance", "distance_m", help="Sight distance, metres ...")
 @number_option("--speed", "speed_kmh", help="... or design speed, km/h, to use the sight distance of --kind.")
-@click.option(
+@choice_option(
     "--kind",
-    type=click.Choice(get_args(SightKind)),
+    of=SightKind,
     default="stopping",
-    show_default=True,
     help="Sight distance that --speed is converted into.",
 )
 @number_option("--u-eye", "u_eye_m", help="u of the eye height, metres.")

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, TextIO
 import click
 
 from sightline.commands.clicks import harmless
-from sightline.commands.options import json_option, print_json
+from sightline.commands.options import json_option, number_option, print_json
 from sightline.errors import BadInput
 
 if TYPE_CHECKING:
@@ -42,9 +42,7 @@ def traffic() -> None:
     "--u-start", "u_start_s", default=0.0, show_default=True, help="u of the start (k = 1), seconds."
 )
 @click.option("--lane", default="", help="Lane that was measured, if the site has several.")
-@click.option(
-    "--duration", "duration_s", type=float, help="Duration in seconds; only for output of `sightline stream`."
-)
+@number_option("--duration", "duration_s", help="Duration in seconds; only for output of `sightline stream`.")
 @json_option
 def add(
     archive: Path,

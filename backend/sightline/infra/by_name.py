@@ -13,7 +13,8 @@ _TAKERS: dict[tuple[object, ...], list[_Taker]] = {}  # as many as there are kin
 def filled_from(kind: type[T], *records: object, **more: object) -> T:
     """A dataclass with what the records hold under its fields' names, and `more` besides.
 
-    Of two records that hold a name the first counts. Raises TypeError where neither holds one.
+    Of two records that hold a name the first counts. Raises TypeError where none holds a field that has no
+    default.
     """
     key = (kind, *(type(record) for record in records), *more)
     take = _TAKERS.get(key) or _TAKERS.setdefault(key, _takers(kind, records, more))

@@ -7209,7 +7209,6 @@ job-heights-restoring = Restoring the previous heights.
 job-heights-computing = Computing the heights.
 job-strips-reading = Reading the strips.
 job-strips-cutting = Cutting the strips.
-job-vehicles-searching = Searching for vehicles.
 job-vehicles-found = Searching for vehicles. { $count } so far.
 job-vehicles-again = Measuring the known vehicles again.
 job-study-package = Writing the package.

@@ -7263,7 +7263,6 @@ job-heights-restoring = Rétablissement des anciennes hauteurs.
 job-heights-computing = Calcul des hauteurs.
 job-strips-reading = Lecture des bandes.
 job-strips-cutting = Découpe des bandes.
-job-vehicles-searching = Détection des véhicules.
 job-vehicles-found = Détection des véhicules. { $count } jusqu’ici.
 job-vehicles-again = Nouvelle mesure des véhicules connus.
 job-study-package = Écriture de l’archive.

@@ -33,7 +33,6 @@ from sightline.scans.vehicles.store import (
 SAME_SHARE = 0.5
 NEIGHBOURS = 4
 Report = Callable[[float, Said], None]
-_LOOKING = Said("job-vehicles-searching")
 _AGAIN = Said("job-vehicles-again")
 
 
