@@ -9,7 +9,7 @@ import pytest
 
 from sightline.linescan.direct import NO_ORDER, NO_TEXTURE, baseline_of, measure_direct
 from sightline.linescan.finding import CUT
-from sightline.linescan.masks import Sheet, sampled, shifted, slopes_along
+from sightline.linescan.masks import Sheet, sampled, shifted
 from sightline.linescan.paper import measure_paper
 from sightline.linescan.parts import Crossings, Passage, Rig
 from sightline.linescan.warp import Course, solved_by_boundaries
@@ -212,4 +212,3 @@ def test_sampling_is_exact_for_quadratics():
     expected = 0.3 * at**2 - 0.2 * row * at + 0.1 * row**2 + 4
     # in single precision, of values up to 600
     assert sampled(sheet, place, whole) == pytest.approx(expected, abs=2e-4)
-    assert slopes_along(sheet, place, whole) == pytest.approx(0.6 * at - 0.2 * row, abs=2e-4)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from sightline.linescan.registration import Fit, Look, Prior, State
-from sightline.linescan.spread import covariance
+from sightline.linescan.spread import Slopes, covariance
 from sightline.linescan.warp import Course
 
 pytestmark = pytest.mark.once
@@ -19,6 +19,15 @@ def _fit(jacobian: np.ndarray, residual: np.ndarray) -> Fit:
     return Fit(state, seen, np.ones(n), jacobian.T @ jacobian, 1e6, True)
 
 
+def _covariance(
+    first: np.ndarray, second: np.ndarray, residual: np.ndarray, cluster: np.ndarray, free: int, prior: Prior
+) -> np.ndarray:
+    """With residuals' derivatives as strip 1 and as strip 2 shows them, (n, 5) each."""
+    slope = first[:, :free, None] * second[:, None, :free]
+    slopes = Slopes(first[:, :free] * residual[:, None], slope, np.ones(free))
+    return covariance(slopes, cluster, _fit(first, residual), prior)
+
+
 def test_it_covers_95_per_cent_with_a_dozen_clusters_whose_errors_go_together():
     rng = np.random.default_rng(5)
     cluster = np.repeat(np.arange(CLUSTERS), EACH)
@@ -28,8 +37,8 @@ def test_it_covers_95_per_cent_with_a_dozen_clusters_whose_errors_go_together():
     for _ in range(600):
         error = rng.normal(size=CLUSTERS)[cluster] + 0.3 * rng.normal(size=len(cluster))
         answer = np.linalg.lstsq(slopes[:, :2], error, rcond=None)[0]
-        fit = _fit(slopes, error - slopes[:, :2] @ answer)
-        spread = covariance(fit, slopes, cluster, 2, Prior())
+        left = error - slopes[:, :2] @ answer
+        spread = _covariance(slopes, slopes, left, cluster, 2, Prior())
         inside.append(np.abs(answer) < 1.96 * np.sqrt(np.diag(spread)))
     assert np.mean(inside, axis=0).min() > 0.93 and np.mean(inside, axis=0).max() < 0.985
 
@@ -42,8 +51,8 @@ def test_noise_in_the_first_gradients_does_not_make_it_surer():
     noisy = true.copy()
     noisy[:, 0] += rng.normal(size=len(cluster))
     residual = rng.normal(size=len(cluster))
-    own = covariance(_fit(noisy, residual), noisy, cluster, 1, Prior())[0, 0]
-    honest = covariance(_fit(noisy, residual), true, cluster, 1, Prior())[0, 0]
+    own = _covariance(noisy, noisy, residual, cluster, 1, Prior())[0, 0]
+    honest = _covariance(noisy, true, residual, cluster, 1, Prior())[0, 0]
     # the gradients' squares are twice too large by the noise, so the variance would be a quarter
     assert honest / own == pytest.approx(4.0, rel=0.25)
     expected = 2.0 / len(cluster)
@@ -54,7 +63,7 @@ def test_a_known_shift_is_as_sure_as_it_was_said_to_be():
     rng = np.random.default_rng(7)
     cluster = np.repeat(np.arange(15), 20)
     slopes = rng.normal(size=(len(cluster), 5))
-    fit = _fit(slopes, rng.normal(size=len(cluster)))
-    free = covariance(fit, slopes, cluster, 5, Prior())
-    held = covariance(fit, slopes, cluster, 5, Prior(0.0, 1e-3))
+    residual = rng.normal(size=len(cluster))
+    free = _covariance(slopes, slopes, residual, cluster, 5, Prior())
+    held = _covariance(slopes, slopes, residual, cluster, 5, Prior(0.0, 1e-3))
     assert free[2, 2] > 1e-3 and np.sqrt(held[2, 2]) == pytest.approx(1e-3, rel=0.05)

@@ -58,8 +58,9 @@ BUMPY_M = 0.0005
 # 4 mm)
 NEAR_M, FAR_M, SOFT_EDGE_M = (0.010, 0.020), (0.028, 0.040), 0.010
 # What differs from the road lies at most so far before its half-way edge, metres, by optics alone. What lies
-# farther before it, or is brighter where the vehicle is darker, may be the vehicle's own edge or a shadow.
-AHEAD_M = 0.008
+# farther before it (by noise, up to TOLD_M), or is brighter where the vehicle is darker, may be the vehicle's
+# own edge or a shadow.
+AHEAD_M, TOLD_M = 0.008, 0.011
 # of seven bands as many change independently of each other
 OWN_BANDS = 3.0
 CAUCHY, ROBUST_ROUNDS = 2.385, 6
@@ -212,7 +213,7 @@ def _band_edges(
     steep = np.maximum(np.maximum(y1 - y0, np.abs(level) / max(EDGE_M * lines_per_m, 1.5)), 1e-9)
     lead = last + part - start
     turns = smooth[start, every] * level < 0
-    ahead = np.where(turns, lead, np.maximum(lead - AHEAD_M * lines_per_m, 0)) * inside
+    ahead = np.where(turns, lead, (lead - AHEAD_M * lines_per_m) * (lead > TOLD_M * lines_per_m)) * inside
     return last + part, 1.2 * sigma / steep, ahead, steady & inside
 
 

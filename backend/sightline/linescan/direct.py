@@ -23,7 +23,7 @@ from sightline.linescan.masks import (
 from sightline.linescan.parts import Crossings, Motion, Passage, Pixels, Profile, Rig
 from sightline.linescan.registration import GAINS, Clock, Fit, Prior, State, register
 from sightline.linescan.rig import baseline_of
-from sightline.linescan.spread import covariance, second_slopes
+from sightline.linescan.spread import covariance, slopes_of
 from sightline.linescan.warp import solved_by_boundaries
 from sightline.messages.said import Said
 from sightline.robust import robust_scale
@@ -229,8 +229,8 @@ def _distrusted(fit: Fit, scene: Scene, start: State, rig: Rig) -> Said | None:
 def _answer(passage: Passage, rig: Rig, scene: Scene, prior: Prior, whole: Fit, fit: Fit) -> Motion:
     c, course = passage.crossings, fit.state.course
     shift, u_shift = whole.state.shift, _u_shift(scene, prior, whole)
-    slopes = second_slopes(scene.first, scene.second, scene.points, scene.clock, fit, scene.cell)
-    spread = np.mean([covariance(fit, slopes, one, 2, prior) for one in scene.clusters], axis=0)
+    slopes = slopes_of(scene.first, scene.second, scene.points, scene.clock, fit, scene.block, 2, scene.cell)
+    spread = np.mean([covariance(slopes, one, fit, prior) for one in scene.clusters], axis=0)
     budget = budget_of(passage, rig, scene.clock, fit, spread, u_shift, baseline_of(rig))
     profile = _profile(scene, fit, rig)
     return Motion(
@@ -263,9 +263,9 @@ def _u_shift(scene: Scene, prior: Prior, whole: Fit) -> float:
     """
     few = round(len(scene.points) / len(whole.weight))
     points = scene.points.every(few)
-    slopes = second_slopes(scene.first, scene.second, points, scene.clock, whole)
+    slopes = slopes_of(scene.first, scene.second, points, scene.clock, whole, scene.block[::few], 5)
     clusters = scene.clusters[0][::few], points.row.astype(np.intp)
-    variance = sum(covariance(whole, slopes, cluster, 5, prior)[2, 2] for cluster in clusters)
+    variance = sum(covariance(slopes, cluster, whole, prior)[2, 2] for cluster in clusters)
     return float(np.sqrt(variance))
 
 

@@ -1,6 +1,5 @@
 """Which pixels of strip 1 tell the motion: clear changes along time, inside the vehicle, spread over it."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -190,29 +189,13 @@ def sampled(sheet: Sheet, place: NDArray[np.float64], row: NDArray[np.float64]) 
     0.002 % with splines, and no less with those of the fifth degree. OpenCV's remap rounds places to 1/32 of
     a pixel.
     """
-    return _summed(sheet, place, row, _b_spline)
-
-
-def slopes_along(sheet: Sheet, place: NDArray[np.float64], row: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Derivatives (n,) of `sampled` by its `place` (n,), at whole rows `row` (n,): grey values a line of the
-    sheet (Unser 1999).
-    """
-    return _summed(sheet, place, row, _b_spline_slope)
-
-
-def _summed(
-    sheet: Sheet,
-    place: NDArray[np.float64],
-    row: NDArray[np.float64],
-    weights: Callable[[Floats], tuple[NDArray[np.floating], ...]],
-) -> NDArray[np.float64]:
     lines, rows = sheet.values.shape
     place = np.clip(place, 1, lines - 2.001)
     at = place.astype(np.intp)
     flat = sheet.splines.ravel()
     base = (at - 1) * rows + row.astype(np.intp)
     total = np.zeros(len(place), np.float32)
-    for by_line in weights((place - at).astype(np.float32)):
+    for by_line in _b_spline((place - at).astype(np.float32)):
         total += by_line * flat.take(base)
         base += rows
     return total.astype(np.float64)
@@ -236,12 +219,6 @@ def _b_spline(part: Floats) -> tuple[NDArray[np.floating], ...]:
         (3 * rest**3 - 6 * rest**2 + 4) / 6,
         t**3 / 6,
     )
-
-
-def _b_spline_slope(part: Floats) -> tuple[NDArray[np.floating], ...]:
-    """What `_b_spline` changes by, per sample."""
-    t, rest = part, 1 - part
-    return -(rest**2) / 2, (3 * t**2 - 4 * t) / 2, (4 * rest - 3 * rest**2) / 2, t**2 / 2
 
 
 def _shift_kernel(shift: float) -> Floats:

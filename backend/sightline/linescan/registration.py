@@ -123,9 +123,9 @@ def _scale(residual: Array) -> float:
     return max(robust_scale(residual), 0.05) if len(residual) else 1.0
 
 
-def _weights(seen: Look, block: NDArray[np.intp], blocks: int) -> tuple[Array, float]:
+def _weights(seen: Look, block: NDArray[np.intp]) -> tuple[Array, float]:
     """Tukey's weight of each pixel times that of its block, which falls where a whole block disagrees."""
-    use = seen.inside
+    use, blocks = seen.inside, int(block.max()) + 1
     scale = _scale(seen.residual[use])
     part = np.clip(np.abs(seen.residual) / (TUKEY * scale), 0, 1)
     pixel = np.where(use, (1 - part**2) ** 2, 0.0)
@@ -159,7 +159,6 @@ def register(
     whole blocks.
     """
     state, fit = start, None
-    blocks = int(block.max()) + 1
     weight = np.ones(len(points))
     held = np.flatnonzero(~np.array(free)) if cell is None else np.array([2, 3, 4])
     moved, at = shifted(second, state.shift), state.shift
@@ -169,7 +168,7 @@ def register(
         seen = look(first, moved, points, clock, state)
         if cell is not None:
             seen = levelled(seen, points.value, weight * seen.inside, cell)
-        weight, scale = _weights(seen, block, blocks)
+        weight, scale = _weights(seen, block)
         normal, right = _normal(seen, weight, prior, state, scale)
         bound = normal.copy()
         bound[held], bound[:, held], right[held] = 0, 0, 0
@@ -177,12 +176,33 @@ def register(
         step = _solved(bound, right)
         small = abs(step[0]) < SETTLED * state.course.speed_mps and bool((np.abs(step[1:3]) < 2e-3).all())
         # the last look is one small step behind the state, which no uncertainty would notice
-        state = _moved(state, step)
+        state = stepped(state, step)
         fit = Fit(state=state, look=seen, weight=weight, normal=normal, scale_dn=scale, settled=small)
         if small:
             break
     assert fit is not None
     return fit
+
+
+def scores(
+    first: Sheet,
+    moved: Sheet,
+    points: Points,
+    clock: Clock,
+    state: State,
+    fit: Fit,
+    block: NDArray[np.intp],
+    cell: NDArray[np.intp] | None = None,
+) -> Array:
+    """(n, 5) what every pixel adds to the sums that are zero at the fit: weight, residual and derivative
+    multiplied, all of them under `state`, near the fit's. `moved`: strip 2, shifted by the state's rows.
+    """
+    seen, weight = look(first, moved, points, clock, state), fit.weight
+    if cell is not None:
+        weight, _ = _weights(levelled(seen, points.value, weight * seen.inside, cell), block)
+        seen = levelled(seen, points.value, weight * seen.inside, cell)
+    weight, _ = _weights(seen, block)
+    return np.asarray(seen.jacobian * (weight * seen.residual)[:, None])
 
 
 def levelled(seen: Look, value: Array, weight: Array, cell: NDArray[np.intp]) -> Look:
@@ -232,7 +252,7 @@ def _solved(normal: Array, right: Array) -> Array:
     return np.asarray(np.linalg.lstsq(normal / np.outer(size, size), right / size, rcond=1e-12)[0] / size)
 
 
-def _moved(state: State, step: Array) -> State:
+def stepped(state: State, step: Array) -> State:
     """A step of the five unknowns, kept from leaving what a vehicle can do."""
     speed = state.course.speed_mps * (1 + float(np.clip(step[0] / state.course.speed_mps, -0.1, 0.1)))
     acceleration = float(np.clip(state.course.acceleration_mps2 + np.clip(step[1], -3, 3), -12, 12))

@@ -1,9 +1,10 @@
 """How well a registration knows its answer: from the scatter of pieces of the vehicle.
 
-The answer solves sum psi(r) J = 0 (psi: Tukey's weight times residual r, J: r's derivatives as strip 1 shows
-them), so its error is A^-1 times that sum, with A = sum psi'(r) J J2'. psi', not the weight: where the weight
-falls, a residual says less (Huber 1981, ch. 6). J2 is J out of strip 2's own gradients: strip 1's hold the
-noise by which its pixels were chosen, which makes J J' too large (Carroll et al. 2006, ch. 6, instruments).
+The answer solves sum psi(r) J = 0 (psi: weight times residual r, J: r's derivatives as strip 1 shows them),
+so its error is A^-1 times that sum, A being the sum's own derivative by the unknowns. A is taken by
+differences: strip 2's own gradients are in it, where strip 1's hold the noise by which its pixels were chosen
+(Carroll et al. 2006, ch. 6), the falling weights of pixels (Huber 1981, ch. 6) and of whole blocks, and every
+cell's own gain and offset.
 
 The sum over a cluster of neighbouring pixels, which share what matters (a reflection, a window's edge), is
 one observation (Liang and Zeger 1986). Clusters are few and those at the ends weigh most, so each is left
@@ -12,7 +13,7 @@ until 1.96 times it covers what Student's t covers. Of t's degrees of freedom th
 equal information would be (Kish 1965): of a white van's fifteen, four may hold nearly all that is to be seen.
 """
 
-from dataclasses import replace
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -20,67 +21,81 @@ import scipy
 from numpy.typing import NDArray
 
 from sightline.coverage import COVERAGE_95
-from sightline.linescan.masks import Points, Sheet, sampled, shifted, slopes_along
-from sightline.linescan.registration import TUKEY, Clock, Fit, Prior, levelled
+from sightline.linescan.masks import Points, Sheet, shifted
+from sightline.linescan.registration import Clock, Fit, Prior, scores, stepped
 
 Array = NDArray[np.float64]
-# rows up and down between which the slope across the lines is taken
-_ROWS_APART = 0.25
+# about as wide as neighbouring pixels' noise, which is not their own, makes u
+STEPS = 4.0
 
 
-def second_slopes(
-    first: Sheet, second: Sheet, points: Points, clock: Clock, fit: Fit, cell: NDArray[np.intp] | None = None
-) -> Array:
-    """J2 (n, 5): the residuals' derivatives with the gradients of strip 2 in the place of strip 1's.
-
-    `cell` (n,) as in `register`. They are the instruments of the errors-in-variables fit (Carroll et al.
-    2006, ch. 6), and the splines' own: a difference of neighbours is smaller than the slope, its u too large.
+@dataclass(frozen=True, eq=False)
+class Slopes:
+    """Of every pixel: what it adds to the sums (n, free) that are zero at the fit, and their derivatives
+    (n, free, free), each times the `step` (free,) of its unknowns.
     """
-    state, seen = fit.state, fit.look
-    lower, moved, upper = (shifted(second, state.shift + by) for by in (-_ROWS_APART, 0.0, _ROWS_APART))
-    place = second.place(clock.lines(seen.second_s))
-    row = points.row
-    along = slopes_along(moved, place, row)
-    across = (sampled(upper, place, row) - sampled(lower, place, row)) / (2 * _ROWS_APART)
-    per_s = along * clock.line_rate_hz / second.step
-    by_speed, by_acceleration = state.course.derivatives(seen.first_s, seen.second_s)
-    columns = [per_s * by_speed, per_s * by_acceleration, across, -points.value, -np.ones_like(along)]
-    slopes = np.stack(columns).T
-    if cell is None:
-        return slopes
-    own = replace(seen, jacobian=slopes, along=along)
-    return levelled(own, points.value, fit.weight * seen.inside, cell).jacobian
+
+    score: Array
+    slope: Array
+    step: Array
 
 
-def covariance(fit: Fit, slopes: Array, cluster: NDArray[np.intp], free: int, prior: Prior) -> Array:
-    """Covariance (free, free) of the first `free` unknowns, those that the fit solved for.
-
-    `slopes` (n, 5) of `second_slopes`; `cluster` (n,): numbers of the pixels' clusters. With a prior of the
-    row shift, that is one more observation. Clusters: Liang and Zeger 1986; psi': Huber 1981, ch. 6; each
-    cluster left out in turn: MacKinnon and White 1985, Bell and McCaffrey 2002; then widened as Student's t
-    is wider, for the effective number of clusters (Kish 1965).
+def slopes_of(
+    first: Sheet,
+    second: Sheet,
+    points: Points,
+    clock: Clock,
+    fit: Fit,
+    block: NDArray[np.intp],
+    free: int,
+    cell: NDArray[np.intp] | None = None,
+) -> Slopes:
+    """Central differences by the first `free` unknowns, those that the fit solved for; `block` and `cell`
+    (n,) as in `register`. A step is STEPS times the standard uncertainty that the unknown would have if every
+    pixel's noise were its own; with 1 and with 6 times u comes out the same within a hundredth.
     """
-    size = np.sqrt(np.maximum((fit.look.jacobian**2 * fit.weight[:, None]).sum(axis=0), 1e-12))[:free]
-    first, second = fit.look.jacobian[:, :free].T / size[:, None], slopes[:, :free].T / size[:, None]
+    size = np.sqrt(np.maximum((fit.look.jacobian**2 * fit.weight[:, None]).sum(axis=0), 1e-12))
+    step = STEPS * fit.scale_dn / size
+
+    def at(by: Array) -> Array:
+        state = stepped(fit.state, by)
+        moved = shifted(second, state.shift)
+        every = scores(first, moved, points, clock, state, fit, block, cell)
+        return np.asarray(every[:, :free] * step[:free])
+
+    steps = np.diag(step)[:free]
+    slope = np.stack([(at(one) - at(-one)) / 2 for one in steps], axis=-1)
+    return Slopes(at(np.zeros(5)), slope, step[:free])
+
+
+def covariance(slopes: Slopes, cluster: NDArray[np.intp], fit: Fit, prior: Prior) -> Array:
+    """Covariance (free, free) of the unknowns of `slopes`.
+
+    `cluster` (n,): numbers of the pixels' clusters. With a prior of the row shift, that is one more
+    observation. Clusters: Liang and Zeger 1986; psi': Huber 1981, ch. 6; each cluster left out in turn:
+    MacKinnon and White 1985, Bell and McCaffrey 2002; then widened as Student's t is wider, for the effective
+    number of clusters (Kish 1965).
+    """
+    free, step = len(slopes.step), slopes.step
     count = int(cluster.max()) + 1
 
     def total(values: Array) -> Array:
-        return np.asarray(np.bincount(cluster, weights=values, minlength=count))
+        every = values.reshape(len(values), -1).T
+        sums = [np.bincount(cluster, weights=one, minlength=count) for one in every]
+        return np.asarray(np.stack(sums, -1).reshape(count, *values.shape[1:]), np.float64)
 
-    used = total(fit.weight) > 0
-    score = np.stack([total(fit.weight * fit.look.residual * one) for one in first], -1)[used]
-    bent = _slope_of_weighted(fit)
-    normal = np.stack([np.stack([total(bent * one * other) for other in second], -1) for one in first], 1)
+    used = np.bincount(cluster, weights=fit.weight, minlength=count) > 0
+    score, normal = total(slopes.score)[used], total(slopes.slope)[used]
     whole, known = normal.sum(axis=0), np.zeros((free, free))
     if prior.u_shift is not None and free > 2:
-        trust = (fit.scale_dn / max(prior.u_shift, 1e-3) / size[2]) ** 2
+        trust = (fit.scale_dn / max(prior.u_shift, 1e-3) * step[2]) ** 2
         whole[2, 2] += trust
-        known[2, 2] = (trust * prior.u_shift * size[2]) ** 2
-    apart = _solved(whole - normal[used], score[:, :, None])[:, :, 0]
+        known[2, 2] = (trust * prior.u_shift / step[2]) ** 2
+    apart = _solved(whole - normal, score[:, :, None])[:, :, 0]
     inverse = _solved(whole, np.eye(free))
     groups = len(score)
-    seen = widening(_effective(normal[used])) ** 2 * (groups - 1) / groups * apart.T @ apart
-    return np.asarray((seen + inverse @ known @ inverse.T) / np.outer(size, size))
+    seen = widening(_effective(normal)) ** 2 * (groups - 1) / groups * apart.T @ apart
+    return np.asarray((seen + inverse @ known @ inverse.T) * np.outer(step, step))
 
 
 def _effective(normal: Array) -> float:
@@ -89,12 +104,6 @@ def _effective(normal: Array) -> float:
     """
     told = np.maximum(np.trace(normal, axis1=1, axis2=2), 0.0)
     return max(round(float(told.sum() ** 2 / max(float((told**2).sum()), 1e-12)), 1), 1.0)
-
-
-def _slope_of_weighted(fit: Fit) -> Array:
-    """psi' (n,): the slope of Tukey's weight times residual, times the block's part of the weight."""
-    share = np.minimum((fit.look.residual / (TUKEY * fit.scale_dn)) ** 2, 1 - 1e-6)
-    return np.asarray(fit.weight * (1 - 5 * share) / (1 - share))
 
 
 def _solved(normal: Array, right: Array) -> Array:
