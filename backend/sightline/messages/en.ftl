@@ -2005,6 +2005,10 @@ review-state-accepted = Accepted
 review-state-fixed = Fixed
 review-state-all = All
 review-counts = { NUMBER($accepted) } accepted, { NUMBER($rejected) } rejected of { NUMBER($count) }
+review-counts-of-scans = { $count ->
+    [one] (1 of line scans)
+   *[other] ({ NUMBER($count) } of line scans)
+}
 review-mine = mine
 review-line = line scan
 review-verdict-of = verdict on { $target } of vehicle { $vehicle }
@@ -3194,6 +3198,10 @@ statistics-without-class = { $count ->
    *[other] { NUMBER($count) } vehicles have no class and are excluded from results by class. <link>Choose them in Measure</link> (list: No class).
 }
 statistics-left-out = Excluded: { $states }.
+statistics-of-scans = { $count ->
+    [one] 1 height of line scans is counted under Motion.
+   *[other] { NUMBER($count) } heights of line scans are counted under Motion.
+}
 statistics-left-out-state = { $state ->
     [to_review] { NUMBER($count) } to review
     [reopened] { NUMBER($count) } reopened
@@ -3912,6 +3920,13 @@ overview-review-line-heights = { $count ->
    *[other] Review { $count } heights of line scans.
 }
 overview-remeasure = { $count ->
+overview-accepted = Accepted: { $count ->
+    [one] 1 measurement
+   *[other] { $count } measurements
+}, { $scans ->
+    [one] 1 height of line scans.
+   *[other] { $scans } heights of line scans.
+}
     [one] Remeasure 1 rejected measurement.
    *[other] Remeasure { $count } rejected measurements.
 }
@@ -4514,21 +4529,6 @@ export-of-all = all vehicles
 export-build = Build the package
 export-ready = The package is ready.
 export-failed = The package could not be built. Try again.
-export-open-to-review = { $to_review ->
-    [one] { $to_review } measurement not yet reviewed.
-   *[other] { $to_review } measurements not yet reviewed.
-}
-export-open-rejected = { $rejected ->
-    [one] { $rejected } measurement rejected and not measured again.
-   *[other] { $rejected } measurements rejected and not measured again.
-}
-export-open-both = { $to_review ->
-    [one] { $to_review } measurement not yet reviewed
-   *[other] { $to_review } measurements not yet reviewed
-}, { $rejected ->
-    [one] { $rejected } measurement rejected and not measured again.
-   *[other] { $rejected } measurements rejected and not measured again.
-}
 export-open-note = Each row shows its review status. For a final package, <link>complete the review</link> first.
 export-packages = Packages
 export-outdated = Outdated, { $what } since

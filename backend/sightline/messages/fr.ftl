@@ -2004,6 +2004,10 @@ review-state-accepted = Validées
 review-state-fixed = Corrigées
 review-state-all = Toutes
 review-counts = validées : { NUMBER($accepted) }, rejetées : { NUMBER($rejected) }, sur { NUMBER($count) }
+review-counts-of-scans = { $count ->
+    [one] (dont 1 de balayages)
+   *[other] (dont { NUMBER($count) } de balayages)
+}
 review-mine = la mienne
 review-line = balayage
 review-verdict-of = décision ({ $target }, véhicule { $vehicle })
@@ -3190,6 +3194,10 @@ statistics-without-class = { $count ->
    *[other] { NUMBER($count) } véhicules n’ont pas de classe et sont exclus des résultats par classe. <link>Choisissez-la dans Mesure</link> (liste : Sans classe).
 }
 statistics-left-out = Exclues : { $states }.
+statistics-of-scans = { $count ->
+    [one] 1 hauteur de balayages figure dans l’onglet Mouvement.
+   *[other] { NUMBER($count) } hauteurs de balayages figurent dans l’onglet Mouvement.
+}
 statistics-left-out-state = { $state ->
     [to_review] à vérifier ({ NUMBER($count) })
     [reopened] rouvertes ({ NUMBER($count) })
@@ -3901,6 +3909,13 @@ overview-review-line-heights = { $count ->
    *[other] Vérifiez { $count } hauteurs de balayages.
 }
 overview-remeasure = { $count ->
+overview-accepted = Validées : { $count ->
+    [one] 1 mesure
+   *[other] { $count } mesures
+}, { $scans ->
+    [one] 1 hauteur de balayages.
+   *[other] { $scans } hauteurs de balayages.
+}
     [one] Mesurez à nouveau une mesure rejetée.
    *[other] Mesurez à nouveau { $count } mesures rejetées.
 }
@@ -4503,21 +4518,6 @@ export-of-all = tous les véhicules
 export-build = Créer l’archive
 export-ready = L’archive est prête.
 export-failed = L’archive n’a pas pu être créée ; réessayez.
-export-open-to-review = { $to_review ->
-    [one] { $to_review } mesure pas encore vérifiée.
-   *[other] { $to_review } mesures pas encore vérifiées.
-}
-export-open-rejected = { $rejected ->
-    [one] { $rejected } mesure rejetée et non repointée.
-   *[other] { $rejected } mesures rejetées et non repointées.
-}
-export-open-both = { $to_review ->
-    [one] { $to_review } mesure pas encore vérifiée
-   *[other] { $to_review } mesures pas encore vérifiées
-}, { $rejected ->
-    [one] { $rejected } mesure rejetée et non repointée.
-   *[other] { $rejected } mesures rejetées et non repointées.
-}
 export-open-note = Chaque ligne indique son état de vérification. Pour une archive définitive, <link>terminez d’abord la vérification</link>.
 export-packages = Archives
 export-outdated = Périmée, depuis : { $what }
