@@ -4541,7 +4541,7 @@ export-by = Par
 export-language = Langue du rapport
 export-size = Taille
 export-sha256 = SHA-256
-export-audit-head = Tête d’audit
+export-audit-head = Tête d’audit de l’archive
 export-download-column = Téléchargement
 export-download = Télécharger
 export-sha256-copy = Copier le SHA-256
@@ -7394,7 +7394,7 @@ report-kind = Rapport de mesure
 report-of-survey = { $survey }, rapport de mesure
 report-survey = Relevé
 report-foot = État au { $moment }
-report-foot-head = État au { $moment }, tête d’audit { $head }…
+report-foot-head = État au { $moment }, tête d’audit du relevé { $head }…
 report-empty-trail = journal d’audit vide
 report-page = Page { $page } sur { $pages }
 report-between = { $low } à { $high }
@@ -7712,6 +7712,14 @@ report-readme-page = Cette archive sous forme de page : à ouvrir dans un navig
 report-readme-report = Le rapport.
 report-readme-statistics = Les valeurs du rapport en tableaux, non arrondies.
 report-readme-tables = Chaque véhicule, mesure et vérification en tableaux ; datapackage.json décrit chaque colonne.
+report-uncovered-line-heights = { $n ->
+    [one] 1 hauteur validée de balayages : elle figure dans la section sur les balayages.
+   *[other] { $n } hauteurs validées de balayages : elles figurent dans la section sur les balayages.
+ }
+report-uncovered-by-lot = { $n ->
+    [one] 1 hauteur validée n’a pas été vérifiée individuellement : l’échantillon de son lot l’a été.
+   *[other] { $n } hauteurs validées n’ont pas été vérifiées individuellement : les échantillons de leurs lots l’ont été.
+ }
 report-readme-files = Images, figures, poses et étalonnages des caméras, et les mêmes tableaux en Parquet.
 report-readme-audit = La chaîne d’audit et sa signature.
 report-readme-check = Pour tout vérifier : sightline verify, avec la clé qu’affiche l’installation. Pour vérifier qu’aucun fichier n’a changé : sha256sum -c SHA256SUMS
@@ -7907,7 +7915,7 @@ report-trail-empty = Le journal d’audit est vide.
 report-trail = Le journal d’audit a { $n ->
     [one] { $n } événement
    *[other] { $n } événements
- } jusqu’au dernier de ce relevé. Chacun porte l’empreinte du précédent ; quiconque a gardé ailleurs l’empreinte de cet événement peut vérifier que rien avant lui n’a été modifié depuis. L’événement suivant, qui scelle cette archive, nomme chaque fichier par son empreinte.
+ } jusqu’au dernier de ce relevé. Chacun porte l’empreinte du précédent ; quiconque a gardé ailleurs l’empreinte de cet événement peut vérifier que rien avant lui n’a été modifié depuis. Cette empreinte est la tête d’audit du relevé, donnée ci-dessous et au pied de chaque page. L’événement suivant, qui scelle cette archive, nomme chaque fichier par son empreinte. Sa propre empreinte est la tête d’audit de l’archive, donnée là où celle-ci a été créée.
 report-checksums = SHA-256 des fichiers de l’archive.
 report-file = Fichier
 
