@@ -135,6 +135,14 @@ def check_shown(admin: Client, survey_id: int) -> None:
         < work["heights"]
         == sum(counts[one] for one in ("to_review", "accepted", "rejected"))
     )
+    # results are of frames alone: the overview, whose words the package page repeats, tells both apart
+    results, scans = admin.seen(f"/statistics?survey_id={survey_id}")["counted"], survey["scans"]
+    review = next(one["summary"] for one in survey["steps"] if one["key"] == "review")
+    told = {one["code"]: one["values"] for one in review}
+    assert told["overview-accepted"] == {"count": results["measurements"], "scans": scans["heights_accepted"]}
+    assert told["overview-review"]["count"] == results["left_out"]["to_review"]
+    assert told["overview-review-line-heights"]["count"] == scans["heights_to_review"]
+    assert counts["to_review"] == results["left_out"]["to_review"] + scans["heights_to_review"]
     for recording in admin.seen(f"/surveys/{survey_id}/recordings"):
         assert recording["state"] == "ready" and recording["thumbs"]
         assert admin.http.get(recording["thumbs"][0]["url"]).status_code == 200

@@ -14,7 +14,8 @@ import pytest
 from sightline.cli import main
 from sightline.enums import JsonObject
 from sightline.errors import Damaged
-from sightline.export.evidence import page
+from sightline.export.evidence import page, verify
+from sightline.export.evidence.decision import decision_of
 from sightline.export.evidence.pictures import StripPicture
 from sightline.export.evidence.verify import EvidenceCheck, verify_evidence
 from sightline.infra.audit.checkpoints import hand_on
@@ -352,17 +353,25 @@ def test_who_writes_the_event_anew_too_is_told_by_the_numbers(
 
 
 def test_words_of_another_version_are_no_fault_and_its_answer_is_held_to_the_numbers(
-    viewer: Client, scan: dict[str, Any], services: Services
+    viewer: Client, scan: dict[str, Any], services: Services, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Only the version that made a file knows how it worded it."""
+    """Only the version that made a file knows how it worded it. It is decided once."""
     file = made(viewer, vehicles(viewer, scan)[1], SPEED)
     key = signing_key(services.settings)
     document = document_of(file)
     document["decision"]["words"] = "As it was said then."
     assert "decision: words" in (checked(signed_again(file, document, key)).problem or "")
     document["program"] = "0.0.9"
-    found = checked(signed_again(file, document, key))
-    assert found.ok, found.problem
+    decisions: list[JsonObject] = []
+
+    def decide(*given: Any) -> JsonObject:
+        decisions.append(decision_of(*given))
+        return decisions[-1]
+
+    with monkeypatch.context() as counted:
+        counted.setattr(verify, "decision_of", decide)
+        found = checked(signed_again(file, document, key))
+    assert found.ok and len(decisions) == 1, found.problem
     words = document_of(file)["decision"]["words"]
     assert any("Another version worded" in one and words in one for one in found.notes)
     document["decision"]["limit" if "limit" in document["decision"] else "value"] = 1.0

@@ -100,6 +100,6 @@ def export(
         )
     click.echo(
         f"{built.measurements} measurements of {built.vehicles} vehicles written to {output} "
-        f"({len(staging.written)} files). Audit head {built.head.hash}; keep it in another place, for "
-        "`sightline verify --head`."
+        f"({len(staging.written)} files). Audit head of the package {built.head.hash}; keep it in another "
+        "place, for `sightline verify --head`."
     )

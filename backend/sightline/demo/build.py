@@ -119,10 +119,10 @@ def build(session: Session, parts: Parts) -> int:
     )
     camera_id, calibration_id = _camera(session, survey.id, parts)
     chosen: list[Pass] = []
-    for video, solved in zip(parts.videos, parts.poses, strict=True):
+    for number, (video, solved) in enumerate(zip(parts.videos, parts.poses, strict=True)):
         recording_id = _recording(session, survey.id, camera_id, video)
         _pose(session, recording_id, calibration_id, video, solved)
-        passes = _vehicles(session, recording_id, video.truth, operator.id)
+        passes = _vehicles(session, recording_id, number, video.truth, operator.id)
         # the last one is left to try with; those by day show faults too
         chosen += with_fates(passes[:-1], faults=video.truth.lighting == "daytime")
     stored = measure(session, chosen, actor=operator.id)
@@ -214,10 +214,10 @@ def _pose(session: Session, recording_id: int, calibration_id: int, video: Video
     )
 
 
-def _vehicles(session: Session, recording_id: int, scene: SceneTruth, actor: int) -> list[Pass]:
+def _vehicles(session: Session, recording_id: int, video: int, scene: SceneTruth, actor: int) -> list[Pass]:
     """The passes with what an operator would write down of each vehicle."""
     passes = []
-    for one in scene.passes:
+    for number, one in enumerate(scene.passes):
         fields: VehicleChanges = {
             "first_frame": one.first_frame,
             "last_frame": one.last_frame,
@@ -232,5 +232,6 @@ def _vehicles(session: Session, recording_id: int, scene: SceneTruth, actor: int
             "lighting": scene.lighting,
             "direction": "right" if one.direction > 0 else "left",
         }
-        passes.append(Pass(create_vehicle(session, recording_id, fields, actor=actor), one, scene.fps))
+        vehicle = create_vehicle(session, recording_id, fields, actor=actor)
+        passes.append(Pass(vehicle, one, scene.fps, (video, number)))
     return passes

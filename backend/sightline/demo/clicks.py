@@ -28,6 +28,8 @@ _NAMESPACE = UUID("6f0b5a52-4d1c-4b6e-9d6e-2f1f0a3f7c11")
 _SLIP_PX = 7.0
 # Every third vehicle has its taillight clicked on a second frame too, this far along its way.
 _SECOND_EVERY, _SECOND_TRAVEL_M = 3, 2.0
+# Seeds of the clicks on a second frame, and of those that the reviewer makes.
+_SECOND, _FIXED = 20190612, 20190613
 
 
 @dataclass(frozen=True)
@@ -37,6 +39,8 @@ class Pass:
     vehicle: Vehicle
     truth: PassTruth
     fps: int
+    #: Which video, and which vehicle of it: the same in every database, as ids are not.
+    place: tuple[int, int]
     fate: DemoFate = "waits"
 
 
@@ -54,7 +58,7 @@ def measure(session: Session, passes: list[Pass], *, actor: int) -> dict[int, li
     rng = np.random.default_rng(20190611)
     stored: dict[int, list[Measurement]] = {}
     for index, one in enumerate(passes):
-        again = np.random.default_rng(one.vehicle.id)
+        again = np.random.default_rng([_SECOND, *one.place])
         slip = one.fate == "slipped"
         for clicks in _clicks(one.truth, rng, slip=slip):
             if clicks.target == "taillight" and index % _SECOND_EVERY == 0 and not slip:
@@ -75,8 +79,8 @@ def _clicks(truth: PassTruth, rng: np.random.Generator, slip: bool) -> Iterator[
         yield Clicks(
             target=target,
             frame=frame,
-            contact=_beside((contact[0], contact[1] + below), rng),
-            target_point=_beside(point, rng),
+            contact=beside((contact[0], contact[1] + below), rng),
+            target_point=beside(point, rng),
         )
 
 
@@ -87,9 +91,8 @@ def _second(seen: Pass, first: int, target: str, rng: np.random.Generator) -> tu
     for one in seen.truth.frames:
         shown = contact_name in one.pixels and one.shows(target)
         if shown and abs(one.frame - first) == apart and contact_name is not None:
-            contact, point = one.pixels[contact_name], one.pixels[target]
-            beside = {"contact": _beside(contact, rng), "target_point": _beside(point, rng)}
-            return (ClickedFrame(frame=one.frame, **beside),)
+            contact, point = beside(one.pixels[contact_name], rng), beside(one.pixels[target], rng)
+            return (ClickedFrame(frame=one.frame, contact=contact, target_point=point),)
     return ()
 
 
@@ -102,8 +105,9 @@ def sight_of(truth: PassTruth, target: str) -> tuple[int, Point, Point] | None:
     return None
 
 
-def _beside(point: Point, rng: np.random.Generator) -> Point:
-    x, y = rng.normal(0.0, CLICK_NOISE_PX, 2)
+def beside(point: Point, rng: np.random.Generator, noise_px: float = CLICK_NOISE_PX) -> Point:
+    """A click beside a point."""
+    x, y = rng.normal(0.0, noise_px, 2)
     return round(point[0] + float(x), 2), round(point[1] + float(y), 2)
 
 
@@ -116,14 +120,14 @@ def judge(session: Session, passes: list[Pass], stored: dict[int, list[Measureme
             elif one.fate == "slipped" and made.values.target == "taillight":
                 _say(session, made, "rejected", actor, reason=REJECTED)
             elif one.fate == "fixed" and made.values.target == "roof":
-                _fix(session, made, one.truth, actor)
+                _fix(session, made, one, actor)
 
 
-def _fix(session: Session, made: Measurement, truth: PassTruth, actor: int) -> None:
-    found = sight_of(truth, made.values.target)
+def _fix(session: Session, made: Measurement, seen: Pass, actor: int) -> None:
+    found = sight_of(seen.truth, made.values.target)
     assert found is not None
-    rng = np.random.default_rng(made.id)
-    contact, point = _beside(found[1], rng), _beside(found[2], rng)
+    rng = np.random.default_rng([_FIXED, *seen.place])
+    contact, point = beside(found[1], rng), beside(found[2], rng)
     _say(session, made, "fixed", actor, reason="Clicked again at higher zoom.", points=(contact, point))
 
 

@@ -10,8 +10,7 @@ from uuid import UUID, uuid5
 
 import numpy as np
 
-from sightline.demo.clicks import CLICK_NOISE_PX, Pass, sight_of
-from sightline.enums import Point
+from sightline.demo.clicks import CLICK_NOISE_PX, Pass, beside, sight_of
 from sightline.infra.database import Session
 from sightline.measurements.records import Clicks, Measurement
 from sightline.measurements.service import store_measurement
@@ -43,13 +42,8 @@ def click_again(
             clicks = Clicks(
                 target=first.values.target,
                 frame=frame,
-                contact=_beside(contact, noise_px, rng),
-                target_point=_beside(point, noise_px, rng),
+                contact=beside(contact, rng, noise_px),
+                target_point=beside(point, rng, noise_px),
             )
             key = str(uuid5(_NAMESPACE, f"{first.id} {actor}"))
             store_measurement(session, first.vehicle_id, key, clicks, repeat_of=first.id, actor=actor)
-
-
-def _beside(point: Point, noise_px: float, rng: np.random.Generator) -> Point:
-    x, y = rng.normal(0.0, noise_px, 2)
-    return round(point[0] + float(x), 2), round(point[1] + float(y), 2)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from sightline.demo.clicks import Pass
+from sightline.demo.clicks import Pass, beside
 from sightline.demo.made import PassTruth
 from sightline.enums import Point
 from sightline.infra.database import Session
@@ -28,8 +28,8 @@ def click_wheels(session: Session, passes: list[Pass], *, actor: int) -> int:
             one.vehicle.id,
             frame=frame,
             frame_crc32=None,
-            first=_beside(rear, rng),
-            second=_beside(front, rng),
+            first=beside(rear, rng, CLICK_NOISE_PX),
+            second=beside(front, rng, CLICK_NOISE_PX),
             actor=actor,
         )
         count += 1
@@ -45,8 +45,3 @@ def both_in_sight(truth: PassTruth) -> tuple[int, Point, Point] | None:
     ]
     # the wider apart in the picture, the less a pixel turns the line between them
     return max(both, key=lambda seen: abs(seen[1][0] - seen[2][0]), default=None)
-
-
-def _beside(point: Point, rng: np.random.Generator) -> Point:
-    x, y = rng.normal(0.0, CLICK_NOISE_PX, 2)
-    return round(point[0] + float(x), 2), round(point[1] + float(y), 2)

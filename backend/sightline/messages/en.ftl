@@ -2005,6 +2005,10 @@ review-state-accepted = Accepted
 review-state-fixed = Fixed
 review-state-all = All
 review-counts = { NUMBER($accepted) } accepted, { NUMBER($rejected) } rejected of { NUMBER($count) }
+review-counts-of-scans = { $count ->
+    [one] (1 of line scans)
+   *[other] ({ NUMBER($count) } of line scans)
+}
 review-mine = mine
 review-line = line scan
 review-verdict-of = verdict on { $target } of vehicle { $vehicle }
@@ -3194,6 +3198,10 @@ statistics-without-class = { $count ->
    *[other] { NUMBER($count) } vehicles have no class and are excluded from results by class. <link>Choose them in Measure</link> (list: No class).
 }
 statistics-left-out = Excluded: { $states }.
+statistics-of-scans = { $count ->
+    [one] 1 height of line scans is counted under Motion.
+   *[other] { NUMBER($count) } heights of line scans are counted under Motion.
+}
 statistics-left-out-state = { $state ->
     [to_review] { NUMBER($count) } to review
     [reopened] { NUMBER($count) } reopened
@@ -3912,6 +3920,13 @@ overview-review-line-heights = { $count ->
    *[other] Review { $count } heights of line scans.
 }
 overview-remeasure = { $count ->
+overview-accepted = Accepted: { $count ->
+    [one] 1 measurement
+   *[other] { $count } measurements
+}, { $scans ->
+    [one] 1 height of line scans.
+   *[other] { $scans } heights of line scans.
+}
     [one] Remeasure 1 rejected measurement.
    *[other] Remeasure { $count } rejected measurements.
 }
@@ -4514,21 +4529,6 @@ export-of-all = all vehicles
 export-build = Build the package
 export-ready = The package is ready.
 export-failed = The package could not be built. Try again.
-export-open-to-review = { $to_review ->
-    [one] { $to_review } measurement not yet reviewed.
-   *[other] { $to_review } measurements not yet reviewed.
-}
-export-open-rejected = { $rejected ->
-    [one] { $rejected } measurement rejected and not measured again.
-   *[other] { $rejected } measurements rejected and not measured again.
-}
-export-open-both = { $to_review ->
-    [one] { $to_review } measurement not yet reviewed
-   *[other] { $to_review } measurements not yet reviewed
-}, { $rejected ->
-    [one] { $rejected } measurement rejected and not measured again.
-   *[other] { $rejected } measurements rejected and not measured again.
-}
 export-open-note = Each row shows its review status. For a final package, <link>complete the review</link> first.
 export-packages = Packages
 export-outdated = Outdated, { $what } since
@@ -4552,7 +4552,7 @@ export-by = By
 export-language = Report language
 export-size = Size
 export-sha256 = SHA-256
-export-audit-head = Audit head
+export-audit-head = Audit head of the package
 export-download-column = Download
 export-download = Download
 export-sha256-copy = Copy the SHA-256
@@ -7340,7 +7340,7 @@ report-kind = Measurement report
 report-of-survey = { $survey }, measurement report
 report-survey = Survey
 report-foot = Data as of { $moment }
-report-foot-head = Data as of { $moment }, audit head { $head }…
+report-foot-head = Data as of { $moment }, audit head of the survey { $head }…
 report-empty-trail = an empty audit trail
 report-page = Page { $page } of { $pages }
 report-between = { $low } to { $high }
@@ -7658,6 +7658,14 @@ report-readme-page = This package as a page: open it in a browser. It checks its
 report-readme-report = The report.
 report-readme-statistics = The figures of the report as tables, unrounded.
 report-readme-tables = Every vehicle, measurement and review as tables; datapackage.json describes each column.
+report-uncovered-line-heights = { $n ->
+    [one] 1 accepted height of a line scan: the section on line scans contains it.
+   *[other] { $n } accepted heights of line scans: the section on line scans contains them.
+ }
+report-uncovered-by-lot = { $n ->
+    [one] 1 accepted height was not reviewed individually: the sample of its lot was.
+   *[other] { $n } accepted heights were not reviewed individually: the samples of their lots were.
+ }
 report-readme-files = Images, figures, camera poses and calibrations, and the same tables as Parquet.
 report-readme-audit = The audit chain and its signature.
 report-readme-check = To check everything: sightline verify, with the key that the installation shows. To check that no file changed: sha256sum -c SHA256SUMS
@@ -7853,7 +7861,7 @@ report-trail-empty = The audit trail is empty.
 report-trail = The audit trail has { $n ->
     [one] 1 event
    *[other] { $n } events
- } up to the last of this survey. Each contains the hash of the one before. Anyone who has kept the hash of that event can check that nothing before it was changed. The following event seals this package: it names every file by its hash.
+ } up to the last of this survey. Each contains the hash of the one before. Anyone who has kept the hash of that event can check that nothing before it was changed. That hash is the audit head of the survey, given below and at the foot of each page. The following event seals this package: it names every file by its hash. Its own hash is the audit head of the package, given where the package was built.
 report-checksums = SHA-256 of the package’s files.
 report-file = File
 

@@ -2004,6 +2004,10 @@ review-state-accepted = Validées
 review-state-fixed = Corrigées
 review-state-all = Toutes
 review-counts = validées : { NUMBER($accepted) }, rejetées : { NUMBER($rejected) }, sur { NUMBER($count) }
+review-counts-of-scans = { $count ->
+    [one] (dont 1 de balayages)
+   *[other] (dont { NUMBER($count) } de balayages)
+}
 review-mine = la mienne
 review-line = balayage
 review-verdict-of = décision ({ $target }, véhicule { $vehicle })
@@ -3190,6 +3194,10 @@ statistics-without-class = { $count ->
    *[other] { NUMBER($count) } véhicules n’ont pas de classe et sont exclus des résultats par classe. <link>Choisissez-la dans Mesure</link> (liste : Sans classe).
 }
 statistics-left-out = Exclues : { $states }.
+statistics-of-scans = { $count ->
+    [one] 1 hauteur de balayages figure dans l’onglet Mouvement.
+   *[other] { NUMBER($count) } hauteurs de balayages figurent dans l’onglet Mouvement.
+}
 statistics-left-out-state = { $state ->
     [to_review] à vérifier ({ NUMBER($count) })
     [reopened] rouvertes ({ NUMBER($count) })
@@ -3901,6 +3909,13 @@ overview-review-line-heights = { $count ->
    *[other] Vérifiez { $count } hauteurs de balayages.
 }
 overview-remeasure = { $count ->
+overview-accepted = Validées : { $count ->
+    [one] 1 mesure
+   *[other] { $count } mesures
+}, { $scans ->
+    [one] 1 hauteur de balayages.
+   *[other] { $scans } hauteurs de balayages.
+}
     [one] Mesurez à nouveau une mesure rejetée.
    *[other] Mesurez à nouveau { $count } mesures rejetées.
 }
@@ -4503,21 +4518,6 @@ export-of-all = tous les véhicules
 export-build = Créer l’archive
 export-ready = L’archive est prête.
 export-failed = L’archive n’a pas pu être créée ; réessayez.
-export-open-to-review = { $to_review ->
-    [one] { $to_review } mesure pas encore vérifiée.
-   *[other] { $to_review } mesures pas encore vérifiées.
-}
-export-open-rejected = { $rejected ->
-    [one] { $rejected } mesure rejetée et non repointée.
-   *[other] { $rejected } mesures rejetées et non repointées.
-}
-export-open-both = { $to_review ->
-    [one] { $to_review } mesure pas encore vérifiée
-   *[other] { $to_review } mesures pas encore vérifiées
-}, { $rejected ->
-    [one] { $rejected } mesure rejetée et non repointée.
-   *[other] { $rejected } mesures rejetées et non repointées.
-}
 export-open-note = Chaque ligne indique son état de vérification. Pour une archive définitive, <link>terminez d’abord la vérification</link>.
 export-packages = Archives
 export-outdated = Périmée, depuis : { $what }
@@ -4541,7 +4541,7 @@ export-by = Par
 export-language = Langue du rapport
 export-size = Taille
 export-sha256 = SHA-256
-export-audit-head = Tête d’audit
+export-audit-head = Tête d’audit de l’archive
 export-download-column = Téléchargement
 export-download = Télécharger
 export-sha256-copy = Copier le SHA-256
@@ -7394,7 +7394,7 @@ report-kind = Rapport de mesure
 report-of-survey = { $survey }, rapport de mesure
 report-survey = Relevé
 report-foot = État au { $moment }
-report-foot-head = État au { $moment }, tête d’audit { $head }…
+report-foot-head = État au { $moment }, tête d’audit du relevé { $head }…
 report-empty-trail = journal d’audit vide
 report-page = Page { $page } sur { $pages }
 report-between = { $low } à { $high }
@@ -7712,6 +7712,14 @@ report-readme-page = Cette archive sous forme de page : à ouvrir dans un navig
 report-readme-report = Le rapport.
 report-readme-statistics = Les valeurs du rapport en tableaux, non arrondies.
 report-readme-tables = Chaque véhicule, mesure et vérification en tableaux ; datapackage.json décrit chaque colonne.
+report-uncovered-line-heights = { $n ->
+    [one] 1 hauteur validée de balayages : elle figure dans la section sur les balayages.
+   *[other] { $n } hauteurs validées de balayages : elles figurent dans la section sur les balayages.
+ }
+report-uncovered-by-lot = { $n ->
+    [one] 1 hauteur validée n’a pas été vérifiée individuellement : l’échantillon de son lot l’a été.
+   *[other] { $n } hauteurs validées n’ont pas été vérifiées individuellement : les échantillons de leurs lots l’ont été.
+ }
 report-readme-files = Images, figures, poses et étalonnages des caméras, et les mêmes tableaux en Parquet.
 report-readme-audit = La chaîne d’audit et sa signature.
 report-readme-check = Pour tout vérifier : sightline verify, avec la clé qu’affiche l’installation. Pour vérifier qu’aucun fichier n’a changé : sha256sum -c SHA256SUMS
@@ -7907,7 +7915,7 @@ report-trail-empty = Le journal d’audit est vide.
 report-trail = Le journal d’audit a { $n ->
     [one] { $n } événement
    *[other] { $n } événements
- } jusqu’au dernier de ce relevé. Chacun porte l’empreinte du précédent ; quiconque a gardé ailleurs l’empreinte de cet événement peut vérifier que rien avant lui n’a été modifié depuis. L’événement suivant, qui scelle cette archive, nomme chaque fichier par son empreinte.
+ } jusqu’au dernier de ce relevé. Chacun porte l’empreinte du précédent ; quiconque a gardé ailleurs l’empreinte de cet événement peut vérifier que rien avant lui n’a été modifié depuis. Cette empreinte est la tête d’audit du relevé, donnée ci-dessous et au pied de chaque page. L’événement suivant, qui scelle cette archive, nomme chaque fichier par son empreinte. Sa propre empreinte est la tête d’audit de l’archive, donnée là où celle-ci a été créée.
 report-checksums = SHA-256 des fichiers de l’archive.
 report-file = Fichier
 

@@ -90,7 +90,7 @@ def trend(at: ArrayLike, value: ArrayLike) -> Trend | Said:
     fitted = line.intercept + line.slope * grid
     power = float(np.sum((x - x.mean()) ** 2))
     residual = y - line.intercept - line.slope * x
-    s = float(np.sqrt(residual @ residual / (n - 2)))
+    s = float(np.sqrt(np.square(residual).sum() / (n - 2)))
     half = t * s * np.sqrt(1.0 / n + (grid - x.mean()) ** 2 / power)
     r = float(line.rvalue)
     return Trend(

@@ -46,7 +46,7 @@ class Noise:
     @property
     def variance_m2(self) -> float:
         """Variance of the mixture."""
-        return float(self.share @ self.sd_m**2)
+        return float(np.sum(self.share * self.sd_m**2))
 
 
 @dataclass(frozen=True, eq=False)

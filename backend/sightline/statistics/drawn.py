@@ -154,7 +154,7 @@ def _within(sites: Sites, influence: Floats) -> tuple[float, float]:
     assert sites.weight is not None
     n, freedom = len(influence), max(len(influence) - len(sites.count), 1)
     apart = np.square(influence - sites.means(influence)[sites.code])
-    found = float(np.square(sites.weight) @ apart) / float(sites.weight.sum()) ** 2
+    found = float(np.sum(np.square(sites.weight) * apart)) / float(sites.weight.sum()) ** 2
     return found * n / freedom, float(freedom)
 
 
@@ -179,7 +179,7 @@ def share_of(drawn: Drawn, chosen: NDArray[np.bool_]) -> TotalFigure:
     By the Beta distribution of as many vehicles as would tell it as well (Korn & Graubard 1998).
     """
     share = drawn.design.weight / drawn.design.weight.sum()
-    value = float(share @ chosen)
+    value = float(np.sum(share * chosen))
     found = drawn.sampled(np.asarray(chosen - value, dtype=np.float64), height=False)
     if found.variance == 0.0 and 0.0 < value < 1.0:
         return TotalFigure(value, value, value)

@@ -101,15 +101,15 @@ class ErrorTotals:
         """Of the share of errors of at most limit_m, either way, 0 to 1."""
         beyond = np.asarray(np.abs(self._error_m) > limit_m, dtype=np.float64)
         at = (np.abs(self._node_m[:, None] + self._cells.own_m) > limit_m).mean(axis=1)
-        value = float(self._share @ beyond)
+        value = self._mean(beyond)
         low, high = self._joined(beyond, self._read(at), lambda tail: self._sampled_share(value, tail))
         return Ends(max(1.0 - high, 0.0), min(1.0 - low, 1.0))
 
     def sd(self) -> Ends:
         """Of the standard deviation of the signed error, metres, among as many poses and sites as these."""
         cells, n = self._cells, self._n
-        value = float(self._share @ np.square(self._error_m - self._share @ self._error_m)) * n / (n - 1.0)
-        apart = np.square(self._error_m - self._share @ self._error_m)
+        apart = np.square(self._error_m - self._mean(self._error_m))
+        value = self._mean(apart) * n / (n - 1.0)
         low, high = self._sampled(apart * n / (n - 1.0), _TAIL, True)
         moved = np.square(cells.moved_m - (cells.moved_m @ cells.weight)[:, None]) @ cells.weight
         expected = float(moved.mean())
@@ -119,6 +119,10 @@ class ErrorTotals:
             low = value - np.hypot(value - low, seen * (1.0 - expected / most))
             high = value + np.hypot(high - value, expected - least)
         return Ends(float(np.sqrt(max(low, 0.0))), float(np.sqrt(high)))
+
+    def _mean(self, of_rows: Floats) -> float:
+        """The mean of values (N,), as they weigh. A product of vectors would hang on the threads of BLAS."""
+        return float(np.sum(self._share * of_rows))
 
     def _read(self, at: Floats) -> Callable[[Floats], Floats]:
         """A function of what moves a cell from its values `at` the nodes."""
@@ -135,7 +139,7 @@ class ErrorTotals:
         """Limits of a mean of positive values (N,) by sampling within cells, of its logarithm; of squares
         with Bonett's correction for few (Computational Statistics & Data Analysis 50, 2006).
         """
-        value = float(self._share @ of_rows)
+        value = self._mean(of_rows)
         sigma = self._sigma(of_rows)
         few = self._n / max(self._n - COVERAGE_95, 1.0)
         middle, sigma = (np.log(few), few * sigma) if squares else (sigma**2 / 2.0, sigma)
@@ -149,9 +153,9 @@ class ErrorTotals:
         cells = self._cells
         mean = np.bincount(cells.code, self._share * of_rows) / cells.weight
         freedom = max(len(of_rows) - len(cells.weight), 1)
-        apart = float(np.square(self._share) @ np.square(of_rows - mean[cells.code]))
+        apart = float(np.sum(np.square(self._share * (of_rows - mean[cells.code]))))
         found = np.sqrt(apart * len(of_rows) / freedom)
-        return float(found / max(float(self._share @ of_rows), 1e-18))
+        return float(found / max(self._mean(of_rows), 1e-18))
 
     def _sampled_share(self, share: float, tail: float) -> Ends:
         """Limits of a share by sampling, exact (Clopper and Pearson 1934)."""
@@ -169,7 +173,7 @@ class ErrorTotals:
         An unknown bias hardly lets the upper limit fail, so the lower one may fail as much more often.
         """
         cells = self._cells
-        value = float(self._share @ of_rows)
+        value = self._mean(of_rows)
         if not cells.moved_m.any():
             return sampled(_TAIL)
         bias = float(cells.weight @ cells.mean_m)
@@ -275,7 +279,8 @@ def _cells(error_m: Floats, share: Floats, shared: Sequence[SharedErrors]) -> _C
         moved[:, known] += _deviates(len(names), draws, k + 1)[:, column] * u[known]
     several = count[code] > 1.0
     own = (error_m - mean[code]) * np.sqrt(count / np.maximum(count - 1.0, 1.0))[code]
-    own = np.sort(own[several]) if np.count_nonzero(several) > 4 else np.sort(error_m - share @ error_m)
+    many = np.count_nonzero(several) > 4
+    own = np.sort(own[several] if many else error_m - np.sum(share * error_m))
     if len(own) > _POOL:
         own = np.quantile(own, (np.arange(_POOL) + 0.5) / _POOL)
     return _Cells(

@@ -53,7 +53,7 @@ class SharedErrors:
             sums, squares = self._by_group()
             return max(float((sums**2 - squares).sum()) / (n * (n - 1)), 0.0)
         sums, squares = SharedErrors(self.group, self.u_m * weight)._by_group()
-        pairs = float(weight.sum() ** 2 - weight @ weight)
+        pairs = float(weight.sum() ** 2 - np.square(weight).sum())
         return max(float((sums**2 - squares).sum()) / pairs, 0.0)
 
     def spread_m2(self) -> float:

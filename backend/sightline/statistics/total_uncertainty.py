@@ -147,7 +147,7 @@ class TotalUncertainty:
         self._alike = bool(np.ptp(share) <= 1e-12 * share.max())
         self._share = np.full(len(share), 1.0 / len(share)) if self._alike else share
         # Heights of equal weight that would tell a mean as well (Kish 1965, 11.7).
-        self._n = float(self.n) if self._alike else 1.0 / float(share @ share)
+        self._n = float(self.n) if self._alike else 1.0 / float(np.square(share).sum())
         spread_m2 = sum(one.spread_m2() for one in self._shared)
         # Sites show by their differences what their shared errors were; a sample of one site does not.
         compares = self._drawn.compares_sites
@@ -336,14 +336,14 @@ class TotalUncertainty:
 
     def mean(self) -> TotalFigure:
         """The mean height, metres: random errors leave it as it is."""
-        value = float(self._height_m.mean() if self._alike else self._share @ self._height_m)
+        value = float(self._height_m.mean()) if self._alike else self._mean(self._height_m)
         if self.n < 2:
             return TotalFigure(value, None, None, self._too_few(2))
         influence = self._height_m - value
         found = self._drawn.sampled(influence)
         u_m2 = self._unseen(found, np.arange(self.n))
         low, high = ends_of(found.draws() + np.sqrt(u_m2) * normal_draws())
-        plain = float(self._share @ np.square(influence)) / self.n
+        plain = self._mean(np.square(influence)) / self.n
         effect = found.variance / plain if plain > 0.0 else None
         return TotalFigure(value, value + low, value + high, effect=effect)
 
@@ -354,9 +354,9 @@ class TotalUncertainty:
         """
         if self.n < 3:
             return TotalFigure(0.0, None, None, self._too_few(3))
-        apart = np.square(self._height_m - self._share @ self._height_m)
-        measured_m2 = float(self._share @ apart) * self.n / (self.n - 1)
-        found = self._drawn.sampled(apart - self._share @ apart, height=False)
+        apart = np.square(self._height_m - self._mean(self._height_m))
+        measured_m2 = self._mean(apart) * self.n / (self.n - 1)
+        found = self._drawn.sampled(apart - self._mean(apart), height=False)
         draws = (
             measured_m2 * np.expm1(np.minimum(found.draws() / max(measured_m2, 1e-12), _LARGEST))
             + self._u_spread_m2 * normal_draws()
@@ -372,7 +372,7 @@ class TotalUncertainty:
         Sampling by Jeffreys' interval (Brown, Cai & DasGupta 2001), of the heights that a sample without
         sites would need for the same variance (Korn & Graubard 1998).
         """
-        plain = float(self._share @ (self._height_m < limit_m))
+        plain = self._mean(self._height_m < limit_m)
         if self._density is None:
             return TotalFigure(plain, None, None, self._too_few(vehicles_for_interval(50.0)))
         correction = self._density.share_correction(limit_m)
@@ -411,8 +411,11 @@ class TotalUncertainty:
 
     def _deviation(self, values: Floats) -> float:
         """The standard deviation of values (N,), as they weigh."""
-        apart = values - self._share @ values
-        return float(np.sqrt(self._share @ np.square(apart)))
+        return float(np.sqrt(self._mean(np.square(values - self._mean(values)))))
+
+    def _mean(self, values: Floats | NDArray[np.bool_]) -> float:
+        """The mean of values (N,), as they weigh. A product of vectors would hang on the threads of BLAS."""
+        return float(np.sum(self._share * values))
 
     def _at(self, p: float) -> float:
         """Percentile p of the measured heights, without bias of the median (Hyndman & Fan 1996, type 8)."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from xml.etree import ElementTree
 
 import numpy as np
@@ -10,9 +11,10 @@ import pytest
 from matplotlib.axes import Axes
 
 from sightline.export.report import labels, marks
-from sightline.export.report.canvas import FULL, HALF, Drawing, svg
+from sightline.export.report.canvas import FAINT, FULL, HALF, Drawing, svg
 from sightline.export.report.figures import drawings, figures
 from sightline.export.report.marks import MAIN
+from sightline.export.report.said import speaking
 from sightline.export.report.units import fixed, limit
 from sightline.results.survey_statistics import StatisticsOptions
 from sightline.statistics.distributions import ecdf, sorted_values
@@ -95,6 +97,18 @@ def test_a_band_is_drawn_for_thirty_vehicles_and_more_and_the_caption_says_which
             assert ("No band for fewer than 30 vehicles." in one.caption) != banded, one.caption
 
 
+def test_standards_that_a_figure_does_not_reach_are_counted_below_it() -> None:
+    low = Standard("Far below", "object_stopping", 0.1, "me")
+    before, after = (
+        drawings(statistics(9, choices=StatisticsOptions(own_standards=own)))["taillight-ecdf"]
+        for own in ((), (low,))
+    )
+    assert isinstance(before, Drawing) and isinstance(after, Drawing)
+    counts = [re.search(r"(\d+) standards? off scale", one.caption) for one in (before, after)]
+    away = [int(one[1]) if one else 0 for one in counts]
+    assert away[1] == away[0] + 1 and "Far below" not in after.caption
+
+
 def test_a_group_of_few_vehicles_shows_each_of_them() -> None:
     few = drawings(statistics(12, absent=EYES))["driver_eye-by-category"]
     assert isinstance(few, Drawing) and "each vehicle (stroke)" in few.caption
@@ -149,6 +163,33 @@ def test_words_stand_beside_their_curves_and_not_on_any() -> None:
     for box, path in boxes:
         inside = (path > [box.x0, box.y0]).all(axis=1) & (path < [box.x1, box.y1]).all(axis=1)
         assert not inside.any()
+
+
+@pytest.mark.parametrize("language", ["en", "fr"])
+def test_names_of_standards_stand_on_no_curve_and_on_no_rule(
+    language: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drawn: list[tuple[Axes, marks.Limit]] = []
+
+    def draw(axes: Axes, limits: Sequence[marks.Limit]) -> None:
+        limits_drawn(axes, limits)
+        names = [one.word for one in limits]
+        frame, words = axes.get_window_extent(), [one for one in axes.texts if one.get_text() in names]
+        assert len(words) == len(names)
+        rules = [one for one in axes.lines if one.get_color() == FAINT]
+        for word, own in zip(words, rules, strict=True):
+            box = word.get_window_extent()
+            assert box.y0 >= frame.y1 and axes.figure.bbox.contains(box.x1 - 0.5, box.y1 - 0.5)
+            others = [one.get_window_extent() for one in (*rules, *words) if one not in (word, own)]
+            assert not any(box.overlaps(other) for other in others), word.get_text()
+            drawn.append((axes, limits[0]))
+
+    limits_drawn = marks.limits
+    monkeypatch.setattr(marks, "limits", draw)
+    with speaking(language):
+        drawings(statistics(9), "m")
+        drawings(statistics(400), "m")
+    assert len(drawn) > 10
 
 
 def test_a_word_that_no_place_tells_from_the_next_curve_is_not_written() -> None:

@@ -18,10 +18,13 @@ import pytest
 import typst
 from PIL import Image
 
-from sightline.export.report.facts import ReportFacts
+from sightline.export.report.conclusion import conclusion
+from sightline.export.report.facts import ReportFacts, ScanFacts
 from sightline.export.report.photos import as_svg
 from sightline.export.report.report import report, sources
+from sightline.export.verdicts import VerdictCounts
 from sightline.results.survey_statistics import StatisticsOptions
+from sightline.scans.statistics.heights import ScannedHeights
 from sightline.surveys.photographs.records import PhotographFile
 from tests.export.report.pdf_text import words
 from tests.export.report.sample import statistics
@@ -170,6 +173,17 @@ def test_an_empty_survey_has_a_report_that_says_so() -> None:
         "The audit trail is empty.",
     ):
         assert flat(expected) in said, expected
+
+
+def test_not_covered_names_lots_and_line_scans(example: ReportFacts) -> None:
+    heights = ScannedHeights("roof", 15, 2, 0, 1.5, 0.1, 1.5, 0.04)
+    scans = ScanFacts(rigs=(), statistics=None, heights=(heights,))  # type: ignore[arg-type]
+    judged = VerdictCounts(individual=20, by_lot=180, lots=2)
+    found = " ".join(conclusion(replace(example, verdicts=judged, scans=scans)).not_covered)
+    assert "180 accepted heights were not reviewed individually" in found
+    assert "15 accepted heights of line scans" in found
+    without = " ".join(conclusion(example).not_covered)
+    assert "individually" not in without and "line scans" not in without
 
 
 def test_what_is_missing_is_said(example: ReportFacts) -> None:

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import suppress
 from dataclasses import dataclass
 from math import hypot, isclose, isfinite
 from typing import Any
@@ -42,7 +41,8 @@ _BY_RIG = {"baseline": (1, 1, 1), "clock": (1, 2, 0)}
 _BOUNDARIES = "boundaries"
 
 Document = Mapping[str, Any]
-Check = Callable[[ReadPage], Iterator[str]]
+#: What a document raises whose parts are not of their kind.
+_NOT_OF_KIND = (KeyError, TypeError, ValueError, AttributeError, IndexError, ArithmeticError, BadInput)
 
 
 @dataclass(frozen=True)
@@ -70,17 +70,18 @@ def verify_evidence(content: bytes, key: str | None = None) -> EvidenceCheck:
     page = read_page(content)
     if page.document.get("format") != FORMAT:
         raise Damaged("evidence-not-one")
-    problems = [*_guarded(_sealed, page), *_guarded(_signature, page)]
-    for check in (_pictures, _events, _derived, _numbers, _decision, _translations):
+    document, decided = page.document, _decided(page)
+    problems = []
+    for check in (_sealed, _signature, _pictures, _events, _derived, _numbers):
         problems += _guarded(check, page)
-    document = page.document
+    problems += [*_guarded(_decision, page, decided), *_guarded(_translations, page)]
     if key is not None and not _is_known(document, key):
         problems.append(say("evidence-other-key", {"key": str(document.get("key"))[:16]}))
     return EvidenceCheck(
         ok=not problems,
         problem=" ".join(problems) or None,
         problems=tuple(problems),
-        notes=tuple(_notes(page, key)),
+        notes=tuple(_notes(page, key, decided)),
         key=str(document.get("key")),
         made_at=str(document.get("made_at")),
         program=str(document.get("program")),
@@ -89,11 +90,11 @@ def verify_evidence(content: bytes, key: str | None = None) -> EvidenceCheck:
     )
 
 
-def _guarded(check: Check, page: ReadPage) -> list[str]:
+def _guarded(check: Callable[..., Iterator[str]], *given: object) -> list[str]:
     """What a check finds; a document whose parts are not of their kind is a finding too."""
     try:
-        return list(check(page))
-    except (KeyError, TypeError, ValueError, AttributeError, IndexError, ArithmeticError, BadInput) as error:
+        return list(check(*given))
+    except _NOT_OF_KIND as error:
         return [say("evidence-form", {"part": check.__name__.strip("_"), "words": str(error)})]
 
 
@@ -184,10 +185,20 @@ def _derived(page: ReadPage) -> Iterator[str]:
             yield say("evidence-made-again", {"named": name})
 
 
-def _decision(page: ReadPage) -> Iterator[str]:
+def _decided(page: ReadPage) -> Document | str:
+    """What this version decides of the document; why it cannot, in a sentence."""
+    try:
+        return decision_of(page.document, rule_of(page.document["decision"]))
+    except _NOT_OF_KIND as error:
+        return say("evidence-form", {"part": "decision", "words": str(error)})
+
+
+def _decision(page: ReadPage, found: Document | str) -> Iterator[str]:
     """Value, limit and answer; the words, where this version made them: another one may word it otherwise."""
+    if isinstance(found, str):
+        yield found
+        return
     told = page.document["decision"]
-    found = decision_of(page.document, rule_of(told))
     names = {*told, *found} - (set() if _is_ours(page.document) else {"words"})
     other = sorted(name for name in names if told.get(name) != found.get(name))
     if other:
@@ -293,15 +304,13 @@ def _by_lines(document: Document) -> ExactMotion | None:
         return None
 
 
-def _notes(page: ReadPage, key: str | None) -> Iterator[str]:
+def _notes(page: ReadPage, key: str | None, decided: Document | str) -> Iterator[str]:
     try:
         if page.program != program_of_page():
             yield say("evidence-page-other-version", {})
     except BadInput as error:
         yield error.message
-    with suppress(KeyError, TypeError, ValueError, AttributeError, ArithmeticError, BadInput):
-        if not _is_ours(page.document):
-            told = decision_of(page.document, rule_of(page.document["decision"]))
-            yield say("evidence-words-other-version", {"words": told["words"]})
+    if not isinstance(decided, str) and page.document.get("program") != code_version():
+        yield say("evidence-words-other-version", {"words": decided["words"]})
     shown = str(page.document.get("key"))[:16]
     yield say("evidence-key-given" if key is not None else "evidence-key-not-given", {"key": shown})

@@ -142,4 +142,9 @@ def _not_covered(facts: ReportFacts) -> Iterator[str]:
         yield said("report-uncovered-not-visible", n=facts.not_visible)
     if facts.out_of_date:
         yield said("report-uncovered-out-of-date", n=facts.out_of_date)
+    of_scans = sum(one.n for one in facts.scans.heights) if facts.scans is not None else 0
+    if of_scans:
+        yield said("report-uncovered-line-heights", n=of_scans)
+    if facts.verdicts.by_lot:
+        yield said("report-uncovered-by-lot", n=facts.verdicts.by_lot)
     yield said("report-uncovered-others")

@@ -30,7 +30,7 @@ def height_figures(
     """One target's figures by name; `standards` in the order of the target's shares."""
     limits = _limits(target, standards, unit)
     found: dict[str, Drawing | str] = {
-        f"{name}-ecdf": _cumulative(name, target, limits, unit),
+        f"{name}-ecdf": _cumulative(name, target, limits, len(standards), unit),
         f"{name}-density": _density(name, target, limits, unit),
     }
     for grouping, groups in target.groups.items():
@@ -68,8 +68,9 @@ def _short(word: str) -> str:
 
 
 def _cumulative(
-    name: StatisticsTarget, target: Target, limits: Sequence[Limit], unit: LengthUnit
+    name: StatisticsTarget, target: Target, limits: Sequence[Limit], standards: int, unit: LengthUnit
 ) -> Drawing | str:
+    """`standards`: how many there are; those that the figure does not reach are counted below it."""
     scale, word = HEIGHT[unit], TARGETS[name]
     found, total = target.corrected.ecdf, target.total
     title = said("report-fig-cumulative", target=word)
@@ -86,13 +87,15 @@ def _cumulative(
             ylim=(0, 100.8),
         )
         axes.margins(x=0.02)
-        _widen(axes, limits)
-        busy = marks.limits(axes, [_with_share(one) for one in limits])
-        if not labels.label(axes, [replace(named, at=0.62)], busy):
+        marks.limits(axes, [_with_share(one) for one in limits])
+        if not labels.label(axes, [replace(named, at=0.62)]):
             axes.legend(loc="lower right")
 
     caption = f"{said('report-fig-cumulative-caption')} {marks.band_words([found.n])}"
-    return Drawing(svg(draw, title, FULL), title, caption)
+    away = standards - sum(one.count for one in limits)
+    if away:
+        caption += " " + said("statistics-target-ecdf-away", count=away)
+    return Drawing(svg(draw, title, marks.headed(FULL, limits)), title, caption)
 
 
 def _whiskers(axes: Axes, found: TotalFigures, scale: Scale) -> None:
@@ -113,14 +116,6 @@ def _valued(one: Percentile, scale: Scale) -> str:
     return f"P{fixed(one.percent, 0)}  {scale.number(one.value)} {scale.sign}"
 
 
-def _widen(axes: Axes, limits: Sequence[Limit]) -> None:
-    """Room for the standards and the words on their left; and limits that no longer move."""
-    low, high = axes.get_xlim()
-    at = [one.at for one in limits]
-    span = max([high, *at]) - min([low, *at])
-    axes.set_xlim(min([low, *(x - 0.035 * span for x in at)]), max([high, *(x + 0.01 * span for x in at)]))
-
-
 def _density(
     name: StatisticsTarget, target: Target, limits: Sequence[Limit], unit: LengthUnit
 ) -> Drawing | str:
@@ -128,6 +123,8 @@ def _density(
     title = said("report-fig-density", target=word)
     if not isinstance(found, Density):
         return told(found)
+    low, high = scale.factor * float(found.value[0]), scale.factor * float(found.value[-1])
+    shown = [one for one in limits if low < one.at < high]
 
     def draw(axes: Axes) -> None:
         marks.density_curve(axes, found, MAIN, scale.factor)
@@ -138,12 +135,11 @@ def _density(
         axes.margins(x=0.01)
         highest = found.high if found.n >= marks.LEAST_FOR_A_BAND else found.density
         axes.set_ylim(0, 1.04 * float(highest.max()) / scale.factor)
-        low, high = axes.get_xlim()
-        marks.limits(axes, [replace(one, share=0.0) for one in limits if low < one.at < high])
+        marks.limits(axes, shown)
 
     caption = said("report-fig-density-caption", n=count(found.n), width=scale.length(found.bandwidth))
     caption = f"{caption} {marks.band_words([found.n], pointwise=True)}"
-    return Drawing(svg(draw, title, HALF), title, caption)
+    return Drawing(svg(draw, title, marks.headed(HALF, shown)), title, caption)
 
 
 def _side_by_side(

@@ -48,13 +48,13 @@ class _Place:
     box: Bbox
 
 
-def label(axes: Axes, curves: Sequence[Named], busy: Sequence[Bbox] = ()) -> bool:
+def label(axes: Axes, curves: Sequence[Named]) -> bool:
     """Write each curve's word beside it. False, and nothing written, where a word finds no room.
 
-    The axes' limits must be final. `busy`: places that are taken, in pixels of the sheet.
+    The axes' limits must be final.
     """
     paths = [_dense(axes, one) for one in curves]
-    taken = list(busy)
+    taken: list[Bbox] = []
     found: list[_Place] = []
     for one, path in zip(curves, paths, strict=True):
         others = [other for other in paths if other is not path]
@@ -64,11 +64,12 @@ def label(axes: Axes, curves: Sequence[Named], busy: Sequence[Bbox] = ()) -> boo
         found.append(place)
         taken.append(place.box)
     for one, place in zip(curves, found, strict=True):
-        _write(axes, one.word, place.x, place.y, place.side)
+        write(axes, one.word, place.x, place.y, place.side)
     return True
 
 
-def _write(axes: Axes, word: str, x: float, y: float, side: Side) -> Annotation:
+def write(axes: Axes, word: str, x: float, y: float, side: Side) -> Annotation:
+    """A word beside a place of the sheet, in pixels."""
     right, up, ha, va = side
     return axes.annotate(
         word,
@@ -111,7 +112,7 @@ def _place(axes: Axes, one: Named, path: Floats, others: Floats, taken: Sequence
 
 
 def _size(axes: Axes, word: str) -> tuple[float, float]:
-    text = _write(axes, word, 0.0, 0.0, _SIDES[0])
+    text = write(axes, word, 0.0, 0.0, _SIDES[0])
     box = text.get_window_extent()
     text.remove()
     return box.width, box.height

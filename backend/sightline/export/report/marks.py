@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.transforms import Bbox
 
 from sightline.enums import LengthUnit
-from sightline.export.report.canvas import FAINT, INK, MUTED, NOTE_PT
-from sightline.export.report.labels import Named
+from sightline.export.report.canvas import FAINT, INK, MUTED, Sheet
+from sightline.export.report.labels import Named, write
 from sightline.export.report.said import said
 from sightline.export.report.units import HEIGHT, count, limit
 from sightline.statistics.distributions import Density, Ecdf, Percentile
@@ -20,7 +19,7 @@ from sightline.statistics.summary import Distribution
 
 #: A row of `spread_rows`.
 ROW_MM = 4.6
-_TEXT_MM = 2.7  # what an upright word needs beside the next
+_WORD_MM = 3.2  # a row of words
 #: A simultaneous band of fewer covers more than half of the axis and hides the curves.
 LEAST_FOR_A_BAND = 30
 
@@ -48,11 +47,12 @@ RAW = LineStyle(dash=(5, 2), colour=MUTED, width_pt=1.1, band=False)
 
 @dataclass(frozen=True)
 class Limit:
-    """A height that a standard is set by, in the figure's unit; `word` names it."""
+    """A height that standards are set by, `count` of them, in the figure's unit; `word` names them."""
 
     at: float
     word: str
     share: float | None = None
+    count: int = 1
 
 
 def steps(axes: Axes, ecdf: Ecdf, style: LineStyle, factor: float, word: str = "") -> Named:
@@ -135,36 +135,32 @@ def limits_of(
         if within_m[0] <= at_m <= within_m[1]:
             names.setdefault(at_m, []).append(name)
     return [
-        Limit(HEIGHT[unit].factor * at, f"{', '.join(of)} {limit(at, unit)}", shares.get(at))
+        Limit(HEIGHT[unit].factor * at, f"{', '.join(of)} {limit(at, unit)}", shares.get(at), len(of))
         for at, of in sorted(names.items())
     ]
 
 
-def limits(axes: Axes, drawn: Sequence[Limit]) -> list[Bbox]:
-    """Standards as upright rules with their words, at the top where the curve is low, else at the foot.
+def headed(sheet: Sheet, drawn: Sequence[Limit]) -> Sheet:
+    """The sheet with a row above the axes for the words of each standard (`limits`)."""
+    rows = _WORD_MM * len(drawn)
+    return replace(sheet, height=sheet.height + rows, top=sheet.top + rows)
 
-    Returns the places that the words take, in pixels. The axes' limits must be final.
+
+def limits(axes: Axes, drawn: Sequence[Limit]) -> None:
+    """Standards as upright rules that lead to their words above the axes, where no curve runs: the lowest on
+    top, so that no rule crosses the words of another. The sheet is `headed`; the axes reach to each rule.
     """
-    words = []
-    left = np.inf
-    for one in sorted(drawn, key=lambda one: -one.at):
-        axes.axvline(one.at, color=FAINT, linewidth=0.7, dashes=(7, 1.5, 1, 1.5), zorder=1.5)
-        x = float(axes.transData.transform((one.at, 0.0))[0]) * 25.4 / axes.figure.dpi
-        x = min(x - 0.6, left)
-        left = x - _TEXT_MM
-        top = one.share is None or one.share < 0.5
-        words.append(
-            axes.annotate(
-                one.word,
-                (x / 25.4, 0.985 if top else 0.015),
-                xycoords=(axes.figure.dpi_scale_trans, axes.transAxes),
-                rotation=90,
-                ha="right",
-                va="top" if top else "bottom",
-                fontsize=NOTE_PT,
-                color=INK,
-                bbox={"facecolor": "white", "alpha": 0.85, "linewidth": 0, "pad": 0.4},
-                annotation_clip=False,
-            )
-        )
-    return [word.get_window_extent() for word in words]
+    low, high = axes.get_xlim()
+    air = 0.01 * (high - low)
+    axes.set_xlim(min([low, *(one.at - air for one in drawn)]), max([high, *(one.at + air for one in drawn)]))
+    frame = axes.get_window_extent()
+    row_px = _WORD_MM * axes.figure.dpi / 25.4
+    for row, one in enumerate(sorted(drawn, key=lambda one: -one.at)):
+        foot = frame.y1 + row * row_px
+        up = (foot - frame.y0) / frame.height
+        axes.axvline(one.at, ymax=up, color=FAINT, linewidth=0.7, dashes=(7, 1.5, 1, 1.5), clip_on=False)
+        x = float(axes.transData.transform((one.at, 0.0))[0])
+        word = write(axes, one.word, x, foot, (-1.0, 2.0, "left", "bottom"))
+        beyond = word.get_window_extent().x1 - axes.figure.bbox.x1
+        if beyond > 0.0:
+            word.set_position((-1.0 - beyond * 72.0 / axes.figure.dpi, 2.0))

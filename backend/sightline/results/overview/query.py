@@ -85,7 +85,7 @@ def _overview(
     rest = _Facts(**{name: facts.get(name, 0) for name in _Facts.__slots__})
     # with line scans alone nobody need calibrate a camera: no step is the next one
     only_scans = scans.scans > 0 and rest.cameras == 0 and counts.recordings == 0
-    steps = _steps(counts, rest, only_scans, scans.heights_to_review, since)
+    steps = _steps(counts, rest, only_scans, scans, since)
     return SurveyOverview(survey, _with_lines(counts, scans), steps, scans, since)
 
 
@@ -194,12 +194,12 @@ def _by_survey(session: Session, query: Select[Any]) -> dict[int, dict[str, int]
 
 
 def _steps(
-    counts: SurveyCounts, facts: _Facts, only_scans: bool, line_heights: int, since: ChangesSince | None
+    counts: SurveyCounts, facts: _Facts, only_scans: bool, scans: ScanProgress, since: ChangesSince | None
 ) -> tuple[Step, ...]:
     """The order of the work: what is done, the one that is next, those begun and those that wait for it.
 
-    `line_heights`: heights of line scans that wait for review. `since`: what the newest package lacks; one
-    that lacks anything is outdated, and its step not done.
+    `counts` are of frames. `since`: what the newest package lacks; one that lacks anything is outdated, and
+    its step not done.
     """
     outdated = since is not None and since.makes_outdated
     told: list[tuple[StepKey, bool, bool, list[Said]]] = [
@@ -219,9 +219,9 @@ def _steps(
         ),
         (
             "review",
-            _reviewed(counts) and line_heights == 0,
-            counts.measurements + line_heights > 0,
-            _review_words(counts, line_heights),
+            _reviewed(counts) and scans.heights_to_review == 0,
+            counts.measurements + scans.heights_to_review > 0,
+            _review_words(counts, scans),
         ),
         ("results", facts.exports > 0 and not outdated, outdated, _result_words(facts)),
     ]
@@ -269,16 +269,19 @@ def _vehicle_words(counts: SurveyCounts) -> list[Said]:
     return [Said("overview-measure", left=left, count=counts.vehicles), *unseen]
 
 
-def _review_words(counts: SurveyCounts, line_heights: int) -> list[Said]:
-    open_work = []
+def _review_words(counts: SurveyCounts, scans: ScanProgress) -> list[Said]:
+    """What is open and what is accepted, of frames and of line scans apart: results are of frames."""
+    said = []
     if counts.to_review:
-        open_work.append(Said("overview-review", count=counts.to_review))
-    if line_heights:
-        open_work.append(Said("overview-review-line-heights", count=line_heights))
+        said.append(Said("overview-review", count=counts.to_review))
+    if scans.heights_to_review:
+        said.append(Said("overview-review-line-heights", count=scans.heights_to_review))
     if counts.rejected:
-        open_work.append(Said("overview-remeasure", count=counts.rejected))
-    if open_work:
-        return open_work
+        said.append(Said("overview-remeasure", count=counts.rejected))
+    if scans.heights_accepted:
+        said.append(Said("overview-accepted", count=counts.accepted, scans=scans.heights_accepted))
+    if said:
+        return said
     if counts.measurements:
         return [Said("overview-reviewed", count=counts.accepted)]
     return [Said("overview-nothing-to-review")]

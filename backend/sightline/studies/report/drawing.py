@@ -29,6 +29,10 @@ def curve_drawing(curve: Curve, standards: Sequence[Standard], unit: LengthUnit)
     value = scale.factor * np.array([one.value for one in curve.points])
     raw = scale.factor * np.array([one.raw for one in curve.points])
     known = [one for one in curve.points if one.U95_low is not None and one.U95_high is not None]
+    heights_m = [one.value for one in curve.points if one.value is not None]
+    shown = (heights_m[0] - _REACH_M, heights_m[-1] + _REACH_M)
+    named = ((one.height_m, in_language(one, spoken()).name) for one in standards)
+    limits = marks.limits_of(named, shown, unit)
 
     def draw(axes: Axes) -> None:
         if known:
@@ -44,14 +48,8 @@ def curve_drawing(curve: Curve, standards: Sequence[Standard], unit: LengthUnit)
             ylim=(0, 100),
         )
         axes.margins(x=0.02)
-        heights_m = [one.value for one in curve.points if one.value is not None]
-        shown = (heights_m[0] - _REACH_M, heights_m[-1] + _REACH_M)
-        named = ((one.height_m, in_language(one, spoken()).name) for one in standards)
-        limits = marks.limits_of(named, shown, unit)
-        left, right = axes.get_xlim()
-        room = 0.04 * (right - left)  # for the words on a rule's left
-        axes.set_xlim(min([left, *(one.at - room for one in limits)]), right)
         marks.limits(axes, limits)
         axes.legend(loc="lower right")
 
-    return Drawing(svg(draw, title, FULL), title, said("report-fig-true-caption"))
+    sheet = marks.headed(FULL, limits)
+    return Drawing(svg(draw, title, sheet), title, said("report-fig-true-caption"))

@@ -17,13 +17,13 @@ import { nameOfLanguage } from "../../components/LanguageChoice";
 import { Said } from "../../components/Said";
 import { api } from "../../core/api";
 import { isOver, useJobAction } from "../../core/jobs";
-import { apart, say } from "../../core/messages";
+import { apart, say, sentencesOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useAsked } from "../../core/resource";
 import { survey } from "../../core/survey";
 import { formatMoment } from "../../core/times";
 import { toast } from "../../core/toasts";
-import type { ExportPackage, Survey } from "../../core/types";
+import type { ExportPackage } from "../../core/types";
 import { formatBytes } from "../../core/units";
 import { LIGHTING_WORDS } from "../../core/words";
 import { Outdated } from "../../parts/again/Outdated";
@@ -80,6 +80,7 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
       api.write("POST /surveys/{survey_id}/exports", { survey_id: surveyId }, { body: { ...wanted, crops } }),
     );
   const counts = survey.value?.counts;
+  const review = survey.value?.steps.find((step) => step.key === "review");
   return (
     <div class="page">
       <PageHead says="page-export" lead={say("export-lead")}>
@@ -96,9 +97,9 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
       </PageHead>
       <OutOfDateNotice surveyId={Number(surveyId)} />
       <Choosing wanted={wanted} onChange={setWanted} />
-      {counts && counts.to_review + counts.rejected > 0 && (
+      {counts && review && counts.to_review + counts.rejected > 0 && (
         <Notice kind="warning">
-          {openWords(counts)}{" "}
+          {sentencesOf(review.summary)}{" "}
           <Said
             what="export-open-note"
             parts={{ link: (text) => <a href={`/surveys/${surveyId}/review`}>{text}</a> }}
@@ -175,12 +176,6 @@ function wantedWords({ lighting, class_sets, categories, ...filmed }: Wanted): s
       say("export-of-hours", { begins: clockHour(hour_from ?? 0), ends: clockHour(hour_to ?? 24) }),
   ];
   return apart(words.filter((one): one is string => Boolean(one)));
-}
-
-function openWords({ to_review, rejected }: Survey["counts"]): string {
-  if (rejected === 0) return say("export-open-to-review", { to_review });
-  if (to_review === 0) return say("export-open-rejected", { rejected });
-  return say("export-open-both", { to_review, rejected });
 }
 
 /** A package that is being built when the page is opened is followed as if it had been started here. */

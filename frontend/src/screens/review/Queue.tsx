@@ -8,6 +8,7 @@ import { PageTabs } from "../../components/PageTabs";
 import { Said } from "../../components/Said";
 import { say, wordsOf } from "../../core/messages";
 import { may } from "../../core/session";
+import { survey } from "../../core/survey";
 import { reviewTabs } from "../../core/tabs";
 import type { ReviewItem } from "../../core/types";
 import { formatHeight } from "../../core/units";
@@ -21,6 +22,7 @@ const SHOWN_WORDS: Readonly<Record<Shown, string>> = wordsOf("review-state-");
 export function Queue({ model }: { model: ReviewModel }) {
   const items = model.queue.items.value ?? [];
   const work = model.queue.work.value;
+  const ofScans = survey.value?.scans.heights ?? 0;
   const box = useRef<HTMLUListElement>(null);
   useOneTabStop(box, ".pass");
   useSignalEffect(() => {
@@ -55,6 +57,7 @@ export function Queue({ model }: { model: ReviewModel }) {
         {work && (
           <p class="small muted" data-testid="review-counts">
             {say("review-counts", { accepted: work.accepted, rejected: work.rejected, count: work.heights })}{" "}
+            {ofScans > 0 && `${say("review-counts-of-scans", { count: ofScans })} `}
             {work.own > 0 && say("review-own-waiting", { count: work.own })}
           </p>
         )}

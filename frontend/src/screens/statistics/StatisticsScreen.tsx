@@ -7,6 +7,7 @@ import { query } from "../../core/address";
 import { fromAddress } from "../../core/api";
 import { say } from "../../core/messages";
 import { useAsked } from "../../core/resource";
+import { survey } from "../../core/survey";
 import { resultsTabs } from "../../core/tabs";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { loadPlot } from "../../parts/figures/PlotFigure";
@@ -42,7 +43,7 @@ export default function StatisticsScreen() {
         says="page-statistics"
         more={
           <p class="page__lead" data-testid="stat-counted">
-            {data ? countedWords(data) : say("statistics-lead")}
+            {data ? countedWords(data, scannedHeights(only)) : say("statistics-lead")}
           </p>
         }
       >
@@ -156,7 +157,12 @@ const ALWAYS: readonly string[] = ["driver_eye", "taillight"];
 
 type LeftOut = "to_review" | "reopened" | "rejected" | "accepted" | "fixed" | "out_of_sample";
 
-function countedWords({ counted }: Statistics): string {
+/** Heights of the line scans of the survey that is open: those are counted elsewhere. */
+function scannedHeights(only: string | null): number {
+  return survey.value?.id === Number(only) ? survey.value.scans.heights : 0;
+}
+
+function countedWords({ counted }: Statistics, scanned: number): string {
   const { measurements, vehicles, with_reference, by_size } = counted;
   const words = [
     say("statistics-counted", { measurements, vehicles, roofs: with_reference }),
@@ -166,6 +172,7 @@ function countedWords({ counted }: Statistics): string {
     say("statistics-left-out-state", { state: state as LeftOut, count }),
   );
   if (states.length > 0) words.push(say("statistics-left-out", { states: states.join(", ") }));
+  if (scanned > 0) words.push(say("statistics-of-scans", { count: scanned }));
   return words.filter(Boolean).join(" ");
 }
 
