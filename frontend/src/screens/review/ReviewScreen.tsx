@@ -1,6 +1,6 @@
 /** Review: the queue on the left, the picture with its points in the middle, what is known and the verdict on the right. */
 import { useEffect, useMemo } from "preact/hooks";
-import { Button, Empty, Loading, Problem } from "../../components";
+import { Button, Empty, Loading } from "../../components";
 import { type ButtonCommand, CommandButton } from "../../components/CommandButton";
 import { historyCommands, useUndoTools } from "../../components/undoTools";
 import { type ActionId, useCommands } from "../../core/commands";
@@ -8,6 +8,7 @@ import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { may } from "../../core/session";
 import type { Measurement } from "../../core/types";
+import { FailedPage } from "../../parts/FailedPage";
 import { BlindFrame } from "../../viewer/BlindFrame";
 import type { Player } from "../../viewer/player";
 import { brightSwitch, frameCommands, loupeSwitch, pictureCommands } from "../../viewer/stageCommands";
@@ -35,13 +36,7 @@ export default function ReviewScreen({ surveyId }: ScreenProps) {
   const ofPicture =
     item && !model.ofFrame.value ? pictureCommands(model.strips.stage) : frameCommands(model.stage, player);
   useCommands([steps.undo, steps.redo, ...reviewCommands(model), ...ofPicture]);
-  if (model.problem.value) {
-    return (
-      <div class="page">
-        <Problem error={model.problem.value} again={() => void model.load()} />
-      </div>
-    );
-  }
+  if (model.problem.value) return <FailedPage model={model} />;
   const items = model.queue.items.value;
   return (
     <div class="review">
