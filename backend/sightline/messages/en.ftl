@@ -2845,11 +2845,6 @@ scan-verdict-done = Vehicle { $vehicle }: { $verdict ->
 }
 scan-verdict-none-left = No other vehicle of this line scan waits for your verdict.
 scan-verdict-reopen = Reopen
-scan-verdict-accept = Accept
-scan-verdict-reject = Reject
-scan-verdict-reject-why = Reject…
-scan-verdict-reason = Why it is rejected
-scan-verdict-leave = Cancel
 
 ## Line scan: heights
 

@@ -2843,11 +2843,6 @@ scan-verdict-done = Véhicule { $vehicle } : { $verdict ->
 }
 scan-verdict-none-left = Aucun autre véhicule de ce balayage n’attend votre décision.
 scan-verdict-reopen = Rouvrir
-scan-verdict-accept = Valider
-scan-verdict-reject = Rejeter
-scan-verdict-reject-why = Rejeter…
-scan-verdict-reason = Motif du rejet
-scan-verdict-leave = Annuler
 
 ## Balayage : les hauteurs
 

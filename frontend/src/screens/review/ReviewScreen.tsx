@@ -3,7 +3,7 @@ import { useEffect, useMemo } from "preact/hooks";
 import { Button, Empty, Loading } from "../../components";
 import { type ButtonCommand, CommandButton } from "../../components/CommandButton";
 import { historyCommands, useUndoTools } from "../../components/undoTools";
-import { type ActionId, useCommands } from "../../core/commands";
+import { useCommands } from "../../core/commands";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { may } from "../../core/session";
@@ -17,7 +17,6 @@ import { LineFrame } from "./LineFrame";
 import { ReviewModel } from "./model";
 import { lotAddress, Queue } from "./Queue";
 import { ReviewFrame } from "./ReviewFrame";
-import { REASONS } from "./reasons";
 import { VerdictPanel } from "./VerdictPanel";
 import "../../parts/vehicles/vehicle.css";
 import "../../parts/vehicles/passes.css";
@@ -132,15 +131,7 @@ function reviewCommands(model: ReviewModel): ButtonCommand[] {
       enabled: () => mayReview() && model.fix.value === null,
     },
     { id: "reviewReject", run: () => model.startReject(), enabled: mayReview },
-    ...REASONS.map(
-      (reason, i): ButtonCommand => ({
-        id: `reviewReason${i + 1}` as ActionId,
-        run: () => {
-          model.reason.value = say(reason);
-        },
-        enabled: () => model.rejecting.value,
-      }),
-    ),
+    ...model.rejection.commands,
     { id: "reviewFix", run: () => model.startFix(), enabled: mayReview },
     { id: "selectNext", label: say("review-other-point"), run: () => model.fixing.selectNext() },
   ];

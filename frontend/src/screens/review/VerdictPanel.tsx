@@ -11,11 +11,11 @@ import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { StaleMarks } from "../../parts/again/StaleMarks";
 import { Budget } from "../../parts/vehicles/Budget";
 import { Revisions } from "../../parts/vehicles/Revisions";
-import { BlindPanel, Comparisons } from "./Comparisons";
+import { JudgeButton } from "../../parts/verdicts/Reject";
+import { BlindPanel, Comparisons, RejectButton, Rejecting } from "./Comparisons";
 import { type Height, isOfFrame, isOfLine } from "./kinds";
 import type { ReviewModel } from "./model";
 import { Pieces } from "./Pieces";
-import { JudgeButton, Reject, RejectButton } from "./Reject";
 
 export function VerdictPanel({ model, item }: { model: ReviewModel; item: ReviewItem }) {
   const m = item.measurement;
@@ -153,7 +153,7 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
       </footer>
     );
   }
-  if (model.rejecting.value) return <Reject model={model} />;
+  if (model.rejection.begun.value) return <Rejecting model={model} />;
   if (model.fix.value) {
     const changed = isOfFrame(item.measurement) && model.poseChanged(item.measurement);
     return (

@@ -207,6 +207,7 @@ function benchCommands(model: ScanModel): ButtonCommand[] {
   const target = (at: Target, index: number): ButtonCommand => ({
     id: `target${index + 1}` as ActionId,
     run: () => heights.begin(at),
+    enabled: () => !model.judging.rejection.begun.value, // a digit is a reason then
   });
   return [
     { id: "frameNext", label: say("scan-on"), run: pan(PAN_SHARE) },
@@ -230,6 +231,7 @@ function benchCommands(model: ScanModel): ButtonCommand[] {
     { id: "remove", label: say("scan-take-out-vehicle"), run: () => void model.edits.remove() },
     { id: "reviewAccept", run: () => void model.judging.review("accepted") },
     { id: "reviewReject", run: () => model.judging.reject() },
+    ...model.judging.rejection.commands,
     ...pictureCommands(stage),
   ];
 }
