@@ -14,6 +14,7 @@ import type {
   Survey,
   Target,
 } from "./types";
+import { formatHeight } from "./units";
 
 export const TARGETS: readonly Target[] = ["roof", "driver_eye", "taillight", "headlight", "other"];
 /** What is clicked of a scanned vehicle, in this order. */
@@ -97,6 +98,21 @@ export function insetNote({ code, note }: Pick<Survey["insets"][InsetName], "cod
 }
 
 export const CATEGORY_WORDS: Readonly<Record<Category, string>> = wordsOf("category-");
+
+/** A height as it stands, however it came about: "1.172 ± 0.018 m", or why there is none. */
+export function heightWords(
+  height: {
+    status: string;
+    height_m: number | null;
+    U95_height_m: number | null;
+    withdrawn?: boolean;
+  } | null,
+): string {
+  if (!height || height.withdrawn) return STATE_WORDS.withdrawn;
+  return height.status === "ok"
+    ? formatHeight(height.height_m, height.U95_height_m)
+    : STATE_WORDS.not_measurable;
+}
 
 /** What classes are counted together, as each survey says. */
 export const CLASS_SET_WORDS: Readonly<Record<ClassSet, string>> = wordsOf({

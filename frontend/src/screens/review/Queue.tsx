@@ -10,8 +10,7 @@ import { say, wordsOf } from "../../core/messages";
 import { may } from "../../core/session";
 import { reviewTabs } from "../../core/tabs";
 import type { ReviewItem } from "../../core/types";
-import { formatHeight } from "../../core/units";
-import { STATE_WORDS, TARGET_WORDS, vehicleName } from "../../core/words";
+import { heightWords, TARGET_WORDS, vehicleName } from "../../core/words";
 import type { ReviewModel } from "./model";
 import type { Shown } from "./queue";
 
@@ -178,13 +177,7 @@ function Row({ model, item }: { model: ReviewModel; item: ReviewItem }) {
             {say("lots-badge", { number: String(item.judged.lot.number) })}
           </span>
         )}
-        <span class="pass__name">
-          {model.isHidden(item)
-            ? say("review-blind-click")
-            : m.status === "ok"
-              ? formatHeight(m.height_m, m.U95_height_m)
-              : STATE_WORDS.not_measurable}
-        </span>
+        <span class="pass__name">{model.isHidden(item) ? say("review-blind-click") : heightWords(m)}</span>
       </button>
     </li>
   );
