@@ -14,7 +14,6 @@ import { heightWords, TARGET_WORDS, vehicleName } from "../../core/words";
 import type { ReviewModel } from "./model";
 import type { Shown } from "./queue";
 
-const STATES: readonly Shown[] = ["to_review", "rejected", "accepted", "fixed", "all"];
 const SHOWN_WORDS: Readonly<Record<Shown, string>> = wordsOf("review-state-");
 
 export function Queue({ model }: { model: ReviewModel }) {
@@ -45,7 +44,7 @@ export function Queue({ model }: { model: ReviewModel }) {
           <Select
             aria-label={say("review-show")}
             value={model.queue.shown.value}
-            options={choices(SHOWN_WORDS, STATES)}
+            options={choices(SHOWN_WORDS)}
             onInput={(shown) => void model.show(shown)}
           />
         </div>

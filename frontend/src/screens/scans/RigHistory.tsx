@@ -1,16 +1,13 @@
 /** Calibrations of a rig before: which is in force, and putting another one in force again. */
-import type { components } from "#schema";
 import { Button, Problem } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { toast, toastProblem } from "../../core/toasts";
-import type { Scan } from "../../core/types";
+import type { CalibrationFigures, RigCalibrationShown, Scan } from "../../core/types";
 import { formatCount, formatHeight } from "../../core/units";
 import type { RigChange } from "./rig";
 
-type Figures = components["schemas"]["CalibrationFigures"];
-type Shown = components["schemas"]["RigCalibrationShown"];
 /** Where the vehicles drive: without it their baseline would be the one at the cameras. */
 export type Lane = { distance_m: number; u_distance_m: number };
 /** Changes values of the rig, and tells whoever shows it. */
@@ -31,7 +28,7 @@ export function RigHistory({ scan, put, onClose, lane }: Props) {
   );
   if (found.error) return <Problem error={found.error} again={found.reload} />;
   if (!found.data || found.data.length === 0) return null;
-  const use = async (one: Shown): Promise<void> => {
+  const use = async (one: RigCalibrationShown): Promise<void> => {
     try {
       const stored = await put({ ...calibrated(one.figures), ...lane }, scan.version);
       onClose();
@@ -72,7 +69,7 @@ export function RigHistory({ scan, put, onClose, lane }: Props) {
   );
 }
 
-function calibrated(from: Figures | Scan["rig"]): RigChange {
+function calibrated(from: CalibrationFigures | Scan["rig"]): RigChange {
   return {
     baseline_m: from.baseline_m,
     u_baseline_m: from.u_baseline_m,

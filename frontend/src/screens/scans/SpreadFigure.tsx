@@ -16,8 +16,8 @@ const TITLES: Readonly<Record<string, string>> = wordsOf({
 const SHORT: Readonly<Record<string, string>> = wordsOf({
   speed: "scan-head-speed",
   length: "scan-head-length",
-  time_gap: "scan-evidence-time-gap",
-  distance_gap: "scan-evidence-distance-gap",
+  time_gap: "scan-evidence-time_gap",
+  distance_gap: "scan-evidence-distance_gap",
   headway: "scan-head-headway",
 });
 /** 85: the speed that limits are set by. */

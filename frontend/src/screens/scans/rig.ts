@@ -1,11 +1,8 @@
 /** The rig's values, each described once: how it is typed, read, shown, and what is wrong with it. */
-import type { components } from "#schema";
 import { type PlainKey, say } from "../../core/messages";
 import type { BodyOf } from "../../core/routes";
 import type { Scan } from "../../core/types";
 import { fixed, lengthScale, lengthUnit, parseLength, parseNumber } from "../../core/units";
-
-export type RigOfTraffic = components["schemas"]["RigOfTraffic"];
 
 /** Lanes are typed in a list of their own. */
 export type RigValues = Omit<Scan["rig"], "lanes">;
