@@ -20,7 +20,7 @@ import { lengthUnit, parseLength, parseNumber } from "../../core/units";
 import { typedLanes } from "./lanes";
 import { RigAnswer } from "./RigAnswer";
 import { type Lane, type PutRig, RigHistory, tellStored } from "./RigHistory";
-import { typedOf } from "./rig";
+import { OF_CALIBRATION, typedOf } from "./rig";
 import { COLUMNS, headOf, nextPass, type PassTyped, tableOf, USUAL, type Way } from "./rigPasses";
 
 interface Props {
@@ -68,7 +68,7 @@ export function RigCalibration({ scan, onClose, put, take }: Props) {
       const stored = await api.write("POST /scans/{scan_id}/rig-calibrations", asked, { body: file });
       await take(stored);
       onClose();
-      tellStored(scan, stored, put);
+      tellStored(scan, stored, OF_CALIBRATION, put);
     });
   const figures = look?.figures ?? null;
   return (
