@@ -67,13 +67,7 @@ export default function ScansScreen({ surveyId }: ScreenProps) {
   );
 }
 
-const LIMITS = [
-  "scans-limit-opposing",
-  "scans-limit-abreast",
-  "scans-limit-slow",
-  "scans-limit-cut",
-  "scans-limit-distance",
-] as const;
+const LIMITS = ["opposing", "abreast", "slow", "cut", "distance"] as const;
 
 /** What no setting helps against, in words; a vehicle that it concerns has the reason in place of its numbers. */
 function Limits() {
@@ -83,8 +77,8 @@ function Limits() {
       <dl>
         {LIMITS.map((limit) => (
           <Fragment key={limit}>
-            <dt>{say(limit)}</dt>
-            <dd>{say(`${limit}-why`)}</dd>
+            <dt>{say(`scans-limit-${limit}`)}</dt>
+            <dd>{say(`scans-limit-${limit}-why`)}</dd>
           </Fragment>
         ))}
       </dl>
