@@ -199,6 +199,16 @@ def test_pages(nobody: Client, tmp_path: Path) -> None:
     assert hashed.headers["cache-control"] == "public, max-age=31536000, immutable"
     assert hashed.headers["content-encoding"] == "gzip"
     assert nobody.http.get("/assets/icon.svg").headers["cache-control"] == "no-cache"
+    (tmp_path / "pages" / "assets" / "main-BxY12_ab.js.br").write_bytes(b"packed")
+    for taken, sent in (("gzip, deflate, br;q=0.9", "br"), ("gzip, brotli", "gzip"), ("identity", None)):
+        with nobody.http.stream(
+            "GET", "/assets/main-BxY12_ab.js", headers={"Accept-Encoding": taken}
+        ) as answer:
+            assert answer.headers.get("content-encoding") == sent, taken
+            assert answer.headers["content-type"].startswith("text/javascript"), taken
+            assert answer.headers["cache-control"] == "public, max-age=31536000, immutable"
+            assert answer.headers["vary"] == "Accept-Encoding" or sent is None
+            assert (b"".join(answer.iter_raw()) == b"packed") is (sent == "br"), taken
     for path in (
         "/surveys/x",
         "/nothing",

@@ -557,8 +557,8 @@ menu-theme-system = System
 menu-theme-light = Light
 menu-theme-dark = Dark
 menu-lengths = Lengths
-menu-lengths-metres = Metres
-menu-lengths-feet = Feet
+menu-lengths-m = Metres
+menu-lengths-ft = Feet
 menu-sign-out = Sign out
 
 ## App: while the server cannot be reached
@@ -677,18 +677,18 @@ passes-failed = The search for passes failed. Try again.
 passes-cancelled = The search for passes in { $recording } was cancelled.
 passes-found = { $recording }: { $message }
 passes-over = { $recording }: search finished.
-passes-all = All
-passes-to-do = To do
-passes-rejected = Rejected
-passes-doubtful = Doubtful
-passes-no-class = No class
+passes-show-all = All
+passes-show-to_do = To do
+passes-show-rejected = Rejected
+passes-show-measured = Measured
+passes-show-doubtful = Doubtful
+passes-show-no_class = No class
 passes-doubts = { $count ->
     [one] One height is unusual: check it again.
    *[other] { NUMBER($count) } heights are unusual: check them again.
 }
 passes-class-missing = The class is missing.
-passes-measured = Measured
-passes-left-out = outside the sample
+passes-show-left_out = outside the sample
 passes-by-number = by number
 passes-by-time = by time
 passes-by-state = by state
@@ -766,8 +766,8 @@ camera-notes-hint = Body, image size, stabilisation off. If any of these changes
 camera-calibrate = Calibrate
 camera-calibrate-again = Calibrate again
 camera-where-boards = Source of the board images
-camera-from-pictures = From images
-camera-from-recording = From a recording
+camera-from-images = From images
+camera-from-clip = From a recording
 camera-choose-pictures = Choose images of the checkerboard
 camera-drop-pictures = Drop images of the checkerboard here, or click to choose
 camera-drop-hint = Same camera, same zoom and focus. Tilt the board, bring it into every corner, keep it sharp.
@@ -1232,17 +1232,17 @@ adjust-by-u = Change / u
 adjust-by-u-help = Change divided by the standard uncertainty before
 adjust-u-before = u before
 adjust-u-after = u after
-adjust-camera_height_m = camera height above the road
-adjust-road_lean_rad = rotation of the road about its length (tilt)
-adjust-road_roll_rad = rotation of the road about the direction across it (roll)
-adjust-board_lean_rad = board tilt
-adjust-board_roll_rad = board roll
-adjust-board_height_m = height of the board’s reference row
-adjust-square_m = square size of the board
-adjust-bow_along_rows_m = board bow along its rows
-adjust-bow_down_columns_m = board bow along its columns
-adjust-wheelbase_common_m = error common to all wheelbases
-adjust-roof_common_m = error common to all roofs
+adjust-moved-camera_height_m = camera height above the road
+adjust-moved-road_lean_rad = rotation of the road about its length (tilt)
+adjust-moved-road_roll_rad = rotation of the road about the direction across it (roll)
+adjust-moved-board_lean_rad = board tilt
+adjust-moved-board_roll_rad = board roll
+adjust-moved-board_height_m = height of the board’s reference row
+adjust-moved-square_m = square size of the board
+adjust-moved-bow_along_rows_m = board bow along its rows
+adjust-moved-bow_down_columns_m = board bow along its columns
+adjust-moved-wheelbase_common_m = error common to all wheelbases
+adjust-moved-roof_common_m = error common to all roofs
 adjust-left-title = Not used
 adjust-left-none = All observations are used.
 adjust-of-tyres = tyres
@@ -1847,12 +1847,12 @@ model-chosen-see = Confirm the model
 model-chosen-seen = The model was chosen by its sizes ({ $sizes }), then confirmed on the vehicle.
 model-chosen-word-size = by its sizes
 model-chosen-word-seen = confirmed on the vehicle
-which-model-height = roof
-which-model-length = length
-which-model-width = width
-which-model-wheelbase = wheelbase
-which-model-taillight = taillight
-which-model-headlight = headlight
+which-model-size-height = roof
+which-model-size-length = length
+which-model-size-width = width
+which-model-size-wheelbase = wheelbase
+which-model-size-taillight = taillight
+which-model-size-headlight = headlight
 measure-makers-height = Manufacturer’s height
 measure-makers-height-u = Standard uncertainty
 measure-year-problem = Enter a year from 1885 to { $most }.
@@ -1918,6 +1918,7 @@ measure-field-driver_eye_not_visible = Driver’s eye not visible
 measure-field-taillight_not_visible = Taillight not visible
 measure-field-headlight_not_visible = Headlight not visible
 measure-field-discarded = Pass
+measure-field-notes = { field-notes }
 measure-in-sample = in the sample
 measure-out-of-sample = outside the sample, by the survey’s rule
 measure-discard-measured = Withdraw its measurements to discard it.
@@ -2354,7 +2355,7 @@ scans-limit-distance-why = If the scanning planes are not exactly parallel, the 
 scans-new = A new line scan
 scans-new-from = Source
 scans-new-strips = Two strips
-scans-new-columns = Two columns or rows of a video
+scans-new-video = Two columns or rows of a video
 scans-new-name-hint = Empty: the file name is used.
 scans-new-read = Import and find the vehicles
 scans-new-no-strip = no strip uploaded yet
@@ -2686,8 +2687,8 @@ scan-evidence-make = Make the file
 scan-evidence-limit-of = Quantity with a limit
 scan-evidence-none = No limit
 scan-evidence-speed = Speed
-scan-evidence-time-gap = Time gap
-scan-evidence-distance-gap = Distance gap
+scan-evidence-time_gap = Time gap
+scan-evidence-distance_gap = Distance gap
 scan-evidence-most = Limit: at most
 scan-evidence-least = Limit: at least
 scan-evidence-risk = Risk of a false decision
@@ -2714,13 +2715,13 @@ scan-references-none = None yet. Enter a value from a radar, GPS or the car’s 
 scan-reference-speed = Speed
 scan-reference-length = Length
 scan-reference-wheelbase = Wheelbase
-scan-reference-counter = speedometer
-scan-reference-radar = radar
-scan-reference-laser = laser gun
-scan-reference-gps = GPS
-scan-reference-loop = induction loop
-scan-reference-tape = tape
-scan-reference-other = other
+scan-reference-source-counter = speedometer
+scan-reference-source-radar = radar
+scan-reference-source-laser = laser gun
+scan-reference-source-gps = GPS
+scan-reference-source-loop = induction loop
+scan-reference-source-tape = tape
+scan-reference-source-other = other
 scan-reference-says = { $quantity }, { $source }: { $value }
 scan-reference-nothing = No measured value to compare with.
 scan-reference-within = Difference { $difference }, within ± { $U95 }.
@@ -2745,7 +2746,7 @@ scan-reference-note-length = Compared with the length or wheelbase measured here
 scan-run-of = Run of car
 scan-run-of-hint = The same name on several vehicles marks them as runs of one car.
 scan-run-of-problem = Enter 100 characters at most.
-scan-references-import-title = Import reference measurements
+scan-references-title = Import reference measurements
 scan-references-choose = Choose a CSV
 scan-references-drop = Drop a CSV here
 scan-references-hint = Columns: number (or time: 14:05:32.4), source, speed_kmh, u_speed_kmh; also length_m, u_length_m, wheelbase_m, device, run_of
@@ -2820,8 +2821,8 @@ scan-profile-beyond = { $count ->
 scan-profile-x = Time after the front reached camera 1 (s)
 scan-match-title = Registration: strip 2 over strip 1
 scan-match-picture = Image of the registration
-scan-match-1 = 1
-scan-match-2 = 2
+scan-match-first = 1
+scan-match-second = 2
 scan-match-blink = blink
 scan-match-difference = difference
 scan-match-alt-1 = The vehicle on camera 1
@@ -2849,11 +2850,6 @@ scan-verdict-done = Vehicle { $vehicle }: { $verdict ->
 }
 scan-verdict-none-left = No other vehicle of this line scan waits for your verdict.
 scan-verdict-reopen = Reopen
-scan-verdict-accept = Accept
-scan-verdict-reject = Reject
-scan-verdict-reject-why = Reject…
-scan-verdict-reason = Why it is rejected
-scan-verdict-leave = Cancel
 
 ## Line scan: heights
 
@@ -3639,11 +3635,11 @@ planning-advice = Advice
 planning-lens-exact = Assumes no calibration uncertainty.
 planning-lens-exact-plain = Assumes an ideal lens: no distortion, no calibration uncertainty.
 planning-lens-calibrated = A real calibration adds uncertainty, mostly away from the board.
-planning-roof = Roof
-planning-driver_eye = Driver’s eye, near side
-planning-driver_eye_far = Driver’s eye, far side
-planning-taillight = Taillight
-planning-headlight = Headlight
+planning-target-roof = Roof
+planning-target-driver_eye = Driver’s eye, near side
+planning-target-driver_eye_far = Driver’s eye, far side
+planning-target-taillight = Taillight
+planning-target-headlight = Headlight
 
 ## Planning: what is planned with
 
@@ -5722,10 +5718,10 @@ lots-by-target = target
 lots-by-lighting = lighting
 lots-by-operator = who measured
 lots-by-day = day measured
-lots-producer-quality = Share of wrong heights at which a lot should pass
-lots-producer-risk = Risk that it does not
-lots-consumer-quality = Share of wrong heights at which a lot should not pass
-lots-consumer-risk = Risk that it does
+lots-risk-producer_quality = Share of wrong heights at which a lot should pass
+lots-risk-producer_risk = Risk that it does not
+lots-risk-consumer_quality = Share of wrong heights at which a lot should not pass
+lots-risk-consumer_risk = Risk that it does
 lots-nonconforming = A height is wrong (nonconforming) if its reviewer rejects it, or fixes it by more than its U95. The sample is drawn by a seed from the audit chain before anyone reviews it. The acceptance criterion is that of ISO 2859; its tables are not used: the plan is computed for the size of each lot.
 lots-nothing-waits = No heights are waiting for review outside of lots.
 lots-planned = Possible lots
@@ -7038,24 +7034,24 @@ adjustment-crooked = Too many of its points are off a straight line.
 adjustment-point-outside = A point lies outside the frame.
 adjustment-tyre-off-road = A tyre lies where there is no road: above the horizon, or outside the lens model’s radius.
 adjustment-part-excluded = The traffic contradicts the { $part ->
-    [board_lean_rad] { adjust-board_lean_rad }
-    [board_roll_rad] { adjust-board_roll_rad }
-    [board_height_m] { adjust-board_height_m }
-    [square_m] { adjust-square_m }
-    [bow_along_rows_m] { adjust-bow_along_rows_m }
-    [bow_down_columns_m] { adjust-bow_down_columns_m }
-    [wheelbase_common_m] { adjust-wheelbase_common_m }
-   *[roof_common_m] { adjust-roof_common_m }
+    [board_lean_rad] { adjust-moved-board_lean_rad }
+    [board_roll_rad] { adjust-moved-board_roll_rad }
+    [board_height_m] { adjust-moved-board_height_m }
+    [square_m] { adjust-moved-square_m }
+    [bow_along_rows_m] { adjust-moved-bow_along_rows_m }
+    [bow_down_columns_m] { adjust-moved-bow_down_columns_m }
+    [wheelbase_common_m] { adjust-moved-wheelbase_common_m }
+   *[roof_common_m] { adjust-moved-roof_common_m }
  } with its stated u of { $u } { $unit }; it was excluded.
 adjustment-common-far-off = One value is far from 0 for its stated u of { $u } { $unit }: the { $part ->
-    [board_lean_rad] { adjust-board_lean_rad }
-    [board_roll_rad] { adjust-board_roll_rad }
-    [board_height_m] { adjust-board_height_m }
-    [square_m] { adjust-square_m }
-    [bow_along_rows_m] { adjust-bow_along_rows_m }
-    [bow_down_columns_m] { adjust-bow_down_columns_m }
-    [wheelbase_common_m] { adjust-wheelbase_common_m }
-   *[roof_common_m] { adjust-roof_common_m }
+    [board_lean_rad] { adjust-moved-board_lean_rad }
+    [board_roll_rad] { adjust-moved-board_roll_rad }
+    [board_height_m] { adjust-moved-board_height_m }
+    [square_m] { adjust-moved-square_m }
+    [bow_along_rows_m] { adjust-moved-bow_along_rows_m }
+    [bow_down_columns_m] { adjust-moved-bow_down_columns_m }
+    [wheelbase_common_m] { adjust-moved-wheelbase_common_m }
+   *[roof_common_m] { adjust-moved-roof_common_m }
  }. Check that the known lengths refer to the points that were followed.
 adjustment-points-scatter = The points scatter { NUMBER($factor, minimumFractionDigits: 1, maximumFractionDigits: 1) } times as much as stated; their uncertainties were multiplied by this factor.
 adjustment-lengths-scatter = The known values of the { $length ->

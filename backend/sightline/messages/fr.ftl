@@ -555,8 +555,8 @@ menu-theme-system = Système
 menu-theme-light = Clair
 menu-theme-dark = Sombre
 menu-lengths = Longueurs
-menu-lengths-metres = Mètres
-menu-lengths-feet = Pieds
+menu-lengths-m = Mètres
+menu-lengths-ft = Pieds
 menu-sign-out = Se déconnecter
 
 ## Application : tant que le serveur est injoignable
@@ -675,18 +675,18 @@ passes-failed = La détection a échoué ; relancez-la.
 passes-cancelled = La détection des passages dans { $recording } a été annulée.
 passes-found = { $recording } : { $message }
 passes-over = { $recording } : détection terminée.
-passes-all = Tous
-passes-to-do = À faire
-passes-rejected = Rejetés
-passes-doubtful = Douteux
-passes-no-class = Sans classe
+passes-show-all = Tous
+passes-show-to_do = À faire
+passes-show-rejected = Rejetés
+passes-show-measured = Mesurés
+passes-show-doubtful = Douteux
+passes-show-no_class = Sans classe
 passes-doubts = { $count ->
     [one] Une hauteur est inhabituelle : vérifiez-la.
    *[other] { NUMBER($count) } hauteurs sont inhabituelles : vérifiez-les.
 }
 passes-class-missing = La classe manque.
-passes-measured = Mesurés
-passes-left-out = hors échantillon
+passes-show-left_out = hors échantillon
 passes-by-number = par numéro
 passes-by-time = par heure
 passes-by-state = par état
@@ -764,8 +764,8 @@ camera-notes-hint = Boîtier, taille d’image, stabilisation désactivée. Si l
 camera-calibrate = Étalonner
 camera-calibrate-again = Étalonner à nouveau
 camera-where-boards = Source des photos de la mire
-camera-from-pictures = Dans des photos
-camera-from-recording = Dans un enregistrement
+camera-from-images = Dans des photos
+camera-from-clip = Dans un enregistrement
 camera-choose-pictures = Choisir des photos du damier
 camera-drop-pictures = Déposez ici des photos du damier, ou cliquez pour choisir
 camera-drop-hint = Même caméra, même zoom, même mise au point. Inclinez la mire, amenez-la dans chaque coin, gardez-la nette.
@@ -1230,17 +1230,17 @@ adjust-by-u = Variation / u
 adjust-by-u-help = La variation divisée par l’incertitude-type d’avant
 adjust-u-before = u avant
 adjust-u-after = u après
-adjust-camera_height_m = hauteur de la caméra au-dessus de la chaussée
-adjust-road_lean_rad = rotation de la chaussée autour de son axe longitudinal (inclinaison)
-adjust-road_roll_rad = rotation de la chaussée autour de l’axe transversal (roulis)
-adjust-board_lean_rad = inclinaison de la mire
-adjust-board_roll_rad = roulis de la mire
-adjust-board_height_m = hauteur de la rangée de référence de la mire
-adjust-square_m = côté d’une case de la mire
-adjust-bow_along_rows_m = flèche de la mire le long des rangées
-adjust-bow_down_columns_m = flèche de la mire le long des colonnes
-adjust-wheelbase_common_m = erreur commune à tous les empattements
-adjust-roof_common_m = erreur commune à tous les toits
+adjust-moved-camera_height_m = hauteur de la caméra au-dessus de la chaussée
+adjust-moved-road_lean_rad = rotation de la chaussée autour de son axe longitudinal (inclinaison)
+adjust-moved-road_roll_rad = rotation de la chaussée autour de l’axe transversal (roulis)
+adjust-moved-board_lean_rad = inclinaison de la mire
+adjust-moved-board_roll_rad = roulis de la mire
+adjust-moved-board_height_m = hauteur de la rangée de référence de la mire
+adjust-moved-square_m = côté d’une case de la mire
+adjust-moved-bow_along_rows_m = flèche de la mire le long des rangées
+adjust-moved-bow_down_columns_m = flèche de la mire le long des colonnes
+adjust-moved-wheelbase_common_m = erreur commune à tous les empattements
+adjust-moved-roof_common_m = erreur commune à tous les toits
 adjust-left-title = Non utilisées
 adjust-left-none = Toutes les observations sont utilisées.
 adjust-of-tyres = pneus
@@ -1846,12 +1846,12 @@ model-chosen-see = Confirmer le modèle
 model-chosen-seen = Le modèle a été choisi d’après ses dimensions ({ $sizes }), puis confirmé sur le véhicule.
 model-chosen-word-size = d’après ses dimensions
 model-chosen-word-seen = confirmé sur le véhicule
-which-model-height = toit
-which-model-length = longueur
-which-model-width = largeur
-which-model-wheelbase = empattement
-which-model-taillight = feu arrière
-which-model-headlight = projecteur
+which-model-size-height = toit
+which-model-size-length = longueur
+which-model-size-width = largeur
+which-model-size-wheelbase = empattement
+which-model-size-taillight = feu arrière
+which-model-size-headlight = projecteur
 measure-makers-height = Hauteur du constructeur
 measure-makers-height-u = Incertitude-type
 measure-year-problem = Saisissez une année de 1885 à { $most }.
@@ -1917,6 +1917,7 @@ measure-field-driver_eye_not_visible = Œil du conducteur non visible
 measure-field-taillight_not_visible = Feu arrière non visible
 measure-field-headlight_not_visible = Projecteur non visible
 measure-field-discarded = Passage
+measure-field-notes = { field-notes }
 measure-in-sample = dans l’échantillon
 measure-out-of-sample = hors échantillon, selon la règle du relevé
 measure-discard-measured = Retirez ses mesures pour l’écarter.
@@ -2353,7 +2354,7 @@ scans-limit-distance-why = Si les plans de balayage ne sont pas tout à fait par
 scans-new = Nouveau balayage
 scans-new-from = Source
 scans-new-strips = Deux bandes
-scans-new-columns = Deux colonnes ou rangées d’une vidéo
+scans-new-video = Deux colonnes ou rangées d’une vidéo
 scans-new-name-hint = Vide : le nom du fichier.
 scans-new-read = Importer et détecter les véhicules
 scans-new-no-strip = aucune bande envoyée
@@ -2685,8 +2686,8 @@ scan-evidence-make = Créer le dossier
 scan-evidence-limit-of = Limite portant sur
 scan-evidence-none = Sans limite
 scan-evidence-speed = Vitesse
-scan-evidence-time-gap = Intervalle temporel
-scan-evidence-distance-gap = Distance intervéhiculaire
+scan-evidence-time_gap = Intervalle temporel
+scan-evidence-distance_gap = Distance intervéhiculaire
 scan-evidence-most = Limite : au plus
 scan-evidence-least = Limite : au moins
 scan-evidence-risk = Risque de décision erronée
@@ -2712,13 +2713,13 @@ scan-references-none = Aucune pour l’instant. Saisissez une valeur d’un rada
 scan-reference-speed = Vitesse
 scan-reference-length = Longueur
 scan-reference-wheelbase = Empattement
-scan-reference-counter = compteur du véhicule
-scan-reference-radar = radar
-scan-reference-laser = cinémomètre laser
-scan-reference-gps = GPS
-scan-reference-loop = boucle
-scan-reference-tape = mètre ruban
-scan-reference-other = autre
+scan-reference-source-counter = compteur du véhicule
+scan-reference-source-radar = radar
+scan-reference-source-laser = cinémomètre laser
+scan-reference-source-gps = GPS
+scan-reference-source-loop = boucle
+scan-reference-source-tape = mètre ruban
+scan-reference-source-other = autre
 scan-reference-says = { $quantity }, { $source } : { $value }
 scan-reference-nothing = Aucune valeur mesurée à comparer.
 scan-reference-within = Écart { $difference }, dans les ± { $U95 }.
@@ -2743,7 +2744,7 @@ scan-reference-note-length = Comparée à la longueur ou à l’empattement mesu
 scan-run-of = Passage du véhicule
 scan-run-of-hint = Le même nom sur plusieurs véhicules les désigne comme passages d’un même véhicule.
 scan-run-of-problem = Saisissez 100 caractères au plus.
-scan-references-import-title = Importer des mesures de référence
+scan-references-title = Importer des mesures de référence
 scan-references-choose = Choisir un CSV
 scan-references-drop = Déposez un CSV ici
 scan-references-hint = Colonnes : number (ou time : 14:05:32.4), source, speed_kmh, u_speed_kmh ; ou encore length_m, u_length_m, wheelbase_m, device, run_of
@@ -2818,8 +2819,8 @@ scan-profile-beyond = { $count ->
 scan-profile-x = Temps depuis l’avant à la caméra 1 (s)
 scan-match-title = Recalage : bande 2 sur bande 1
 scan-match-picture = Image du recalage
-scan-match-1 = 1
-scan-match-2 = 2
+scan-match-first = 1
+scan-match-second = 2
 scan-match-blink = alterner
 scan-match-difference = différence
 scan-match-alt-1 = Le véhicule sur la caméra 1
@@ -2847,11 +2848,6 @@ scan-verdict-done = Véhicule { $vehicle } : { $verdict ->
 }
 scan-verdict-none-left = Aucun autre véhicule de ce balayage n’attend votre décision.
 scan-verdict-reopen = Rouvrir
-scan-verdict-accept = Valider
-scan-verdict-reject = Rejeter
-scan-verdict-reject-why = Rejeter…
-scan-verdict-reason = Motif du rejet
-scan-verdict-leave = Annuler
 
 ## Balayage : les hauteurs
 
@@ -3634,11 +3630,11 @@ planning-advice = Conseils
 planning-lens-exact = Incertitude d’étalonnage supposée nulle.
 planning-lens-exact-plain = Objectif supposé idéal : sans distorsion ni incertitude d’étalonnage.
 planning-lens-calibrated = Un étalonnage réel ajoute de l’incertitude, surtout loin de la mire.
-planning-roof = Toit
-planning-driver_eye = Œil du conducteur, côté proche
-planning-driver_eye_far = Œil du conducteur, côté éloigné
-planning-taillight = Feu arrière
-planning-headlight = Projecteur
+planning-target-roof = Toit
+planning-target-driver_eye = Œil du conducteur, côté proche
+planning-target-driver_eye_far = Œil du conducteur, côté éloigné
+planning-target-taillight = Feu arrière
+planning-target-headlight = Projecteur
 
 ## Planification : données du plan
 
@@ -5770,10 +5766,10 @@ lots-by-target = cible
 lots-by-lighting = luminosité
 lots-by-operator = auteur de la mesure
 lots-by-day = jour de la mesure
-lots-producer-quality = Part de hauteurs fausses à laquelle un lot devrait passer
-lots-producer-risk = Risque qu’il ne passe pas
-lots-consumer-quality = Part de hauteurs fausses à laquelle un lot ne devrait pas passer
-lots-consumer-risk = Risque qu’il passe
+lots-risk-producer_quality = Part de hauteurs fausses à laquelle un lot devrait passer
+lots-risk-producer_risk = Risque qu’il ne passe pas
+lots-risk-consumer_quality = Part de hauteurs fausses à laquelle un lot ne devrait pas passer
+lots-risk-consumer_risk = Risque qu’il passe
 lots-nonconforming = Une hauteur est fausse (non conforme) si son vérificateur la rejette, ou la corrige de plus que son U95. L’échantillon est tiré avec une graine issue de la chaîne d’audit, avant toute vérification. Le critère d’acceptation est celui de l’ISO 2859 ; ses tables ne sont pas utilisées : le plan est calculé pour l’effectif de chaque lot.
 lots-nothing-waits = Aucune hauteur n’attend de vérification en dehors des lots.
 lots-planned = Lots possibles
@@ -7092,24 +7088,24 @@ adjustment-crooked = Trop de ses points ne sont pas sur une même ligne droite.
 adjustment-point-outside = Un point est hors de l’image.
 adjustment-tyre-off-road = Un pneu est là où il n’y a pas de route : au-dessus de l’horizon, ou hors du rayon de validité du modèle d’objectif.
 adjustment-part-excluded = Le trafic contredit ce terme : { $part ->
-    [board_lean_rad] { adjust-board_lean_rad }
-    [board_roll_rad] { adjust-board_roll_rad }
-    [board_height_m] { adjust-board_height_m }
-    [square_m] { adjust-square_m }
-    [bow_along_rows_m] { adjust-bow_along_rows_m }
-    [bow_down_columns_m] { adjust-bow_down_columns_m }
-    [wheelbase_common_m] { adjust-wheelbase_common_m }
-   *[roof_common_m] { adjust-roof_common_m }
+    [board_lean_rad] { adjust-moved-board_lean_rad }
+    [board_roll_rad] { adjust-moved-board_roll_rad }
+    [board_height_m] { adjust-moved-board_height_m }
+    [square_m] { adjust-moved-square_m }
+    [bow_along_rows_m] { adjust-moved-bow_along_rows_m }
+    [bow_down_columns_m] { adjust-moved-bow_down_columns_m }
+    [wheelbase_common_m] { adjust-moved-wheelbase_common_m }
+   *[roof_common_m] { adjust-moved-roof_common_m }
  }, avec son u indiquée de { $u } { $unit } ; il a été exclu.
 adjustment-common-far-off = Une valeur est loin de 0 pour son u indiquée de { $u } { $unit } : { $part ->
-    [board_lean_rad] { adjust-board_lean_rad }
-    [board_roll_rad] { adjust-board_roll_rad }
-    [board_height_m] { adjust-board_height_m }
-    [square_m] { adjust-square_m }
-    [bow_along_rows_m] { adjust-bow_along_rows_m }
-    [bow_down_columns_m] { adjust-bow_down_columns_m }
-    [wheelbase_common_m] { adjust-wheelbase_common_m }
-   *[roof_common_m] { adjust-roof_common_m }
+    [board_lean_rad] { adjust-moved-board_lean_rad }
+    [board_roll_rad] { adjust-moved-board_roll_rad }
+    [board_height_m] { adjust-moved-board_height_m }
+    [square_m] { adjust-moved-square_m }
+    [bow_along_rows_m] { adjust-moved-bow_along_rows_m }
+    [bow_down_columns_m] { adjust-moved-bow_down_columns_m }
+    [wheelbase_common_m] { adjust-moved-wheelbase_common_m }
+   *[roof_common_m] { adjust-moved-roof_common_m }
  }. Vérifiez que les longueurs connues se rapportent aux points suivis.
 adjustment-points-scatter = Les points se dispersent { NUMBER($factor, minimumFractionDigits: 1, maximumFractionDigits: 1) } fois plus qu’indiqué ; leurs incertitudes ont été multipliées par ce facteur.
 adjustment-lengths-scatter = Les valeurs connues ({ $length ->

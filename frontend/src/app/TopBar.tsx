@@ -1,11 +1,10 @@
 import { Fragment } from "preact";
-import { Button, LanguageChoice, Mark, Menu } from "../components";
+import { Button, choices, LanguageChoice, Mark, Menu } from "../components";
 import { current, surveyHere } from "../core/address";
 import { hint } from "../core/commands";
-import { GUIDE_OF, guideAddress } from "../core/guide";
-import { say } from "../core/messages";
+import { say, wordsOf } from "../core/messages";
 import { outbox } from "../core/outbox";
-import { type PlaceName, titleOf } from "../core/places";
+import { guideAddress, type PlaceName, titleOf } from "../core/places";
 import { saveState } from "../core/save";
 import { me, signOut } from "../core/session";
 import { survey } from "../core/survey";
@@ -20,7 +19,7 @@ import { groupsOf, holds } from "../core/work";
 import { keysShown } from "./KeysDialog.state";
 
 export function TopBar() {
-  const place = current.value?.place.name ?? "surveys";
+  const { name, guide } = current.value?.place ?? { name: "surveys", guide: "first-survey" };
   return (
     <header class="topbar">
       <Pages />
@@ -28,12 +27,7 @@ export function TopBar() {
       <SaveWord />
       {topTools.value && <div class="topbar__tools">{topTools.value}</div>}
       <span class="topbar__rule" aria-hidden="true" />
-      <Button
-        says="page-guide"
-        kind="quiet"
-        beside={place !== "guide"}
-        href={guideAddress(GUIDE_OF[place])}
-      />
+      <Button says="page-guide" kind="quiet" beside={name !== "guide"} href={guideAddress(guide)} />
       <Button
         kind="quiet"
         label={say("app-keys") + hint("help")}
@@ -236,10 +230,7 @@ function PersonMenu() {
       <Choice<LengthUnit>
         label={say("menu-lengths")}
         value={lengthUnit.value}
-        options={[
-          { value: "m", label: say("menu-lengths-metres") },
-          { value: "ft", label: say("menu-lengths-feet") },
-        ]}
+        options={choices(wordsOf("menu-lengths-", "m", "ft"))}
         set={(v) => {
           lengthUnit.value = v;
         }}

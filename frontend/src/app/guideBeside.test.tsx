@@ -2,7 +2,6 @@
 import { render } from "preact";
 import { afterEach, describe, expect, it } from "vitest";
 import { isOurs, navigate } from "../core/address";
-import { GUIDE_OF } from "../core/guide";
 import { match } from "../core/places";
 import { TopBar } from "./TopBar";
 
@@ -34,9 +33,8 @@ describe.each(ADDRESSES)("the guide from %s", (address) => {
   it("opens in a tab of its own, at what it says of the page", () => {
     navigate(address);
     render(<TopBar />, box);
-    const name = match(address)?.place.name;
-    expect(name).toBeDefined();
-    const [page] = GUIDE_OF[name as keyof typeof GUIDE_OF].split("#");
+    const [page] = match(address)?.place.guide.split("#") ?? [];
+    expect(page).toBeDefined();
     expect(link()?.getAttribute("href")).toContain(`page=${page}`);
     expect([link()?.target, link()?.rel]).toEqual(["_blank", "noopener"]);
     // the page does not take the click, and stays where it is

@@ -4,6 +4,7 @@
  * cannot overtake the server.
  */
 import { computed, signal } from "@preact/signals";
+import { sameValue } from "./same";
 
 /** Values by key that can be put back: wanted clicks of a measurement, boundaries of a vehicle, whether a pass is there. */
 export interface Ledger<K, V> {
@@ -159,23 +160,6 @@ export class History {
       return step.label;
     });
   }
-}
-
-/** Less than this is the rounding of a nudge forth and back. */
-const ROUNDING = 1e-9;
-
-/** Equal as values: points and values are plain, so their parts are compared. */
-function sameValue(a: unknown, b: unknown): boolean {
-  if (Object.is(a, b)) return true;
-  if (typeof a === "number" && typeof b === "number") return Math.abs(a - b) < ROUNDING;
-  if (typeof a !== "object" || typeof b !== "object" || a === null || b === null) return false;
-  const [left, right] = [a as Record<string, unknown>, b as Record<string, unknown>];
-  const names = Object.keys(left);
-  return (
-    Array.isArray(a) === Array.isArray(b) &&
-    names.length === Object.keys(right).length &&
-    names.every((name) => name in right && sameValue(left[name], right[name]))
-  );
 }
 
 /** One after the other; at once as long as nothing has to be waited for. */

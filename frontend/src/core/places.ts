@@ -8,40 +8,40 @@ export interface ScreenProps {
 /** "bench": the order of work beside it; "full": the whole window; "alone": a page by itself; "bare": without the top bar */
 type Layout = "bench" | "full" | "alone" | "bare";
 
-/** Each place's path, ":id" for the survey's, and its layout. */
+/** Each place's path, ":id" for the survey's, its layout, and where the guide speaks of it: "page#section". */
 const TABLE = {
-  "sign-in": ["/sign-in", "bare"],
-  surveys: ["/", "alone"],
-  survey: ["/surveys/:id", "bench"],
-  planning: ["/surveys/:id/planning", "bench"],
-  camera: ["/surveys/:id/camera", "bench"],
-  recordings: ["/surveys/:id/recordings", "bench"],
-  pose: ["/surveys/:id/pose", "full"],
-  measure: ["/surveys/:id/measure", "full"],
-  checks: ["/surveys/:id/checks", "bench"],
-  review: ["/surveys/:id/review", "full"],
-  lots: ["/surveys/:id/lots", "bench"],
-  repeats: ["/surveys/:id/repeats", "bench"],
-  "click-again": ["/surveys/:id/repeats/click", "full"],
-  scans: ["/surveys/:id/scans", "bench"],
-  "scan-results": ["/surveys/:id/scans/results", "bench"],
-  live: ["/surveys/:id/live", "bench"],
-  scan: ["/surveys/:id/scan", "full"],
-  export: ["/surveys/:id/export", "bench"],
-  history: ["/surveys/:id/history", "bench"],
-  settings: ["/surveys/:id/settings", "bench"],
-  statistics: ["/statistics", "alone"],
-  "sight-distance": ["/sight-distance", "alone"],
-  studies: ["/studies", "alone"],
-  study: ["/study", "alone"],
-  catalogue: ["/catalogue", "alone"],
-  audit: ["/audit", "alone"],
-  jobs: ["/jobs", "alone"],
-  system: ["/system", "alone"],
-  people: ["/people", "alone"],
-  account: ["/account", "alone"],
-  guide: ["/guide", "alone"],
-} as const satisfies Record<string, readonly [pattern: string, layout: Layout]>;
+  "sign-in": ["/sign-in", "bare", "administrator#people"],
+  surveys: ["/", "alone", "first-survey"],
+  survey: ["/surveys/:id", "bench", "first-survey#1-create-the-survey"],
+  planning: ["/surveys/:id/planning", "bench", "field-protocol#before-the-day"],
+  camera: ["/surveys/:id/camera", "bench", "operator#camera"],
+  recordings: ["/surveys/:id/recordings", "bench", "operator#recordings"],
+  pose: ["/surveys/:id/pose", "full", "operator#road"],
+  measure: ["/surveys/:id/measure", "full", "operator#measure"],
+  checks: ["/surveys/:id/checks", "bench", "operator#checks"],
+  review: ["/surveys/:id/review", "full", "reviewer#review"],
+  lots: ["/surveys/:id/lots", "bench", "reviewer#lots"],
+  repeats: ["/surveys/:id/repeats", "bench", "operator#repeatability"],
+  "click-again": ["/surveys/:id/repeats/click", "full", "operator#repeatability"],
+  scans: ["/surveys/:id/scans", "bench", "operator#line-scans"],
+  "scan-results": ["/surveys/:id/scans/results", "bench", "operator#line-scans"],
+  live: ["/surveys/:id/live", "bench", "operator#live-line-scans"],
+  scan: ["/surveys/:id/scan", "full", "operator#line-scans"],
+  export: ["/surveys/:id/export", "bench", "standards-engineer#tracing-a-value"],
+  history: ["/surveys/:id/history", "bench", "administrator#jobs-and-the-audit-trail"],
+  settings: ["/surveys/:id/settings", "bench", "first-survey#1-create-the-survey"],
+  statistics: ["/statistics", "alone", "standards-engineer#statistics"],
+  "sight-distance": ["/sight-distance", "alone", "standards-engineer#sight-distance"],
+  studies: ["/studies", "alone", "standards-engineer#studies"],
+  study: ["/study", "alone", "standards-engineer#studies"],
+  catalogue: ["/catalogue", "alone", "operator#catalogue"],
+  audit: ["/audit", "alone", "administrator#jobs-and-the-audit-trail"],
+  jobs: ["/jobs", "alone", "administrator#jobs-and-the-audit-trail"],
+  system: ["/system", "alone", "administrator#watch"],
+  people: ["/people", "alone", "administrator#people"],
+  account: ["/account", "alone", "administrator#people"],
+  guide: ["/guide", "alone", "first-survey"],
+} as const satisfies Record<string, readonly [pattern: string, layout: Layout, guide: string]>;
 
 export type PlaceName = keyof typeof TABLE;
 
@@ -50,12 +50,20 @@ export interface Place {
   /** "/surveys/:id/camera" */
   pattern: string;
   layout: Layout;
+  /** "operator#camera" */
+  guide: string;
 }
 
 export const PLACES: readonly Place[] = (Object.keys(TABLE) as PlaceName[]).map((name) => {
-  const [pattern, layout] = TABLE[name];
-  return { name, pattern, layout };
+  const [pattern, layout, guide] = TABLE[name];
+  return { name, pattern, layout, guide };
 });
+
+/** The address of a place in the guide, "page" or "page#section". */
+export function guideAddress(place: string): string {
+  const [page, section] = place.split("#");
+  return `/guide?page=${page}${section ? `&section=${section}` : ""}`;
+}
 
 /** What a page is called. */
 export function titleOf(name: PlaceName): string {

@@ -1,7 +1,9 @@
-/** What the server sends and takes, by the short names that the screens use. The types are the server's own description
- *  (`make types`). Lengths in metres, times ISO 8601 UTC. */
+/** What the server sends and takes: the types of its own description (`make types`) by their names, and shorter names of
+ *  some. Lengths in metres, times ISO 8601 UTC. */
 import type { components } from "#schema";
 import { wordsOf } from "./messages";
+
+export type * from "#schema";
 
 type Schemas = components["schemas"];
 
@@ -23,23 +25,16 @@ export const ROLE_NAMES = wordsOf("role-", "viewer", "operator", "reviewer", "ad
 export type SurveyRole = Schemas["Member"]["role"];
 export type Members = Schemas["MembersBody"];
 export type Member = Members["members"][number];
-export type Candidate = Schemas["Candidate"];
 /** What a person is in the survey that is open: a member's role, or that of the account. */
 export type ActingRole = Survey["my_role"];
 export const SURVEY_ROLE_NAMES = wordsOf("role-", "viewer", "operator", "reviewer", "manager");
 
 export type Person = Schemas["PersonFacts"];
 export type ApiToken = Schemas["ApiTokenFacts"];
-export type MadeToken = Schemas["MadeToken"];
-export type Me = Schemas["Me"];
 
-export type ListedStudy = Schemas["ListedStudy"];
-export type StudyPage = Schemas["StudyPage"];
-export type Study = StudyPage["study"];
-export type StudyResult = NonNullable<StudyPage["result"]>;
+export type Study = Schemas["StudyPage"]["study"];
+export type StudyResult = NonNullable<Schemas["StudyPage"]["result"]>;
 
-export type Inset = Schemas["Inset"];
-export type Step = Schemas["Step"];
 export type Survey = Schemas["SurveyBody"];
 /** How traffic goes at a site and where the camera stands; null: nobody has said. */
 export type Traffic = Survey["traffic"];
@@ -57,29 +52,20 @@ export type ClassSet = NonNullable<VehicleClass["class_set"]>;
 /** Which passes a survey takes, and how many of each kind. */
 export type Sampling = Survey["sampling"];
 export type Quota = Sampling["quotas"][number];
-export type SampleProgress = Schemas["SampleProgress"];
-export type Response = Schemas["Response"];
 export type ModelChosenBy = NonNullable<Schemas["VehicleBody"]["model_chosen_by"]>;
 export type ModelSize = Schemas["MeasuredSize"]["size"];
 export type Discarded = NonNullable<Schemas["VehicleBody"]["discarded"]>;
 export type InsetName = keyof Survey["insets"];
-export type InsetChoice = Schemas["InsetChoice"];
-export type InsetPlace = InsetChoice["place"];
-
-export type CameraDocument = Schemas["CameraDocument"];
+export type InsetPlace = Schemas["InsetChoice"]["place"];
 
 export type CameraView = Schemas["ViewBody"];
 export type Calibration = Schemas["CalibrationBody"];
 export type CalibrationImage = Schemas["CalibrationImageBody"];
-export type Camera = Schemas["Camera"];
-export type CameraDetail = Schemas["CameraDetail"];
 
 export type Job = Schemas["JobBody"];
 /** What was found of a camera that moved since its road pose. */
 export type Drift = Schemas["DriftBody"];
 export type DriftCheck = NonNullable<Drift["check"]>;
-export type ContactProposal = Schemas["ContactProposal"];
-export type PointProposal = Schemas["PointProposal"];
 export type Made = Measurement["made"];
 export type Recording = Schemas["RecordingBody"];
 export type RecordingChange = Partial<Schemas["RecordingChange"]>;
@@ -88,60 +74,22 @@ export type UnfinishedUpload = Schemas["UploadBody"];
 export type BoardFinding = Schemas["BoardView"];
 export type AxisLines = Schemas["DrawnAxes"];
 export type PoseSummary = Schemas["PoseSummaryBody"];
-export type PoseOverlay = Schemas["PoseOverlay"];
 export type Pose = Schemas["PoseBody"];
 
 export type AxesAnswer = Schemas["Ruler"];
 export type BudgetEntry = Schemas["BudgetPart"];
 export type HeightAnswer = Schemas["Answer"];
-/** The second frame proposed: where both points are expected and what it gains. */
-export type FollowedAnswer = Schemas["FollowedAnswer"];
 export type SecondFrameAnswer = Schemas["Proposal"];
-export type FrameForTarget = Schemas["FrameForTarget"];
 
 export type Measurement = Schemas["MeasurementBody"];
 export type Vehicle = Schemas["VehicleBody"];
-export type VehicleFields = Pick<
-  Vehicle,
-  | "first_frame"
-  | "best_frame"
-  | "last_frame"
-  | "make"
-  | "model"
-  | "year"
-  | "model_chosen_by"
-  | "model_sizes"
-  | "category"
-  | "manufacturer_height_m"
-  | "u_manufacturer_height_m"
-  | "height_source"
-  | `known_${KnownTarget}_m`
-  | `u_known_${KnownTarget}_m`
-  | `known_${KnownTarget}_source`
-  | "check_target"
-  | "lighting"
-  | "direction"
-  | "driver_side"
-  | `${AskedTarget}_not_visible`
-  | "discarded"
-  | "notes"
->;
 export type CatalogueRow = Schemas["CatalogueEntry"];
 export type ModelFits = Schemas["WhichModel"];
-export type FittingModel = Schemas["FittingModel"];
 export type History = Schemas["HistoryBody"];
 export type ReviewItem = Schemas["QueueItemBody"];
-export type NamedEvent = Schemas["NamedEvent"];
-export type StillSpan = Schemas["StillSpan"];
-export type ReviewPlan = Schemas["ReviewPlan"];
-export type ShownLot = Schemas["ShownLot"];
-export type PlannedLot = Schemas["PlannedLot"];
-export type LotSummary = Schemas["LotSummary"];
-export type ReviewWork = Schemas["ReviewWork"];
 
 export type Comparison = Schemas["ComparisonBody"];
 export type Repeats = Schemas["Findings"];
-export type Anchoring = Schemas["Anchoring"];
 export type ProposedTarget = Schemas["OfProposedTarget"];
 export type RepeatSpread = Schemas["Spread"];
 export type PersonRepeats = Schemas["OfPerson"];
@@ -149,16 +97,10 @@ export type TargetRepeats = Schemas["OfTarget"];
 export type RepeatDifference = Schemas["Difference"];
 export type ToClickAgain = Schemas["Blind"];
 
-export type PoseAdjustment = Schemas["PoseAdjustment"];
 export type Computings = Schemas["ComputingsBody"];
-export type Computing = Schemas["Computing"];
-export type ComputedHeights = Schemas["ComputedHeights"];
-export type ComputedHeight = Schemas["ComputedHeight"];
-export type OutOfDate = Schemas["OutOfDate"];
 
 export type Photograph = Schemas["PhotographBody"];
 export type ExportPackage = Schemas["ExportBody"];
-export type AuditEvent = Schemas["AuditEvent"];
 export type AuditCheck = Schemas["Verification"];
 
 export type Scan = Schemas["ScanBody"];
@@ -166,9 +108,7 @@ export type ScanVehicle = Schemas["ScanVehicleBody"];
 export type ScanMotion = Schemas["ScanMotionBody"];
 export type ScanVehicleDetail = Schemas["ScanVehicleDetailBody"];
 export type LinePose = Schemas["ShownLinePose"];
-export type LinePoses = Schemas["LinePoses"];
 export type RodMark = Schemas["Mark"];
-export type SolvedRod = Schemas["SolvedRod"];
 export type LineHeight = Schemas["ScanHeightBody"];
 export type LineHeightAnswer = Schemas["HeightPreview"];
 export type ScanMethod = NonNullable<Schemas["FindWanted"]["method"]>;
@@ -176,15 +116,9 @@ export type ScanStatistics = Schemas["ScanStatisticsBody"];
 export type ScanReference = ScanVehicle["references"][number];
 export type ReferenceQuantity = ScanReference["quantity"];
 export type ReferenceSource = ScanReference["source"];
-export type ReferencePlan = Schemas["ReferencePlan"];
-export type ReferenceRow = Schemas["ReferenceRow"];
-export type CarRuns = Schemas["CarRuns"];
-export type RunsTogether = Schemas["RunsTogether"];
-export type LiveStream = Schemas["LiveStream"];
-export type LiveVehicle = LiveStream["vehicles"][number];
+export type LiveVehicle = Schemas["LiveStream"]["vehicles"][number];
 export type ScanSpread = Schemas["ScanSpreadBody"];
 export type TrafficOfScans = Schemas["ScanFlows"];
-export type ScanTraffic = Schemas["ScanTraffic"];
 export type TrafficInterval = Schemas["ShownInterval"];
 export type TrafficFigure = Schemas["Figure"];
 export type ScanErrorGroup = Schemas["ErrorFiguresBody"];

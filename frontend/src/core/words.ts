@@ -14,6 +14,7 @@ import type {
   Survey,
   Target,
 } from "./types";
+import { formatHeight } from "./units";
 
 export const TARGETS: readonly Target[] = ["roof", "driver_eye", "taillight", "headlight", "other"];
 /** What is clicked of a scanned vehicle, in this order. */
@@ -64,18 +65,6 @@ export const INSET_PLACE_WORDS: Readonly<Record<InsetPlace, string>> = wordsOf({
   far: "side-far",
 });
 
-export const INSET_NAMES: readonly InsetName[] = [
-  "roof",
-  "roof_van",
-  "roof_box",
-  "roof_unknown",
-  "driver_eye_near",
-  "driver_eye_far",
-  "taillight",
-  "headlight",
-  "other",
-];
-
 /** What an inset is for: a target, of an eye with the driver's side. */
 export const INSET_WORDS: Readonly<Record<InsetName, string>> = wordsOf({
   roof: "inset-roof_car",
@@ -89,6 +78,8 @@ export const INSET_WORDS: Readonly<Record<InsetName, string>> = wordsOf({
   other: "target-other",
 });
 
+export const INSET_NAMES = Object.keys(INSET_WORDS) as InsetName[];
+
 const INSET_NOTES: Readonly<Record<string, string>> = wordsOf("inset-note-");
 
 /** Where an inset comes from: what the program says of its own, or what a person wrote. */
@@ -99,15 +90,29 @@ export function insetNote({ code, note }: Pick<Survey["insets"][InsetName], "cod
 export const CATEGORY_WORDS: Readonly<Record<Category, string>> = wordsOf("category-");
 
 /** What classes are counted together, as each survey says. */
-export const CLASS_SET_WORDS: Readonly<Record<ClassSet, string>> = wordsOf({
-  passenger_cars: "class-set-passenger_cars",
-  light_trucks: "class-set-light_trucks",
-  heavy: "class-set-heavy",
-});
+export const CLASS_SET_WORDS: Readonly<Record<ClassSet, string>> = wordsOf(
+  "class-set-",
+  ...(["passenger_cars", "light_trucks", "heavy"] as const),
+);
 
 export const STATE_WORDS = wordsOf("state-");
 
 export type StateName = keyof typeof STATE_WORDS;
+
+/** A height as it stands, however it came about: "1.172 ± 0.018 m", or why there is none. */
+export function heightWords(
+  height: {
+    status: string;
+    height_m: number | null;
+    U95_height_m: number | null;
+    withdrawn?: boolean;
+  } | null,
+): string {
+  if (!height || height.withdrawn) return STATE_WORDS.withdrawn;
+  return height.status === "ok"
+    ? formatHeight(height.height_m, height.U95_height_m)
+    : STATE_WORDS.not_measurable;
+}
 
 /** A vehicle's number as lists show it: "03". */
 export function vehicleName(number: number): string {

@@ -2,8 +2,7 @@
 import { api } from "../core/api";
 import { type Kind, outbox, type Wanted } from "../core/outbox";
 import type { Measurement, Target } from "../core/types";
-import { formatHeight } from "../core/units";
-import { STATE_WORDS, TARGET_WORDS } from "../core/words";
+import { heightWords, STATE_WORDS, TARGET_WORDS } from "../core/words";
 import { type ImagePoint, pair } from "./points";
 import { isMeasurement } from "./values";
 
@@ -54,8 +53,7 @@ const repeatKind: Kind<Measurement, RepeatWanted, About> = {
   isSaved: isMeasurement,
   done: ({ saved, want }) => (saved ? saved.withdrawn === want.withdrawn : want.withdrawn),
   version: (saved) => (saved ? `${saved.id} ${saved.revision}` : 0),
-  words: (saved) =>
-    !saved || saved.withdrawn ? STATE_WORDS.withdrawn : formatHeight(saved.height_m, saved.U95_height_m),
+  words: heightWords,
 };
 
 outbox.register(REPEAT, repeatKind);

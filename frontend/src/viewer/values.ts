@@ -1,5 +1,6 @@
 /** What the operator decides about a measurement; everything else in it is the server's. */
 import type { BodyOf } from "../core/routes";
+import { sameValue } from "../core/same";
 import { shapeOf } from "../core/shape";
 import type { Made, Measurement, Target } from "../core/types";
 import { fromServer, type ImagePoint, imagePoint, pair, samePoint } from "./points";
@@ -121,35 +122,11 @@ export function movedOn(values: Values, frame: number, change: Partial<FramePoin
   return ofFrames(framesOf(values).map((one) => (one.frame === frame ? { ...one, ...change } : one)));
 }
 
-function sameFrames(a: readonly FramePoints[], b: readonly FramePoints[]): boolean {
-  return (
-    a.length === b.length &&
-    a.every((one, i) => {
-      const other = b[i];
-      return (
-        other !== undefined &&
-        one.frame === other.frame &&
-        samePoint(one.contact, other.contact) &&
-        samePoint(one.point, other.point)
-      );
-    })
-  );
-}
-
-function sameInset(a: Inset | null, b: Inset | null): boolean {
-  // null means "as the survey has it", which the server has filled in: never a difference to send
-  if (a === null || b === null) return true;
-  return a.inset_m === b.inset_m && a.u_inset_m === b.u_inset_m;
-}
-
-/** True if both say the same about target, frames, points and inset (withdrawal aside). */
-function sameClick(a: Values, b: Values): boolean {
-  const alike = a.target === b.target && sameFrames(framesOf(a), framesOf(b));
-  return alike && sameInset(a.inset, b.inset) && !a.follow === !b.follow;
-}
-
+/** Whether both say the same: target, points, inset, and whether it stands. */
 export function sameValues(a: Values, b: Values): boolean {
-  return a.withdrawn === b.withdrawn && sameClick(a, b);
+  const told = (one: Values) => [one.withdrawn, one.target, !one.follow, framesOf(one)];
+  // no inset means "as the survey has it", which the server has filled in: never a difference to send
+  return sameValue(told(a), told(b)) && (!a.inset || !b.inset || sameValue(a.inset, b.inset));
 }
 
 /** How the points came about: by hand, as proposed, or begun from a proposal and put elsewhere. */

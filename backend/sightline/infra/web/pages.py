@@ -1,5 +1,6 @@
 """The built front end: its pages, its hashed assets, and the API's pages without any foreign address."""
 
+import mimetypes
 import re
 from pathlib import Path
 
@@ -49,7 +50,7 @@ def install(app: FastAPI, settings: Settings) -> None:
 
     def page(path: str, request: Request) -> Response:
         try:
-            return answer_page(folder, path)
+            return answer_page(folder, path, request.headers.get("accept-encoding", ""))
         except HTTPException:
             if not _asked_by_a_browser(request) or path.split("/")[0] == "api":
                 raise
@@ -60,8 +61,9 @@ def install(app: FastAPI, settings: Settings) -> None:
     app.add_api_route("/{path:path}", page, methods=["GET", "HEAD"], include_in_schema=False)
 
 
-def answer_page(folder: Path, path: str) -> Response:
-    """A file of the build, or index.html for one of the front end's own routes.
+def answer_page(folder: Path, path: str, encodings: str = "") -> Response:
+    """A file of the build, or index.html for one of the front end's own routes; as the build compressed it, where that is
+    among the `encodings` that are taken.
 
     Raises:
         HTTPException: 404 for anything else (also for every unknown path under /api).
@@ -71,8 +73,12 @@ def answer_page(folder: Path, path: str) -> Response:
     file = (folder / path).resolve()
     if path.startswith("api/") or not file.is_relative_to(folder.resolve()) or not file.is_file():
         raise HTTPException(404)
-    caching = IMMUTABLE if HASHED.search(file.name) else "no-cache"
-    return FileResponse(file, headers={"Cache-Control": caching})
+    headers = {"Cache-Control": IMMUTABLE if HASHED.search(file.name) else "no-cache"}
+    packed = file.with_name(f"{file.name}.br")
+    if not packed.is_file() or "br" not in {one.partition(";")[0].strip() for one in encodings.split(",")}:
+        return FileResponse(file, headers=headers)
+    headers |= {"Content-Encoding": "br", "Vary": "Accept-Encoding"}
+    return FileResponse(packed, headers=headers, media_type=mimetypes.guess_type(file.name)[0])
 
 
 def _asked_by_a_browser(request: Request) -> bool:

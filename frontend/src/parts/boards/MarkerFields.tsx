@@ -1,6 +1,6 @@
 /** Which kind of board, and the markers of one that has them. */
-import { Segments, SelectField, TextField } from "../../components";
-import { say } from "../../core/messages";
+import { choices, Segments, SelectField, TextField } from "../../components";
+import { wordsOf } from "../../core/messages";
 import { type BoardKind, DICTIONARIES, type TypedMarkers } from "./markers";
 import "./markers.css";
 import { fieldsOf } from "../../core/form";
@@ -18,10 +18,7 @@ export function KindField({ value, change, disabled }: Pick<Props, "value" | "ch
     <Segments<BoardKind>
       says="board-kind"
       value={value.kind}
-      options={[
-        { value: "checkerboard", label: say("board-checkerboard") },
-        { value: "charuco", label: say("board-charuco") },
-      ]}
+      options={choices(wordsOf("board-", "checkerboard", "charuco"))}
       onInput={(kind) => change({ kind })}
       disabled={disabled}
     />

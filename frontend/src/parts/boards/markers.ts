@@ -42,8 +42,30 @@ export function markersTold(kind: BoardKind, dictionary: string, marker_m: numbe
   return kind === "charuco" && marker_m !== null ? { board_kind: kind, dictionary, marker_m } : {};
 }
 
+export interface BoardPlace {
+  left: number;
+  top: number;
+  /** Of a square. */
+  side: number;
+  across: number;
+  down: number;
+}
+
+/** The dark squares of a board, drawn; `share` of the side of its white squares are their markers, null: it has none. */
+export function boardPath({ left, top, side, across, down }: BoardPlace, share: number | null): string {
+  let path = "";
+  for (let r = 0; r < down; r++) {
+    for (let c = 0; c < across; c++) {
+      const [x, y] = [left + c * side, top + r * side];
+      if ((r + c) % 2 === 0) path += `M${x} ${y}h${side}v${side}h${-side}z`;
+      else if (share !== null) path += markerPath(x, y, side, share, r * 17 + c);
+    }
+  }
+  return path;
+}
+
 /** One of every white square's markers, drawn: its black body and a few of its cells; `seed` tells them apart. */
-export function markerPath(x: number, y: number, side: number, share: number, seed: number): string {
+function markerPath(x: number, y: number, side: number, share: number, seed: number): string {
   const body = side * share;
   const cell = body / 6;
   const [left, top] = [x + (side - body) / 2, y + (side - body) / 2];

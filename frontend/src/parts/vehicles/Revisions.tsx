@@ -3,14 +3,8 @@ import { say } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { formatMoment } from "../../core/times";
 import type { History } from "../../core/types";
-import { formatHeight } from "../../core/units";
-import { STATE_WORDS } from "../../core/words";
+import { heightWords } from "../../core/words";
 import "./vehicle.css";
-
-function revisionWords(m: History["revisions"][number]): string {
-  if (m.withdrawn) return STATE_WORDS.withdrawn;
-  return m.status === "ok" ? formatHeight(m.height_m, m.U95_height_m) : STATE_WORDS.not_measurable;
-}
 
 function reviewWords({ reviewer, reason }: History["reviews"][number]): string {
   const person = reviewer?.name ?? "";
@@ -36,7 +30,7 @@ export function Revisions({ id, revision }: { id: number; revision: number }) {
           <li key={m.revision}>
             <span class="revisions__line">
               <span class="muted">{m.revision}</span>
-              <span class="grow">{revisionWords(m)}</span>
+              <span class="grow">{heightWords(m)}</span>
             </span>
             <span class="revisions__who muted">
               {m.computing_id !== null && `${say("revisions-computed-again")} `}

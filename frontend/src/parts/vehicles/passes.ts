@@ -3,30 +3,10 @@ import { wordsOf } from "../../core/messages";
 import type { Vehicle } from "../../core/types";
 import { beside, nextThat } from "../worklist";
 
-export type Filter = "all" | "to_do" | "rejected" | "measured" | "doubtful" | "no_class" | "left_out";
-export type Order = "number" | "time" | "state";
-
-export const FILTERS: readonly Filter[] = [
-  "all",
-  "to_do",
-  "rejected",
-  "measured",
-  "doubtful",
-  "no_class",
-  "left_out",
-];
-export const FILTER_WORDS = wordsOf({
-  all: "passes-all",
-  to_do: "passes-to-do",
-  rejected: "passes-rejected",
-  measured: "passes-measured",
-  doubtful: "passes-doubtful",
-  no_class: "passes-no-class",
-  left_out: "passes-left-out",
-});
-
-export const ORDERS: readonly Order[] = ["number", "time", "state"];
+export const FILTER_WORDS = wordsOf("passes-show-");
+export type Filter = keyof typeof FILTER_WORDS;
 export const ORDER_WORDS = wordsOf("passes-by-");
+export type Order = keyof typeof ORDER_WORDS;
 
 const RANK: Record<Vehicle["state"], number> = {
   rejected: 0,

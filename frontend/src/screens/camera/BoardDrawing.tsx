@@ -1,5 +1,5 @@
 import { say } from "../../core/messages";
-import { markerPath } from "../../parts/boards/markers";
+import { boardPath } from "../../parts/boards/markers";
 
 interface Props {
   columns: number;
@@ -20,14 +20,7 @@ export function BoardDrawing({ columns, rows, square, markers, share }: Props) {
   const height = (m + 1) * u;
   const x0 = 34;
   const y0 = 24;
-  const squares: string[] = [];
-  for (let r = 0; r <= m; r++) {
-    for (let c = 0; c <= n; c++) {
-      const [x, y] = [x0 + c * u, y0 + r * u];
-      if ((r + c) % 2 === 0) squares.push(`M${x} ${y}h${u}v${u}h${-u}z`);
-      else if (markers) squares.push(markerPath(x, y, u, share, r * 17 + c));
-    }
-  }
+  const place = { left: x0, top: y0, side: u, across: n + 1, down: m + 1 };
   const corners: [number, number][] = [];
   for (let r = 1; r <= m; r++) for (let c = 1; c <= n; c++) corners.push([x0 + c * u, y0 + r * u]);
   const kind = markers ? "charuco" : "checkerboard";
@@ -41,7 +34,7 @@ export function BoardDrawing({ columns, rows, square, markers, share }: Props) {
       aria-label={say("camera-drawing", { kind, columns, rows })}
     >
       <rect x={x0} y={y0} width={width} height={height} fill="#fff" stroke="var(--line-strong)" />
-      <path d={squares.join("")} fill="#3a3b37" />
+      <path d={boardPath(place, markers ? share : null)} fill="#3a3b37" />
       {corners.map(([x, y], i) => (
         <circle
           key={i}

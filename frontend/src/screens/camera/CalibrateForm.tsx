@@ -1,8 +1,8 @@
 import { useState } from "preact/hooks";
-import { Button, Segments, SelectField, TextField } from "../../components";
+import { Button, choices, Segments, SelectField, TextField } from "../../components";
 import { Said } from "../../components/Said";
 import { useForm } from "../../core/form";
-import { say } from "../../core/messages";
+import { say, wordsOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { parseNumber } from "../../core/units";
 
@@ -90,10 +90,7 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
         <Segments
           says="camera-lens"
           {...form.field("model")}
-          options={[
-            { value: "brown", label: say("camera-lens-brown") },
-            { value: "fisheye", label: say("camera-lens-fisheye") },
-          ]}
+          options={choices(wordsOf("camera-lens-", "brown", "fisheye"))}
         />
         <span class="muted small grow">
           {say(model === "brown" ? "camera-lens-brown-hint" : "camera-lens-fisheye-hint")}
@@ -103,10 +100,7 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
         <Segments
           says="camera-board"
           {...form.field("shape")}
-          options={[
-            { value: "flat", label: say("camera-board-flat") },
-            { value: "bent", label: say("camera-board-bent") },
-          ]}
+          options={choices(wordsOf("camera-board-", "flat", "bent"))}
         />
         <span class="muted small grow">
           {say(shape === "flat" ? "camera-board-flat-hint" : "camera-board-bent-hint")}

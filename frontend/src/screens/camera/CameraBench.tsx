@@ -1,7 +1,17 @@
 import { useState } from "preact/hooks";
-import { Button, DropFiles, Icon, JobProgress, Notice, Panel, Problem, Segments } from "../../components";
+import {
+  Button,
+  choices,
+  DropFiles,
+  Icon,
+  JobProgress,
+  Notice,
+  Panel,
+  Problem,
+  Segments,
+} from "../../components";
 import { Said } from "../../components/Said";
-import { say } from "../../core/messages";
+import { say, wordsOf } from "../../core/messages";
 import { may } from "../../core/session";
 import type { CalibrationImage, CameraDetail } from "../../core/types";
 import { SampleLink } from "../../parts/samples/SampleLink";
@@ -52,10 +62,7 @@ export function CameraBench({ camera, surveyId, reload, set }: Props) {
               says="camera-where-boards"
               value={source}
               onInput={setSource}
-              options={[
-                { value: "images", label: say("camera-from-pictures") },
-                { value: "clip", label: say("camera-from-recording") },
-              ]}
+              options={choices(wordsOf("camera-from-"))}
             />
             {source === "images" && <Images camera={camera} board={board} stale={stale} work={work} />}
             <CalibrateForm

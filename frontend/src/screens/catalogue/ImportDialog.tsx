@@ -1,21 +1,9 @@
-import { useState } from "preact/hooks";
-import {
-  Button,
-  choices,
-  DataTable,
-  Dialog,
-  DropFiles,
-  Loading,
-  Notice,
-  OptionalField,
-  Problem,
-  SelectField,
-} from "../../components";
-import { useAction } from "../../core/action";
+import { choices, DataTable, Notice, OptionalField, SelectField } from "../../components";
 import { api } from "../../core/api";
 import { fieldsOf } from "../../core/form";
-import { allOf, say, sentenceOf } from "../../core/messages";
+import { allOf, say, sentenceOf, wordsOf } from "../../core/messages";
 import { formatCount } from "../../core/units";
+import { ImportCsv } from "../../parts/ImportCsv";
 import { SampleLink } from "../../parts/samples/SampleLink";
 import { CHANGE_WORDS, FIELDS, type Plan, UNIT_WORDS, type Unit } from "./model";
 
@@ -28,67 +16,27 @@ interface Choices {
 
 const NO_CHOICES: Choices = { columns: {}, unit: null, on_conflict: "keep" };
 
+const WORDS = wordsOf("catalogue-import-", "title", "choose", "drop", "hint", "looking");
+
 /** A CSV into the catalogue: what it is taken for and what it would change, before anything is stored. */
 export function ImportDialog({ close, imported }: { close: () => void; imported: () => void }) {
-  const [file, setFile] = useState<File | null>(null);
-  const [taken, setTaken] = useState<Choices>(NO_CHOICES);
-  const [plan, setPlan] = useState<Plan | null>(null);
-  const { busy, problem, run } = useAction();
-  const [done, setDone] = useState<{ added: number; updated: number } | null>(null);
-  const look = async (chosen: File, next: Choices) => {
-    setFile(chosen);
-    setTaken(next);
-    const read = async () =>
-      setPlan(await api.ask("POST /catalogue/import/preview", asked(next), { body: chosen }));
-    if (!(await run(read))) setPlan(null);
-  };
-  const store = async () => {
-    if (!file) return;
-    await run(async () => {
-      setDone(await api.write("POST /catalogue/import", asked(taken), { body: file }));
-      imported();
-    });
-  };
-  const change = (part: Partial<Choices>) => file && void look(file, { ...taken, ...part });
   return (
-    <Dialog
-      wide
-      title={say("catalogue-import-title")}
+    <ImportCsv
+      words={WORDS}
+      usual={NO_CHOICES}
+      look={(body, taken) => api.ask("POST /catalogue/import/preview", asked(taken), { body })}
+      store={async (body, taken) => {
+        const done = await api.write("POST /catalogue/import", asked(taken), { body });
+        imported();
+        return done;
+      }}
+      usable={(plan: Plan) => (plan.problem === null ? plan.stored : 0)}
+      storeWords={(count) => say("catalogue-import-store", { count })}
+      doneWords={({ added, updated }) => say("catalogue-import-done", { added, updated })}
+      before={<SampleLink kind="catalogue" />}
+      preview={(plan, taken, change) => <Preview plan={plan} taken={taken} change={change} />}
       onClose={close}
-      actions={
-        <>
-          <Button says={done ? "action-close" : "action-cancel"} onClick={close} />
-          {!done && (
-            <Button
-              kind="primary"
-              busy={busy}
-              disabled={!plan || plan.problem !== null || plan.stored === 0}
-              onClick={() => void store()}
-            >
-              {say("catalogue-import-store", { count: plan?.stored ?? 0 })}
-            </Button>
-          )}
-        </>
-      }
-    >
-      <div class="stack">
-        {done ? (
-          <Notice>{say("catalogue-import-done", { added: done.added, updated: done.updated })}</Notice>
-        ) : (
-          <DropFiles
-            label={say("catalogue-import-choose")}
-            title={file ? file.name : say("catalogue-import-drop")}
-            hint={say("catalogue-import-hint")}
-            accept=".csv,text/csv"
-            add={(files) => files[0] && void look(files[0], NO_CHOICES)}
-          />
-        )}
-        {!file && !done && <SampleLink kind="catalogue" />}
-        <Problem error={problem} />
-        {busy && !plan && <Loading what={say("catalogue-import-looking")} />}
-        {plan && !done && <Preview plan={plan} taken={taken} change={change} />}
-      </div>
-    </Dialog>
+    />
   );
 }
 
@@ -118,10 +66,7 @@ function Preview({ plan, taken, change }: PreviewProps) {
         <SelectField<Choices["on_conflict"]>
           says="catalogue-import-conflicts"
           {...field("on_conflict")}
-          options={[
-            { value: "keep", label: say("catalogue-import-keep") },
-            { value: "replace", label: say("catalogue-import-replace") },
-          ]}
+          options={choices(wordsOf("catalogue-import-", "keep", "replace"))}
         />
       </div>
       <Columns plan={plan} taken={taken} change={change} />

@@ -34,19 +34,7 @@ import { scaled } from "../../parts/figures/numbers";
 
 type Known = PoseAdjustment["known"];
 const USUAL: Known = { u_wheelbase_m: 0.01, u_wheelbase_common_m: 0.005, u_roof_common_m: 0.005 };
-const MOVED: Readonly<Record<string, string>> = wordsOf({
-  camera_height_m: "adjust-camera_height_m",
-  road_lean_rad: "adjust-road_lean_rad",
-  road_roll_rad: "adjust-road_roll_rad",
-  board_lean_rad: "adjust-board_lean_rad",
-  board_roll_rad: "adjust-board_roll_rad",
-  board_height_m: "adjust-board_height_m",
-  square_m: "adjust-square_m",
-  bow_along_rows_m: "adjust-bow_along_rows_m",
-  bow_down_columns_m: "adjust-bow_down_columns_m",
-  wheelbase_common_m: "adjust-wheelbase_common_m",
-  roof_common_m: "adjust-roof_common_m",
-});
+const MOVED: Readonly<Record<string, string>> = wordsOf("adjust-moved-");
 const MILLI = 1000;
 
 export function AdjustTab({ surveyId }: { surveyId: number }) {

@@ -9,11 +9,11 @@ import { useAsked } from "../../core/resource";
 import { canWork } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import { toast } from "../../core/toasts";
-import type { InsetName, Survey } from "../../core/types";
+import type { Estimate, InsetCheck, InsetName, Survey, TargetInsets } from "../../core/types";
 import { formatLength, formatSmall } from "../../core/units";
 import { INSET_PLACE_WORDS, INSET_WORDS, insetNote } from "../../core/words";
 import { InsetDrawing } from "./InsetDrawing";
-import { type Estimate, type InsetCheck, TARGET_NAMES, type TargetInsets } from "./types";
+import { TARGET_NAMES } from "./words";
 
 const METHODS: Readonly<Record<Estimate["method"], string>> = wordsOf("checks-by-");
 

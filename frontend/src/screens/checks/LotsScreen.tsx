@@ -1,6 +1,16 @@
 /** Review by lots: what could be drawn, the lots, and one of them with its curve, its progress and its decision in words. */
 import { useState } from "preact/hooks";
-import { Button, Check, DataTable, Loading, Notice, Panel, Problem, TextField } from "../../components";
+import {
+  Button,
+  Check,
+  DataTable,
+  Loaded,
+  Notice,
+  PageHead,
+  Panel,
+  Problem,
+  TextField,
+} from "../../components";
 import { PageTabs } from "../../components/PageTabs";
 import { useAction } from "../../core/action";
 import { query, setQuery } from "../../core/address";
@@ -11,30 +21,19 @@ import { useAsked, useResource } from "../../core/resource";
 import { may } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import { reviewTabs } from "../../core/tabs";
-import type { LotSummary, PlannedLot, ShownLot } from "../../core/types";
+import type { PlannedLot, ShownLot } from "../../core/types";
 import { formatCount, parseNumber } from "../../core/units";
 import { lotWords } from "../../parts/lots/words";
 import { LotPanel } from "./LotPanel";
 import { commonInWords, LOT_STATES } from "./lots";
 import "./checks.css";
 
-const GROUPINGS = ["target", "lighting", "operator", "day"] as const;
-type Grouping = (typeof GROUPINGS)[number];
-const GROUPING_WORDS: Readonly<Record<Grouping, string>> = wordsOf(
-  "lots-by-",
-  "target",
-  "lighting",
-  "operator",
-  "day",
-);
+const GROUPING_WORDS = wordsOf("lots-by-", "target", "lighting", "operator", "day");
+type Grouping = keyof typeof GROUPING_WORDS;
+const GROUPINGS = Object.keys(GROUPING_WORDS) as Grouping[];
 const RISKS = ["producer_quality", "producer_risk", "consumer_quality", "consumer_risk"] as const;
 type Risk = (typeof RISKS)[number];
-const RISK_WORDS: Readonly<Record<Risk, string>> = wordsOf({
-  producer_quality: "lots-producer-quality",
-  producer_risk: "lots-producer-risk",
-  consumer_quality: "lots-consumer-quality",
-  consumer_risk: "lots-consumer-risk",
-});
+const RISK_WORDS: Readonly<Record<Risk, string>> = wordsOf("lots-risk-");
 /** In per cent: 1 wrong height in 100 nearly always passes, 1 in 10 hardly ever. */
 const USUAL: Readonly<Record<Risk, string>> = {
   producer_quality: "1",
@@ -64,28 +63,18 @@ export default function LotsScreen({ surveyId }: ScreenProps) {
   };
   return (
     <div class="page checks">
-      <header class="page__head">
-        <div>
-          <h1>{say("page-lots")}</h1>
-          <p class="page__lead">{say("lots-lead")}</p>
-        </div>
-      </header>
+      <PageHead says="page-lots" lead={say("lots-lead")} />
       <PageTabs label={say("page-review")} tabs={reviewTabs(surveyId, "lots")} />
-      <Problem error={read.error} again={read.reload} />
-      {!read.data && !read.error && <Loading what={say("lots-loading")} />}
-      {summary && <Summary summary={summary} />}
+      <Loaded of={read} what={say("lots-loading")} />
+      {summary && (
+        <Notice kind="info">
+          <span data-testid="lots-summary">{lotWords(summary)}</span>
+        </Notice>
+      )}
       {read.data && <Draw surveyId={surveyId} changed={read.data} done={again} />}
       {lots.length > 0 && <Lots lots={lots} shown={shown} />}
       {shown && <LotPanel key={shown.lot.id} surveyId={surveyId} shown={shown} done={again} />}
     </div>
-  );
-}
-
-function Summary({ summary }: { summary: LotSummary }) {
-  return (
-    <Notice kind="info">
-      <span data-testid="lots-summary">{lotWords(summary)}</span>
-    </Notice>
   );
 }
 
@@ -163,16 +152,8 @@ function Draw({ surveyId, changed, done }: DrawProps) {
 }
 
 function fractions(typed: Readonly<Record<Risk, string>>): Record<Risk, number> {
-  const of = (one: Risk): number => {
-    const percent = parseNumber(typed[one]);
-    return percent === null ? -1 : percent / 100;
-  };
-  return {
-    producer_quality: of("producer_quality"),
-    producer_risk: of("producer_risk"),
-    consumer_quality: of("consumer_quality"),
-    consumer_risk: of("consumer_risk"),
-  };
+  const fraction = (text: string) => (parseNumber(text) ?? -100) / 100;
+  return Object.fromEntries(RISKS.map((one) => [one, fraction(typed[one])])) as Record<Risk, number>;
 }
 
 function Planned({ planned }: { planned: readonly PlannedLot[] }) {

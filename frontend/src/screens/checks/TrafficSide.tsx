@@ -2,11 +2,11 @@
 import { Button, DataTable, Facts, named, num, SelectField, Table } from "../../components";
 import { say, sentenceOf, sentencesOf } from "../../core/messages";
 import { canWork } from "../../core/session";
-import type { Vehicle } from "../../core/types";
+import type { TurnedPose, Vehicle } from "../../core/types";
 import { formatLength, formatSmall } from "../../core/units";
 import { formatDegrees } from "./angles";
 import type { TrafficModel } from "./model";
-import { TARGET_NAMES, type TurnedPose } from "./types";
+import { TARGET_NAMES } from "./words";
 
 export function TrafficSide({ model }: { model: TrafficModel }) {
   const preview = model.preview.value;

@@ -3,8 +3,8 @@ import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { type Kind, outbox } from "../../core/outbox";
 import { shapeOf } from "../../core/shape";
+import type { WheelPair } from "../../core/types";
 import { fixed } from "../../core/units";
-import type { WheelPair } from "./types";
 import type { Clicks } from "./wheelPair";
 
 export const WHEEL_PAIR = "wheel-pair";

@@ -1,10 +1,10 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { ApiError } from "../../core/api";
 import { outbox } from "../../core/outbox";
+import type { WheelPair } from "../../core/types";
 import { FakeServer, recording, vehicle } from "../../testing/server";
 import { imagePoint } from "../../viewer/points";
 import { TrafficModel } from "./model";
-import type { WheelPair } from "./types";
 
 let server: FakeServer;
 let model: TrafficModel;

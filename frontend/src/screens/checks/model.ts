@@ -9,13 +9,12 @@ import { outbox, type Wish } from "../../core/outbox";
 import { canWork } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import { toast, toastProblem } from "../../core/toasts";
-import type { AxesAnswer, Vehicle } from "../../core/types";
+import type { AxesAnswer, TrafficCheckBody, TurnedPose, Vehicle, WheelPair } from "../../core/types";
 import { bestFrame, neighbour } from "../../parts/vehicles/passes";
 import { fromServer, type ImagePoint, pair } from "../../viewer/points";
 import { Reel } from "../../viewer/reel";
 import { FrameStage } from "../../viewer/stage";
 import { type PairAbout, pairWords, WHEEL_PAIR } from "./kinds";
-import type { TrafficCheck, TurnedPose, WheelPair } from "./types";
 import { type Clicks, WheelPairTool } from "./wheelPair";
 
 export class TrafficModel {
@@ -27,9 +26,9 @@ export class TrafficModel {
   /** Why the last two clicks were not taken. */
   readonly refused = signal<unknown>(null);
   readonly vehicles = signal<readonly Vehicle[]>([]);
-  private readonly stored = signal<TrafficCheck | null>(null);
+  private readonly stored = signal<TrafficCheckBody | null>(null);
   /** What the server says; the pairs as they are wanted. */
-  readonly check = computed<TrafficCheck | null>(() => {
+  readonly check = computed<TrafficCheckBody | null>(() => {
     const stored = this.stored.value;
     const wishes = outbox.of<WheelPair, Clicks | null, PairAbout>(WHEEL_PAIR);
     return stored && { ...stored, pairs: withWishes(stored.pairs, wishes, this.surveyId) };

@@ -1,7 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { ACTIONS } from "../../core/commands";
-import { GUIDE_OF, guideAddress } from "../../core/guide";
-import { match } from "../../core/places";
+import { guideAddress, match, PLACES } from "../../core/places";
 import { GUIDE_PAGES, isGuidePage, readPage } from "./pages";
 
 const TRANSLATED = GUIDE_PAGES.filter((name) => !["studies", "CONVENTIONS", "formats"].includes(name));
@@ -18,8 +17,8 @@ async function wrong(address: string, language = "en"): Promise<string | null> {
 
 describe.each(["en", "fr"])("the guide in %s", (language) => {
   it("has a place for every page of the app", async () => {
-    for (const place of Object.values(GUIDE_OF)) {
-      expect(await wrong(guideAddress(place), language)).toBeNull();
+    for (const { guide } of PLACES) {
+      expect(await wrong(guideAddress(guide), language)).toBeNull();
     }
     expect(await wrong("/guide?page=operator&section=nowhere", language)).toBe(
       "operator has no section nowhere",

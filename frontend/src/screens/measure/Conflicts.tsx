@@ -5,9 +5,8 @@ import { say } from "../../core/messages";
 import { outbox } from "../../core/outbox";
 import { useResource } from "../../core/resource";
 import { formatMoment } from "../../core/times";
-import type { HeightAnswer, Measurement } from "../../core/types";
-import { formatHeight } from "../../core/units";
-import { STATE_WORDS } from "../../core/words";
+import type { HeightAnswer } from "../../core/types";
+import { heightWords, STATE_WORDS } from "../../core/words";
 import { askHeight } from "../../viewer/geometry";
 import { FIELD_WORDS, type Field } from "./fields";
 import { showFact } from "./kinds";
@@ -77,7 +76,7 @@ export function MeasurementConflict({ model, entry }: { model: MeasureModel; ent
       <p>{say(theirs.withdrawn ? "measure-conflict-withdrawn" : "measure-conflict-measured", told)}</p>
       <dl class="conflict__heights">
         <dt>{say("measure-conflict-height-theirs")}</dt>
-        <dd>{wordsOf(theirs)}</dd>
+        <dd>{heightWords(theirs)}</dd>
         <dt>{say("measure-conflict-height-mine")}</dt>
         <dd>{mine}</dd>
       </dl>
@@ -107,13 +106,5 @@ function useMine(model: MeasureModel, { key, values, vehicleId, preview }: Entry
   );
   if (values.withdrawn) return STATE_WORDS.withdrawn;
   const height = preview ?? answer.data;
-  return height ? wordsOf(height) : (outbox.get(key)?.mine ?? "…");
-}
-
-type Height = Pick<Measurement, "status" | "height_m" | "U95_height_m"> &
-  Partial<Pick<Measurement, "withdrawn">>;
-
-function wordsOf({ status, height_m, U95_height_m, withdrawn }: Height): string {
-  if (withdrawn) return STATE_WORDS.withdrawn;
-  return status === "ok" ? formatHeight(height_m, U95_height_m) : STATE_WORDS.not_measurable;
+  return height ? heightWords(height) : (outbox.get(key)?.mine ?? "…");
 }

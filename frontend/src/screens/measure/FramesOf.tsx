@@ -1,11 +1,10 @@
 /** The frames of a measurement, and what a further one gains. */
-import { useEffect, useState } from "preact/hooks";
 import { Button, Facts } from "../../components";
 import { explain } from "../../core/api";
 import { hint } from "../../core/commands";
 import { say, sentenceOf } from "../../core/messages";
+import { type Resource, useResource } from "../../core/resource";
 import { canWork } from "../../core/session";
-import type { HeightAnswer, SecondFrameAnswer } from "../../core/types";
 import { formatHeight, formatSmall } from "../../core/units";
 import { askHeight, askSecondFrame, heightOrReason } from "../../viewer/geometry";
 import { framesOf } from "../../viewer/values";
@@ -56,18 +55,24 @@ export function Frames({ model, entry }: { model: MeasureModel; entry: Entry }) 
   );
 }
 
-function recordingOf(model: MeasureModel): number | undefined {
-  return model.reel.player.value?.recordingId;
+/** Of a measurement, asked again when its points are others; an answer that comes late is not for them. */
+function useAnswer<Answer>(
+  model: MeasureModel,
+  { saved }: Entry,
+  ask: (recordingId: number) => Promise<Answer>,
+): Resource<Answer | null> {
+  const recordingId = model.reel.player.value?.recordingId;
+  return useResource(
+    async () => (recordingId === undefined ? null : ask(recordingId)),
+    [saved?.id, saved?.revision],
+  );
 }
 
 /** What the first frame alone would give, beside what all give together. */
 function AgainstOne({ model, entry }: { model: MeasureModel; entry: Entry }) {
-  const answer = useAnswer<HeightAnswer>(entry, () => {
-    const recordingId = recordingOf(model);
-    return recordingId === undefined
-      ? null
-      : askHeight({ recordingId, vehicleId: entry.vehicleId, ...entry.values });
-  }).answer;
+  const { data: answer } = useAnswer(model, entry, (recordingId) =>
+    askHeight({ recordingId, vehicleId: entry.vehicleId, ...entry.values }),
+  );
   if (!answer?.single) return null;
   return (
     <Facts
@@ -82,12 +87,11 @@ function AgainstOne({ model, entry }: { model: MeasureModel; entry: Entry }) {
 
 /** "Second frame gains: 18 → 7 mm", and the way there. */
 function GainButton({ model, entry }: { model: MeasureModel; entry: Entry }) {
-  const { answer, problem } = useAnswer<SecondFrameAnswer>(entry, () => {
-    const recordingId = recordingOf(model);
-    return recordingId === undefined ? null : askSecondFrame(recordingId, entry.vehicleId, entry.values);
-  });
+  const { data: answer, error } = useAnswer(model, entry, (recordingId) =>
+    askSecondFrame(recordingId, entry.vehicleId, entry.values),
+  );
   const which = entry.values.more.length === 0 ? "second" : "another";
-  if (problem) return <p class="small muted">{problem}</p>;
+  if (error) return <p class="small muted">{explain(error)}</p>;
   if (!answer) return <p class="small muted">{say("measure-gain-looking", { which })}</p>;
   if (!answer.ok) return <p class="small muted">{answer.reason && sentenceOf(answer.reason)}</p>;
   return (
@@ -106,25 +110,3 @@ function GainButton({ model, entry }: { model: MeasureModel; entry: Entry }) {
     </div>
   );
 }
-
-/** Asks again when the points are others; an answer that comes late is not for them. */
-function useAnswer<Answer>(
-  entry: Entry,
-  ask: () => Promise<Answer> | null,
-): { answer: Answer | null; problem: string | null } {
-  const [state, set] = useState<{ answer: Answer | null; problem: string | null }>(NOTHING);
-  useEffect(() => {
-    let stale = false;
-    set(NOTHING);
-    ask()?.then(
-      (answer) => !stale && set({ answer, problem: null }),
-      (error) => !stale && set({ answer: null, problem: explain(error) }),
-    );
-    return () => {
-      stale = true;
-    };
-  }, [entry.saved?.id, entry.saved?.revision]);
-  return state;
-}
-
-const NOTHING = { answer: null, problem: null };

@@ -1,6 +1,6 @@
 /** The heart: passes on the left, the frame in the middle, the vehicle on the right, the timeline below. */
 import { useEffect, useMemo } from "preact/hooks";
-import { Empty, Loading, Problem } from "../../components";
+import { Empty, Loading } from "../../components";
 import { Button } from "../../components/Button";
 import type { ButtonCommand } from "../../components/CommandButton";
 import { type HistoryCommands, historyCommands, useUndoTools } from "../../components/undoTools";
@@ -10,6 +10,7 @@ import type { ScreenProps } from "../../core/places";
 import { canWork } from "../../core/session";
 import type { Target } from "../../core/types";
 import { TARGETS } from "../../core/words";
+import { FailedPage } from "../../parts/FailedPage";
 import { frameCommands } from "../../viewer/stageCommands";
 import { FramePanel } from "./FramePanel";
 import { MeasureModel } from "./model";
@@ -33,13 +34,7 @@ export default function MeasureScreen({ surveyId }: ScreenProps) {
   useTabs(model);
   useUndoTools(model.history, steps);
 
-  if (model.problem.value) {
-    return (
-      <div class="page">
-        <Problem error={model.problem.value} again={() => void model.load()} />
-      </div>
-    );
-  }
+  if (model.problem.value) return <FailedPage model={model} />;
   if (model.loaded.value && !player) return <NothingToMeasure surveyId={surveyId} />;
   return (
     <div class="measure">

@@ -17,7 +17,7 @@ import type { Entry } from "./records";
 import { FramesSaid } from "./SecondFrameParts";
 import { Unseen } from "./Unseen";
 import { PassSaid } from "./WholePassParts";
-import { heightWords } from "./words";
+import { entryWords } from "./words";
 
 const MeasurementDetail = late(async () => (await import("./MeasurementDetail")).MeasurementDetail);
 const MeasurementConflict = late(async () => (await import("./Conflicts")).MeasurementConflict);
@@ -126,7 +126,7 @@ function Row({ model, target, entry, open, onOpen }: RowProps) {
             model.stage.focus();
           }}
         >
-          {heightWords(entry)}
+          {entryWords(entry)}
         </button>
       ) : (
         <span class="height-row__value muted">

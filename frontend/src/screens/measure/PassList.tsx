@@ -12,7 +12,7 @@ import { canWork } from "../../core/session";
 import { formatPlaceClock, formatPlaceMoment } from "../../core/times";
 import type { Vehicle } from "../../core/types";
 import { LIGHTING_NOUNS, LIGHTING_WORDS, STATE_WORDS, vehicleName } from "../../core/words";
-import { FILTER_WORDS, FILTERS, isOpen, lacksClass, ORDER_WORDS, ORDERS } from "../../parts/vehicles/passes";
+import { FILTER_WORDS, isOpen, lacksClass, ORDER_WORDS } from "../../parts/vehicles/passes";
 import { SampleQuotas, useSample } from "../../parts/vehicles/SampleQuotas";
 import { filter, type MeasureModel, order } from "./model";
 import { readAgain } from "./passes/actions";
@@ -52,7 +52,7 @@ export function PassList({ model }: { model: MeasureModel }) {
           <Select
             aria-label={say("measure-passes-show")}
             value={filter.value}
-            options={choices(FILTER_WORDS, FILTERS)}
+            options={choices(FILTER_WORDS)}
             onInput={(chosen) => {
               filter.value = chosen;
             }}
@@ -60,7 +60,7 @@ export function PassList({ model }: { model: MeasureModel }) {
           <Select
             aria-label={say("measure-passes-order")}
             value={order.value}
-            options={choices(ORDER_WORDS, ORDERS)}
+            options={choices(ORDER_WORDS)}
             onInput={(chosen) => {
               order.value = chosen;
             }}

@@ -13,15 +13,15 @@ import type {
   NotVisible,
   Vehicle,
 } from "../../core/types";
-import { formatHeight, formatLength } from "../../core/units";
+import { formatLength } from "../../core/units";
 import {
   CATEGORY_WORDS,
   DIRECTION_WORDS,
   DISCARDED_WORDS,
+  heightWords,
   LIGHTING_NOUNS,
   NOT_VISIBLE_WORDS,
   SIDE_WORDS,
-  STATE_WORDS,
 } from "../../core/words";
 import {
   clickBody,
@@ -71,8 +71,7 @@ export const measurementKind = (port: RecordsPort): Kind<Measurement, Values, Me
   // what was withdrawn before it was ever stored is nothing to store
   done: ({ saved, want }) => (saved ? sameValues(valuesOf(saved), want) : want.withdrawn),
   version: (saved) => (saved ? `${saved.id} ${saved.revision}` : 0),
-  words: (saved) =>
-    !saved || saved.withdrawn ? STATE_WORDS.withdrawn : formatHeight(saved.height_m, saved.U95_height_m),
+  words: heightWords,
 });
 
 export const vehicleKind = (port: VehiclesPort): Kind<Vehicle, Changes, { id: number }> => ({

@@ -2,14 +2,7 @@
 import { allOf, wordsOf } from "../../core/messages";
 import type { ModelChosenBy, ModelSize } from "../../core/types";
 
-export const SIZE_WORDS: Readonly<Record<ModelSize, string>> = wordsOf({
-  height: "which-model-height",
-  length: "which-model-length",
-  width: "which-model-width",
-  wheelbase: "which-model-wheelbase",
-  taillight: "which-model-taillight",
-  headlight: "which-model-headlight",
-});
+export const SIZE_WORDS: Readonly<Record<ModelSize, string>> = wordsOf("which-model-size-");
 
 export const CHOSEN_BY_WORDS: Readonly<Record<ModelChosenBy, string>> = wordsOf("model-chosen-word-");
 

@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
 import { ApiError } from "../../core/api";
 import { Outbox } from "../../core/outbox";
-import type { Vehicle, VehicleFields } from "../../core/types";
-import { disputedFields } from "./fields";
+import type { Vehicle } from "../../core/types";
+import { type Changes, disputedFields } from "./fields";
 import { VEHICLE, vehicleKind } from "./kinds";
 import { Vehicles } from "./vehicles";
 
@@ -29,9 +29,9 @@ const start = {
 
 function setUp() {
   let stored = start;
-  const sent: Partial<VehicleFields>[] = [];
+  const sent: Changes[] = [];
   const told: string[] = [];
-  const save = async (_id: number, version: number, fields: Partial<VehicleFields>): Promise<Vehicle> => {
+  const save = async (_id: number, version: number, fields: Changes): Promise<Vehicle> => {
     if (version !== stored.version) {
       throw new ApiError("AB changed this vehicle at 14:02.", 409, null, { current: stored });
     }
@@ -49,7 +49,7 @@ function setUp() {
   };
   localStorage.clear();
   const vehicles = page();
-  const other = (fields: Partial<VehicleFields>) => {
+  const other = (fields: Changes) => {
     stored = { ...stored, ...fields, version: stored.version + 1 };
   };
   return { vehicles, page, sent, told, other, stored: () => stored };

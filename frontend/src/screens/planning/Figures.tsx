@@ -1,8 +1,9 @@
 import { say } from "../../core/messages";
+import type { Curve } from "../../core/types";
 import { lengthScale, lengthUnit, smallScale } from "../../core/units";
 import { type Dot, PlotFigure } from "../../parts/figures/PlotFigure";
 import { readable } from "../../parts/figures/reading";
-import { type Curve, type Plan, wordOf } from "./model";
+import { type Plan, wordOf } from "./model";
 
 /** Dashes and symbols tell the targets apart: colours belong to the road's axes. */
 const LOOKS: Record<string, { dash: string; dot: Dot }> = {

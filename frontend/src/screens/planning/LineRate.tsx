@@ -6,18 +6,10 @@ import { Said } from "../../components/Said";
 import { current, query, setQuery } from "../../core/address";
 import { region, say, wordsOf } from "../../core/messages";
 import { useAsked, useResource } from "../../core/resource";
-import {
-  fixed,
-  formatCount,
-  formatHeight,
-  formatSmall,
-  formatSpeed,
-  lengthUnit,
-  speedScale,
-} from "../../core/units";
+import { fixed, formatCount, formatHeight, formatSmall, formatSpeed } from "../../core/units";
 import { Advice } from "./Advice";
 import type { LinePlan } from "./model";
-import { Value } from "./PlanForm";
+import { ValueFields } from "./PlanForm";
 import { askLinePlan, completedLines, LINE_NAMES, type Values, valuesOf } from "./values";
 
 export function LineRate({ surveyId }: { surveyId: number }) {
@@ -36,45 +28,26 @@ export function LineRate({ surveyId }: { surveyId: number }) {
   );
 }
 
+const LINES = wordsOf({
+  speed_mps: "planning-speed",
+  error: "planning-error",
+  baseline_m: "planning-baseline",
+  u_baseline_m: "planning-u-baseline",
+  line_rate_hz: "planning-line-rate",
+  length_m: "planning-length",
+  time_gap_s: "planning-time-gap",
+  pixel_width_um: "planning-pixel-width",
+  pixel_height_um: "planning-pixel-height",
+  focal_mm: "planning-focal",
+  distance_m: "planning-line-distance",
+  exposure_us: "planning-exposure",
+});
+
 function Form({ values }: { values: Values }) {
-  const length = lengthUnit.value;
   return (
     <form class="panel panel__body stack plan-form" onSubmit={(event) => event.preventDefault()}>
       <div class="plan-form__lines">
-        <Value name="speed_mps" label={say("planning-speed")} unit={speedScale()[1]} values={values} />
-        <Value name="error" label={say("planning-error")} unit="%" values={values} />
-        <Value name="baseline_m" label={say("planning-baseline")} unit={length} values={values} />
-        <Value name="u_baseline_m" label={say("planning-u-baseline")} unit={length} values={values} />
-        <Value
-          name="line_rate_hz"
-          label={say("planning-line-rate")}
-          unit={say("unit-hz")}
-          values={values}
-          placeholder={say("planning-line-rate-usual")}
-        />
-        <Value name="length_m" label={say("planning-length")} unit={length} values={values} />
-        <Value name="time_gap_s" label={say("planning-time-gap")} unit="s" values={values} />
-        <Value
-          name="pixel_width_um"
-          label={say("planning-pixel-width")}
-          unit={say("planning-um")}
-          values={values}
-        />
-        <Value
-          name="pixel_height_um"
-          label={say("planning-pixel-height")}
-          unit={say("planning-um")}
-          values={values}
-        />
-        <Value name="focal_mm" label={say("planning-focal")} unit={say("planning-mm")} values={values} />
-        <Value name="distance_m" label={say("planning-line-distance")} unit={length} values={values} />
-        <Value
-          name="exposure_us"
-          label={say("planning-exposure")}
-          unit={say("planning-us")}
-          values={values}
-          placeholder={say("planning-exposure-usual")}
-        />
+        <ValueFields words={LINES} values={values} />
       </div>
     </form>
   );

@@ -1,7 +1,7 @@
 import { DataTable, Panel } from "../../components";
 import { say } from "../../core/messages";
+import type { Passing } from "../../core/types";
 import { fixed, formatSpeed } from "../../core/units";
-import type { Passing } from "./model";
 
 /** Exposure, motion blur and frames of a pass, by speed. */
 export function PassingTable({ passing }: { passing: readonly Passing[] }) {

@@ -1,46 +1,40 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { SelectField, TextField } from "../../components";
 import { setQuery } from "../../core/address";
-import { say, sentenceOf } from "../../core/messages";
+import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { formatDay } from "../../core/times";
 import type { Camera } from "../../core/types";
-import { lengthUnit } from "../../core/units";
-import { type Name, shown, typed, type Values, withCamera } from "./values";
+import { type Name, shown, typed, unitOf, type Values, withCamera } from "./values";
 
 interface Props {
   cameras: readonly Camera[];
   values: Values;
 }
 
+const PICTURE = wordsOf({
+  width_px: "planning-width",
+  height_px: "planning-height",
+  field_of_view_deg: "planning-field-of-view",
+});
+const PLACE = wordsOf({
+  camera_height_m: "planning-camera-height",
+  distance_m: "planning-distance",
+  board_distance_m: "planning-board-distance",
+  direction_deg: "planning-direction",
+  sigma_px: "planning-sigma",
+  travel_m: "planning-travel",
+});
+
 /** What is planned with. Each change goes into the address, and from there to the server. */
 export function PlanForm({ cameras, values }: Props) {
-  const length = lengthUnit.value;
-  const px = say("unit-px");
   return (
     <form class="panel panel__body stack plan-form" onSubmit={(event) => event.preventDefault()}>
       <div class="plan-form__camera">
         <CameraChoice cameras={cameras} values={values} />
-        {!values.calibration_id && (
-          <>
-            <Value name="width_px" label={say("planning-width")} unit={px} values={values} />
-            <Value name="height_px" label={say("planning-height")} unit={px} values={values} />
-            <Value name="field_of_view_deg" label={say("planning-field-of-view")} unit="°" values={values} />
-          </>
-        )}
+        {!values.calibration_id && <ValueFields words={PICTURE} values={values} />}
       </div>
       <div class="plan-form__place">
-        <Value name="camera_height_m" label={say("planning-camera-height")} unit={length} values={values} />
-        <Value name="distance_m" label={say("planning-distance")} unit={length} values={values} />
-        <Value
-          name="board_distance_m"
-          label={say("planning-board-distance")}
-          unit={length}
-          values={values}
-          placeholder={say("planning-board-distance-usual")}
-        />
-        <Value name="direction_deg" label={say("planning-direction")} unit="°" values={values} />
-        <Value name="sigma_px" label={say("planning-sigma")} unit={px} values={values} />
-        <Value name="travel_m" label={say("planning-travel")} unit={length} values={values} />
+        <ValueFields words={PLACE} values={values} />
       </div>
     </form>
   );
@@ -75,18 +69,28 @@ function CameraChoice({ cameras, values }: Props) {
   );
 }
 
-interface ValueProps {
-  name: Name;
-  label: string;
-  unit: string;
-  values: Values;
-  placeholder?: string;
+const PAUSE_MS = 350;
+/** What stands for a value that is left empty. */
+const LEFT_EMPTY: Partial<Record<Name, string>> = wordsOf({
+  board_distance_m: "planning-board-distance-usual",
+  line_rate_hz: "planning-line-rate-usual",
+  exposure_us: "planning-exposure-usual",
+});
+
+/** A field for each value that `words` names. */
+export function ValueFields({ words, values }: { words: Partial<Record<Name, string>>; values: Values }) {
+  const fields = Object.entries(words) as [Name, string][];
+  return (
+    <>
+      {fields.map(([name, label]) => (
+        <Value key={name} name={name} label={label} values={values} />
+      ))}
+    </>
+  );
 }
 
-const PAUSE_MS = 350;
-
 /** One number. It goes into the address when typing pauses, or at once on Enter and when the field is left. */
-export function Value({ name, label, unit, values, placeholder }: ValueProps) {
+function Value({ name, label, values }: { name: Name; label: string; values: Values }) {
   const stands = shown(name, values[name]);
   const [text, setText] = useState(stands);
   const [wrong, setWrong] = useState(false);
@@ -110,9 +114,9 @@ export function Value({ name, label, unit, values, placeholder }: ValueProps) {
   return (
     <TextField
       label={label}
-      unit={unit}
+      unit={unitOf(name)}
       value={text}
-      placeholder={placeholder}
+      placeholder={LEFT_EMPTY[name]}
       problem={wrong ? say("planning-number-problem") : null}
       onInput={(value) => {
         setText(value);

@@ -1,7 +1,7 @@
 import { useEffect } from "preact/hooks";
-import { Loaded, Loading, Notice, PageHead, Problem, Segments } from "../../components";
+import { choices, Loaded, Loading, Notice, PageHead, Problem, Segments } from "../../components";
 import { current, query, setQuery } from "../../core/address";
-import { say } from "../../core/messages";
+import { say, wordsOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useAsked, useResource } from "../../core/resource";
 import { Advice } from "./Advice";
@@ -34,10 +34,7 @@ export default function PlanningScreen({ surveyId }: ScreenProps) {
         <Segments<What>
           says="planning-what"
           value={what}
-          options={[
-            { value: "heights", label: say("planning-what-heights") },
-            { value: "lines", label: say("planning-what-lines") },
-          ]}
+          options={choices(wordsOf("planning-what-", "heights", "lines"))}
           onInput={(next) => setQuery({ plan: next === "lines" ? next : null })}
         />
       </PageHead>

@@ -1,20 +1,11 @@
-import type { components } from "#schema";
 import { wordsOf } from "../../core/messages";
+import type { LinePlanBody, PlanBody, PlannedTargetBody } from "../../core/types";
 
-type Schemas = components["schemas"];
-export type Plan = Schemas["PlanBody"];
-export type PlannedTarget = Schemas["PlannedTargetBody"];
-export type Passing = Schemas["Passing"];
-export type LinePlan = Schemas["LinePlanBody"];
-export type Curve = Schemas["Curve"];
+export type Plan = PlanBody;
+export type PlannedTarget = PlannedTargetBody;
+export type LinePlan = LinePlanBody;
 
-const TARGET_WORDS: Readonly<Record<string, string>> = wordsOf({
-  roof: "planning-roof",
-  driver_eye: "planning-driver_eye",
-  driver_eye_far: "planning-driver_eye_far",
-  taillight: "planning-taillight",
-  headlight: "planning-headlight",
-});
+const TARGET_WORDS: Readonly<Record<string, string>> = wordsOf("planning-target-");
 
 export function wordOf(target: string): string {
   return TARGET_WORDS[target] ?? target;

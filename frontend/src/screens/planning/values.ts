@@ -1,18 +1,19 @@
 /** What is planned with, as the address of the page holds it: the same names and units as the server's, so that a link tells all. */
 import { api, fromAddress } from "../../core/api";
-import { language } from "../../core/messages";
+import { language, wordsOf } from "../../core/messages";
 import type { Camera, Scan } from "../../core/types";
 import { type LengthUnit, lengthScale, lengthUnit, parseNumber, speedScale } from "../../core/units";
 import type { LinePlan, Plan } from "./model";
 
-const SITE_LENGTHS = ["camera_height_m", "distance_m", "board_distance_m", "travel_m"] as const;
-const LENGTHS: readonly string[] = [...SITE_LENGTHS, "baseline_m", "u_baseline_m", "length_m"];
 const NAMES = [
   "calibration_id",
   "width_px",
   "height_px",
   "field_of_view_deg",
-  ...SITE_LENGTHS,
+  "camera_height_m",
+  "distance_m",
+  "board_distance_m",
+  "travel_m",
   "sigma_px",
   "direction_deg",
 ] as const;
@@ -117,9 +118,26 @@ export function askLinePlan(values: Values, signal?: AbortSignal): Promise<LineP
 
 /** Shown over stored: feet, km/h or mph, per cent. */
 function factorOf(name: Name, unit: LengthUnit): number {
-  if (LENGTHS.includes(name)) return lengthScale(unit)[0];
+  if (name.endsWith("_m")) return lengthScale(unit)[0];
   if (name === "speed_mps") return speedScale(unit)[0];
   return name === "error" ? 100 : 1;
+}
+
+const UNITS: Readonly<Record<string, string>> = wordsOf({
+  px: "unit-px",
+  hz: "unit-hz",
+  um: "planning-um",
+  mm: "planning-mm",
+  us: "planning-us",
+});
+
+/** The unit that a value is shown in, told by the end of its name. */
+export function unitOf(name: Name): string {
+  const end = name.slice(name.lastIndexOf("_") + 1);
+  if (end === "m") return lengthUnit.value;
+  if (end === "mps") return speedScale()[1];
+  if (end === "deg") return "°";
+  return end === "error" ? "%" : (UNITS[end] ?? end);
 }
 
 /** A value as it stands in its field: lengths and speeds in the unit shown, shares in per cent. */

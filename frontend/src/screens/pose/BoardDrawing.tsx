@@ -1,5 +1,5 @@
 import { say } from "../../core/messages";
-import { markerPath } from "../../parts/boards/markers";
+import { boardPath } from "../../parts/boards/markers";
 
 /** What is to be measured, drawn: the board on the road, the tape from the road to the reference row of inner corners. */
 export function BoardDrawing({
@@ -36,21 +36,11 @@ export function BoardDrawing({
         class="board-drawing__leg"
         d={`M${left + side} ${bottom}V${bottom - 26}M${right - side} ${bottom}V${bottom - 26}`}
       />
-      {Array.from({ length: across * down }, (_, i) => {
-        const [x, y] = [i % across, Math.floor(i / across)];
-        const dark = (x + y) % 2 === 0;
-        return (
-          <rect
-            key={i}
-            class={dark ? "board-drawing__dark" : "board-drawing__light"}
-            x={left + x * side}
-            y={top + y * side}
-            width={side}
-            height={side}
-          />
-        );
-      })}
-      {markers && <path class="board-drawing__dark" d={markerPaths(left, top, side, across, down)} />}
+      <rect class="board-drawing__light" x={left} y={top} width={across * side} height={down * side} />
+      <path
+        class="board-drawing__dark"
+        d={boardPath({ left, top, side, across, down }, markers ? 0.75 : null)}
+      />
       <rect class="board-drawing__edge" x={left} y={top} width={across * side} height={down * side} />
       <path class="board-drawing__row" d={`M${left + side} ${row}H${right + 26}`} />
       {Array.from({ length: across - 1 }, (_, i) => (
@@ -68,12 +58,4 @@ export function BoardDrawing({
       </text>
     </svg>
   );
-}
-
-function markerPaths(left: number, top: number, side: number, across: number, down: number): string {
-  const paths: string[] = [];
-  for (let y = 0; y < down; y++)
-    for (let x = 0; x < across; x++)
-      if ((x + y) % 2 === 1) paths.push(markerPath(left + x * side, top + y * side, side, 0.75, y * 17 + x));
-  return paths.join("");
 }

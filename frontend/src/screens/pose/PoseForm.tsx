@@ -1,9 +1,9 @@
 /** The questions about the board, in the order of work, in words and with a drawing. */
 import type { ComponentChildren } from "preact";
-import { Button, JobProgress, Notice, Segments, SelectField, TextField } from "../../components";
+import { Button, choices, JobProgress, Notice, Segments, SelectField, TextField } from "../../components";
 import { hint } from "../../core/commands";
 import { fieldsOf } from "../../core/form";
-import { type PlainKey, say, sentenceOf } from "../../core/messages";
+import { type PlainKey, say, sentenceOf, wordsOf } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { fixed, lengthUnit, smallScale, smallText } from "../../core/units";
 import { KindField, MarkerFields } from "../../parts/boards/MarkerFields";
@@ -175,10 +175,7 @@ function HeightQuestions({ model }: { model: PoseModel }) {
       <Segments
         says="pose-reference"
         {...field("reference")}
-        options={[
-          { value: "bottom", label: say("pose-reference-bottom") },
-          { value: "top", label: say("pose-reference-top") },
-        ]}
+        options={choices(wordsOf("pose-reference-", "bottom", "top"))}
       />
       <BoardDrawing
         reference={form.reference}

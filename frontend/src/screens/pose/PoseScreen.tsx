@@ -1,12 +1,13 @@
 /** Road pose: the board on the frame, its size and its height above the road; the road drawn over the picture. */
 import { useEffect, useMemo } from "preact/hooks";
-import { Button, Empty, Loading, Problem } from "../../components";
+import { Button, Empty, Loading } from "../../components";
 import { CommandButton } from "../../components/CommandButton";
 import { useCommands } from "../../core/commands";
 import { say, sentencesOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { canWork } from "../../core/session";
 import type { BoardFinding } from "../../core/types";
+import { FailedPage } from "../../parts/FailedPage";
 import { linesShown } from "../../viewer/display";
 import { FrameView } from "../../viewer/FrameView";
 import { FoundBoard, RoadOverlay } from "../../viewer/PoseOverlay";
@@ -38,13 +39,7 @@ export default function PoseScreen({ surveyId }: ScreenProps) {
     { id: "passEnd", label: say("pose-mark-last"), run: () => model.mark("last"), enabled: mayMark },
     ...frameCommands(model.stage, player),
   ]);
-  if (model.problem.value) {
-    return (
-      <div class="page">
-        <Problem error={model.problem.value} again={() => void model.load()} />
-      </div>
-    );
-  }
+  if (model.problem.value) return <FailedPage model={model} />;
   if (!model.loaded.value) return <Loading what={say("pose-loading")} />;
   if (!player) {
     return (

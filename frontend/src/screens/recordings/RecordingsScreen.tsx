@@ -1,5 +1,5 @@
 import { useRef } from "preact/hooks";
-import { DropFiles, Empty, Loading, Problem } from "../../components";
+import { DropFiles, Empty, Loaded, PageHead, Problem } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
@@ -53,12 +53,7 @@ export default function RecordingsScreen({ surveyId }: ScreenProps) {
   const canWork = may("operator");
   return (
     <div class="page">
-      <header class="page__head">
-        <div>
-          <h1>{say("page-recordings")}</h1>
-          <p class="page__lead">{say("recordings-lead")}</p>
-        </div>
-      </header>
+      <PageHead says="page-recordings" lead={say("recordings-lead")} />
       {canWork && (
         <DropFiles
           label={say("recordings-choose")}
@@ -78,8 +73,8 @@ export default function RecordingsScreen({ surveyId }: ScreenProps) {
           ))}
         </section>
       )}
-      <Problem error={recordings.error ?? counts.error} again={recordings.reload} />
-      {!recordings.data && recordings.loading && <Loading what={say("recordings-loading")} />}
+      <Problem error={counts.error} again={counts.reload} />
+      <Loaded of={recordings} what={say("recordings-loading")} />
       {recordings.data?.length === 0 && mine.length === 0 && (
         <div class="panel">
           <Empty title={say("recordings-none-title")}>

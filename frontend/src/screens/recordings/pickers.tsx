@@ -69,10 +69,7 @@ export function LightPick({ recording, pick }: { recording: Recording; pick: (li
         })}
         value={recording.lighting ?? "none"}
         disabled={!may("operator")}
-        options={[
-          { value: "daytime", label: words("daytime") },
-          { value: "low_light", label: words("low_light") },
-        ]}
+        options={(["daytime", "low_light"] as const).map((value) => ({ value, label: words(value) }))}
         onInput={(next) => next !== "none" && pick(next)}
       />
     </div>

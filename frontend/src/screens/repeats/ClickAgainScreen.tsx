@@ -1,6 +1,6 @@
 /** Ten measurements to click again, one after the other, without their points; Esc stops, Ctrl+Z takes the last back. */
 import { useEffect, useMemo } from "preact/hooks";
-import { Button, Empty, Loading, Problem } from "../../components";
+import { Button, Empty, Loading } from "../../components";
 import { CommandButton } from "../../components/CommandButton";
 import { Said } from "../../components/Said";
 import { historyCommands } from "../../components/undoTools";
@@ -9,6 +9,7 @@ import { useCommands } from "../../core/commands";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { TARGET_WORDS, vehicleName } from "../../core/words";
+import { FailedPage } from "../../parts/FailedPage";
 import { BlindFrame } from "../../viewer/BlindFrame";
 import { frameCommands } from "../../viewer/stageCommands";
 import { Transport } from "../../viewer/Transport";
@@ -32,13 +33,7 @@ export default function ClickAgainScreen({ surveyId }: ScreenProps) {
   ]);
   const items = session.items.value;
   const player = session.reel.player.value;
-  if (session.problem.value) {
-    return (
-      <div class="page">
-        <Problem error={session.problem.value} again={() => void session.load()} />
-      </div>
-    );
-  }
+  if (session.problem.value) return <FailedPage model={session} />;
   if (items === null) return <Loading what={say("again-loading")} />;
   const item = session.current.value;
   if (items.length === 0) return <NothingToClick surveyId={surveyId} onlyOwn={onlyOwn} />;

@@ -6,8 +6,8 @@ import { me } from "../../core/session";
 import type { Comparison, Measurement, ReviewItem } from "../../core/types";
 import { formatLength, formatSmall } from "../../core/units";
 import { TARGET_WORDS, vehicleName } from "../../core/words";
+import { JudgeButton, Reject } from "../../parts/verdicts/Reject";
 import type { ReviewModel } from "./model";
-import { Reject, RejectButton } from "./Reject";
 
 /** What may be known of a measurement that is to be clicked again: vehicle, target and frame. */
 export function BlindPanel({ model, item }: { model: ReviewModel; item: ReviewItem }) {
@@ -25,14 +25,34 @@ export function BlindPanel({ model, item }: { model: ReviewModel; item: ReviewIt
         <p>{say(model.blind.contact.value ? "review-blind-target" : "review-blind-contact")}</p>
         <p class="small muted">{say("review-blind-why")}</p>
       </div>
-      {model.rejecting.value ? (
-        <Reject model={model} />
+      {model.rejection.begun.value ? (
+        <Rejecting model={model} />
       ) : (
         <footer class="review__verdict">
           <RejectButton model={model} />
         </footer>
       )}
     </aside>
+  );
+}
+
+export function Rejecting({ model }: { model: ReviewModel }) {
+  return (
+    <footer class="review__verdict">
+      <Reject rejection={model.rejection} busy={model.busy.value} />
+    </footer>
+  );
+}
+
+export function RejectButton({ model }: { model: ReviewModel }) {
+  return (
+    <JudgeButton
+      of="reviewReject"
+      testId="review-reject"
+      icon="close"
+      disabled={!model.mayReject}
+      onClick={() => model.startReject()}
+    />
   );
 }
 

@@ -11,12 +11,10 @@ import { may } from "../../core/session";
 import { survey } from "../../core/survey";
 import { reviewTabs } from "../../core/tabs";
 import type { ReviewItem } from "../../core/types";
-import { formatHeight } from "../../core/units";
-import { STATE_WORDS, TARGET_WORDS, vehicleName } from "../../core/words";
+import { heightWords, TARGET_WORDS, vehicleName } from "../../core/words";
 import type { ReviewModel } from "./model";
 import type { Shown } from "./queue";
 
-const STATES: readonly Shown[] = ["to_review", "rejected", "accepted", "fixed", "all"];
 const SHOWN_WORDS: Readonly<Record<Shown, string>> = wordsOf("review-state-");
 
 export function Queue({ model }: { model: ReviewModel }) {
@@ -48,7 +46,7 @@ export function Queue({ model }: { model: ReviewModel }) {
           <Select
             aria-label={say("review-show")}
             value={model.queue.shown.value}
-            options={choices(SHOWN_WORDS, STATES)}
+            options={choices(SHOWN_WORDS)}
             onInput={(shown) => void model.show(shown)}
           />
         </div>
@@ -181,13 +179,7 @@ function Row({ model, item }: { model: ReviewModel; item: ReviewItem }) {
             {say("lots-badge", { number: String(item.judged.lot.number) })}
           </span>
         )}
-        <span class="pass__name">
-          {model.isHidden(item)
-            ? say("review-blind-click")
-            : m.status === "ok"
-              ? formatHeight(m.height_m, m.U95_height_m)
-              : STATE_WORDS.not_measurable}
-        </span>
+        <span class="pass__name">{model.isHidden(item) ? say("review-blind-click") : heightWords(m)}</span>
       </button>
     </li>
   );

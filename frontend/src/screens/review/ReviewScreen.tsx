@@ -1,13 +1,14 @@
 /** Review: the queue on the left, the picture with its points in the middle, what is known and the verdict on the right. */
 import { useEffect, useMemo } from "preact/hooks";
-import { Button, Empty, Loading, Problem } from "../../components";
+import { Button, Empty, Loading } from "../../components";
 import { type ButtonCommand, CommandButton } from "../../components/CommandButton";
 import { historyCommands, useUndoTools } from "../../components/undoTools";
-import { type ActionId, useCommands } from "../../core/commands";
+import { useCommands } from "../../core/commands";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { may } from "../../core/session";
 import type { Measurement } from "../../core/types";
+import { FailedPage } from "../../parts/FailedPage";
 import { BlindFrame } from "../../viewer/BlindFrame";
 import type { Player } from "../../viewer/player";
 import { brightSwitch, frameCommands, loupeSwitch, pictureCommands } from "../../viewer/stageCommands";
@@ -16,7 +17,6 @@ import { LineFrame } from "./LineFrame";
 import { ReviewModel } from "./model";
 import { lotAddress, Queue } from "./Queue";
 import { ReviewFrame } from "./ReviewFrame";
-import { REASONS } from "./reasons";
 import { VerdictPanel } from "./VerdictPanel";
 import "../../parts/vehicles/vehicle.css";
 import "../../parts/vehicles/passes.css";
@@ -35,13 +35,7 @@ export default function ReviewScreen({ surveyId }: ScreenProps) {
   const ofPicture =
     item && !model.ofFrame.value ? pictureCommands(model.strips.stage) : frameCommands(model.stage, player);
   useCommands([steps.undo, steps.redo, ...reviewCommands(model), ...ofPicture]);
-  if (model.problem.value) {
-    return (
-      <div class="page">
-        <Problem error={model.problem.value} again={() => void model.load()} />
-      </div>
-    );
-  }
+  if (model.problem.value) return <FailedPage model={model} />;
   const items = model.queue.items.value;
   return (
     <div class="review">
@@ -137,15 +131,7 @@ function reviewCommands(model: ReviewModel): ButtonCommand[] {
       enabled: () => mayReview() && model.fix.value === null,
     },
     { id: "reviewReject", run: () => model.startReject(), enabled: mayReview },
-    ...REASONS.map(
-      (reason, i): ButtonCommand => ({
-        id: `reviewReason${i + 1}` as ActionId,
-        run: () => {
-          model.reason.value = say(reason);
-        },
-        enabled: () => model.rejecting.value,
-      }),
-    ),
+    ...model.rejection.commands,
     { id: "reviewFix", run: () => model.startFix(), enabled: mayReview },
     { id: "selectNext", label: say("review-other-point"), run: () => model.fixing.selectNext() },
   ];

@@ -6,16 +6,16 @@ import { survey } from "../../core/survey";
 import { formatFrameTime, formatMoment, formatPlaceMoment } from "../../core/times";
 import type { LineHeight, Measurement, ReviewItem } from "../../core/types";
 import { formatHeight, formatLength } from "../../core/units";
-import { INSET_PLACE_WORDS, LIGHTING_NOUNS, STATE_WORDS, TARGET_WORDS, vehicleName } from "../../core/words";
+import { heightWords, INSET_PLACE_WORDS, LIGHTING_NOUNS, TARGET_WORDS, vehicleName } from "../../core/words";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { StaleMarks } from "../../parts/again/StaleMarks";
 import { Budget } from "../../parts/vehicles/Budget";
 import { Revisions } from "../../parts/vehicles/Revisions";
-import { BlindPanel, Comparisons } from "./Comparisons";
+import { JudgeButton } from "../../parts/verdicts/Reject";
+import { BlindPanel, Comparisons, RejectButton, Rejecting } from "./Comparisons";
 import { type Height, isOfFrame, isOfLine } from "./kinds";
 import type { ReviewModel } from "./model";
 import { Pieces } from "./Pieces";
-import { JudgeButton, Reject, RejectButton } from "./Reject";
 
 export function VerdictPanel({ model, item }: { model: ReviewModel; item: ReviewItem }) {
   const m = item.measurement;
@@ -30,9 +30,7 @@ export function VerdictPanel({ model, item }: { model: ReviewModel; item: Review
       </header>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard must reach it */}
       <div class="review__body" role="group" aria-label={say("review-facts")} tabIndex={0}>
-        <p class="vehicle__height">
-          {m.status === "ok" ? formatHeight(m.height_m, m.U95_height_m) : STATE_WORDS.not_measurable}
-        </p>
+        <p class="vehicle__height">{heightWords(m)}</p>
         {m.review.lot_id !== null && m.review.verdict === "accepted" && (
           <p class="small row">
             <Icon name="info" size={14} /> {say("lots-by-lot")}
@@ -153,7 +151,7 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
       </footer>
     );
   }
-  if (model.rejecting.value) return <Reject model={model} />;
+  if (model.rejection.begun.value) return <Rejecting model={model} />;
   if (model.fix.value) {
     const changed = isOfFrame(item.measurement) && model.poseChanged(item.measurement);
     return (

@@ -275,11 +275,11 @@ describe("the review queue", () => {
     await open(0);
     model.startReject();
     expect(model.stage.confirm()).toBe(false);
-    model.reason.value = "The feature is hidden.";
+    model.rejection.reason.value = "The feature is hidden.";
     expect(model.stage.confirm()).toBe(true);
     await quiet();
     expect(judged).toMatchObject([{ verdict: "rejected", reason: "The feature is hidden." }]);
-    expect(model.rejecting.value).toBe(false);
+    expect(model.rejection.begun.value).toBe(false);
   });
 
   it("lets what cannot be clicked blind be rejected, and nothing else", async () => {

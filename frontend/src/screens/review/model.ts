@@ -8,6 +8,7 @@ import { may } from "../../core/session";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Measurement, ReviewItem } from "../../core/types";
 import { vehicleName } from "../../core/words";
+import { Rejection } from "../../parts/verdicts/rejection";
 import { type Again, BlindClicks } from "../../viewer/blind";
 import { Geometry } from "../../viewer/geometry";
 import { fromServer, type ImagePoint, pair } from "../../viewer/points";
@@ -19,16 +20,17 @@ import { Verdicts } from "./giving";
 import { isOfFrame, isOfLine } from "./kinds";
 import { LinePicture } from "./LinePicture";
 import { isWaiting, ReviewQueue, type Shown } from "./queue";
+import { REASONS } from "./reasons";
 import { isOwn, Repeats } from "./repeats";
 
 export class ReviewModel {
   readonly reel = new Reel();
   readonly stage: FrameStage = new FrameStage(() =>
-    this.rejecting.value
-      ? [this.verdicts]
+    this.rejection.begun.value
+      ? [this.rejection]
       : this.hidden.value
         ? [this.stage.keyboard, this.blind]
-        : [this.fixing, this.verdicts],
+        : [this.fixing],
   );
   readonly geometry = new Geometry();
   /** Where a height of a line scan was clicked. */
@@ -43,9 +45,7 @@ export class ReviewModel {
     differs: (fix) => this.differs(fix),
   });
   readonly fix: ReadonlySignal<Fix | null> = this.fixing.fix;
-  readonly rejecting = signal(false);
-  /** Why it is rejected, chosen or in one's own words. */
-  readonly reason = signal("");
+  readonly rejection: Rejection = new Rejection(REASONS, (reason) => void this.judge("rejected", reason));
   /** Verdicts can be taken back, each where it was given; a fix cannot: its points are a revision, and one's own. */
   readonly history: History = new History(() => {
     const item = this.current.peek();
@@ -56,19 +56,6 @@ export class ReviewModel {
   });
   readonly busy = signal(false);
   readonly blind: BlindClicks;
-  /** Esc leaves a rejection that was begun, Enter gives it once it has a reason. */
-  private readonly verdicts = {
-    confirm: (): boolean => {
-      const ready = this.rejecting.value && this.reason.value.trim() !== "";
-      if (ready) void this.judge("rejected", this.reason.value.trim());
-      return ready;
-    },
-    cancel: (): boolean => {
-      const begun = this.rejecting.value;
-      this.cancel();
-      return begun;
-    },
-  };
   private readonly given: Verdicts;
   private readonly revealed = signal<ReadonlySet<number>>(new Set());
 
@@ -180,7 +167,7 @@ export class ReviewModel {
     batch(() => {
       this.currentId.value = m.id;
       this.fixing.leave();
-      this.rejecting.value = false;
+      this.rejection.cancel();
       this.repeats.comparisons.value = null;
       this.geometry.forgetHeight();
       if (isOfFrame(m)) this.openFrame(item, m);
@@ -228,8 +215,7 @@ export class ReviewModel {
   startReject(): void {
     if (!this.mayReject) return;
     this.fixing.leave();
-    this.reason.value = "";
-    this.rejecting.value = true;
+    this.rejection.begin();
   }
 
   async judge(verdict: "accepted" | "rejected" | "fixed" | "reopened", reason?: string): Promise<void> {
@@ -269,7 +255,7 @@ export class ReviewModel {
     const contact = own ? fromServer(own.contact) : this.contact.value;
     const point = own ? fromServer(own.target_point) : this.point.value;
     if (!contact || !point || !this.mayJudge) return;
-    this.rejecting.value = false;
+    this.rejection.cancel();
     this.fixing.begin(contact, point);
     const m = this.ofFrame.value;
     if (m) this.showFrame(m);
@@ -288,9 +274,8 @@ export class ReviewModel {
   }
 
   cancel(): void {
-    this.reason.value = "";
     this.fixing.leave();
-    this.rejecting.value = false;
+    this.rejection.cancel();
     this.geometry.forgetHeight();
   }
 

@@ -2,6 +2,7 @@
 import { useRef, useState } from "preact/hooks";
 import {
   Button,
+  choices,
   DropFiles,
   named,
   OptionalField,
@@ -13,7 +14,7 @@ import {
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { fieldsOf } from "../../core/form";
-import { say } from "../../core/messages";
+import { say, wordsOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import type { BodyOf } from "../../core/routes";
 import { formatBytes, parseNumber } from "../../core/units";
@@ -68,10 +69,7 @@ export function AddScan({ surveyId, onClose, added }: Props) {
         <Segments
           says="scans-new-from"
           value={source}
-          options={[
-            { value: "strips", label: say("scans-new-strips") },
-            { value: "video", label: say("scans-new-columns") },
-          ]}
+          options={choices(wordsOf("scans-new-", "strips", "video"))}
           onInput={(value) => {
             setSource(value);
             setChosen(null);
@@ -158,10 +156,7 @@ function Strips({ surveyId, choose }: { surveyId: number; choose: (chosen: Chose
         <SelectField
           says="scans-new-time-axis"
           {...field("axis")}
-          options={[
-            { value: "width", label: say("scans-new-time-width") },
-            { value: "height", label: say("scans-new-time-height") },
-          ]}
+          options={choices(wordsOf("scans-new-time-", "width", "height"))}
         />
       </div>
     </>
@@ -194,12 +189,11 @@ interface TypedCuts {
   readonly two: string;
 }
 
-const ALONG: readonly CutAlong[] = ["columns", "rows_left_up", "rows_right_up"];
-const ALONG_WORDS = {
+const ALONG: Readonly<Record<CutAlong, string>> = wordsOf({
   columns: "scans-new-cut-along-columns",
   rows_left_up: "scans-new-cut-along-left",
   rows_right_up: "scans-new-cut-along-right",
-} as const;
+});
 
 function sameStrip({ first, second }: PickedStrips): boolean {
   return first !== null && first === second;
@@ -242,11 +236,7 @@ function Cuts({ surveyId, choose }: { surveyId: number; choose: (chosen: ChosenC
           options={named(ready)}
           hint={say("scans-new-recording-hint")}
         />
-        <SelectField
-          says="scans-new-cut-along"
-          {...field("along")}
-          options={ALONG.map((value) => ({ value, label: say(ALONG_WORDS[value]) }))}
-        />
+        <SelectField says="scans-new-cut-along" {...field("along")} options={choices(ALONG)} />
         <TextField
           label={say("scans-new-cut-1", { along })}
           {...field("one")}

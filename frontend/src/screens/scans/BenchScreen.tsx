@@ -1,6 +1,6 @@
 /** The line-scan bench: both strips above, the vehicles below with everything that is known of the chosen one. */
 import { useEffect, useMemo, useState } from "preact/hooks";
-import { Button, Empty, JobProgress, Loading, Notice, Problem } from "../../components";
+import { Button, Empty, JobProgress, Loading, Notice } from "../../components";
 import { type ButtonCommand, CommandButton } from "../../components/CommandButton";
 import { historyCommands, useUndoTools } from "../../components/undoTools";
 import { navigate, query } from "../../core/address";
@@ -14,6 +14,7 @@ import { toastProblem } from "../../core/toasts";
 import type { Scan, Target } from "../../core/types";
 import { formatCount, formatLength } from "../../core/units";
 import { TARGETS } from "../../core/words";
+import { FailedPage } from "../../parts/FailedPage";
 import { pictureCommands } from "../../viewer/stageCommands";
 import { FindDialog } from "./FindDialog";
 import { ScanModel } from "./model";
@@ -40,13 +41,7 @@ export default function BenchScreen({ surveyId }: ScreenProps) {
   useCommands([steps.undo, steps.redo, ...benchCommands(model)]);
   const scan = model.scan.value;
   if (id === 0) return null;
-  if (model.problem.value) {
-    return (
-      <div class="page">
-        <Problem error={model.problem.value} again={() => void model.load()} />
-      </div>
-    );
-  }
+  if (model.problem.value) return <FailedPage model={model} />;
   if (!scan) return <Loading what={say("scan-loading")} />;
   if (scan.survey_id !== surveyId) return <Elsewhere surveyId={surveyId} />;
   if (scan.state !== "ready") return <NotReady scan={scan} model={model} surveyId={surveyId} />;
@@ -212,6 +207,7 @@ function benchCommands(model: ScanModel): ButtonCommand[] {
   const target = (at: Target, index: number): ButtonCommand => ({
     id: `target${index + 1}` as ActionId,
     run: () => heights.begin(at),
+    enabled: () => !model.judging.rejection.begun.value, // a digit is a reason then
   });
   return [
     { id: "frameNext", label: say("scan-on"), run: pan(PAN_SHARE) },
@@ -235,6 +231,7 @@ function benchCommands(model: ScanModel): ButtonCommand[] {
     { id: "remove", label: say("scan-take-out-vehicle"), run: () => void model.edits.remove() },
     { id: "reviewAccept", run: () => void model.judging.review("accepted") },
     { id: "reviewReject", run: () => model.judging.reject() },
+    ...model.judging.rejection.commands,
     ...pictureCommands(stage),
   ];
 }

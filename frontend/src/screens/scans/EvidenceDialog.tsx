@@ -1,9 +1,9 @@
 /** The evidence file of the chosen vehicle: which limit it is held against, and the file itself as a download. */
 import { useState } from "preact/hooks";
-import { Button, FormDialog, Segments, TextField } from "../../components";
+import { Button, choices, FormDialog, Segments, TextField } from "../../components";
 import { api } from "../../core/api";
 import { useForm } from "../../core/form";
-import { say } from "../../core/messages";
+import { say, wordsOf } from "../../core/messages";
 import { toast } from "../../core/toasts";
 import type { ScanVehicle } from "../../core/types";
 import { parseNumber, speedScale } from "../../core/units";
@@ -75,12 +75,7 @@ function EvidenceDialog({ vehicle, close }: { vehicle: ScanVehicle; close: () =>
       <Segments
         says="scan-evidence-limit-of"
         value={quantity}
-        options={[
-          { value: "none", label: say("scan-evidence-none") },
-          { value: "speed", label: say("scan-evidence-speed") },
-          { value: "time_gap", label: say("scan-evidence-time-gap") },
-          { value: "distance_gap", label: say("scan-evidence-distance-gap") },
-        ]}
+        options={choices(wordsOf("scan-evidence-", "none", "speed", "time_gap", "distance_gap"))}
         onInput={(quantity) => {
           change({ quantity });
           setProblem(null);

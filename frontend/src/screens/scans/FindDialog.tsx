@@ -1,7 +1,7 @@
 /** Which method looks for the vehicles, and whether those that are known are measured again. */
 import { useState } from "preact/hooks";
-import { FormDialog, Segments } from "../../components";
-import { say } from "../../core/messages";
+import { choices, FormDialog, Segments } from "../../components";
+import { say, wordsOf } from "../../core/messages";
 import type { Scan, ScanMethod } from "../../core/types";
 import type { ScanModel } from "./model";
 
@@ -29,10 +29,7 @@ export function FindDialog({ model, scan, onClose }: Props) {
       <Segments
         says="scan-find-method"
         value={method}
-        options={[
-          { value: "direct", label: say("scan-find-direct") },
-          { value: "paper", label: say("scan-find-paper") },
-        ]}
+        options={choices(wordsOf("scan-find-", "direct", "paper"))}
         onInput={setMethod}
       />
       <p class="small muted">{say(method === "direct" ? "scan-find-direct-what" : "scan-find-paper-what")}</p>

@@ -8,7 +8,7 @@ import { canWork, may } from "../../core/session";
 import { survey } from "../../core/survey";
 import type { InsetChoice, LineHeight, LineHeightAnswer, Target } from "../../core/types";
 import { fixed, formatHeight, formatLength } from "../../core/units";
-import { INSET_PLACE_WORDS, STATE_WORDS, TARGET_WORDS, TARGETS } from "../../core/words";
+import { heightWords, INSET_PLACE_WORDS, TARGET_WORDS, TARGETS } from "../../core/words";
 import { Budget } from "../../parts/vehicles/Budget";
 import { insetChoices, usualInset } from "../../parts/vehicles/insets";
 import { Revisions } from "../../parts/vehicles/Revisions";
@@ -132,10 +132,7 @@ function Why({ one, live }: { one: LineHeight | null; live: LineHeightAnswer | n
 
 function valueWords(one: LineHeight | null, live: LineHeightAnswer | null): string {
   const shown = live?.status === "contact" ? one : (live ?? one);
-  if (!shown) return "–";
-  return shown.status === "ok"
-    ? formatHeight(shown.height_m, shown.U95_height_m)
-    : STATE_WORDS.not_measurable;
+  return shown ? heightWords(shown) : "–";
 }
 
 function reasonOf(one: LineHeight | null, live: LineHeightAnswer | null): string | null {

@@ -1,10 +1,11 @@
 /** Both strips of one vehicle, the second resampled by the fitted motion: what fits vanishes in the difference. */
 import { useEffect, useState } from "preact/hooks";
-import { Segments } from "../../components";
+import { choices, Segments } from "../../components";
 import { say, wordsOf } from "../../core/messages";
 import type { ScanVehicleDetail } from "../../core/types";
 
-type Shown = "first" | "second" | "blink" | "difference";
+const SHOWN = wordsOf("scan-match-", "first", "second", "blink", "difference");
+type Shown = keyof typeof SHOWN;
 const BLINK_MS = 450;
 const ALTS = wordsOf({
   first: "scan-match-alt-1",
@@ -28,17 +29,7 @@ export function MatchPictures({ detail }: { detail: ScanVehicleDetail }) {
     <section class="panel scan__match" aria-labelledby="scan-match">
       <header class="panel__head">
         <h3 id="scan-match">{say("scan-match-title")}</h3>
-        <Segments
-          says="scan-match-picture"
-          value={shown}
-          options={[
-            { value: "first", label: say("scan-match-1") },
-            { value: "second", label: say("scan-match-2") },
-            { value: "blink", label: say("scan-match-blink") },
-            { value: "difference", label: say("scan-match-difference") },
-          ]}
-          onInput={setShown}
-        />
+        <Segments says="scan-match-picture" value={shown} options={choices(SHOWN)} onInput={setShown} />
       </header>
       <div class="scan__match-box">
         {(["first", "second", "difference"] as const).map((one) => (

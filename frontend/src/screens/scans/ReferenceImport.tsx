@@ -1,91 +1,54 @@
 /** Reference values from a CSV: what each line would do, before anything is stored. */
-import { useState } from "preact/hooks";
-import { Button, DataTable, Dialog, DropFiles, Loading, Notice, Problem } from "../../components";
+import { DataTable, Notice } from "../../components";
 import { CommitField } from "../../components/CommitField";
-import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { apart, say, sentenceOf, sentencesOf, wordsOf } from "../../core/messages";
 import type { ReferencePlan, ReferenceRow } from "../../core/types";
 import { fixed, formatCount, parseNumber } from "../../core/units";
+import { ImportCsv } from "../../parts/ImportCsv";
 import type { ScanModel } from "./model";
 import { apartWords, QUANTITY_WORDS, referenceValue } from "./referenceWords";
 
 const CHANGES = wordsOf("scan-references-", "new", "replaces", "same", "ambiguous", "refused");
 
-interface Done {
-  values: number;
-  cars: number;
-  plan: ReferencePlan;
-}
+const WORDS = wordsOf("scan-references-", "title", "choose", "drop", "hint", "looking");
 
 export function ReferenceImport({ model, onClose }: { model: ScanModel; onClose: () => void }) {
-  const [file, setFile] = useState<File | null>(null);
-  const [plan, setPlan] = useState<ReferencePlan | null>(null);
-  const [done, setDone] = useState<Done | null>(null);
-  const { busy, problem, run } = useAction();
-  const [tolerance_s, setTolerance] = useState(1);
   const scan = { scan_id: model.id };
-  const attempt = async (work: () => Promise<void>): Promise<void> => {
-    if (!(await run(work))) setPlan(null);
-  };
-  const look = (chosen: File, within_s = tolerance_s) =>
-    attempt(async () => {
-      setFile(chosen);
-      setTolerance(within_s);
-      const asked = { ...scan, tolerance_s: within_s };
-      setPlan(await api.ask("POST /scans/{scan_id}/references/preview", asked, { body: chosen }));
-    });
-  const store = () =>
-    attempt(async () => {
-      if (!file) return;
-      const asked = { ...scan, tolerance_s };
-      setDone(await api.write("POST /scans/{scan_id}/references/import", asked, { body: file }));
-      await model.refresh();
-    });
-  const usable = plan ? (plan.counts["new"] ?? 0) + (plan.counts["replaces"] ?? 0) : 0;
   return (
-    <Dialog
-      wide
-      title={say("scan-references-import-title")}
-      onClose={onClose}
-      actions={
-        <>
-          <Button says={done ? "action-close" : "action-cancel"} onClick={onClose} />
-          {!done && (
-            <Button kind="primary" busy={busy} disabled={usable === 0} onClick={() => void store()}>
-              {say("scan-references-store", { count: usable })}
-            </Button>
-          )}
-        </>
+    <ImportCsv
+      words={WORDS}
+      usual={{ tolerance_s: 1 }}
+      keep
+      look={(body, taken) =>
+        api.ask("POST /scans/{scan_id}/references/preview", { ...scan, ...taken }, { body })
       }
-    >
-      <div class="stack">
-        {done ? (
-          <Notice>{say("scan-references-done", { values: done.values, cars: done.cars })}</Notice>
-        ) : (
-          <DropFiles
-            label={say("scan-references-choose")}
-            title={file ? file.name : say("scan-references-drop")}
-            hint={say("scan-references-hint")}
-            accept=".csv,text/csv"
-            add={(files) => files[0] && void look(files[0])}
-          />
-        )}
-        <Problem error={problem} />
-        {busy && !plan && <Loading what={say("scan-references-looking")} />}
-        {plan && !done && plan.tolerance_s !== null && (
-          <CommitField
-            says="scan-references-tolerance"
-            value={String(tolerance_s)}
-            unit="s"
-            hint={say("scan-references-tolerance-hint")}
-            check={(text) => (toleranceOf(text) === null ? say("scan-references-tolerance-problem") : null)}
-            onCommit={(text) => file && void look(file, toleranceOf(text) ?? tolerance_s)}
-          />
-        )}
-        {plan && !done && <Preview plan={plan} />}
-      </div>
-    </Dialog>
+      store={async (body, taken) => {
+        const asked = { ...scan, ...taken };
+        const done = await api.write("POST /scans/{scan_id}/references/import", asked, { body });
+        await model.refresh();
+        return done;
+      }}
+      usable={({ counts }) => (counts["new"] ?? 0) + (counts["replaces"] ?? 0)}
+      storeWords={(count) => say("scan-references-store", { count })}
+      doneWords={({ values, cars }) => say("scan-references-done", { values, cars })}
+      preview={(plan, { tolerance_s }, change) => (
+        <>
+          {plan.tolerance_s !== null && (
+            <CommitField
+              says="scan-references-tolerance"
+              value={String(tolerance_s)}
+              unit="s"
+              hint={say("scan-references-tolerance-hint")}
+              check={(text) => (toleranceOf(text) === null ? say("scan-references-tolerance-problem") : null)}
+              onCommit={(text) => change({ tolerance_s: toleranceOf(text) ?? tolerance_s })}
+            />
+          )}
+          <Preview plan={plan} />
+        </>
+      )}
+      onClose={onClose}
+    />
   );
 }
 

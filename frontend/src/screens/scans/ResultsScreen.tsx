@@ -1,10 +1,10 @@
 /** What the line scans of a survey say together: errors against known sizes, distributions, the paper's table. */
 import { useState } from "preact/hooks";
-import { Button, Empty, Loaded, Notice, PageHead, Segments } from "../../components";
+import { Button, choices, Empty, Loaded, Notice, PageHead, Segments } from "../../components";
 import { PageTabs } from "../../components/PageTabs";
 import { Said } from "../../components/Said";
 import { query, setQuery } from "../../core/address";
-import { say, sentenceOf } from "../../core/messages";
+import { say, sentenceOf, wordsOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useAsked } from "../../core/resource";
 import { resultsTabs } from "../../core/tabs";
@@ -37,10 +37,7 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
           <Segments
             says="motion-which"
             value={which}
-            options={[
-              { value: "accepted", label: say("motion-which-accepted") },
-              { value: "all", label: say("motion-which-all") },
-            ]}
+            options={choices(wordsOf("motion-which-", "accepted", "all"))}
             onInput={setWhich}
           />
           <Button says="scans-all" href={`/surveys/${surveyId}/scans`} />

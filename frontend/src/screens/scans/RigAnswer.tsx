@@ -1,13 +1,10 @@
 /** What passes of a staff or board say of the rig: its figures, how well each pass agrees, and the rows that were refused. */
-import type { components } from "#schema";
 import { DataTable, Facts, Notice } from "../../components";
 import { say, sentenceOf } from "../../core/messages";
+import type { CalibrationFigures, CalibrationLook } from "../../core/types";
 import { fixed, formatHeight, formatLength, formatSmall } from "../../core/units";
 
-export type Look = components["schemas"]["CalibrationLook"];
-type Figures = components["schemas"]["CalibrationFigures"];
-
-export function RigAnswer({ look }: { look: Look }) {
+export function RigAnswer({ look }: { look: CalibrationLook }) {
   const { figures } = look;
   return (
     <section class="stack stack--tight" aria-label={say("scans-calibrate-answer")} data-testid="rig-answer">
@@ -27,7 +24,7 @@ export function RigAnswer({ look }: { look: Look }) {
   );
 }
 
-function FiguresOf({ figures }: { figures: Figures }) {
+function FiguresOf({ figures }: { figures: CalibrationFigures }) {
   const lanes = figures.lanes.length > 0 ? figures.lanes : figures.lane ? [figures.lane] : [];
   const mrad = (value: number) => fixed(1000 * value, 3);
   return (
@@ -76,7 +73,7 @@ function FiguresOf({ figures }: { figures: Figures }) {
   );
 }
 
-function Residuals({ figures }: { figures: Figures }) {
+function Residuals({ figures }: { figures: CalibrationFigures }) {
   return (
     <DataTable
       label={say("scans-calibrate-passes")}

@@ -2,6 +2,7 @@
 import { useState } from "preact/hooks";
 import {
   Button,
+  choices,
   Dialog,
   DropFiles,
   Loading,
@@ -13,13 +14,13 @@ import {
 } from "../../components";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
-import { say } from "../../core/messages";
-import type { Scan } from "../../core/types";
+import { say, wordsOf } from "../../core/messages";
+import type { CalibrationLook, Scan } from "../../core/types";
 import { lengthUnit, parseLength, parseNumber } from "../../core/units";
 import { typedLanes } from "./lanes";
-import { type Look, RigAnswer } from "./RigAnswer";
+import { RigAnswer } from "./RigAnswer";
 import { type Lane, type PutRig, RigHistory, tellStored } from "./RigHistory";
-import { typedOf } from "./rig";
+import { OF_CALIBRATION, typedOf } from "./rig";
 import { COLUMNS, headOf, nextPass, type PassTyped, tableOf, USUAL, type Way } from "./rigPasses";
 
 interface Props {
@@ -30,7 +31,6 @@ interface Props {
   take: (scan: Scan) => Promise<void>;
 }
 
-const WAYS: readonly Way[] = ["board", "positions", "speed"];
 const FIRST_ROWS = 4;
 const MOST_SHARE = 0.1;
 
@@ -43,7 +43,7 @@ export function RigCalibration({ scan, onClose, put, take }: Props) {
   const [passes, setPasses] = useState<PassTyped[]>(() => rowsOf("board"));
   const [beside, setBeside] = useState<BesideTyped>(() => besideOf(scan));
   const [file, setFile] = useState<File | null>(null);
-  const [look, setLook] = useState<Look | null>(null);
+  const [look, setLook] = useState<CalibrationLook | null>(null);
   const { busy, problem, run } = useAction();
   const said = saidOf(beside);
   const attempt = async (work: () => Promise<void>): Promise<void> => {
@@ -68,7 +68,7 @@ export function RigCalibration({ scan, onClose, put, take }: Props) {
       const stored = await api.write("POST /scans/{scan_id}/rig-calibrations", asked, { body: file });
       await take(stored);
       onClose();
-      tellStored(scan, stored, put);
+      tellStored(scan, stored, OF_CALIBRATION, put);
     });
   const figures = look?.figures ?? null;
   return (
@@ -94,7 +94,7 @@ export function RigCalibration({ scan, onClose, put, take }: Props) {
         <Segments
           says="scans-calibrate-way"
           value={way}
-          options={WAYS.map((value) => ({ value, label: say(`scans-calibrate-way-${value}`) }))}
+          options={choices(wordsOf("scans-calibrate-way-"))}
           onInput={(chosen) => {
             setWay(chosen);
             setPasses(rowsOf(chosen));

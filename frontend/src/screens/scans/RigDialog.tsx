@@ -3,22 +3,20 @@ import { useState } from "preact/hooks";
 import { Button, FormDialog, TextField } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
-import { toast, toastProblem } from "../../core/toasts";
 import type { Scan } from "../../core/types";
 import { LaneFields } from "./LaneFields";
 import { type LaneProblems, type LaneTyped, lanesOf, sameLanes, typedLanes } from "./lanes";
 import type { ScanModel } from "./model";
 import { RigCalibration } from "./RigCalibration";
 import { RigFields } from "./RigFields";
+import { type PutRig, tellStored } from "./RigHistory";
 import { RigOfTraffic } from "./RigOfTraffic";
 import {
   isValues,
-  type RigChange,
   type RigName,
   type RigProblems,
   type RigTyped,
   type RigValues,
-  rigValues,
   sentOf,
   typedOf,
   valuesOf,
@@ -43,6 +41,18 @@ export function RigDialog({ model, scan, onClose, changed, offered }: Props) {
   const [lanes, setLanes] = useState<readonly LaneTyped[]>(() => typedLanes(scan.rig.lanes));
   const [ofLanes, setOfLanes] = useState<readonly LaneProblems[]>([]);
   const [calibrating, setCalibrating] = useState(false);
+  /** Whoever shows the scan shows it as it is stored. */
+  const take = async (stored: Scan): Promise<void> => {
+    model?.take(stored);
+    await model?.refresh();
+    await changed?.();
+  };
+  const put: PutRig = async (values, version) => {
+    const body = { ...values, version };
+    const stored = await api.write("PATCH /scans/{scan_id}", { scan_id: scan.id }, { body });
+    await take(stored);
+    return stored;
+  };
   const change = (part: Partial<RigTyped>): void => {
     setTyped({ ...typed, ...withoutCorrelation(part) });
     setProblems({});
@@ -72,7 +82,7 @@ export function RigDialog({ model, scan, onClose, changed, offered }: Props) {
     if (Object.keys({ ...values, ...words }).length === 0) return onClose();
     const all = { ...values, ...words };
     const names = Object.keys(all) as RigName[];
-    const stored = put(scan.id, all, scan.version, model, changed);
+    const stored = put(all, scan.version);
     await (model
       ? model.history.run(say("scans-rig-undo"), async (changes) => {
           changes.touch(model.rig, names);
@@ -80,18 +90,10 @@ export function RigDialog({ model, scan, onClose, changed, offered }: Props) {
         })
       : stored);
     onClose();
-    tell(scan, all, await stored, model, changed);
+    // on the bench it is taken back as any step
+    tellStored(scan, await stored, names, model ? undefined : put);
   };
-  if (calibrating) {
-    return (
-      <RigCalibration
-        scan={scan}
-        onClose={onClose}
-        put={(values, version) => put(scan.id, values, version, model, changed)}
-        take={(stored) => shown(stored, model, changed)}
-      />
-    );
-  }
+  if (calibrating) return <RigCalibration scan={scan} onClose={onClose} put={put} take={take} />;
   return (
     <FormDialog says="scans-rig-title" action={say("scans-rig-store")} onClose={onClose} submit={submit}>
       <TextField says="field-name" value={name} onInput={setName} />
@@ -125,44 +127,5 @@ export function RigDialog({ model, scan, onClose, changed, offered }: Props) {
       )}
       <p class="small muted">{say("scans-rig-note")}</p>
     </FormDialog>
-  );
-}
-
-async function put(
-  id: number,
-  values: RigChange,
-  version: number,
-  model?: ScanModel,
-  changed?: () => Promise<void>,
-): Promise<Scan> {
-  const stored = await api.write("PATCH /scans/{scan_id}", { scan_id: id }, { body: { ...values, version } });
-  await shown(stored, model, changed);
-  return stored;
-}
-
-/** Whoever shows the scan shows it as it is stored. */
-async function shown(stored: Scan, model?: ScanModel, changed?: () => Promise<void>): Promise<void> {
-  model?.take(stored);
-  await model?.refresh();
-  await changed?.();
-}
-
-/** The change can be taken back: on the bench with Ctrl Z, elsewhere from the message. */
-function tell(
-  before: Scan,
-  values: RigChange,
-  stored: Scan,
-  model?: ScanModel,
-  changed?: () => Promise<void>,
-): void {
-  const then = rigValues(before, Object.keys(values) as RigName[]);
-  const again = async (): Promise<void> => {
-    const now = await api.ask("GET /scans/{scan_id}", { scan_id: before.id });
-    await put(before.id, then, now.version, model, changed);
-  };
-  const action = { label: say("command-undo"), run: () => void again().catch(toastProblem) };
-  toast(
-    say(stored.counts.older > 0 ? "scans-rig-stored-older" : "scans-rig-stored"),
-    model ? {} : { action },
   );
 }

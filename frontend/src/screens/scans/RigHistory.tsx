@@ -1,16 +1,13 @@
 /** Calibrations of a rig before: which is in force, and putting another one in force again. */
-import type { components } from "#schema";
 import { Button, Problem } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { toast, toastProblem } from "../../core/toasts";
-import type { Scan } from "../../core/types";
+import type { CalibrationFigures, RigCalibrationShown, Scan } from "../../core/types";
 import { formatCount, formatHeight } from "../../core/units";
-import type { RigChange } from "./rig";
+import { OF_CALIBRATION, type RigChange, type RigName, rigValues } from "./rig";
 
-type Figures = components["schemas"]["CalibrationFigures"];
-type Shown = components["schemas"]["RigCalibrationShown"];
 /** Where the vehicles drive: without it their baseline would be the one at the cameras. */
 export type Lane = { distance_m: number; u_distance_m: number };
 /** Changes values of the rig, and tells whoever shows it. */
@@ -31,11 +28,11 @@ export function RigHistory({ scan, put, onClose, lane }: Props) {
   );
   if (found.error) return <Problem error={found.error} again={found.reload} />;
   if (!found.data || found.data.length === 0) return null;
-  const use = async (one: Shown): Promise<void> => {
+  const use = async (one: RigCalibrationShown): Promise<void> => {
     try {
       const stored = await put({ ...calibrated(one.figures), ...lane }, scan.version);
       onClose();
-      tellStored(scan, stored, put);
+      tellStored(scan, stored, OF_CALIBRATION, put);
     } catch (error) {
       toastProblem(error);
     }
@@ -72,7 +69,7 @@ export function RigHistory({ scan, put, onClose, lane }: Props) {
   );
 }
 
-function calibrated(from: Figures | Scan["rig"]): RigChange {
+function calibrated(from: CalibrationFigures): RigChange {
   return {
     baseline_m: from.baseline_m,
     u_baseline_m: from.u_baseline_m,
@@ -82,14 +79,14 @@ function calibrated(from: Figures | Scan["rig"]): RigChange {
   };
 }
 
-/** Putting the values before back in force is one press; the calibration stays in the history. */
-export function tellStored(before: Scan, stored: Scan, put: PutRig): void {
-  const run = async (): Promise<void> => {
+/** Says that values of a rig are stored; with `put`, one press puts those before back in force. */
+export function tellStored(before: Scan, stored: Scan, names: readonly RigName[], put?: PutRig): void {
+  const back = async (use: PutRig): Promise<void> => {
     const now = await api.ask("GET /scans/{scan_id}", { scan_id: before.id });
-    const { distance_m, u_distance_m } = before.rig;
-    await put({ ...calibrated(before.rig), distance_m, u_distance_m }, now.version);
+    await use(rigValues(before, names), now.version);
   };
-  toast(say(stored.counts.older > 0 ? "scans-rig-stored-older" : "scans-rig-stored"), {
-    action: { label: say("command-undo"), run: () => void run().catch(toastProblem) },
-  });
+  toast(
+    say(stored.counts.older > 0 ? "scans-rig-stored-older" : "scans-rig-stored"),
+    put && { action: { label: say("command-undo"), run: () => void back(put).catch(toastProblem) } },
+  );
 }

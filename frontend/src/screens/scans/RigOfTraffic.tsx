@@ -5,9 +5,9 @@ import { say, sentenceOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { may } from "../../core/session";
 import { toast, toastProblem } from "../../core/toasts";
-import type { Scan } from "../../core/types";
+import type { RigOfTraffic as Found, Scan } from "../../core/types";
 import { fixed, formatLength, lengthUnit } from "../../core/units";
-import { type RigOfTraffic as Found, type RigTyped, typedLength } from "./rig";
+import { type RigTyped, typedLength } from "./rig";
 
 interface Props {
   scan: Scan;

@@ -1,4 +1,5 @@
 /** The line-scan recordings of a survey, and where new ones come in. */
+import { Fragment } from "preact";
 import { useState } from "preact/hooks";
 import { ask, Button, Empty, JobProgress, Loaded, Notice, PageHead, StateMark } from "../../components";
 import { api } from "../../core/api";
@@ -66,22 +67,20 @@ export default function ScansScreen({ surveyId }: ScreenProps) {
   );
 }
 
+const LIMITS = ["opposing", "abreast", "slow", "cut", "distance"] as const;
+
 /** What no setting helps against, in words; a vehicle that it concerns has the reason in place of its numbers. */
 function Limits() {
   return (
     <details class="scan-limits">
       <summary>{say("scans-limits")}</summary>
       <dl>
-        <dt>{say("scans-limit-opposing")}</dt>
-        <dd>{say("scans-limit-opposing-why")}</dd>
-        <dt>{say("scans-limit-abreast")}</dt>
-        <dd>{say("scans-limit-abreast-why")}</dd>
-        <dt>{say("scans-limit-slow")}</dt>
-        <dd>{say("scans-limit-slow-why")}</dd>
-        <dt>{say("scans-limit-cut")}</dt>
-        <dd>{say("scans-limit-cut-why")}</dd>
-        <dt>{say("scans-limit-distance")}</dt>
-        <dd>{say("scans-limit-distance-why")}</dd>
+        {LIMITS.map((limit) => (
+          <Fragment key={limit}>
+            <dt>{say(`scans-limit-${limit}`)}</dt>
+            <dd>{say(`scans-limit-${limit}-why`)}</dd>
+          </Fragment>
+        ))}
       </dl>
     </details>
   );

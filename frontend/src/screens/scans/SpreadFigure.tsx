@@ -2,7 +2,7 @@
 import { apart, say, sentenceOf, wordsOf } from "../../core/messages";
 import type { ScanSpread } from "../../core/types";
 import { fixed, lengthScale, plainPercent, type Scale, speedScale } from "../../core/units";
-import { aroundOne, ecdfMarks, noBandWords } from "../../parts/figures/curves";
+import { aroundOne, ECDF_COLUMNS, ecdfMarks, ecdfRows, noBandWords } from "../../parts/figures/curves";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 
 const TITLES: Readonly<Record<string, string>> = wordsOf({
@@ -16,8 +16,8 @@ const TITLES: Readonly<Record<string, string>> = wordsOf({
 const SHORT: Readonly<Record<string, string>> = wordsOf({
   speed: "scan-head-speed",
   length: "scan-head-length",
-  time_gap: "scan-evidence-time-gap",
-  distance_gap: "scan-evidence-distance-gap",
+  time_gap: "scan-evidence-time_gap",
+  distance_gap: "scan-evidence-distance_gap",
   headway: "scan-head-headway",
 });
 /** 85: the speed that limits are set by. */
@@ -67,20 +67,8 @@ export function SpreadFigure({ spread }: { spread: ScanSpread }) {
           : [],
       })}
       table={() => ({
-        columns: [
-          `${spread.quantity}_${spread.unit.replace("/", "p")}`,
-          "share",
-          "band95_low",
-          "band95_high",
-        ],
-        rows: there
-          ? ecdf.value.map((value, n) => [
-              value,
-              ecdf.share[n] ?? null,
-              ecdf.low[n] ?? null,
-              ecdf.high[n] ?? null,
-            ])
-          : [],
+        columns: [`${spread.quantity}_${spread.unit.replace("/", "p")}`, ...ECDF_COLUMNS],
+        rows: there ? ecdfRows("", ecdf).map(([, ...row]) => row) : [],
       })}
     />
   );

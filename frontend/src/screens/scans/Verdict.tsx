@@ -1,23 +1,16 @@
 /** Accept or reject a motion; a second person's work, as for heights. */
-import { useState } from "preact/hooks";
-import { Button, Notice, TextField } from "../../components";
-import { hint } from "../../core/commands";
-import { say, wordsOf } from "../../core/messages";
+import { Button, Notice } from "../../components";
+import { say } from "../../core/messages";
 import { may } from "../../core/session";
 import type { ScanMotion } from "../../core/types";
+import { JudgeButton, Reject } from "../../parts/verdicts/Reject";
 import type { ScanModel } from "./model";
-
-const REASONS = wordsOf({
-  boundary: "scan-reason-boundary",
-  notOne: "scan-reason-not-one",
-  match: "scan-reason-match",
-});
 
 export function Verdict({ model, m }: { model: ScanModel; m: ScanMotion }) {
   if (m.status !== "ok" || !may("reviewer")) return null;
   if (m.mine) return <Notice>{say("scan-verdict-mine")}</Notice>;
   const { judging } = model;
-  if (judging.rejecting.value) return <Reject model={model} />;
+  if (judging.rejection.begun.value) return <Reject rejection={judging.rejection} busy={model.busy.value} />;
   const given = givenWords(m.review);
   if (given) {
     return (
@@ -34,19 +27,15 @@ export function Verdict({ model, m }: { model: ScanModel; m: ScanMotion }) {
   }
   return (
     <div class="row row--wrap">
-      <Button
-        says="scan-verdict-accept"
+      <JudgeButton
+        of="reviewAccept"
+        testId="scan-accept"
         kind="primary"
         icon="check"
-        busy={model.busy.value}
-        title={say("scan-verdict-accept") + hint("reviewAccept")}
+        disabled={model.busy.value}
         onClick={() => void judging.review("accepted")}
       />
-      <Button
-        says="scan-verdict-reject-why"
-        title={say("scan-verdict-reject") + hint("reviewReject")}
-        onClick={() => judging.reject()}
-      />
+      <JudgeButton of="reviewReject" testId="scan-reject" onClick={() => judging.reject()} />
     </div>
   );
 }
@@ -57,33 +46,4 @@ function givenWords({ verdict, reason, reviewer }: ScanMotion["review"]): string
   const person = reviewer?.name ?? say("scan-by-somebody");
   if (!reason) return say("scan-verdict-given", { verdict, person });
   return say("scan-verdict-given-why", { verdict, person, reason });
-}
-
-function Reject({ model: { judging } }: { model: ScanModel }) {
-  const [reason, setReason] = useState<string>("");
-  const leave = (): void => {
-    judging.rejecting.value = false;
-  };
-  const send = (event: Event): void => {
-    event.preventDefault();
-    if (reason.trim() === "") return;
-    void judging.review("rejected", reason.trim());
-    leave();
-  };
-  return (
-    <form class="stack stack--tight" onSubmit={send}>
-      <div class="row row--wrap">
-        {Object.values(REASONS).map((one) => (
-          <Button key={one} small pressed={reason === one} onClick={() => setReason(one)}>
-            {one}
-          </Button>
-        ))}
-      </div>
-      <TextField says="scan-verdict-reason" value={reason} onInput={setReason} />
-      <div class="row">
-        <Button says="scan-verdict-reject" type="submit" kind="primary" disabled={reason.trim() === ""} />
-        <Button says="scan-verdict-leave" onClick={leave} />
-      </div>
-    </form>
-  );
 }

@@ -2,7 +2,7 @@
 import { say } from "../../core/messages";
 import type { LineHeight } from "../../core/types";
 import { formatHeight, formatLength } from "../../core/units";
-import { STATE_WORDS, TARGET_WORDS } from "../../core/words";
+import { heightWords, TARGET_WORDS } from "../../core/words";
 import { cross, joined, type Pens, penOn, word } from "../../parts/strips/marks";
 import { type Place, type StripsView, xOf, yOf } from "../../parts/strips/view";
 import { clicksOf } from "./kinds";
@@ -52,12 +52,6 @@ function storedHeight(pens: Pens, model: ScanModel, height: LineHeight, labelled
   const underWay = target.value !== null || live.value?.target === height.target;
   const words = { target: TARGET_WORDS[height.target], height: heightWords(height) };
   if (labelled && !underWay) word(pens, point, say("scan-drawn-height", words));
-}
-
-function heightWords(height: LineHeight): string {
-  return height.status === "ok"
-    ? formatHeight(height.height_m, height.U95_height_m)
-    : STATE_WORDS.not_measurable;
 }
 
 function inHand(pens: Pens, model: ScanModel): void {

@@ -2,9 +2,10 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { ChangeSet, Ledger } from "../../core/history";
 import { say } from "../../core/messages";
+import { sameValue } from "../../core/same";
 import { may } from "../../core/session";
 import type { Scan, ScanVehicle } from "../../core/types";
-import { type Crossings, EDGES, type Edge } from "../../parts/strips/draw";
+import type { Crossings, Edge } from "../../parts/strips/draw";
 import { crossingsOf } from "./kinds";
 
 const RESTS_MS = 600;
@@ -61,7 +62,7 @@ export class HeldBoundaries {
     const vehicle = this.bench.chosen.value;
     const before = vehicle?.measurement;
     if (!draft || !vehicle || !before) return;
-    if (!sameCrossings(draft, before))
+    if (!sameValue(draft, crossingsOf(before)))
       await this.bench.change(
         say("scan-step-boundaries", { vehicle: String(vehicle.number) }),
         async (changes) => {
@@ -85,8 +86,4 @@ export class HeldBoundaries {
     this.edge.value = null;
     return held;
   }
-}
-
-function sameCrossings(a: Crossings, b: Crossings): boolean {
-  return EDGES.every((edge) => a[edge] === b[edge]);
 }

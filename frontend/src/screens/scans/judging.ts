@@ -1,18 +1,21 @@
 /** Verdicts on the motions of a line scan: what waits, and the way on to the next. Heights are judged in the review. */
-import { computed, signal } from "@preact/signals";
+import { computed } from "@preact/signals";
 import { say } from "../../core/messages";
 import { outbox } from "../../core/outbox";
 import { may } from "../../core/session";
 import { toast } from "../../core/toasts";
 import type { ScanVehicle } from "../../core/types";
+import { Rejection } from "../../parts/verdicts/rejection";
 import { nextThat } from "../../parts/worklist";
 import type { Bench } from "./bench";
 import { type MotionVerdict, SCAN_VERDICT } from "./kinds";
 import type { ScannedVehicles } from "./scanned";
 
+/** Why a motion is rejected, in the order of their digit keys. */
+const REASONS = ["scan-reason-boundary", "scan-reason-not-one", "scan-reason-match"] as const;
+
 export class Judging {
-  /** A reason is being written. */
-  readonly rejecting = signal(false);
+  readonly rejection: Rejection = new Rejection(REASONS, (reason) => void this.review("rejected", reason));
   private busy = false;
 
   constructor(
@@ -38,7 +41,7 @@ export class Judging {
   /** By keyboard: asks why it is rejected. */
   reject(): void {
     const m = this.bench.chosen.value?.measurement;
-    if (m?.status === "ok" && !m.mine && may("reviewer")) this.rejecting.value = true;
+    if (m?.status === "ok" && !m.mine && may("reviewer")) this.rejection.begin();
   }
 
   async review(verdict: MotionVerdict["verdict"], reason?: string): Promise<void> {
@@ -46,6 +49,7 @@ export class Judging {
     const measured = vehicle?.measurement;
     if (!vehicle || !measured || measured.mine || !may("reviewer") || this.busy) return;
     const { id, number } = vehicle;
+    this.rejection.cancel();
     if (verdict === "accepted" && measured.review.verdict === "accepted") {
       this.goOn(id);
       return;

@@ -3,6 +3,7 @@ import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { type Kind, outbox } from "../../core/outbox";
 import type { BodyOf } from "../../core/routes";
+import { sameValue } from "../../core/same";
 import { shapeOf } from "../../core/shape";
 import type {
   DriverSide,
@@ -13,12 +14,11 @@ import type {
   ScanVehicle,
   Target,
 } from "../../core/types";
-import { formatHeight } from "../../core/units";
-import { STATE_WORDS } from "../../core/words";
-import { type Crossings, EDGES } from "../../parts/strips/draw";
+import { heightWords } from "../../core/words";
+import type { Crossings } from "../../parts/strips/draw";
 import { type Place, placeOf } from "../../parts/strips/view";
 import { type Verdict, verdictKind } from "../../parts/verdicts/kind";
-import { type Axles, type Facts, type Hubs, rodWords, type ScannedWanted, scannedWords } from "./wanted";
+import { type Facts, type Hubs, rodWords, type ScannedWanted, scannedWords } from "./wanted";
 
 export const LINE_HEIGHT = "line-height";
 export const ROD = "rod";
@@ -83,12 +83,7 @@ const heightKind: Kind<LineHeight, HeightWanted, HeightAbout> = {
     return saved.revision > again && sameClicks(clicksOf(saved), clicks);
   },
   version: (saved) => saved?.revision ?? 0,
-  words(saved) {
-    if (!saved || saved.withdrawn) return STATE_WORDS.withdrawn;
-    return saved.status === "ok"
-      ? formatHeight(saved.height_m, saved.U95_height_m)
-      : STATE_WORDS.not_measurable;
-  },
+  words: heightWords,
 };
 
 /** The newest revision of a target's height. */
@@ -112,15 +107,8 @@ export function insetSaid({ inset_from, inset_m, u_inset_m, side }: LineHeight):
 }
 
 function sameClicks(a: Clicks, b: Clicks): boolean {
-  const samePlace = (one: Place, other: Place): boolean =>
-    Math.max(one.line, 0) === Math.max(other.line, 0) && one.row === other.row;
-  const sameInset = !a.inset || !b.inset || sameSaid(a.inset, b.inset);
-  return samePlace(a.contact, b.contact) && samePlace(a.point, b.point) && sameInset;
-}
-
-function sameSaid(a: Inset, b: Inset): boolean {
-  if ("side" in a) return "side" in b && a.side === b.side;
-  return !("side" in b) && a.inset_m === b.inset_m && a.u_inset_m === b.u_inset_m;
+  const places = (one: Clicks) => clickBody("other", { ...one, inset: null });
+  return sameValue(places(a), places(b)) && (!a.inset || !b.inset || sameValue(a.inset, b.inset));
 }
 
 export function contactBody(target: Target, contact: Place, inset: Inset | null) {
@@ -142,7 +130,12 @@ export interface RodValues {
   readonly u_lean_rad: number;
 }
 
-type Uncertainties = Pick<LinePose, "sigma_px" | "u_distance_m" | "u_lean_rad">;
+/** What is usual before anything is said of a rod. */
+export const FRESH: RodValues = { marks: [], sigma_px: 1, u_distance_m: 0.005, u_lean_rad: 0 };
+
+export function rodOf({ marks, sigma_px, u_distance_m, u_lean_rad }: LinePose): RodValues {
+  return { marks, sigma_px: sigma_px ?? FRESH.sigma_px, u_distance_m, u_lean_rad };
+}
 
 const rodKind: Kind<LinePose, RodValues, { scanId: number }> = {
   once: true,
@@ -155,11 +148,7 @@ const rodKind: Kind<LinePose, RodValues, { scanId: number }> = {
   read: async ({ about }, _error, signal) =>
     (await api.ask("GET /scans/{scan_id}/line-pose", { scan_id: about.scanId }, { signal })).current,
   isSaved: shapeOf<LinePose>({ revision: "number", marks: "list" }),
-  done: ({ saved, want }) =>
-    saved !== null &&
-    same<Uncertainties>(want, saved, ["sigma_px", "u_distance_m", "u_lean_rad"]) &&
-    saved.marks.length === want.marks.length &&
-    want.marks.every((mark, at) => same(mark, saved.marks[at], ["distance_m", "height_m", "row_px", "line"])),
+  done: ({ saved, want }) => saved !== null && sameValue(rodOf(saved), want),
   version: (saved) => saved?.revision ?? 0,
   words: (saved) => (saved ? rodWords(saved.marks) : say("scan-wish-no-marks")),
 };
@@ -172,63 +161,68 @@ interface ScannedAbout {
 const scannedKind: Kind<ScanVehicle, ScannedWanted, ScannedAbout> = {
   async send({ about: { id: vehicle_id }, saved, want }, sending) {
     const [at, version] = [{ vehicle_id }, saved?.version ?? 0];
+    const { boundaries, hubs, axles, lane, facts } = leftOf(saved, want);
     if (saved?.deleted && want.there)
       return api.write("POST /scan-vehicles/{vehicle_id}/restore", at, sending);
-    if (want.boundaries && !hasBoundaries(saved, want.boundaries)) {
-      const body = { ...want.boundaries, version };
+    if (boundaries) {
+      const body = { ...boundaries, version };
       return api.write("PUT /scan-vehicles/{vehicle_id}/boundaries", at, { body, ...sending });
     }
-    if (want.hubs && !hasHubs(saved, want.hubs)) {
-      const [front_wheel_line, rear_wheel_line] = want.hubs;
-      const body = { front_wheel_line, rear_wheel_line, version };
+    if (hubs) {
+      const body = { front_wheel_line: hubs[0], rear_wheel_line: hubs[1], version };
       return api.write("PUT /scan-vehicles/{vehicle_id}/wheels", at, { body, ...sending });
     }
-    if (want.axles !== undefined && !hasAxles(saved, want.axles)) {
-      const body = { axle_lines: want.axles && [...want.axles], version };
+    if (axles !== undefined) {
+      const body = { axle_lines: axles && [...axles], version };
       return api.write("PUT /scan-vehicles/{vehicle_id}/axles", at, { body, ...sending });
     }
-    if (want.lane !== undefined && !hasLane(saved, want.lane)) {
-      const body = { lane: want.lane, version };
+    if (lane !== undefined) {
+      const body = { lane, version };
       return api.write("PUT /scan-vehicles/{vehicle_id}/lane", at, { body, ...sending });
     }
-    if (want.facts && !hasFacts(saved, want.facts))
-      return api.write("PUT /scan-vehicles/{vehicle_id}/facts", at, {
-        body: { ...want.facts, version },
-        ...sending,
-      });
+    if (facts) {
+      const body = { ...facts, version };
+      return api.write("PUT /scan-vehicles/{vehicle_id}/facts", at, { body, ...sending });
+    }
     await api.write("DELETE /scan-vehicles/{vehicle_id}", { ...at, version }, sending);
     return saved && { ...saved, deleted: true, version: version + 1 };
   },
   read: ({ about: { id } }, _error, signal) => readVehicle(id, signal),
   isSaved: isScanned,
-  done: ({ saved, want }) =>
-    (want.there === undefined || (saved !== null && saved.deleted !== want.there)) &&
-    (!want.boundaries || hasBoundaries(saved, want.boundaries)) &&
-    (!want.hubs || hasHubs(saved, want.hubs)) &&
-    (want.axles === undefined || hasAxles(saved, want.axles)) &&
-    (want.lane === undefined || hasLane(saved, want.lane)) &&
-    (!want.facts || hasFacts(saved, want.facts)),
+  done: ({ saved, want }) => Object.keys(leftOf(saved, want)).length === 0,
   version: (saved) => saved?.version ?? 0,
-  words: (saved) => (!saved || saved.deleted ? say("scan-wish-taken-out") : scannedWords(wantedOf(saved))),
+  words(saved) {
+    if (!saved || saved.deleted) return say("scan-wish-taken-out");
+    const { facts, boundaries, hubs } = standing(saved);
+    return scannedWords(boundaries ? { facts, boundaries, hubs } : { facts });
+  },
 };
+
+/** What of it is not so yet. */
+function leftOf(saved: ScanVehicle | null, want: ScannedWanted): ScannedWanted {
+  const now: Readonly<Record<string, unknown>> = standing(saved);
+  const left = Object.entries(want).filter(([part, wanted]) => {
+    // facts that are left out stay
+    const then = part === "facts" ? { ...saved, ...(wanted as Facts) } : wanted;
+    return wanted !== undefined && !sameValue(then, part === "facts" ? saved : now[part]);
+  });
+  return Object.fromEntries(left);
+}
+
+/** A vehicle as one would want it for it to be as it is. */
+function standing(saved: ScanVehicle | null) {
+  const m = saved?.measurement;
+  return {
+    ...(m && { boundaries: crossingsOf(m) }),
+    hubs: [m?.front_wheel_line ?? null, m?.rear_wheel_line ?? null] as Hubs,
+    axles: m?.axles_by === "person" ? (m.axle_lines ?? []) : null,
+    lane: laneByPerson(m),
+    ...(saved && { there: !saved.deleted, facts: factsOf(saved) }),
+  };
+}
 
 async function readVehicle(vehicle_id: number, signal: AbortSignal): Promise<ScanVehicle> {
   return (await api.ask("GET /scan-vehicles/{vehicle_id}", { vehicle_id }, { signal })).vehicle;
-}
-
-function hasBoundaries(saved: ScanVehicle | null, lines: Crossings): boolean {
-  return same(lines, saved?.measurement, EDGES);
-}
-
-function hasHubs(saved: ScanVehicle | null, [front, rear]: Hubs): boolean {
-  const m = saved?.measurement;
-  return (m?.front_wheel_line ?? null) === front && (m?.rear_wheel_line ?? null) === rear;
-}
-
-function hasAxles(saved: ScanVehicle | null, axles: Axles): boolean {
-  const m = saved?.measurement;
-  if (axles === null) return m?.axles_by !== "person";
-  return m?.axles_by === "person" && axles.join() === (m.axle_lines ?? []).join();
 }
 
 /** The lane that a person chose of a vehicle; null: none did. */
@@ -236,30 +230,12 @@ export function laneByPerson(m: ScanVehicle["measurement"] | undefined): string 
   return m?.lane_by === "person" ? m.lane : null;
 }
 
-function hasLane(saved: ScanVehicle | null, lane: string | null): boolean {
-  return laneByPerson(saved?.measurement) === lane;
-}
-
-function hasFacts(saved: ScanVehicle | null, facts: Facts): boolean {
-  return same(facts, saved, Object.keys(facts) as (keyof Facts)[]);
-}
-
 export function crossingsOf({ front_line_1, rear_line_1, front_line_2, rear_line_2 }: Crossings): Crossings {
   return { front_line_1, rear_line_1, front_line_2, rear_line_2 };
 }
 
-function wantedOf({
-  measurement: m,
-  make,
-  model,
-  category,
-  true_length_m,
-  true_wheelbase_m,
-  run_of,
-}: ScanVehicle) {
-  const facts = { make, model, category, true_length_m, true_wheelbase_m, run_of };
-  if (!m) return { facts };
-  return { facts, boundaries: crossingsOf(m), hubs: [m.front_wheel_line, m.rear_wheel_line] as Hubs };
+function factsOf({ make, model, category, true_length_m, true_wheelbase_m, run_of }: ScanVehicle): Facts {
+  return { make, model, category, true_length_m, true_wheelbase_m, run_of };
 }
 
 interface Added {
@@ -299,15 +275,6 @@ const motionVerdict = verdictKind<ScanVehicle, MotionVerdict, VerdictAbout>({
   review: ({ measurement: m }) => m && { of: m.id, review: m.review },
   isOn: (saved, { about }) => saved.measurement?.id === about.measurementId,
 });
-
-/** The same values under these names. */
-function same<T extends object>(
-  a: T,
-  b: Partial<T> | null | undefined,
-  names: readonly (keyof T)[],
-): boolean {
-  return b != null && names.every((name) => a[name] === b[name]);
-}
 
 outbox.register(LINE_HEIGHT, heightKind);
 outbox.register(ROD, rodKind);

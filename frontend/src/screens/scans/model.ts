@@ -35,7 +35,7 @@ export class ScanModel implements Strips {
   readonly detail = signal<ScanVehicleDetail | null>(null);
   readonly problem = signal<unknown>(null);
   readonly stage: StripStage = new StripStage(
-    () => [this.stage.keyboard, ...this.placingTools(), this.boundaryTool],
+    () => [this.judging.rejection, this.stage.keyboard, ...this.placingTools(), this.boundaryTool],
     () => this.show("fit"),
   );
   readonly view = this.stage.view;
@@ -126,7 +126,7 @@ export class ScanModel implements Strips {
     this.mode.value = "look";
     this.twoLines.back();
     this.boundaries.edge.value = null;
-    this.judging.rejecting.value = false;
+    this.judging.rejection.cancel();
     this.chosenId.value = id;
     this.detail.value = null;
     setQuery({ vehicle: id });
@@ -166,9 +166,9 @@ export class ScanModel implements Strips {
   }
 
   cancel(): boolean {
-    const placing = this.mode.value !== "look" || this.judging.rejecting.value;
+    const placing = this.mode.value !== "look" || this.judging.rejection.begun.value;
     const chosen = this.heights.selected.value !== null;
-    this.judging.rejecting.value = false;
+    this.judging.rejection.cancel();
     this.heights.end();
     const held = this.boundaries.drop() || chosen || placing;
     this.mode.value = "look";

@@ -5,15 +5,7 @@ import { formatSmall, formatSpeed } from "../../core/units";
 import { formatMeasured } from "./words";
 
 export const QUANTITY_WORDS = wordsOf("scan-reference-", "speed", "length", "wheelbase");
-export const SOURCE_WORDS: Readonly<Record<ReferenceSource, string>> = wordsOf({
-  counter: "scan-reference-counter",
-  radar: "scan-reference-radar",
-  laser: "scan-reference-laser",
-  gps: "scan-reference-gps",
-  loop: "scan-reference-loop",
-  tape: "scan-reference-tape",
-  other: "scan-reference-other",
-});
+export const SOURCE_WORDS: Readonly<Record<ReferenceSource, string>> = wordsOf("scan-reference-source-");
 
 interface Shown {
   quantity: ReferenceQuantity;

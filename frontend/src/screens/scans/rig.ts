@@ -1,11 +1,8 @@
 /** The rig's values, each described once: how it is typed, read, shown, and what is wrong with it. */
-import type { components } from "#schema";
 import { type PlainKey, say } from "../../core/messages";
 import type { BodyOf } from "../../core/routes";
 import type { Scan } from "../../core/types";
 import { fixed, lengthScale, lengthUnit, parseLength, parseNumber } from "../../core/units";
-
-export type RigOfTraffic = components["schemas"]["RigOfTraffic"];
 
 /** Lanes are typed in a list of their own. */
 export type RigValues = Omit<Scan["rig"], "lanes">;
@@ -200,6 +197,8 @@ export function valuesOf(typed: RigTyped, lanes = false): RigValues | RigProblem
 
 /** What a calibration gives; the correlation is that of these values' errors. */
 const CALIBRATED = ["baseline_m", "u_baseline_m", "divergence_rad", "u_divergence_rad"] as const;
+/** All that is stored with a calibration: where the vehicles drive, too. */
+export const OF_CALIBRATION = [...CALIBRATED, "baseline_correlation", "distance_m", "u_distance_m"] as const;
 const CALIBRATED_TYPED = ["baseline", "uBaseline", "divergence", "uDivergence"] as const;
 
 /** Who types another baseline or divergence says nothing of how their errors go together. */

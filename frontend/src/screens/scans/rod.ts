@@ -10,7 +10,7 @@ import type { LinePose, RodMark, SolvedRod } from "../../core/types";
 import { type Place, showLines } from "../../parts/strips/view";
 import type { Bench } from "./bench";
 import type { LineHeights } from "./heights";
-import { ROD, type RodValues } from "./kinds";
+import { FRESH, ROD, type RodValues, rodOf } from "./kinds";
 import { rodWords } from "./wanted";
 
 /** Where the next click belongs: the rod's distance, the mark's height, and how much higher the one after it is. */
@@ -19,8 +19,6 @@ export interface NextMark {
   readonly height_m: number;
   readonly step_m: number;
 }
-
-const FRESH: RodValues = { marks: [], sigma_px: 1, u_distance_m: 0.005, u_lean_rad: 0 };
 
 export class RodDraft {
   readonly values = signal<RodValues>(FRESH);
@@ -61,7 +59,7 @@ export class RodDraft {
     const kept = this.kept();
     if (kept) this.show(kept);
     else {
-      this.values.value = pose ? valuesOf(pose) : FRESH;
+      this.values.value = pose ? rodOf(pose) : FRESH;
       this.solved.value = pose?.solved ?? null;
     }
     this.changed.value = false;
@@ -131,7 +129,7 @@ export class RodDraft {
   }
 
   private readonly stored: Ledger<"pose", RodValues | null> = {
-    read: () => this.kept() ?? (this.heights.kept.pose.value ? valuesOf(this.heights.kept.pose.value) : null),
+    read: () => this.kept() ?? (this.heights.kept.pose.value ? rodOf(this.heights.kept.pose.value) : null),
     write: (_key, values) => (values ? this.send(values) : undefined),
   };
 
@@ -158,9 +156,4 @@ export class RodDraft {
 
 function keyOf(scanId: number): string {
   return `rod.${scanId}`;
-}
-
-function valuesOf(pose: LinePose): RodValues {
-  const { marks, sigma_px, u_distance_m, u_lean_rad } = pose;
-  return { marks, sigma_px: sigma_px ?? FRESH.sigma_px, u_distance_m, u_lean_rad };
 }

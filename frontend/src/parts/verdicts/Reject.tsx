@@ -4,8 +4,8 @@ import { Button } from "../../components";
 import type { ButtonProps } from "../../components/Button";
 import { type ActionId, commandName, hint, keyMap, showChord } from "../../core/commands";
 import { say } from "../../core/messages";
-import type { ReviewModel } from "./model";
-import { REASONS } from "./reasons";
+import type { Rejection } from "./rejection";
+import "./reject.css";
 
 interface JudgeProps extends Pick<ButtonProps, "kind" | "icon" | "disabled" | "onClick"> {
   of: ActionId;
@@ -24,31 +24,16 @@ export function JudgeButton({ of, testId, ...rest }: JudgeProps) {
   );
 }
 
-export function RejectButton({ model }: { model: ReviewModel }) {
-  return (
-    <JudgeButton
-      of="reviewReject"
-      testId="review-reject"
-      icon="close"
-      disabled={!model.mayReject}
-      onClick={() => model.startReject()}
-    />
-  );
-}
-
-export function Reject({ model }: { model: ReviewModel }) {
-  const box = useRef<HTMLElement>(null);
+export function Reject({ rejection, busy }: { rejection: Rejection; busy: boolean }) {
+  const box = useRef<HTMLDivElement>(null);
   // not the field: a digit would be written into it
   useEffect(() => box.current?.focus(), []);
-  const reason = model.reason.value;
-  const send = (): void => {
-    if (reason.trim()) void model.judge("rejected", reason.trim());
-  };
+  const reason = rejection.reason.value;
   return (
-    <footer class="review__verdict" data-testid="review-reasons" ref={box} tabIndex={-1}>
+    <div class="stack stack--tight" data-testid="review-reasons" ref={box} tabIndex={-1}>
       <h3>{say("review-reject-why")}</h3>
-      <div class="review__reasons">
-        {REASONS.map((key, i) => {
+      <div class="reject__reasons">
+        {rejection.reasons.map((key, i) => {
           const words = say(key);
           const chord = keyMap.value[`reviewReason${i + 1}` as ActionId][0];
           return (
@@ -57,7 +42,7 @@ export function Reject({ model }: { model: ReviewModel }) {
               small
               pressed={reason === words}
               onClick={() => {
-                model.reason.value = words;
+                rejection.reason.value = words;
                 box.current?.focus();
               }}
             >
@@ -73,25 +58,25 @@ export function Reject({ model }: { model: ReviewModel }) {
           rows={2}
           value={reason}
           onInput={(event) => {
-            model.reason.value = event.currentTarget.value;
+            rejection.reason.value = event.currentTarget.value;
           }}
           onKeyDown={(event) => {
-            if (event.key === "Escape") model.cancel();
+            if (event.key === "Escape") rejection.cancel();
             if (event.key === "Enter" && !event.shiftKey) {
               event.preventDefault();
-              send();
+              rejection.confirm();
             }
           }}
         />
       </label>
       <div class="row">
         <span class="grow" data-testid="review-send-rejection">
-          <Button kind="primary" busy={model.busy.value} disabled={!reason.trim()} onClick={send}>
+          <Button kind="primary" busy={busy} disabled={!reason.trim()} onClick={() => rejection.confirm()}>
             {commandName("reviewReject")}
           </Button>
         </span>
-        <Button says="action-cancel" onClick={() => model.cancel()} />
+        <Button says="action-cancel" onClick={() => rejection.cancel()} />
       </div>
-    </footer>
+    </div>
   );
 }
