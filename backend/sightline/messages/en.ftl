@@ -5552,7 +5552,6 @@ scans-traffic-not-read = This line scan is not imported, so its traffic is unkno
 scans-no-name = A scan needs a name; fill it in.
 scans-worked-on = People have worked on the vehicles of this line scan, so it cannot be deleted: an audit needs its strips.
 scans-recording-other-survey = The recording belongs to another survey; choose one of this survey’s.
-scans-changed-look-again = { $name_of } changed { $name }; reload it.
 scans-unread = { $name } has not been imported yet; wait until it is ready.
 scans-cameras-worked-on = People have worked on { $name }, so its cameras cannot be swapped; add a line scan with the strips swapped.
 scans-vehicle-not-measured = This vehicle is not measured yet, so it has no wheelbase; place its boundaries first.

@@ -5600,7 +5600,6 @@ scans-traffic-not-read = Ce balayage n’est pas importé : son trafic est inco
 scans-no-name = Un balayage doit avoir un nom ; indiquez-le.
 scans-worked-on = Des personnes ont travaillé sur les véhicules de ce balayage : il ne peut pas être supprimé, car un audit a besoin de ses bandes.
 scans-recording-other-survey = L’enregistrement appartient à un autre relevé ; choisissez-en un de ce relevé.
-scans-changed-look-again = { $name_of } a modifié { $name } ; rechargez.
 scans-unread = { $name } n’a pas encore été importé ; attendez qu’il soit prêt.
 scans-cameras-worked-on = Des personnes ont travaillé sur { $name } : ses caméras ne peuvent pas être échangées ; ajoutez un balayage aux bandes échangées.
 scans-vehicle-not-measured = Ce véhicule n’est pas encore mesuré et n’a donc pas d’empattement ; placez d’abord ses bornes.

@@ -20,7 +20,6 @@ from sightline.recordings.uploads.records import Upload
 from sightline.recordings.uploads.store import get_upload, upload_content_waits
 from sightline.scans import store
 from sightline.scans.records import CutSource, Scan, StripSource
-from sightline.scans.swap_store import swap_scan_cameras
 
 READ = "scan_read"
 FIND = "scan_find"
@@ -144,11 +143,11 @@ def request_find(
 def swap_cameras(session: Session, scan_id: int, *, version: int, actor: int) -> Scan:
     """Exchange the cameras and queue the search that puts the vehicles right.
 
-    Raises NotFound, Conflict (as `scans_swap.swap_cameras`, or a job of it waits or runs).
+    Raises NotFound, Conflict (as `store.swap_scan_cameras`, or a job of it waits or runs).
     """
     scan = store.get_scan(session, scan_id)
     require_idle(session, scan)
-    swap_scan_cameras(session, scan_id, version=version, actor=actor)
+    store.swap_scan_cameras(session, scan_id, version=version, actor=actor)
     method: ScanMethod = "direct" if scan.run is None else scan.run.method
     request_find(session, scan_id, method, True, actor=actor)
     return store.get_scan(session, scan_id)
