@@ -5395,7 +5395,6 @@ people-role-unknown = There is no role “{ $role }”; use one of { $roles }.
 
 ## Errors: poses
 
-poses-no-frames = { $name } has no frames yet; wait until it is ready.
 poses-frames-outside = Frames { $first_frame } to { $last_frame } are not in { $name }; it has frames 0 to { $frame_count }.
 poses-board-not-shown = Frames { $first } to { $last }: { $reason }
 poses-calibration-image-size = The calibration is for images of { $width_px } x { $height_px } px and { $name } has { $width_px_2 } x { $height_px_2 } px; choose a calibration made at the recording’s size.
@@ -5414,7 +5413,6 @@ quality-repeat-differs = repeats.csv: { $number } differs from its audit event; 
 
 recordings-too-few-images = { $name } has { $images } images; add at least three, preferably 15 to 25.
 recordings-other-survey = { $name } belongs to another survey; choose one of this survey’s.
-recordings-no-frames = { $name } has no frames yet; wait until it has been imported.
 recordings-no-pose = { $name } has no camera pose yet, so the position of its camera is unknown.
 recordings-not-ready = { $name } is still being imported; wait until it is ready.
 recordings-import-failed = { $name } could not be imported, so it has no frames; see its error and try again.

@@ -5432,7 +5432,6 @@ people-role-unknown = Il n’y a pas de rôle « { $role } » ; utilisez l�
 
 ## Erreurs : poses
 
-poses-no-frames = { $name } n’a pas encore d’images ; attendez qu’il soit prêt.
 poses-frames-outside = Les images { $first_frame } à { $last_frame } ne sont pas une plage de { $name } ; il a les images 0 à { $frame_count }.
 poses-board-not-shown = Images { $first } à { $last } : { $reason }
 poses-calibration-image-size = L’étalonnage vaut pour des images de { $width_px } x { $height_px } px et { $name } a { $width_px_2 } x { $height_px_2 } px ; choisissez un étalonnage fait à la taille de l’enregistrement.
@@ -5451,7 +5450,6 @@ quality-repeat-differs = repeats.csv : { $number } diffère de son événement 
 
 recordings-too-few-images = Photos de { $name } : { $images } ; ajoutez-en au moins trois, mieux 15 à 25.
 recordings-other-survey = { $name } appartient à un autre relevé ; choisissez-en un de ce relevé.
-recordings-no-frames = { $name } n’a pas encore d’images ; attendez la fin de son import.
 recordings-no-pose = { $name } n’a pas encore de pose de la caméra : la position de sa caméra est inconnue.
 recordings-not-ready = { $name } est encore en cours d’import ; attendez qu’il soit prêt.
 recordings-import-failed = { $name } n’a pas pu être importé et n’a donc pas d’images ; voyez son erreur et réessayez.
