@@ -24,7 +24,7 @@ from sightline.media.lines.source import Ending, LineSource
 from sightline.media.strips.reader import LEAST_ROWS, MOST_ROWS
 from sightline.messages.said import Said
 from sightline.scans.live.records import Keeper, LiveVehicle
-from sightline.scans.live.run import LiveRun, Nowhere
+from sightline.scans.live.run import LiveRun
 
 
 @click.command()
@@ -181,7 +181,7 @@ def keeping(
     """
     if survey is None:
         with _taken(spool):
-            yield Nowhere(), spool
+            yield Keeper(), spool
         return
     from sightline.export.export_job import find_survey
     from sightline.scans.live.keeping import SurveyKeeper

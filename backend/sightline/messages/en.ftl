@@ -6851,7 +6851,6 @@ scan-motion-too-long = Its estimated length is { $length_m } m, and the limit is
 scan-motion-two-at-once = The cameras show it for different durations: two vehicles pass side by side, or it stopped.
 scan-motion-lines-lost = The recorder lost { $lost } while the vehicle passed.
 scan-lines-of-camera = { $count } lines of camera { $camera }
-scan-lines-of = { $count } lines of { $name }
 words-both = { $first } and { $second }
 scan-motion-no-wheelbase = No wheelbase: { $reason }
 scan-wheelbase-no-motion = The vehicle has no measured motion.

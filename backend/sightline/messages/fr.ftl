@@ -6911,7 +6911,6 @@ scan-motion-too-long = Sa longueur estimée est de { $length_m } m, et la limite
 scan-motion-two-at-once = Les caméras le montrent pendant des durées différentes : deux véhicules côte à côte, ou un arrêt.
 scan-motion-lines-lost = L’enregistreur a perdu { $lost } pendant le passage du véhicule.
 scan-lines-of-camera = { $count } lignes de la caméra { $camera }
-scan-lines-of = { $count } lignes de { $name }
 words-both = { $first } et { $second }
 scan-motion-no-wheelbase = Pas d’empattement : { $reason }
 scan-wheelbase-no-motion = Le véhicule n’a pas de mouvement mesuré.
