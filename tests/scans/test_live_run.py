@@ -14,8 +14,8 @@ from sightline.linescan.passing import measured
 from sightline.media.lines.source import Lost, Piece
 from sightline.media.strips.reader import open_strip
 from sightline.media.strips.sheet import Pixels
-from sightline.scans.live.records import LiveVehicle
-from sightline.scans.live.run import Clock, LiveRun, Nowhere
+from sightline.scans.live.records import Keeper, LiveVehicle
+from sightline.scans.live.run import Clock, LiveRun
 from tests.simulation.scan_strips import strips
 from tests.simulation.scan_traffic import ScanSite, traffic
 
@@ -55,7 +55,7 @@ def _part(gap: Lost, start: int, stop: int) -> Lost | None:
 
 def run_of(source: Played, folder: Path | None = None, **more: object) -> tuple[list[LiveVehicle], list[str]]:
     said: list[object] = []
-    options = {"folder": folder, "keeper": Nowhere(), "say": said.append, "name": "played", **more}
+    options = {"folder": folder, "keeper": Keeper(), "say": said.append, "name": "played", **more}
     run = LiveRun(lambda _: source, SITE.rows, RIG, "direct", **options)  # type: ignore[arg-type]
     told = []
     for one in run.vehicles():

@@ -36,9 +36,9 @@ from sightline.scans.store import (
     remove_scan,
     restart_reading,
     rig_columns,
+    swap_scan_cameras,
     update_scan,
 )
-from sightline.scans.swap_store import swap_scan_cameras
 from sightline.scans.vehicles.measurement_store import append_scan_measurement, append_scan_measurements
 from sightline.scans.vehicles.review_store import add_scan_review
 from sightline.scans.vehicles.run_store import add_scan_run

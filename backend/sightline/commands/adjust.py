@@ -1,6 +1,5 @@
 """The command adjust: a pose corrected by the known lengths and heights of the traffic (docs/formats.md)."""
 
-import json
 import math
 from pathlib import Path
 
@@ -10,10 +9,9 @@ from sightline.adjustment.account import adjustment_to_dict
 from sightline.adjustment.adjust import Adjustment, LeftOut, adjust
 from sightline.adjustment.observed import DEFAULT_U_COMMON_M
 from sightline.commands.files import write_json
-from sightline.commands.geometry import problems_of, read_pose_file
-from sightline.commands.options import FILE, json_option, number_option, output_option
+from sightline.commands.geometry import expected_lines, problems_of, read_pose_file
+from sightline.commands.options import FILE, json_option, number_option, output_option, tell
 from sightline.commands.passes_csv import read_passes
-from sightline.coverage import expanded
 from sightline.errors import BadInput
 from sightline.geometry.documents import pose_to_dict
 from sightline.geometry.pose import expected_u
@@ -54,7 +52,7 @@ def adjust_command(
         found = adjust(pose, passes, u_wheelbase_common, u_roof_common)
     document = {**pose_to_dict(found.pose), "adjustment": adjustment_to_dict(found, unread)}
     write_json(output, document)
-    click.echo(json.dumps(document) if as_json else _text(found, unread, output))
+    tell(as_json, document, _text(found, unread, output))
 
 
 def _text(found: Adjustment, unread: list[LeftOut], output: Path) -> str:
@@ -67,9 +65,5 @@ def _text(found: Adjustment, unread: list[LeftOut], output: Path) -> str:
     lines += [
         f"{one.name}: {one.value:+.6f}, u = {one.u_before:.6f} -> {one.u_after:.6f}" for one in found.moved
     ]
-    lines += [
-        f"expected at {distance:g} m: ± {1000 * expanded(u):.0f} mm (95 %)"
-        for distance, u in expected_u(found.pose)
-        if u is not None
-    ]
+    lines += expected_lines(expected_u(found.pose))
     return "\n".join([*lines, *(f"note: {note}" for note in found.notes)])

@@ -1,9 +1,11 @@
 """Reading and writing the small files of the geometry commands: whole or not at all, refusals by name."""
 
+import csv
 import errno
+import io
 import json
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -70,6 +72,17 @@ def write_whole(path: Path, content: str | bytes) -> None:
         if error.errno in (errno.ENOSPC, errno.EDQUOT):
             raise NoRoom("commands-disk-full", path=path) from None
         raise BadInput("commands-not-writable", path=path, strerror=error.strerror) from None
+
+
+def csv_text(
+    columns: Sequence[str], rows: Iterable[Mapping[str, Any]], cell: Callable[[Any], Any] = str
+) -> str:
+    """A table as text, lines ending in a line feed; `cell`: how a value is written."""
+    text = io.StringIO(newline="")
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(columns)
+    writer.writerows([cell(row[name]) for name in columns] for row in rows)
+    return text.getvalue()
 
 
 def write_json(path: Path, value: Any) -> None:

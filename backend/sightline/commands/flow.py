@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from pathlib import Path
@@ -11,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sightline.commands.files import write_whole
+from sightline.commands.files import csv_text, write_whole
 from sightline.commands.options import FILE, json_option, print_json
 from sightline.commands.scanned import cell_of
 from sightline.errors import BadInput
@@ -56,14 +54,15 @@ def flow(
         vehicles += passed
         notes += said + [_unplaced(one) for one in found if one.minutes == minutes[0] and one.unplaced]
     if vehicles_csv is not None:
-        write_whole(vehicles_csv, _csv(VEHICLE_COLUMNS, vehicles))
+        write_whole(vehicles_csv, csv_text(VEHICLE_COLUMNS, vehicles, cell_of))
+    table = csv_text(COLUMNS, rows, cell_of)
     if output is not None:
-        write_whole(output, _csv(COLUMNS, rows))
+        write_whole(output, table)
     if as_json:
         print_json({"intervals": rows, "vehicles": vehicles, "notes": notes})
         return
     if output is None:
-        click.echo(_csv(COLUMNS, rows), nl=False)
+        click.echo(table, nl=False)
     else:
         click.echo(f"{len(vehicles)} vehicles, {len(rows)} intervals; written to {output}.")
     for note in notes:
@@ -243,11 +242,3 @@ def _vehicle_rows(of: Results) -> Iterator[dict[str, Any]]:
             **{name: one.values.get(name) for name in VEHICLE_COLUMNS if name in one.values},
         }
         yield {name: held[name] if name in held else getattr(one, name) for name in VEHICLE_COLUMNS}
-
-
-def _csv(columns: Sequence[str], rows: Rows) -> str:
-    text = io.StringIO(newline="")
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(columns)
-    writer.writerows([cell_of(row[name]) for name in columns] for row in rows)
-    return text.getvalue()

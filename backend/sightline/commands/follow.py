@@ -1,7 +1,5 @@
 """The command follow: points confirmed on one frame, followed through a vehicle's pass (docs/formats.md)."""
 
-import csv
-import io
 from dataclasses import asdict
 from pathlib import Path
 
@@ -63,7 +61,7 @@ def follow_command(
     pass.
     """
     from sightline.commands.clicks import assumed_inset
-    from sightline.commands.files import write_whole
+    from sightline.commands.files import csv_text, write_whole
     from sightline.commands.geometry import parse_point, read_pose_file, tell_pass
     from sightline.commands.tracks_csv import COLUMNS, track_rows
     from sightline.geometry.follow_pass import follow_pass
@@ -87,11 +85,7 @@ def follow_command(
     known = (assumed.inset_m, assumed.u_inset_m) if assumed.u_inset_m > 0 else None
     rows = track_rows(found.tracks)
     if output is not None:
-        table = io.StringIO(newline="")
-        writer = csv.DictWriter(table, COLUMNS, lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
-        write_whole(output, table.getvalue())
+        write_whole(output, csv_text(COLUMNS, rows))
     lost = [{**asdict(one), "reason": str(one.reason)} for one in found.lost]
     also = {"tracks": rows, "following": asdict(found.following), "lost": lost}
     tell_pass(measure_pass(pose, found.tracks, found.following, assumed_inset=known), as_json, also)

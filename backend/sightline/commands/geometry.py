@@ -1,9 +1,8 @@
 """The commands calibrate, import-camera, pose and height (docs/formats.md)."""
 
 import functools
-import json
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict, replace
 from pathlib import Path
@@ -22,6 +21,7 @@ from sightline.commands.options import (
     number_option,
     output_option,
     stream_option,
+    tell,
 )
 from sightline.commands.tracks_csv import pass_to_dict, read_tracks
 from sightline.coverage import expanded
@@ -145,16 +145,13 @@ def calibrate(
     result = checked.result
     document = camera_to_dict(result.camera)
     write_json(output, document)
-    if as_json:
-        extra = {
-            **checked.documents(),
-            "warnings": list(result.warnings),
-            "trusted": result.trusted,
-            "coverage": result.coverage.astype(int).tolist(),
-        }
-        click.echo(json.dumps({**document, **extra}, default=str))
-        return
-    click.echo(_calibration_text(checked, output))
+    extra = {
+        **checked.documents(),
+        "warnings": list(result.warnings),
+        "trusted": result.trusted,
+        "coverage": result.coverage.astype(int).tolist(),
+    }
+    tell(as_json, {**document, **extra}, _calibration_text(checked, output))
 
 
 def _calibration_text(checked: CheckedCalibration, output: Path) -> str:
@@ -205,11 +202,9 @@ def import_camera(
     write_json(output, document)
     for note in imported.notes:
         click.echo(str(note), err=True)
-    if as_json:
-        click.echo(json.dumps(document))
-    else:
-        camera = imported.camera
-        click.echo(f"{output}: {camera.model} camera, {camera.width_px}x{camera.height_px} px, no covariance")
+    camera = imported.camera
+    size = f"{camera.width_px}x{camera.height_px}"
+    tell(as_json, document, f"{output}: {camera.model} camera, {size} px, no covariance")
 
 
 def parse_size(text: str | None) -> tuple[int, int] | None:
@@ -278,22 +273,24 @@ def pose(
     document = pose_to_dict(solved)
     write_json(output, document)
     expected = expected_u(solved)
-    if as_json:
-        extra = {
-            "warnings": list(solved.warnings),
-            "expected": [{"distance_m": d, "u_height_m": u} for d, u in expected],
-        }
-        click.echo(json.dumps({**document, **extra}, default=str))
-        return
-    click.echo(
+    extra = {
+        "warnings": list(solved.warnings),
+        "expected": [{"distance_m": d, "u_height_m": u} for d, u in expected],
+    }
+    tell(
+        as_json,
+        {**document, **extra},
         f"{output}: {solved.frames_used} frames, residual {solved.rms_px or 0.0:.3f} px, camera "
-        f"{solved.centre_m[2]:.3f} m above the road"
+        f"{solved.centre_m[2]:.3f} m above the road",
+        *expected_lines(expected),
+        *(f"warning: {warning}" for warning in solved.warnings),
     )
-    for distance, u in expected:
-        if u is not None:
-            click.echo(f"expected at {distance:g} m: ± {1000 * expanded(u):.0f} mm (95 %)")
-    for warning in solved.warnings:
-        click.echo(f"warning: {warning}")
+
+
+def expected_lines(expected: Iterable[tuple[float, float | None]]) -> list[str]:
+    """What heights will be worth at some distances, a line each."""
+    told = ((distance, u) for distance, u in expected if u is not None)
+    return [f"expected at {distance:g} m: ± {1000 * expanded(u):.0f} mm (95 %)" for distance, u in told]
 
 
 @click.command()
@@ -371,34 +368,24 @@ def height(
     points = parse_point(contact, "--contact"), parse_point(target, "--target")
     assumed = assumed_inset(kind or "", side or "", inset, u_inset)
     measured = _one(solved, *points, sigma, assumed)
-    if as_json:
-        unknown = {"inset_m": None, "u_inset_m": None} if isinstance(assumed, Said) else {}
-        click.echo(json.dumps(height_to_dict(measured) | unknown))
-    elif measured.height_m is None or measured.U95_height_m is None:
-        click.echo(f"not measurable: {measured.reason}")
-    else:
-        click.echo(f"{measured.height_m:.3f} m ± {measured.U95_height_m:.3f} m (95 %)")
-        for flag in measured.flags:
-            click.echo(f"note: {flag}")
+    unknown = {"inset_m": None, "u_inset_m": None} if isinstance(assumed, Said) else {}
+    tell(as_json, height_to_dict(measured) | unknown, *_height_lines(measured))
 
 
 def tell_pass(found: WholePass, as_json: bool, also: Mapping[str, Any] | None = None) -> None:
     """A whole pass as a sentence and notes, or as JSON with more beside it."""
-    measured = found.height
-    if as_json:
-        click.echo(json.dumps(height_to_dict(measured) | pass_to_dict(found) | dict(also or {})))
-        return
+    value, *notes = _height_lines(found.height, f", followed on {found.frames} frames")
+    dropped = (f"excluded: {one.point} on frame {one.frame}. {one.reason}" for one in found.dropped)
+    document = height_to_dict(found.height) | pass_to_dict(found) | dict(also or {})
+    tell(as_json, document, value, *dropped, *notes)
+
+
+def _height_lines(measured: Height, how: str = "") -> list[str]:
+    """A height and its notes, a line each; `how`: what is said of it behind its interval."""
     if measured.height_m is None or measured.U95_height_m is None:
-        click.echo(f"not measurable: {measured.reason}")
-    else:
-        click.echo(
-            f"{measured.height_m:.3f} m ± {measured.U95_height_m:.3f} m (95 %), followed on "
-            f"{found.frames} frames"
-        )
-    for one in found.dropped:
-        click.echo(f"excluded: {one.point} on frame {one.frame}. {one.reason}")
-    for flag in measured.flags:
-        click.echo(f"note: {flag}")
+        return [f"not measurable: {measured.reason}"]
+    value = f"{measured.height_m:.3f} m ± {measured.U95_height_m:.3f} m (95 %){how}"
+    return [value, *(f"note: {flag}" for flag in measured.flags)]
 
 
 def _one(
@@ -433,10 +420,8 @@ def _many(solved: RoadPose, clicks: Path, output: Path | None, as_json: bool) ->
         raise BadInput("commands-output-missing")
     text, counts = heights_csv(solved, clicks)
     write_whole(output, text)
-    if as_json:
-        click.echo(json.dumps({"rows": counts.rows, "measured": counts.measured, "output": str(output)}))
-    else:
-        click.echo(f"{output}: {counts.measured} of {counts.rows} rows have a height")
+    told = f"{output}: {counts.measured} of {counts.rows} rows have a height"
+    tell(as_json, {**asdict(counts), "output": str(output)}, told)
 
 
 def height_to_dict(measured: Height) -> dict[str, Any]:

@@ -12,10 +12,10 @@ import click
 from sightline.commands.options import (
     FILE,
     json_option,
-    print_json,
     progress_told,
     settings_of,
     survey_option,
+    tell,
 )
 from sightline.errors import BadInput, Busy, TooMany
 from sightline.media.store.local import sha256_of
@@ -82,11 +82,7 @@ def _import_all(
     for video in videos:
         _require_video(video)
     found = [_import(remote, survey_id, video, settle_s, progress_told()) for video in videos]
-    if as_json:
-        print_json({"recordings": found})
-    else:
-        for one in found:
-            click.echo(_sentence(one))
+    tell(as_json, {"recordings": found}, *map(_sentence, found))
 
 
 def _own_address() -> str:

@@ -35,9 +35,9 @@ from sightline.linescan import faults
 from sightline.linescan.finding import Finder
 from sightline.linescan.parts import Passage, Rig
 from sightline.linescan.passing import Vehicle, measured
-from sightline.media.strips.notes import columns_of, lost_lines
+from sightline.media.strips.notes import columns_of
 from sightline.media.strips.reader import Strip, bits_of, check_pair, open_strip
-from sightline.messages.said import Said
+from sightline.scans.vehicles.measure import without_losses
 
 
 @click.command()
@@ -85,8 +85,8 @@ def linescan(
         notes = _rate_notes((one, two), rig)
         finder = Finder(one.rows, rig, max(bits_of(one), bits_of(two)))
         table = _Table(as_json, begun, rig)
-        passages = (_without_losses(passage, one, two) for passage in _passages(one, two, finder))
         lost = one.notes.dropped, two.notes.dropped
+        passages = (without_losses(passage, lost) for passage in _passages(one, two, finder))
         for vehicle in measured(passages, rig, method, lambda lines: columns_of(lines, *lost)):
             table.add(vehicle)
         said = {"method": method, "lines": one.lines, "rows": one.rows, **about_rig(rig)}
@@ -152,16 +152,3 @@ def _passages(one: Strip, two: Strip, finder: Finder) -> Iterator[Passage]:
     for first, second in zip(one.chunks(), two.chunks(), strict=True):
         yield from finder.push(first, second)
     yield from finder.finish()
-
-
-def _without_losses(passage: Passage, one: Strip, two: Strip) -> Passage:
-    """A vehicle during which lines were lost has its reason."""
-    lost = {
-        strip.name: lost_lines(strip.notes.dropped, start, start + len(picture))
-        for strip, start, picture in (
-            (one, passage.start_1, passage.first),
-            (two, passage.start_2, passage.second),
-        )
-    }
-    said = [Said("scan-lines-of", count=count, name=name) for name, count in lost.items() if count]
-    return faults.lines_lost(passage, said)

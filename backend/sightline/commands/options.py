@@ -136,6 +136,15 @@ def in_words(value: object) -> str:
     raise TypeError(f"{value!r} is no JSON")
 
 
+def tell(as_json: bool, document: object, *lines: object) -> None:
+    """What a command found: one JSON object, or the lines."""
+    if as_json:
+        print_json(document)
+        return
+    for line in lines:
+        click.echo(line)
+
+
 def print_json(value: object) -> None:
     """One JSON object, full precision, no NaN."""
     json.dump(value, sys.stdout, indent=2, ensure_ascii=False, allow_nan=False, default=in_words)

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import click
 
-from sightline.commands.options import FILE, filmed_at_option, json_option, print_json, stream_option
+from sightline.commands.options import FILE, filmed_at_option, json_option, stream_option, tell
 from sightline.detection.classify import FoundPass
 
 
@@ -18,15 +18,17 @@ def passes(video: Path, stream_number: int | None, filmed_hz: float | None, as_j
     from sightline.media.video.passes import find_passes
 
     search = find_passes(video, rate_hz=filmed_hz, name=str(video), stream_number=stream_number)
-    if as_json:
-        print_json({"passes": [_told(one) for one in search.passes], "notes": search.notes})
-        return
-    click.echo(f"{video}: {len(search.passes)} found in {search.frames} frames")
-    for one in search.passes:
-        way = one.direction or "down or up the frame"
-        click.echo(f"frames {one.first_frame} to {one.last_frame}, best {one.best_frame}, {way}")
-    for note in search.notes:
-        click.echo(f"note: {note}")
+    tell(
+        as_json,
+        {"passes": [_told(one) for one in search.passes], "notes": search.notes},
+        f"{video}: {len(search.passes)} found in {search.frames} frames",
+        *(
+            f"frames {one.first_frame} to {one.last_frame}, best {one.best_frame}, "
+            f"{one.direction or 'down or up the frame'}"
+            for one in search.passes
+        ),
+        *(f"note: {note}" for note in search.notes),
+    )
 
 
 def _told(one: FoundPass) -> dict[str, int | str | None]:

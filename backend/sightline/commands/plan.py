@@ -8,7 +8,7 @@ import click
 import numpy as np
 
 from sightline.commands.geometry import height_to_dict, parse_size, read_camera_file
-from sightline.commands.options import FILE, json_option, number_option, print_json
+from sightline.commands.options import FILE, json_option, number_option, tell
 from sightline.enums import PlannedQuantity
 from sightline.errors import BadInput
 from sightline.geometry.camera import Camera
@@ -59,7 +59,7 @@ def plan(
         if any(one is not None for one in (camera_file, size_text, field_of_view, *named)):
             raise BadInput("commands-plan-without-camera")
         lines = _lines({**of_lines, "baseline_m": baseline_m})
-        print_json(_lines_to_dict(lines)) if as_json else click.echo(_lines_text(lines))
+        tell(as_json, _lines_to_dict(lines), _lines_text(lines))
         return
     if of_lines:
         raise BadInput("commands-options-without-baseline")
@@ -68,7 +68,7 @@ def plan(
     camera = _camera(camera_file, size_text, field_of_view)
     site: dict[str, Any] = {**given, "direction_rad": float(np.deg2rad(direction))}
     planned = plan_site(camera, Site(**site))
-    print_json(_plan_to_dict(planned)) if as_json else click.echo(_plan_text(planned))
+    tell(as_json, _plan_to_dict(planned), _plan_text(planned))
 
 
 def _lines(given: dict[str, float]) -> LinePlan:

@@ -5,7 +5,7 @@ from typing import Any
 
 import click
 
-from sightline.commands.options import FILE, filmed_at_option, json_option, print_json, stream_option
+from sightline.commands.options import FILE, filmed_at_option, json_option, stream_option, tell
 from sightline.detection.classify import FoundPass
 from sightline.messages import say
 from sightline.proposals.propose import Proposals, Proposed
@@ -36,13 +36,8 @@ def propose_command(
         )
     )
     told = [_told(one, found[index]) for index, one in enumerate(search.passes)]
-    if as_json:
-        print_json({"passes": told, "notes": list(search.notes)})
-        return
-    for one in told:
-        click.echo(_line(one))
-    for note in search.notes:
-        click.echo(f"note: {note}")
+    notes = (f"note: {note}" for note in search.notes)
+    tell(as_json, {"passes": told, "notes": list(search.notes)}, *map(_line, told), *notes)
 
 
 def _told(one: FoundPass, found: Proposals | str) -> dict[str, Any]:

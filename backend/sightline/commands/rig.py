@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 from sightline.commands.files import read_bytes, write_json
-from sightline.commands.options import FILE, json_option, number_option, output_option, print_json
+from sightline.commands.options import FILE, json_option, number_option, output_option, tell
 from sightline.commands.scanned import U_LINE_RATE
 from sightline.coverage import expanded
 from sightline.errors import BadInput
@@ -75,10 +75,7 @@ def calibrate(
     }
     if output is not None:
         write_json(output, document)
-    if as_json:
-        print_json(document)
-        return
-    click.echo(_text(found, at, given))
+    tell(as_json, document, _text(found, at, given))
 
 
 def _lane(text: str) -> tuple[float, float]:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sightline.commands.options import FILE, choice_option, json_option, number_option, print_json
+from sightline.commands.options import FILE, choice_option, json_option, number_option, tell
 from sightline.enums import CurveCase, SightKind
 from sightline.errors import BadInput
 
@@ -83,10 +83,7 @@ def sightdistance(
     if headlight_m is not None and seen_m is not None:
         answer |= _sag(with_u(headlight_m, u_headlight_m), seen_m, difference_percent)
     notes = _notes(eye, thing)
-    if as_json:
-        print_json(answer | ({"notes": notes} if notes else {}))
-    else:
-        click.echo("\n".join([*_text(answer), *notes]))
+    tell(as_json, answer | ({"notes": notes} if notes else {}), *_text(answer), *notes)
 
 
 def _height(

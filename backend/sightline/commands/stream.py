@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import fcntl
 import json
 import math
 import signal
@@ -19,12 +18,13 @@ from sightline.commands.options import data_dir_option, opened_services
 from sightline.commands.scanned import left_out, object_of, rig_options
 from sightline.enums import ScanMethod
 from sightline.errors import BadInput
+from sightline.infra.file_lock import take_lock
 from sightline.linescan.parts import Rig
 from sightline.media.lines.source import Ending, LineSource
 from sightline.media.strips.reader import LEAST_ROWS, MOST_ROWS
 from sightline.messages.said import Said
 from sightline.scans.live.records import Keeper, LiveVehicle
-from sightline.scans.live.run import LiveRun, Nowhere
+from sightline.scans.live.run import LiveRun
 
 
 @click.command()
@@ -181,7 +181,7 @@ def keeping(
     """
     if survey is None:
         with _taken(spool):
-            yield Nowhere(), spool
+            yield Keeper(), spool
         return
     from sightline.export.export_job import find_survey
     from sightline.scans.live.keeping import SurveyKeeper
@@ -205,15 +205,12 @@ def _taken(spool: Path | None) -> Iterator[None]:
         yield
         return
     try:
-        spool.mkdir(parents=True, exist_ok=True)
-        lock = (spool / ".lock").open("w")
+        lock = take_lock(spool / ".lock")
     except OSError as error:
         raise BadInput("commands-not-writable", path=spool, strerror=error.strerror) from None
+    if lock is None:
+        raise BadInput("commands-stream-spool-taken", path=spool)
     with lock:
-        try:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            raise BadInput("commands-stream-spool-taken", path=spool) from None
         yield
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from sightline.commands.files import read_text
-from sightline.commands.options import FILE, json_option, output_option, print_json
+from sightline.commands.options import FILE, json_option, output_option, tell
 from sightline.errors import BadInput
 
 if TYPE_CHECKING:
@@ -81,10 +81,7 @@ def study(
             made = make_study(found, tables, Plan(fleet, facts, goal_m))
         notes = ["Heights were not computed again (--quick)."] if quick else []
         write_study(Staging(folder), made, notes)
-    if as_json:
-        print_json(_json(made, notes))
-        return
-    click.echo(_text(made, output, notes))
+    tell(as_json, _json(made, notes), _text(made, output, notes))
 
 
 def _json(made: Study, notes: list[str]) -> dict[str, object]:

@@ -13,8 +13,7 @@ from typing import TYPE_CHECKING, Any, TextIO
 
 import click
 
-from sightline.commands.clicks import harmless
-from sightline.commands.options import json_option, number_option, print_json
+from sightline.commands.options import json_option, number_option, print_json, tell
 from sightline.errors import BadInput
 
 if TYPE_CHECKING:
@@ -69,12 +68,11 @@ def add(
     recorded = read_recorded(recording, duration_s)
     days = add_recorded(archive, recorded, stood)
     measured = sum(one.speed_mps is not None for one in recorded.passings)
-    if as_json:
-        print_json({"vehicles": len(recorded.passings), "measured": measured, "days": days})
-        return
-    click.echo(
+    tell(
+        as_json,
+        {"vehicles": len(recorded.passings), "measured": measured, "days": days},
         f"{recorded.name}: {len(recorded.passings)} vehicles, {measured} measured, added to {archive}; "
-        f"days touched: {days}."
+        f"days touched: {days}.",
     )
 
 
@@ -218,12 +216,8 @@ def _target(output: Path | None) -> Iterator[TextIO]:
 
 
 def _write(out: TextIO, columns: list[str], rows: Iterable[dict[str, Any]]) -> None:
+    from sightline.commands.scanned import cell_of
+
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(columns)
-    writer.writerows([_cell(row[name]) for name in columns] for row in rows)
-
-
-def _cell(value: Any) -> str:
-    if value is None:
-        return ""
-    return f"{value:.6f}" if isinstance(value, float) else harmless(str(value))
+    writer.writerows([cell_of(row[name]) for name in columns] for row in rows)

@@ -36,6 +36,7 @@ from sightline.infra.csv_package.chain import stamp
 from sightline.infra.csv_package.files import Staging, TableWriter
 from sightline.infra.csv_package.schema import Row, Table, json_bytes, record_path
 from sightline.infra.database import Session
+from sightline.infra.database.rows import names
 from sightline.infra.services import Services
 from sightline.measurements.again.service import measurements_out_of_date
 from sightline.measurements.csv import (
@@ -76,8 +77,8 @@ Tell = Callable[[float, Said], None]
 
 @dataclass(eq=False)
 class Filling:
-    """What the tables of a package are filled from, and what is gathered on the way: people named, frames
-    clicked on, places to crop, models of vehicles, the survey's chain as written so far.
+    """What the tables of a package are filled from, and what is gathered on the way: frames clicked on,
+    places to crop, models of vehicles, the survey's chain as written so far.
 
     `most`: as many frames as a measurement has at most; `count`: how many measurements there are.
     """
@@ -91,7 +92,6 @@ class Filling:
     most: int
     count: int
     with_crops: bool
-    people: dict[int, str] = field(default_factory=dict)
     marks: dict[int, bytearray] = field(default_factory=dict)
     spots: list[Spots] = field(default_factory=list)
     models: set[tuple[str, str]] = field(default_factory=set)
@@ -106,11 +106,6 @@ class Filling:
     def of_survey(self, read: Callable[[Session, int], Found]) -> Found:
         """What a store has of the survey."""
         return read(self.session, self.survey.id)
-
-    def name(self, person: Who | None) -> None:
-        """Note who stands in a row."""
-        if person is not None:
-            self.people[person.id] = person.name
 
     def mark(self, one: Measurement) -> None:
         """Note the frames that were clicked on."""
@@ -141,7 +136,6 @@ def fill_calibrations(found: Filling) -> None:
     lenses = found.of_survey(list_calibrations)
     found.staging.fill(CALIBRATIONS, (NamedCalibration(lens, names.get(lens.camera_id)) for lens in lenses))
     for lens in lenses:
-        found.name(lens.created_by)
         found.staging.add(calibration_path(lens.id), json_bytes(lens.document))
     _records(found.staging, "calibration", found.of_survey(calibration_contents))
 
@@ -151,7 +145,6 @@ def fill_poses(found: Filling) -> None:
     poses = found.of_survey(list_whole_poses)
     found.staging.fill(POSES, poses)
     for pose in poses:
-        found.name(pose.created_by)
         found.staging.add(pose_path(pose.id), json_bytes(pose.document))
     _records(found.staging, "pose", found.of_survey(pose_contents))
 
@@ -174,14 +167,12 @@ def fill_measurements(found: Filling) -> None:
                 revisions = list(group)
                 done += 1
                 for one, _ in revisions:
-                    found.name(one.created_by)
                     found.mark(one)
                 newest, car = revisions[-1]
                 if newest.repeat_of is not None:
                     out.repeats.add(replace(newest, out_of_date=stale.get(newest.id, ())))
                     continue
                 out.measurement([one for one, _ in revisions], car, stale.get(newest.id, ()))
-                found.name(newest.review.reviewer)
                 found.measurements += 1
                 if not newest.withdrawn:
                     current.append(newest)
@@ -242,9 +233,6 @@ def fill_vehicles(found: Filling) -> None:
 def fill_lots(found: Filling) -> None:
     """Lots with their items; those of deleted vehicles are in no table."""
     lots = found.of_survey(list_lots)
-    for lot in lots:
-        for who in (lot.created_by, lot.common.operator, *(one.created_by for one in lot.decisions)):
-            found.name(who)
     found.staging.fill(LOTS, lots)
     gone = found.of_survey(items_of_deleted_vehicles)
     found.staging.fill(
@@ -269,7 +257,6 @@ def fill_photographs(found: Filling) -> None:
     """Photographs of the set-up, with their pictures."""
     photographs = found.of_survey(list_photographs)
     for one in photographs:
-        found.name(one.created_by)
         found.staging.add(photograph_path(one.id), photograph_content(found.services, one))
     found.staging.fill(PHOTOGRAPHS, enumerate(photographs, start=1))
 
@@ -285,7 +272,14 @@ def fill_audit(found: Filling) -> None:
                 if event["entity"] != ENTITY:
                     found.moment = stamp(event["at"])
                 if event["actor_id"] is not None:
-                    found.people[event["actor_id"]] = event["actor_name"] or ""
+                    found.staging.named.add(str(event["actor_id"]))
+
+
+def people_named(found: Filling) -> Iterator[Who]:
+    """Who stands in the tables before, or did what the chain tells."""
+    ids = sorted(int(one) for one in found.staging.named if one)
+    known = names(found.session, ids)
+    return (Who(id_, known.get(id_, "")) for id_ in ids)
 
 
 def fill_crops(found: Filling) -> None:

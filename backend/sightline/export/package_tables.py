@@ -25,7 +25,6 @@ from sightline.export.response import RESPONSE
 from sightline.export.statistics_csv import TABLES as STATISTICS
 from sightline.export.verify import checking
 from sightline.export.verify.checking import Checking
-from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.files import Files
 from sightline.infra.csv_package.replay import Replay
@@ -83,7 +82,7 @@ class Part:
     """
 
     tables: Tables
-    fill: Callable[[Filling], None]
+    fill: Callable[[Filling], object]
     check: Callable[[Checking], object] | None = None
     widened: Callable[[int], Tables] | None = None
 
@@ -96,18 +95,9 @@ def _one(
     table: Table[Record],
     records: Callable[[Filling], Iterable[Record]],
     check: Callable[[Checking], object] | None = None,
-    person: str | None = None,
 ) -> Part:
-    """One table of records; `person`: the attribute by which each says who made or judged it."""
-
-    def fill(found: Filling) -> None:
-        with found.staging.table(table) as rows:
-            for record in records(found):
-                rows.add(record)
-                if person is not None:
-                    found.name(getattr(record, person))
-
-    return Part((table,), fill, check)
+    """One table of records."""
+    return Part((table,), lambda found: found.staging.fill(table, records(found)), check)
 
 
 def _replayed(check: Callable[[Files, Replay], object]) -> Callable[[Checking], object]:
@@ -143,19 +133,16 @@ STORED = (
         WHEEL_PAIRS,
         lambda f: sorted(f.of_survey(list_wheel_pairs), key=attrgetter("id")),
         _replayed(check_wheel_pairs),
-        "created_by",
     ),
     _one(
         COMPUTINGS,
         lambda f: reversed(f.of_survey(list_computings)),
         checking.check_computed_again,
-        "created_by",
     ),
     _one(
         REVIEWS,
         lambda f: chain.from_iterable(f.of_survey(review_pages)),
         _replayed(check_verdicts),
-        "reviewer",
     ),
     Part(
         (LOTS, LOT_ITEMS),
@@ -165,7 +152,7 @@ STORED = (
     _one(FRAMES, filling.frames_clicked_on, lambda c: check_frames(c.files, c.told.measurements)),
     Part(
         SCANS,
-        lambda f: f.people.update(fill_scans(f.staging, f.session, f.survey.id)),
+        lambda f: fill_scans(f.staging, f.session, f.survey.id),
         checking.check_line_scans,
     ),
     Part(
@@ -174,7 +161,7 @@ STORED = (
         lambda c: check_photographs(c.files, c.told.replay, c.written),
     ),
     Part((AUDIT,), filling.fill_audit),
-    _one(PEOPLE, lambda f: (Who(id_, name) for id_, name in sorted(f.people.items()))),
+    _one(PEOPLE, filling.people_named),
     _one(SELECTION, lambda f: selection_rows(f.selection)),
 )
 #: What is made of those, made again and compared.

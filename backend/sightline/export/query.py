@@ -12,7 +12,6 @@ from sightline.enums import JsonObject
 from sightline.infra.audit.hashing import event_hash, plain
 from sightline.infra.audit.records import survey_chain
 from sightline.infra.audit.tables import audit_events
-from sightline.infra.database.people import people
 from sightline.infra.database.rows import row_content
 from sightline.measurements.csv import OfVehicle
 from sightline.measurements.derived_query import derived
@@ -109,13 +108,12 @@ def review_pages(session: Session, survey_id: int) -> Iterator[tuple[Review, ...
 
 def audit_pages(session: Session, survey_id: int, after: int = 0) -> Iterator[list[dict[str, Any]]]:
     """A survey's chain from its first event on, or from the one after `after`, oldest first: rows as they
-    were hashed, with the hash of their content and the actor's name.
+    were hashed, with the hash of their content.
     """
     at = after + 1
     names = [column.name for column in audit_events.c]
     query = (
-        select(audit_events, people.c.name.label("actor_name"))
-        .outerjoin(people, people.c.id == audit_events.c.actor_id)
+        select(audit_events)
         .where(audit_events.c.chain == survey_chain(survey_id))
         .order_by(audit_events.c.number)
         .limit(PAGE)

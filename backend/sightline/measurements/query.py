@@ -9,6 +9,7 @@ from sqlalchemy import ColumnElement, Row, Select, and_, exists, func, null, or_
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
+from sightline.infra.audit.written import written_rows
 from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import who
@@ -138,22 +139,10 @@ def fetch_measurements(session: Session, query: Select[Any]) -> tuple[Measuremen
 
 def reviews_of_series(session: Session, condition: ColumnElement[bool]) -> tuple[Review, ...]:
     """The reviews of the series that meet a condition, oldest first."""
-    query = (
-        select(reviews, _reviewer.c.name.label("reviewer_name"))
-        .join(measurement_series, measurement_series.c.id == reviews.c.series_id)
-        .outerjoin(_reviewer, _reviewer.c.id == reviews.c.created_by)
-        .where(condition)
-        .order_by(reviews.c.id)
-    )
+    as_named = {"measurement_id": "series_id", "reviewer": "created_by", "at": "created_at"}
     return tuple(
-        record_of(
-            Review,
-            row._mapping,
-            measurement_id=row.series_id,
-            reviewer=who(row.created_by, row.reviewer_name),
-            at=row.created_at,
-        )
-        for row in session.execute(query)
+        record_of(Review, row, **{name: row[column] for name, column in as_named.items()})
+        for row in written_rows(session, reviews, condition, of=measurement_series)
     )
 
 

@@ -5391,7 +5391,6 @@ people-role-unknown = There is no role “{ $role }”; use one of { $roles }.
 
 ## Errors: poses
 
-poses-no-frames = { $name } has no frames yet; wait until it is ready.
 poses-frames-outside = Frames { $first_frame } to { $last_frame } are not in { $name }; it has frames 0 to { $frame_count }.
 poses-board-not-shown = Frames { $first } to { $last }: { $reason }
 poses-calibration-image-size = The calibration is for images of { $width_px } x { $height_px } px and { $name } has { $width_px_2 } x { $height_px_2 } px; choose a calibration made at the recording’s size.
@@ -5410,7 +5409,6 @@ quality-repeat-differs = repeats.csv: { $number } differs from its audit event; 
 
 recordings-too-few-images = { $name } has { $images } images; add at least three, preferably 15 to 25.
 recordings-other-survey = { $name } belongs to another survey; choose one of this survey’s.
-recordings-no-frames = { $name } has no frames yet; wait until it has been imported.
 recordings-no-pose = { $name } has no camera pose yet, so the position of its camera is unknown.
 recordings-not-ready = { $name } is still being imported; wait until it is ready.
 recordings-import-failed = { $name } could not be imported, so it has no frames; see its error and try again.
@@ -5548,7 +5546,6 @@ scans-traffic-not-read = This line scan is not imported, so its traffic is unkno
 scans-no-name = A scan needs a name; fill it in.
 scans-worked-on = People have worked on the vehicles of this line scan, so it cannot be deleted: an audit needs its strips.
 scans-recording-other-survey = The recording belongs to another survey; choose one of this survey’s.
-scans-changed-look-again = { $name_of } changed { $name }; reload it.
 scans-unread = { $name } has not been imported yet; wait until it is ready.
 scans-cameras-worked-on = People have worked on { $name }, so its cameras cannot be swapped; add a line scan with the strips swapped.
 scans-vehicle-not-measured = This vehicle is not measured yet, so it has no wheelbase; place its boundaries first.
@@ -6850,7 +6847,6 @@ scan-motion-too-long = Its estimated length is { $length_m } m, and the limit is
 scan-motion-two-at-once = The cameras show it for different durations: two vehicles pass side by side, or it stopped.
 scan-motion-lines-lost = The recorder lost { $lost } while the vehicle passed.
 scan-lines-of-camera = { $count } lines of camera { $camera }
-scan-lines-of = { $count } lines of { $name }
 words-both = { $first } and { $second }
 scan-motion-no-wheelbase = No wheelbase: { $reason }
 scan-wheelbase-no-motion = The vehicle has no measured motion.

@@ -5428,7 +5428,6 @@ people-role-unknown = Il n’y a pas de rôle « { $role } » ; utilisez l�
 
 ## Erreurs : poses
 
-poses-no-frames = { $name } n’a pas encore d’images ; attendez qu’il soit prêt.
 poses-frames-outside = Les images { $first_frame } à { $last_frame } ne sont pas une plage de { $name } ; il a les images 0 à { $frame_count }.
 poses-board-not-shown = Images { $first } à { $last } : { $reason }
 poses-calibration-image-size = L’étalonnage vaut pour des images de { $width_px } x { $height_px } px et { $name } a { $width_px_2 } x { $height_px_2 } px ; choisissez un étalonnage fait à la taille de l’enregistrement.
@@ -5447,7 +5446,6 @@ quality-repeat-differs = repeats.csv : { $number } diffère de son événement 
 
 recordings-too-few-images = Photos de { $name } : { $images } ; ajoutez-en au moins trois, mieux 15 à 25.
 recordings-other-survey = { $name } appartient à un autre relevé ; choisissez-en un de ce relevé.
-recordings-no-frames = { $name } n’a pas encore d’images ; attendez la fin de son import.
 recordings-no-pose = { $name } n’a pas encore de pose de la caméra : la position de sa caméra est inconnue.
 recordings-not-ready = { $name } est encore en cours d’import ; attendez qu’il soit prêt.
 recordings-import-failed = { $name } n’a pas pu être importé et n’a donc pas d’images ; voyez son erreur et réessayez.
@@ -5596,7 +5594,6 @@ scans-traffic-not-read = Ce balayage n’est pas importé : son trafic est inco
 scans-no-name = Un balayage doit avoir un nom ; indiquez-le.
 scans-worked-on = Des personnes ont travaillé sur les véhicules de ce balayage : il ne peut pas être supprimé, car un audit a besoin de ses bandes.
 scans-recording-other-survey = L’enregistrement appartient à un autre relevé ; choisissez-en un de ce relevé.
-scans-changed-look-again = { $name_of } a modifié { $name } ; rechargez.
 scans-unread = { $name } n’a pas encore été importé ; attendez qu’il soit prêt.
 scans-cameras-worked-on = Des personnes ont travaillé sur { $name } : ses caméras ne peuvent pas être échangées ; ajoutez un balayage aux bandes échangées.
 scans-vehicle-not-measured = Ce véhicule n’est pas encore mesuré et n’a donc pas d’empattement ; placez d’abord ses bornes.
@@ -6910,7 +6907,6 @@ scan-motion-too-long = Sa longueur estimée est de { $length_m } m, et la limite
 scan-motion-two-at-once = Les caméras le montrent pendant des durées différentes : deux véhicules côte à côte, ou un arrêt.
 scan-motion-lines-lost = L’enregistreur a perdu { $lost } pendant le passage du véhicule.
 scan-lines-of-camera = { $count } lignes de la caméra { $camera }
-scan-lines-of = { $count } lignes de { $name }
 words-both = { $first } et { $second }
 scan-motion-no-wheelbase = Pas d’empattement : { $reason }
 scan-wheelbase-no-motion = Le véhicule n’a pas de mouvement mesuré.

@@ -34,7 +34,7 @@ from sightline.poses.store import add_pose
 from sightline.recordings.drift_request import request_if_posed
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.records import Recording
-from sightline.recordings.store import get_recording, update_recording
+from sightline.recordings.store import get_ready_recording, get_recording, update_recording
 
 KIND = "pose"
 
@@ -94,16 +94,15 @@ def look_for_span(
 
 def request_pose(session: Session, wanted: PoseRequest, *, actor: int) -> Job:
     """Queue the solution. Raises at once for what can be seen to be wrong without looking at a frame."""
-    recording = get_recording(session, wanted.recording_id)
-    if recording.state != "ready" or recording.frame_count is None:
-        raise BadInput("poses-no-frames", name=recording.name)
-    if not wanted.first_frame <= wanted.last_frame < recording.frame_count:
+    recording = get_ready_recording(session, wanted.recording_id)
+    frames = recording.frame_count or 0
+    if not wanted.first_frame <= wanted.last_frame < frames:
         raise BadInput(
             "poses-frames-outside",
             first_frame=wanted.first_frame,
             last_frame=wanted.last_frame,
             name=recording.name,
-            frame_count=recording.frame_count - 1,
+            frame_count=frames - 1,
         )
     require_board(wanted.board)
     fitting_camera(session, recording, wanted.calibration_id)

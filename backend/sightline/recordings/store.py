@@ -80,6 +80,16 @@ def get_recording(session: Session, recording_id: int) -> Recording:
     return _recordings(session, [_row(session, recording_id)])[0]
 
 
+def get_ready_recording(session: Session, recording_id: int) -> Recording:
+    """One whose frames can be looked at. Raises NotFound, BadInput while or because it has none."""
+    recording = get_recording(session, recording_id)
+    if recording.state == "failed":
+        raise BadInput("recordings-import-failed", name=recording.name)
+    if recording.state != "ready":
+        raise BadInput("recordings-not-ready", name=recording.name)
+    return recording
+
+
 def list_recordings(session: Session, survey_id: int) -> tuple[Recording, ...]:
     """The recordings of a survey, in the order in which they came; two queries."""
     query = select(recordings).where(recordings.c.survey_id == survey_id, _ALIVE).order_by(recordings.c.id)

@@ -8,7 +8,6 @@ from pydantic import Field
 from pydantic.fields import FieldInfo
 
 from sightline.enums import (
-    Category,
     CutAlong,
     Lighting,
     LiveState,
@@ -20,21 +19,26 @@ from sightline.enums import (
     Verdict,
 )
 from sightline.infra.audit.records import Who
-from sightline.infra.web.bodies import Finite, Id, In, JobBody, Name, Text
+from sightline.infra.web.bodies import Finite, Id, In, JobBody, Name, Text, of_record
 from sightline.infra.web.named import RecordingId, UploadId
 from sightline.infra.web.quantities import Word
-from sightline.linescan.parts import USUAL_SHADOW_SHARE, Entry, Gap
+from sightline.linescan.parts import Entry, Gap, Lane, Rig
 from sightline.linescan.rig import LIMITS
 from sightline.measurements.records import ReviewState
 from sightline.recordings.bodies import StartIn
-from sightline.scans.records import FoundMotion, ScanReviewFacts, ScanRun, ScanVehicleFacts, StripPair
+from sightline.scans.records import (
+    FoundMotion,
+    KnownOfScanned,
+    ScanReviewFacts,
+    ScanRun,
+    ScanVehicleFacts,
+    StripPair,
+)
 from sightline.scans.references.records import ShownReference
 
 Version = Annotated[int, Field(ge=1, le=2**31 - 1, description="The version that you saw.")]
 Line = Annotated[Finite, Field(ge=0, le=1e12, description="Line number, fractional.")]
 Cut = Annotated[int, Field(ge=0, le=2**16)]
-LengthM = Annotated[Finite, Field(gt=0, le=100)]
-ULengthM = Annotated[Finite, Field(ge=0, le=100)]
 
 
 def _within(name: str, description: str | None = None) -> FieldInfo:
@@ -45,35 +49,32 @@ def _within(name: str, description: str | None = None) -> FieldInfo:
 
 BaselineM = Annotated[Finite, _within("baseline_m")]
 UBaselineM = Annotated[Finite, _within("u_baseline_m")]
-LineRateHz = Annotated[Finite, _within("line_rate_hz")]
-Ratio = Annotated[Finite, _within("u_line_rate_ratio", "Standard uncertainty over the value.")]
-Angle = Annotated[Finite, _within("divergence_rad")]
-UAngle = Annotated[Finite, _within("u_divergence_rad")]
 DistanceM = Annotated[Finite, _within("distance_m")]
-Pixels = Annotated[Finite, _within("misalignment_px")]
-UPixels = Annotated[Finite, _within("u_misalignment_px")]
-_SHADOW = "Of the rows, from the bottom, in which no vehicle is looked for."
-ShadowShare = Annotated[Finite, _within("shadow_share", _SHADOW)]
-_TOGETHER = "Of the errors of baseline and divergence; 0 where these change without it."
-Correlation = Annotated[Finite, _within("baseline_correlation", _TOGETHER)]
 _AWAY = "Of a vehicle's distance, its place in the lane included."
 UDistanceM = Annotated[Finite, _within("u_distance_m", _AWAY)]
 LaneName = Annotated[str, Field(min_length=1, max_length=40)]
-TyresPx = Annotated[Finite, Field(ge=0, le=2**16)]
+_SAID = {
+    "u_line_rate_ratio": "Standard uncertainty over the value.",
+    "misalignment_px": "null: estimated from the traffic.",
+    "shadow_share": "Of the rows, from the bottom, in which no vehicle is looked for.",
+    "baseline_correlation": "Of the errors of baseline and divergence; 0 where these change without it.",
+    "u_distance_m": _AWAY,
+}
+_OF_RIG = {name: Annotated[Finite, _within(name, _SAID.get(name))] for name in LIMITS}
+_OF_LANE = {
+    "name": LaneName,
+    "direction": Annotated[ScanDirection, Field(description="Of its traffic; null: either.")],
+    "tyres_*": Annotated[
+        Finite,
+        Field(ge=0, le=2**16, description="Tyres meet the road between these rows of strip 1; null: any."),
+    ],
+    **_OF_RIG,
+}
 
 
+@of_record(Lane, given=_OF_LANE)
 class RigLaneIn(In):
     """A lane of the rig: its vehicles' distance, and by what they are known to be its own."""
-
-    name: LaneName
-    distance_m: DistanceM
-    u_distance_m: UDistanceM = 0.0
-    direction: ScanDirection | None = Field(default=None, description="Of its traffic; null: either.")
-    tyres_from_px: TyresPx | None = Field(
-        default=None, description="Tyres meet the road between this row of strip 1 (from the top) and"
-    )
-    tyres_to_px: TyresPx | None = Field(default=None, description="this one; both null: any row.")
-    shadow_share: ShadowShare | None = Field(default=None, description="null: the rig's.")
 
 
 Lanes = Annotated[
@@ -82,21 +83,10 @@ Lanes = Annotated[
 ]
 
 
+@of_record(Rig, given=_OF_RIG)
 class RigIn(In):
     """The rig as measured on the road; `u_` are standard uncertainties (k = 1)."""
 
-    baseline_m: BaselineM
-    line_rate_hz: LineRateHz
-    u_baseline_m: UBaselineM = 0.0
-    u_line_rate_ratio: Ratio = 0.0
-    divergence_rad: Angle = 0.0
-    u_divergence_rad: UAngle = 0.0
-    distance_m: DistanceM | None = None
-    misalignment_px: Pixels | None = Field(default=None, description="null: estimated from the traffic.")
-    u_misalignment_px: UPixels = 0.0
-    shadow_share: ShadowShare = USUAL_SHADOW_SHARE
-    baseline_correlation: Correlation = 0.0
-    u_distance_m: UDistanceM = 0.0
     lanes: Lanes = Field(default_factory=list)
 
 
@@ -137,6 +127,7 @@ class ScanStartIn(StartIn):
     u_s: Finite = Field(description="Standard uncertainty (k = 1), seconds: more than 0, at most an hour.")
 
 
+@of_record(Rig, given=_OF_RIG, optional=True)
 class ChangedScan(In):
     """Any subset; what is left out stays. Results keep the values that they were made with."""
 
@@ -144,18 +135,6 @@ class ChangedScan(In):
     name: Name | None = None
     lighting: Lighting | None = None
     start: Annotated[ScanStartIn | None, Field(description="Null: nobody has confirmed it.")] = None
-    baseline_m: BaselineM | None = None
-    line_rate_hz: LineRateHz | None = None
-    u_baseline_m: UBaselineM | None = None
-    u_line_rate_ratio: Ratio | None = None
-    divergence_rad: Angle | None = None
-    u_divergence_rad: UAngle | None = None
-    distance_m: DistanceM | None = None
-    misalignment_px: Pixels | None = None
-    u_misalignment_px: UPixels | None = None
-    shadow_share: ShadowShare | None = None
-    baseline_correlation: Correlation | None = None
-    u_distance_m: UDistanceM | None = None
     lanes: Lanes | None = None
 
 
@@ -319,23 +298,24 @@ class LaneIn(In):
     version: Version
 
 
+_GIVEN = {
+    "make": Annotated[str, Field(max_length=100)],
+    "model": Word,
+    "year": Annotated[int, Field(ge=1880, le=2200)],
+    "u_*_m": Annotated[Finite, Field(ge=0, le=100)],
+    "*_m": Annotated[Finite, Field(gt=0, le=100)],
+    "run_of": Annotated[str, Field(max_length=100)],
+    "facts_source": Text,
+    "notes": Text,
+}
+
+
+@of_record(KnownOfScanned, given=_GIVEN, optional=True)
 class ScanFacts(In):
     """What is known of the vehicle; left out stays, null clears. `catalogue_id` fills in the rest."""
 
     version: Version
     catalogue_id: Id | None = None
-    make: Annotated[str, Field(max_length=100)] | None = None
-    model: Word | None = None
-    year: Annotated[int, Field(ge=1880, le=2200)] | None = None
-    category: Category | None = None
-    true_length_m: LengthM | None = None
-    u_true_length_m: ULengthM | None = None
-    true_wheelbase_m: LengthM | None = None
-    u_true_wheelbase_m: ULengthM | None = None
-    facts_source: Text | None = None
-    run_of: Annotated[str, Field(max_length=100)] | None = None
-    lighting: Lighting | None = None
-    notes: Text | None = None
 
 
 class NewScanReview(In):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 from operator import attrgetter
 from typing import Any, get_args
 
@@ -22,7 +21,6 @@ from sightline.enums import (
     VehicleOrigin,
 )
 from sightline.infra.audit.hashing import canonical_json
-from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.columns import (
     integer,
     joined,
@@ -43,12 +41,12 @@ from sightline.measurements.csv import given_verdict, standing_verdict
 from sightline.recordings.csv import started_column
 from sightline.scans.clock import Passing
 from sightline.scans.heights.csv import TABLES as HEIGHT_TABLES
-from sightline.scans.heights.csv import HeightRecords
+from sightline.scans.heights.csv import fill_heights
 from sightline.scans.records import Scan, ScanMeasurement, ScanReview, ScanValues
 from sightline.scans.references.csv import SCAN_REFERENCES, ListedReference, listed_references
 from sightline.scans.references.store import reference_history_of_scan, standing_references
 from sightline.scans.rig.csv import TABLES as RIG_TABLES
-from sightline.scans.rig.csv import RigRecords
+from sightline.scans.rig.csv import fill_rigs
 from sightline.scans.store import list_scans, rig_columns
 from sightline.scans.vehicles.listing import ShownVehicle, shown
 from sightline.scans.vehicles.measurement_store import scan_measurement_history
@@ -305,68 +303,32 @@ TABLES: tuple[Table[Any], ...] = (
 )
 
 
-@dataclass(eq=False)
-class ScanRecords:
-    """What the tables of line scans are made of, and the people who stand in it (name by id)."""
-
-    scans: list[Scan] = field(default_factory=list)
-    vehicles: list[ShownVehicle] = field(default_factory=list)
-    measurements: list[ScanMeasurement] = field(default_factory=list)
-    reviews: list[ScanReview] = field(default_factory=list)
-    references: list[ListedReference] = field(default_factory=list)
-    heights: HeightRecords = field(default_factory=HeightRecords)
-    rigs: RigRecords = field(default_factory=RigRecords)
-    people: dict[int, str] = field(default_factory=dict)
-
-    def name(self, people: Iterable[Who | None]) -> None:
-        """Note who stands in a row."""
-        self.people.update({who.id: who.name for who in people if who is not None})
-
-
-def scan_records(session: Session, survey_id: int) -> ScanRecords:
-    """The line scans of a survey, in the order of their rows.
+def fill_scans(staging: Staging, session: Session, survey_id: int) -> None:
+    """Write the tables of line scans.
 
     Deleted scans and vehicles are left out with all that belongs to them, as for heights.
     """
-    found = ScanRecords()
-    insets = get_survey(session, survey_id).insets
-    for scan in list_scans(session, survey_id):
-        found.scans.append(scan)
-        standing = standing_references(session, scan.id)
-        passed = shown(scan, list_scan_vehicles(session, scan.id), standing)
-        found.vehicles += passed
-        found.references += _references(session, scan.id, passed)
-        for one in passed:
-            found.measurements += scan_measurement_history(session, one.vehicle.id)
-        found.name(found.rigs.add_scan(session, scan.id))
-        found.name(found.heights.add_scan(session, scan.id, [one.vehicle.id for one in passed], insets))
-    found.heights.heights.sort(key=lambda one: one.height.revision_id)
-    found.heights.reviews.sort(key=lambda one: one.review.id)
-    found.measurements.sort(key=lambda one: one.id)
-    found.references.sort(key=lambda one: one.reference.id)
-    found.name(one.reference.created_by for one in found.references)
-    for revision in found.measurements:
-        found.name((revision.created_by, revision.review.reviewer))
-    kept = {one.id for one in found.measurements}
-    found.reviews = [one for one in list_scan_reviews(session, survey_id) if one.measurement_id in kept]
-    found.name(one.reviewer for one in found.reviews)
-    return found
+    scans = list_scans(session, survey_id)
+    passed = {
+        scan.id: shown(scan, list_scan_vehicles(session, scan.id), standing_references(session, scan.id))
+        for scan in scans
+    }
+    vehicles = [one for found in passed.values() for one in found]
+    revisions = [one for of in vehicles for one in scan_measurement_history(session, of.vehicle.id)]
+    kept = {one.id for one in revisions}
+    staging.fill(LINE_SCANS, scans)
+    staging.fill(SCAN_VEHICLES, vehicles)
+    staging.fill(SCAN_MEASUREMENTS, sorted(revisions, key=lambda one: one.id))
+    given = list_scan_reviews(session, survey_id)
+    staging.fill(SCAN_REVIEWS, (one for one in given if one.measurement_id in kept))
+    references = [one for id_, found in passed.items() for one in _references(session, id_, found)]
+    staging.fill(SCAN_REFERENCES, sorted(references, key=lambda one: one.reference.id))
+    vehicles_of = {id_: [one.vehicle.id for one in found] for id_, found in passed.items()}
+    fill_heights(staging, session, vehicles_of, get_survey(session, survey_id).insets)
+    fill_rigs(staging, session, passed)
 
 
 def _references(session: Session, scan_id: int, passed: Iterable[ShownVehicle]) -> list[ListedReference]:
     by_id = {one.vehicle.id: one for one in passed}
     history = reference_history_of_scan(session, scan_id)
     return listed_references(history, lambda one: by_id[one.vehicle_id].agreement(one))
-
-
-def fill_scans(staging: Staging, session: Session, survey_id: int) -> dict[int, str]:
-    """Write the tables of line scans; the people who stand in them (name by id)."""
-    found = scan_records(session, survey_id)
-    staging.fill(LINE_SCANS, found.scans)
-    staging.fill(SCAN_VEHICLES, found.vehicles)
-    staging.fill(SCAN_MEASUREMENTS, found.measurements)
-    staging.fill(SCAN_REVIEWS, found.reviews)
-    staging.fill(SCAN_REFERENCES, found.references)
-    found.heights.fill(staging)
-    found.rigs.fill(staging)
-    return found.people

@@ -1,6 +1,7 @@
 """How far the work on the line scans of surveys is, in three queries however many surveys there are."""
 
-from collections.abc import Iterable, Sequence
+from collections import Counter, defaultdict
+from collections.abc import Sequence
 from typing import Any
 
 from sqlalchemy import Select, func, select
@@ -15,26 +16,22 @@ from sightline.scans.tables import scan_vehicles, scans
 
 def scan_progress_of(session: Session, survey_ids: Sequence[int]) -> dict[int, ScanProgress]:
     """The line scans of those surveys that have any, by survey."""
-    found: dict[int, dict[str, int]] = {}
+    found: defaultdict[int, Counter[str]] = defaultdict(Counter)
+    here = scan_vehicles.c.survey_id.in_(survey_ids)
     there = (
         select(scans.c.survey_id, scans.c.state, func.count())
         .where(scans.c.survey_id.in_(survey_ids), scans.c.deleted_at.is_(None))
         .group_by(scans.c.survey_id, scans.c.state)
     )
     for survey_id, state, count in session.execute(there):
-        _add(found, survey_id, ("scans", state), count)
-    each = scan_vehicle_states(scan_vehicles.c.survey_id.in_(survey_ids)).subquery()
-    vehicles = (
-        select(scans.c.survey_id, each.c.status, each.c.verdict, func.count())
-        .join(scans, scans.c.id == each.c.scan_id)
-        .where(scans.c.deleted_at.is_(None))
-        .group_by(scans.c.survey_id, each.c.status, each.c.verdict)
-    )
-    for survey_id, status, verdict, count in session.execute(vehicles):
-        _add(found, survey_id, ("vehicles", state_of(status, verdict)), count)
+        found[survey_id].update({"scans": count, state: count})
+    for survey_id, status, verdict, count in session.execute(
+        _counted(scan_vehicle_states(here), "status", "verdict")
+    ):
+        found[survey_id].update({"vehicles": count, state_of(status, verdict): count})
     if found:
-        for survey_id, verdict, count in session.execute(_heights(survey_ids)):
-            _add(found, survey_id, ("heights", f"heights_{state_of('ok', verdict)}"), count)
+        for survey_id, verdict, count in session.execute(_counted(scan_height_states(here), "verdict")):
+            found[survey_id].update({"heights": count, f"heights_{state_of('ok', verdict)}": count})
     return {survey_id: _progress(counts) for survey_id, counts in found.items()}
 
 
@@ -46,26 +43,21 @@ def no_scans() -> ScanProgress:
     return ScanProgress("none", [Said("overview-no-scans")])
 
 
-def _heights(survey_ids: Sequence[int]) -> Select[Any]:
-    """(survey, verdict, how many) of the standing heights."""
-    each = scan_height_states(scan_vehicles.c.survey_id.in_(survey_ids)).subquery()
+def _counted(states: Select[Any], *by: str) -> Select[Any]:
+    """(survey, what they are told apart by, how many) of what stands in scans."""
+    each = states.subquery()
+    apart = (scans.c.survey_id, *(each.c[name] for name in by))
     return (
-        select(scans.c.survey_id, each.c.verdict, func.count())
+        select(*apart, func.count())
         .join(scans, scans.c.id == each.c.scan_id)
         .where(scans.c.deleted_at.is_(None))
-        .group_by(scans.c.survey_id, each.c.verdict)
+        .group_by(*apart)
     )
 
 
-def _add(found: dict[int, dict[str, int]], survey_id: int, names: Iterable[str], count: int) -> None:
-    counts = found.setdefault(survey_id, {})
-    for name in names:
-        counts[name] = counts.get(name, 0) + count
-
-
-def _progress(counts: dict[str, int]) -> ScanProgress:
-    of = {name: counts.get(name, 0) for name in _COUNTED}
-    open_work = _open(of, counts.get("failed", 0), counts.get("reading", 0))
+def _progress(counts: Counter[str]) -> ScanProgress:
+    of = {name: counts[name] for name in _COUNTED}
+    open_work = _open(of, counts["failed"], counts["reading"])
     if open_work:
         return ScanProgress("open", open_work, **of)
     said = [Said("overview-scans-accepted", count=of["accepted"], all=of["vehicles"])]

@@ -7,6 +7,7 @@ from typing import Any
 from sqlalchemy import ColumnElement, Select, Text, exists, func, select, type_coerce
 from sqlalchemy.orm import Session
 
+from sightline.infra.audit.written import written_rows
 from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import who
@@ -131,22 +132,6 @@ def scan_measurement_of_row(row: Mapping[Any, Any]) -> ScanMeasurement:
 
 def reviews_where(session: Session, condition: ColumnElement[bool]) -> tuple[ScanReview, ...]:
     """The verdicts that meet a condition, oldest first."""
-    query = (
-        select(
-            scan_reviews,
-            scan_measurements.c.vehicle_id,
-            scan_measurements.c.revision,
-            people.c.name.label("reviewer_name"),
-        )
-        .join(scan_measurements, scan_measurements.c.id == scan_reviews.c.measurement_id)
-        .outerjoin(people, people.c.id == scan_reviews.c.created_by)
-        .where(condition)
-        .order_by(scan_reviews.c.id)
-    )
-    rows = session.execute(query).mappings()
-    return tuple(
-        record_of(
-            ScanReview, row, reviewer=who(row["created_by"], row["reviewer_name"]), at=row["created_at"]
-        )
-        for row in rows
-    )
+    of = (scan_measurements.c.vehicle_id, scan_measurements.c.revision)
+    rows = written_rows(session, scan_reviews, condition, beside=of, of=scan_measurements)
+    return tuple(record_of(ScanReview, row, reviewer=row["created_by"], at=row["created_at"]) for row in rows)

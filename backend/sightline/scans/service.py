@@ -15,12 +15,11 @@ from sightline.infra.services import Services
 from sightline.linescan.parts import Rig
 from sightline.media.strips.stored_reader import ReaderCache, StripReader
 from sightline.media.video.report import require_clock_of_filming
-from sightline.recordings.store import get_recording, recording_media_in_use
+from sightline.recordings.store import get_ready_recording, recording_media_in_use
 from sightline.recordings.uploads.records import Upload
 from sightline.recordings.uploads.store import get_upload, upload_content_waits
 from sightline.scans import store
 from sightline.scans.records import CutSource, Scan, StripSource
-from sightline.scans.swap_store import swap_scan_cameras
 
 READ = "scan_read"
 FIND = "scan_find"
@@ -78,16 +77,14 @@ def create_from_video(
     actor: int,
 ) -> Scan:
     """A scan cut from a video along two pixel columns or rows; its line rate is the video's frame rate."""
-    recording = get_recording(session, source.recording_id)
-    if recording.state != "ready" or not recording.width_px or not recording.height_px:
-        raise BadInput("poses-no-frames", name=recording.name)
+    recording = get_ready_recording(session, source.recording_id)
     rate_hz = recording.report.get("rate_hz")
     if recording.vfr or not rate_hz:
         raise BadInput("scans-frames-uneven", name=recording.name)
     require_clock_of_filming(recording.report.get("clock_doubt"), recording.name)
     cuts = (source.cut_1_px, source.cut_2_px)
     what = "columns" if source.cut_along == "columns" else "rows"
-    size_px = recording.width_px if what == "columns" else recording.height_px
+    size_px = (recording.width_px if what == "columns" else recording.height_px) or 0
     if cuts[0] == cuts[1] or not all(0 <= one < size_px for one in cuts):
         raise BadInput(
             "scans-cuts-unusable",
@@ -144,11 +141,11 @@ def request_find(
 def swap_cameras(session: Session, scan_id: int, *, version: int, actor: int) -> Scan:
     """Exchange the cameras and queue the search that puts the vehicles right.
 
-    Raises NotFound, Conflict (as `scans_swap.swap_cameras`, or a job of it waits or runs).
+    Raises NotFound, Conflict (as `store.swap_scan_cameras`, or a job of it waits or runs).
     """
     scan = store.get_scan(session, scan_id)
     require_idle(session, scan)
-    swap_scan_cameras(session, scan_id, version=version, actor=actor)
+    store.swap_scan_cameras(session, scan_id, version=version, actor=actor)
     method: ScanMethod = "direct" if scan.run is None else scan.run.method
     request_find(session, scan_id, method, True, actor=actor)
     return store.get_scan(session, scan_id)

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, fields, replace
 from datetime import datetime
 from functools import partial
-from typing import Any, cast
+from typing import Any, cast, get_args
 
 from sqlalchemy import ColumnElement, func, or_, select
 from sqlalchemy import update as sql_update
@@ -13,8 +13,8 @@ from sqlalchemy.orm import Session
 from sightline.enums import Lighting, ScanDirection, TimeAxis
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
-from sightline.infra.database.rows import add_row, change_row, get_row, last_change, names, who
-from sightline.infra.database.types import now
+from sightline.infra.audit.changing import alter_row, change_since, make_rows, take_out_row
+from sightline.infra.database.rows import change_row, get_row, names, who
 from sightline.infra.jobs.store import latest_jobs_of_scans
 from sightline.linescan.parts import Rig
 from sightline.linescan.rig import at_lane, require_rig, rig_from
@@ -46,6 +46,15 @@ from sightline.surveys.tables import surveys
 RIG = tuple(one.name for one in fields(Rig))
 #: What a calibration of the rig gives; the correlation is that of these errors and goes with them.
 CALIBRATED = ("baseline_m", "u_baseline_m", "divergence_rad", "u_divergence_rad", "baseline_correlation")
+# What changes places with the cameras; a lane's direction is told by the camera that is reached first.
+_PAIRS = (
+    ("cut_1_px", "cut_2_px"),
+    *(
+        (f"first_{word}", f"second_{word}")
+        for word in ("name", "source_key", "source_sha256", "key", "sha256")
+    ),
+)
+_OTHER_WAY = dict(zip(get_args(ScanDirection), reversed(get_args(ScanDirection)), strict=True))
 _ALIVE: ColumnElement[bool] = scans.c.deleted_at.is_(None)
 _CHANGEABLE = {"name", "lighting", *RIG, *CLOCK}
 _DERIVED = ("rig", "start_proposed", "heard_at", "job", "counts", "run", "created_by", "updated_by")
@@ -81,15 +90,11 @@ def create_scan(
     else:
         content |= _strip_columns(source)
         content["source"] = "strips"
-    moment = now()
-    stamps = {"version": 1, "created_at": moment, "created_by": actor}
-    state = "live" if isinstance(source, LiveSource) else "reading"
-    stamps |= {"updated_at": moment, "updated_by": actor, "state": state, "notes": []}
-    scan_id = add_row(session, scans, {**content, **stamps})
+    begun: dict[str, Any] = {"state": "live" if isinstance(source, LiveSource) else "reading", "notes": []}
+    (scan_id,) = make_rows(session, scans, [content], survey_id=survey_id, untold=begun, actor=actor)
     if isinstance(source, tuple):
         ids = [one.upload_id for one in source if one.upload_id is not None]
         session.execute(sql_update(uploads).where(uploads.c.id.in_(ids)).values(scan_id=scan_id))
-    trail.record(session, actor, "create", "scan", scan_id, survey_id, None, content)
     return get_scan(session, scan_id)
 
 
@@ -132,9 +137,8 @@ def update_scan(session: Session, scan_id: int, changes: Changes, *, version: in
     Raises Conflict, naming who and when, if `version` is not the current one; BadInput.
     """
     before = _row(session, scan_id)
-    if before["version"] != version:
-        name, when = last_change(session, before)
-        raise Conflict("scans-changed-meanwhile", name=name, name_2=before["name"], when=when)
+    if by := change_since(session, before, version):
+        raise Conflict("scans-changed-meanwhile", name=by[0], when=by[1], name_2=before["name"])
     change: dict[str, Any] = dict(changes)
     if "clock" in change:
         clock = change.pop("clock")
@@ -150,14 +154,28 @@ def update_scan(session: Session, scan_id: int, changes: Changes, *, version: in
     require_rig(rig)
     if "lanes" in change:
         change["lanes"] = rig_columns(rig)["lanes"]
-    change_row(
-        session,
-        scans,
-        scan_id,
-        {**change, "version": version + 1, "updated_at": now(), "updated_by": actor},
-    )
-    what = trail.changed(before, change, change)
-    trail.record(session, actor, "update", "scan", scan_id, before["survey_id"], *what)
+    alter_row(session, scans, before, change, actor=actor)
+    return get_scan(session, scan_id)
+
+
+def swap_scan_cameras(session: Session, scan_id: int, *, version: int, actor: int | None) -> Scan:
+    """What was camera 2 is camera 1 from now on. Vehicles must be found again; until then theirs are wrong.
+
+    Raises NotFound, Conflict (another's change in between; not read yet; people have worked on it: their
+    boundaries belong to the order in which they were placed).
+    """
+    row = _row(session, scan_id)
+    if by := change_since(session, row, version):
+        raise Conflict("scans-changed-meanwhile", name=by[0], when=by[1], name_2=row["name"])
+    if row["state"] != "ready":
+        raise Conflict("scans-unread", name=row["name"])
+    if scan_worked_on(session, scan_id):
+        raise Conflict("scans-cameras-worked-on", name=row["name"])
+    change = {name: row[other] for pair in _PAIRS for name, other in (pair, pair[::-1])}
+    if row["misalignment_px"] is not None:
+        change["misalignment_px"] = -row["misalignment_px"]
+    change["lanes"] = [{**one, "direction": _OTHER_WAY.get(one["direction"])} for one in row["lanes"]]
+    alter_row(session, scans, row, change, "swap_cameras", actor=actor)
     return get_scan(session, scan_id)
 
 
@@ -170,9 +188,7 @@ def remove_scan(session: Session, scan_id: int, *, actor: int | None) -> Scan:
     gone = get_scan(session, scan_id)
     if scan_worked_on(session, scan_id):
         raise Conflict("scans-worked-on")
-    change_row(session, scans, scan_id, {"deleted_at": now()})
-    before = {"name": gone.name, "deleted": False}
-    trail.record(session, actor, "delete", "scan", scan_id, gone.survey_id, before, {"deleted": True})
+    take_out_row(session, scans, _row(session, scan_id), "name", actor=actor)
     return gone
 
 

@@ -12,8 +12,9 @@ from sightline.errors import BadInput, Conflict
 from sightline.geometry.insets import USUAL_INSETS
 from sightline.geometry.sides import TrafficFacts
 from sightline.infra.audit import trail
+from sightline.infra.audit.changing import change_since
 from sightline.infra.by_name import record_of
-from sightline.infra.database.rows import add_row, change_row, get_row, last_change
+from sightline.infra.database.rows import add_row, change_row, get_row
 from sightline.infra.database.types import now
 from sightline.infra.web.person import Seen
 from sightline.statistics.sampling import MOST_HEADWAY_S, MOST_STEP, Quota, Sampling
@@ -114,9 +115,8 @@ def update_survey(session: Session, changed: Survey, *, actor: int | None) -> Su
     of another version than the current one.
     """
     before = get_row(session, surveys, changed.id, "survey")
-    if before["version"] != changed.version:
-        who, when = last_change(session, before)
-        raise Conflict("surveys-changed-meanwhile", name=who, when=when)
+    if by := change_since(session, before, changed.version):
+        raise Conflict("surveys-changed-meanwhile", name=by[0], when=by[1])
     content = _content(changed, _with_codes_of(changed.insets, insets_of(before["insets"])))
     stamps = {"version": changed.version + 1, "updated_at": now(), "updated_by": actor}
     change_row(session, surveys, changed.id, {**content, **stamps})

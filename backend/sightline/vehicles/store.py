@@ -10,9 +10,15 @@ from sqlalchemy.orm import Session
 from sightline.enums import Direction, ModelSize
 from sightline.errors import BadInput, Conflict
 from sightline.geometry.sides import driver_side
-from sightline.infra.audit import trail
+from sightline.infra.audit.changing import (
+    alter_row,
+    bring_back_row,
+    change_since,
+    make_rows,
+    take_out_row,
+)
 from sightline.infra.database.people import people
-from sightline.infra.database.rows import add_row, change_row, get_row, last_change, missing, who
+from sightline.infra.database.rows import get_row, missing, who
 from sightline.infra.database.types import columns_of, now
 from sightline.recordings.filming import filming_of, frame_s
 from sightline.recordings.tables import recordings
@@ -67,15 +73,12 @@ def create_vehicle(
         raise BadInput("vehicles-no-frames")
     _check_year(fields)
     content: dict[str, Any] = {**_empty(), **_checked(fields, recording["frame_count"])}
-    survey_id, moment = recording["survey_id"], now()
+    survey_id = recording["survey_id"]
     counted = select(func.coalesce(func.max(vehicles.c.number), 0)).where(vehicles.c.survey_id == survey_id)
     place = {"survey_id": survey_id, "recording_id": recording_id}
     place["number"] = session.execute(counted).scalar_one() + 1
-    stamps = {"version": 1, "created_at": moment, "created_by": actor}
-    stamps |= {"updated_at": moment, "updated_by": actor}
-    vehicle_id = add_row(session, vehicles, {**content, **place, **stamps})
-    trail.record(session, actor, "create", "vehicle", vehicle_id, survey_id, None, {**place, **content})
-    return get_vehicle(session, vehicle_id)
+    told = [{**place, **content}]
+    return get_vehicle(session, *make_rows(session, vehicles, told, survey_id=survey_id, actor=actor))
 
 
 def get_vehicle(session: Session, vehicle_id: int, *, deleted: bool = False) -> Vehicle:
@@ -116,10 +119,7 @@ def update_vehicle(
     _check_year(changes)
     frame_count = get_row(session, recordings, before["recording_id"], "recording")["frame_count"]
     change = _checked({**_checked_with(before), **changes}, frame_count)
-    stamps = {"version": before["version"] + 1, "updated_at": now(), "updated_by": actor}
-    change_row(session, vehicles, vehicle_id, {**change, **stamps})
-    what = trail.changed(before, change, change)
-    trail.record(session, actor, "update", "vehicle", vehicle_id, before["survey_id"], *what)
+    alter_row(session, vehicles, before, change, actor=actor)
     return get_vehicle(session, vehicle_id)
 
 
@@ -127,13 +127,7 @@ def remove_vehicle(
     session: Session, vehicle_id: int, *, version: int | None = None, actor: int | None
 ) -> Vehicle:
     """Delete softly: out of all lists and counts, with its measurements; `restore` brings it back."""
-    before = _current(session, vehicle_id, version)
-    stamps = {"version": before["version"] + 1, "updated_at": now(), "updated_by": actor}
-    change_row(session, vehicles, vehicle_id, {"deleted_at": stamps["updated_at"], **stamps})
-    then = {"number": before["number"], "deleted": False}
-    trail.record(
-        session, actor, "delete", "vehicle", vehicle_id, before["survey_id"], then, {"deleted": True}
-    )
+    take_out_row(session, vehicles, _current(session, vehicle_id, version), "number", actor=actor)
     return get_vehicle(session, vehicle_id, deleted=True)
 
 
@@ -142,10 +136,7 @@ def restore_vehicle(session: Session, vehicle_id: int, *, actor: int | None) -> 
     before = get_row(session, vehicles, vehicle_id, "vehicle")
     if before["deleted_at"] is None:
         raise Conflict("scans-vehicle-not-deleted")
-    stamps = {"version": before["version"] + 1, "updated_at": now(), "updated_by": actor}
-    change_row(session, vehicles, vehicle_id, {"deleted_at": None, **stamps})
-    then, after = {"deleted": True}, {"deleted": False}
-    trail.record(session, actor, "restore", "vehicle", vehicle_id, before["survey_id"], then, after)
+    bring_back_row(session, vehicles, before, actor=actor)
     return get_vehicle(session, vehicle_id)
 
 
@@ -165,9 +156,8 @@ def _check_year(fields: VehicleChanges) -> None:
 
 def _current(session: Session, vehicle_id: int, version: int | None) -> dict[str, Any]:
     row = get_row(session, vehicles, vehicle_id, "vehicle", _ALIVE)
-    if version is not None and row["version"] != version:
-        name, when = last_change(session, row)
-        raise Conflict("scans-vehicle-changed", name=name, number=row["number"], when=when)
+    if by := change_since(session, row, version):
+        raise Conflict("scans-vehicle-changed", name=by[0], when=by[1], number=row["number"])
     return row
 
 

@@ -79,8 +79,8 @@ def vouched(mark: Mark) -> dict[str, Any]:
 def entity_of(table: Table) -> str:
     """The entity of the events that a table's rows are made by. Raises TypeError for one that has none."""
     mark = table.info[_KEY]
-    if not isinstance(mark, WrittenOnce):
-        raise TypeError(f"rows of {table.name} are not written once")
+    if not isinstance(mark, WrittenOnce | ChangedByEvents):
+        raise TypeError(f"rows of {table.name} are not made by events")
     return mark.entity
 
 

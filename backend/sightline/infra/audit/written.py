@@ -2,10 +2,10 @@
 maker.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from sqlalchemy import ColumnElement, Table, select
+from sqlalchemy import Column, ColumnElement, Table, select
 from sqlalchemy.orm import Session
 
 from sightline.infra.audit import trail
@@ -44,13 +44,16 @@ def written_rows(
     table: Table,
     *conditions: ColumnElement[bool],
     without: Iterable[str] = (),
+    beside: Sequence[Column[Any]] = (),
+    of: Table | None = None,
     newest_first: bool = False,
 ) -> list[dict[str, Any]]:
     """The rows that meet the conditions, in the order of their making, `created_by` being a person;
-    `without`: columns that nobody asks for.
+    `without`: columns that nobody asks for; `beside`: columns of the rows that they are `of`.
     """
     query = (
-        select(*columns_of(table, *without), people.c.name.label("maker"))
+        select(*columns_of(table, *without), *beside, people.c.name.label("maker"))
+        .select_from(table if of is None else table.join(of))
         .outerjoin(people, people.c.id == table.c.created_by)
         .where(*conditions)
         .order_by(table.c.id.desc() if newest_first else table.c.id)

@@ -57,12 +57,20 @@ def no_tick(_fraction: float) -> None:
 
 
 class TableWriter(Generic[Record]):
-    """Rows into one CSV file (UTF-8, comma, line feed, RFC 4180), hashed and counted on the way."""
+    """Rows into one CSV file (UTF-8, comma, line feed, RFC 4180), hashed and counted on the way; the numbers
+    of those who stand in a row are added to `named`.
+    """
 
     def __init__(
-        self, file: BinaryIO, table: Table[Record], before: TableWriter[Record] | None = None
+        self,
+        file: BinaryIO,
+        table: Table[Record],
+        before: TableWriter[Record] | None = None,
+        named: set[str] | None = None,
     ) -> None:
         self._file, self._table = file, table
+        self._named = set[str]() if named is None else named
+        self._persons = [table.header.index(columns[0]) for columns, of, _ in table.foreign if of == "people"]
         self._columns: list[tuple[Column[Record], Callable[[Record], Cell]]] | None = None
         self._hash, self._size, self.rows = hashlib.sha256(), 0, 0
         self._csv = csv.writer(self, lineterminator="\n")
@@ -85,12 +93,12 @@ class TableWriter(Generic[Record]):
             self._columns = [
                 (one, _value_of(one) if is_mapping else one.of_object) for one in self._table.columns
             ]
-        self._csv.writerow(
-            [
-                "" if (value := value_of(record)) is None else cell_text(column, value)
-                for column, value_of in self._columns
-            ]
-        )
+        row = [
+            "" if (value := value_of(record)) is None else cell_text(column, value)
+            for column, value_of in self._columns
+        ]
+        self._csv.writerow(row)
+        self._named.update(row[at] for at in self._persons)
         self.rows += 1
 
     def written(self) -> Written:
@@ -104,11 +112,14 @@ def _value_of(column: Column[Record]) -> Callable[[Record], Cell]:
 
 
 class Staging:
-    """A package being written into a folder of its own; `written` holds each file's hash and size by path."""
+    """A package being written into a folder of its own; `written` holds each file's hash and size by path,
+    `named` the numbers of those who stand in its tables.
+    """
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.written: dict[str, Written] = {}
+        self.named: set[str] = set()
 
     def add(self, path: str, content: bytes) -> None:
         """One small file. Raises NoRoom."""
@@ -128,7 +139,7 @@ class Staging:
         """A CSV file to be filled row by row, at the table's path or at another. Raises NoRoom."""
         where = path or table.path
         with no_room_told("this export"), self._place(where).open("wb", CHUNK_BYTES) as file:
-            writer = TableWriter(file, table)
+            writer = TableWriter(file, table, named=self.named)
             yield writer
         self.written[where] = writer.written()
 

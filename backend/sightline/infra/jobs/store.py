@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from datetime import timedelta
 from typing import Any, get_args
 
-from sqlalchemy import func, or_, select, update
+from sqlalchemy import Column, func, or_, select, update
 from sqlalchemy.orm import Session
 
 from sightline.enums import JobState, JsonObject
@@ -112,18 +112,18 @@ def count_jobs(session: Session) -> dict[JobState, int]:
 
 def latest_jobs_of_recordings(session: Session, recording_ids: Sequence[int]) -> dict[int, Job]:
     """The newest job of each recording, by recording."""
-    newest = select(func.max(jobs.c.id)).where(jobs.c.recording_id.in_(recording_ids))
-    query = select(jobs).where(jobs.c.id.in_(newest.group_by(jobs.c.recording_id)))
-    found = [_job(row) for row in session.execute(query).mappings()] if recording_ids else []
-    return {job.recording_id: job for job in found if job.recording_id is not None}
+    return _latest(session, jobs.c.recording_id, recording_ids)
 
 
 def latest_jobs_of_scans(session: Session, scan_ids: Sequence[int]) -> dict[int, Job]:
     """The newest job of each line-scan recording, by its id."""
-    newest = select(func.max(jobs.c.id)).where(jobs.c.scan_id.in_(scan_ids))
-    query = select(jobs).where(jobs.c.id.in_(newest.group_by(jobs.c.scan_id)))
-    found = [_job(row) for row in session.execute(query).mappings()] if scan_ids else []
-    return {job.scan_id: job for job in found if job.scan_id is not None}
+    return _latest(session, jobs.c.scan_id, scan_ids)
+
+
+def _latest(session: Session, of: Column[Any], ids: Sequence[int]) -> dict[int, Job]:
+    newest = select(func.max(jobs.c.id)).where(of.in_(ids)).group_by(of)
+    query = select(jobs).where(jobs.c.id.in_(newest))
+    return {row[of.name]: _job(row) for row in session.execute(query).mappings()} if ids else {}
 
 
 def request_job_cancel(session: Session, job_id: int, *, actor: int | None) -> Job:

@@ -1,9 +1,13 @@
 """Bodies that every route module shares: the strict base, the error, points, who, and the job."""
 
+import dataclasses
+from collections.abc import Callable, Mapping
 from datetime import datetime
-from typing import Annotated, Any
+from fnmatch import fnmatchcase
+from types import NoneType
+from typing import Annotated, Any, TypeVar, cast, get_args, get_type_hints
 
-from pydantic import BaseModel, ConfigDict, Field, field_validator
+from pydantic import BaseModel, ConfigDict, Field, create_model, field_validator
 from pydantic_core import PydanticCustomError
 
 from sightline.enums import JobState
@@ -30,6 +34,38 @@ class In(BaseModel):
         if isinstance(value, str) and "\x00" in value:
             raise PydanticCustomError("nul", "a text cannot hold the NUL character")
         return value
+
+
+Body = TypeVar("Body", bound=In)
+
+
+def of_record(
+    record: type[Any], *but: str, given: Mapping[str, Any], optional: bool = False
+) -> Callable[[type[Body]], type[Body]]:
+    """A body that has, beside its own fields, those of a record `but` for some, with its defaults.
+
+    `given`: the types of fields by a pattern of their names, with the limits of what comes in; else they are
+    the record's. `optional`: each may be left out.
+    """
+    hints, plain = get_type_hints(record, include_extras=True), get_type_hints(record)
+
+    def field_of(one: dataclasses.Field[Any]) -> tuple[Any, Any]:
+        kind = next((kind for name, kind in given.items() if fnmatchcase(one.name, name)), None)
+        none_too = NoneType in get_args(plain[one.name])
+        if kind is None:
+            kind = hints[one.name] if none_too or not optional else hints[one.name] | None
+        elif optional or none_too:
+            kind = kind | None
+        default = ... if one.default is dataclasses.MISSING else one.default
+        return kind, None if optional else default
+
+    def made(body: type[Body]) -> type[Body]:
+        known = {*but, *body.model_fields}
+        fields: Any = {one.name: field_of(one) for one in dataclasses.fields(record) if one.name not in known}
+        about: Any = {"__base__": body, "__module__": body.__module__, "__doc__": body.__doc__}
+        return cast(type[Body], create_model(body.__name__, **about, **fields))
+
+    return made
 
 
 def example(**body: Any) -> ConfigDict:

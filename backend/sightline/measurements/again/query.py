@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
-from sqlalchemy import Select, Text, and_, cast, func, select, type_coerce
+from sqlalchemy import Text, cast, func, select, type_coerce
 from sqlalchemy.orm import Session
 
 from sightline.enums import Category, Target
@@ -14,13 +15,12 @@ from sightline.geometry.sides import FoundSide, driver_side
 from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import missing, who
-from sightline.measurements.again.differences import Facts, moved_beyond_u
-from sightline.measurements.again.records import ComputedHeight, Computing
+from sightline.measurements.again.differences import Facts
+from sightline.measurements.again.records import Computing
 from sightline.measurements.click_context_query import ClickContext, context_of_row
 from sightline.measurements.query import fetch_measurements, is_current, measurement_revision_rows
 from sightline.measurements.records import Measurement, ScanHeight
 from sightline.measurements.tables import computings, measurement_series, measurements
-from sightline.messages.said import Said
 from sightline.poses.tables import road_poses
 from sightline.recordings.tables import recordings
 from sightline.surveys.records import Inset
@@ -28,9 +28,7 @@ from sightline.surveys.store import get_survey
 from sightline.vehicles.records import NOT_VISIBLE
 from sightline.vehicles.tables import vehicles
 
-_SOME = 500
 _m = measurements.c
-_then = measurements.alias("then")
 _undo = computings.alias("undo")
 
 
@@ -151,58 +149,6 @@ def _computings(session: Session, condition: Any) -> tuple[Computing, ...]:
     )
 
 
-def computed_rows(*place: Any) -> Select[Any]:
-    """Heights of computings beside what they were, for `computed_height`; `place` ends with id and number of
-    the vehicle. Add the join of the vehicles, the conditions and the order.
-    """
-    *more, vehicle_id, number = place
-    return (
-        select(
-            *(_m.series_id, _m.revision, _m.target, _m.height_m, _m.u_height_m, _m.U95_height_m),
-            *(_m.status, _m.reason, measurement_series.c.repeat_of, *more),
-            *(vehicle_id.label("vehicle_id"), number.label("vehicle_number")),
-            *(_then.c.status.label("status_before"), _then.c.height_m.label("height_before_m")),
-            *(_then.c.u_height_m.label("u_before_m"), _then.c.U95_height_m.label("U95_before_m")),
-            *(_m.verdict_of_revision, computings.c.kind),
-        )
-        .select_from(measurements)
-        .join(computings, computings.c.id == _m.computing_id)
-        .join(measurement_series, measurement_series.c.id == _m.series_id)
-        .join(_then, and_(_then.c.series_id == _m.series_id, _then.c.revision == _m.revision - 1))
-    )
-
-
-def computed_heights(session: Session, computing_id: int) -> tuple[ComputedHeight, ...]:
-    """Every height of recordings of a computing beside what it was, as they were made."""
-    query = (
-        computed_rows(_m.x_m, _m.y_m, vehicles.c.id, vehicles.c.number)
-        .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
-        .where(_m.computing_id == computing_id)
-        .order_by(_m.id)
-    )
-    return tuple(computed_height(row, scan_id=None, distance_m=None) for row in session.execute(query))
-
-
-def computed_height(row: Any, **lacking: None) -> ComputedHeight:
-    """The record of a row of `computed_rows`; `lacking`: the parts of a place that its kind lacks."""
-    then, now = row.height_before_m, row.height_m
-    change = None if now is None or then is None else now - then
-    moved = moved_beyond_u(then, row.u_before_m, now)
-    return record_of(
-        ComputedHeight,
-        row._mapping,
-        measurement_id=row.series_id,
-        repeat=row.repeat_of is not None,
-        height_before_m=then,
-        height_m=now,
-        change_m=change,
-        moved_by_u=abs(change) / row.u_before_m if change is not None and row.u_before_m else None,
-        to_review=moved and row.verdict_of_revision is None and row.kind != "undo",
-        reason=None if row.reason is None else Said.read(row.reason),
-        **lacking,
-    )
-
-
 @dataclass(frozen=True, slots=True)
 class Made:
     """A revision that a computing made, the one before it, and what stands now."""
@@ -212,28 +158,26 @@ class Made:
     standing: Measurement | ScanHeight
 
 
-def made_by(session: Session, computing_id: int) -> tuple[Made, ...]:
-    """The revisions of a computing whose measurement still stands, in the order of measurements."""
-    query = select(_m.series_id, _m.revision).where(_m.computing_id == computing_id)
-    revision_of = {row.series_id: row.revision for row in session.execute(query.order_by(_m.series_id))}
-    found: dict[tuple[int, int], Measurement] = {}
-    newest: dict[int, Measurement] = {}
-    series_ids = list(revision_of)
-    for at in range(0, len(series_ids), _SOME):
-        for one in _revisions(session, series_ids[at : at + _SOME]):
-            found[one.id, one.revision] = one
-            newest[one.id] = one
-    return tuple(
-        Made(found[id_, revision - 1], found[id_, revision], newest[id_])
-        for id_, revision in revision_of.items()
-        if id_ in newest and not newest[id_].withdrawn
+def made_by(session: Session, computing_id: int) -> list[Made]:
+    """The revisions of a computing on frames whose measurement still stands, in the order of measurements."""
+    touched = select(_m.series_id).where(_m.computing_id == computing_id)
+    query = (
+        measurement_revision_rows()
+        .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
+        .where(measurement_series.c.id.in_(touched), vehicles.c.deleted_at.is_(None))
+        .order_by(_m.series_id, _m.revision)
     )
+    return made_among(fetch_measurements(session, query), computing_id)
 
 
-def _revisions(session: Session, series_ids: Sequence[int]) -> tuple[Measurement, ...]:
-    """All revisions of measurements of living vehicles, by measurement, oldest first."""
-    query = measurement_revision_rows().join(
-        vehicles, and_(vehicles.c.id == measurement_series.c.vehicle_id, vehicles.c.deleted_at.is_(None))
-    )
-    query = query.where(_m.series_id.in_(series_ids)).order_by(_m.series_id, _m.revision)
-    return fetch_measurements(session, query)
+def made_among(revisions: Iterable[Measurement | ScanHeight], computing_id: int) -> list[Made]:
+    """Those that a computing made of heights that stand; of each height all revisions, oldest first."""
+    by_height: dict[int, list[Measurement | ScanHeight]] = {}
+    for one in revisions:
+        by_height.setdefault(one.id, []).append(one)
+    return [
+        Made(before, one, all_[-1])
+        for all_ in by_height.values()
+        for before, one in pairwise(all_)
+        if one.computing_id == computing_id and not all_[-1].withdrawn
+    ]

@@ -101,7 +101,7 @@ def count_out_of_date(groups: Iterable[Alike]) -> OutOfDate:
     )
 
 
-def changed_by(before: Measurement | ScanHeight, values: Any) -> Changed | None:
+def _changed_by(before: Measurement | ScanHeight, values: Any) -> Changed | None:
     """A standing height whose content comes out as `values`; None where that is the same."""
     causes = causes_of(before.values, values)
     if not causes:
@@ -109,6 +109,18 @@ def changed_by(before: Measurement | ScanHeight, values: Any) -> Changed | None:
     holds = verdict_still_holds(before.review.verdict, before.values, values)
     judged = before.judged_revision if holds else None
     return Changed(before=before, values=values, causes=causes, verdict_of_revision=judged)
+
+
+def changes_among(
+    standing: Sequence[Measurement | ScanHeight], computed: Iterable[Any], every: int, tell: Tell
+) -> Iterator[Changed]:
+    """The standing heights whose content comes out otherwise; `tell` hears of each `every` of them."""
+    for at, (one, values) in enumerate(zip(standing, computed, strict=True)):
+        if at % every == 0:
+            tell(at / len(standing))
+        changed = _changed_by(one, values)
+        if changed is not None:
+            yield changed
 
 
 def measurement_changes_to_come(
@@ -132,15 +144,10 @@ def measurement_changes_to_come(
     ]
     if only_waiting:
         standing = [one for one in standing if one.values.height_m is None]
-    found: list[Changed] = []
-    for at in range(0, len(standing), _EVERY):
-        tell(at / len(standing))
-        some = standing[at : at + _EVERY]
-        for one, values in zip(some, _computed(session, some, contexts, answers), strict=True):
-            changed = changed_by(one, values)
-            if changed is not None and not (only_waiting and values.height_m is None):
-                found.append(changed)
-    return found
+    parts = (standing[at : at + _EVERY] for at in range(0, len(standing), _EVERY))
+    computed = (values for some in parts for values in _computed(session, some, contexts, answers))
+    found = changes_among(standing, computed, _EVERY, tell)
+    return [one for one in found if not only_waiting or one.values.height_m is not None]
 
 
 def _computed(

@@ -31,7 +31,7 @@ from sightline.infra.jobs.registry import Finish, JobContext
 from sightline.infra.services import Services
 from sightline.messages.said import Said
 from sightline.recordings.frames.stills import stills_of
-from sightline.recordings.store import get_recording
+from sightline.recordings.store import get_ready_recording
 
 LOOKING, FITTING = 0.85, 0.9
 
@@ -45,12 +45,10 @@ def start(services: Services, camera_id: int, wish: CalibrationRequest, actor: i
             if camera.images < 3:
                 raise BadInput("recordings-too-few-images", name=camera.name, images=camera.images)
         else:
-            recording = get_recording(session, wish.recording_id)
+            recording = get_ready_recording(session, wish.recording_id)
             if recording.survey_id != camera.survey_id:
                 raise BadInput("recordings-other-survey", name=recording.name)
-            if recording.state != "ready" or recording.frame_count is None:
-                raise BadInput("recordings-no-frames", name=recording.name)
-            frames_of(wish, recording.frame_count)
+            frames_of(wish, recording.frame_count or 0)
         payload = {"camera_id": camera_id, **vars(wish)}
         return registry.enqueue(
             session,

@@ -10,7 +10,7 @@ import numpy.typing as npt
 from cachetools import LRUCache
 
 from sightline.enums import Display
-from sightline.errors import BadInput, Damaged, NotFound
+from sightline.errors import Damaged, NotFound
 from sightline.infra.database.engine import SessionFactory, reading
 from sightline.infra.services import BELIEVED_S, Services
 from sightline.media.store.local import MediaStore
@@ -19,7 +19,7 @@ from sightline.media.video.seeker import RecordingMedia
 from sightline.media.video.window import CancelCheck, always
 from sightline.recordings.frames.store import get_frame_table
 from sightline.recordings.records import Recording
-from sightline.recordings.store import get_recording
+from sightline.recordings.store import get_ready_recording
 
 MOST = 32
 
@@ -132,9 +132,7 @@ class Stills:
 
     def _read(self, recording_id: int, known: OpenRecording | None) -> OpenRecording:
         with reading(self._sessions) as session:
-            recording = get_recording(session, recording_id)
-            if recording.state != "ready":
-                raise _not_ready(recording)
+            recording = get_ready_recording(session, recording_id)
             if known is not None and _same_frames(known.recording, recording):
                 # A distant store may have dropped its local copy; asking for the path brings it back.
                 self._store.local_path(file_key(recording))
@@ -169,9 +167,3 @@ def _same_frames(then: Recording, now: Recording) -> bool:
 def file_key(recording: Recording) -> str:
     """The stored file that the frame table numbers: the upload, or its working copy."""
     return str(recording.report.get("working_copy") or recording.media_key)
-
-
-def _not_ready(recording: Recording) -> BadInput:
-    if recording.state == "failed":
-        return BadInput("recordings-import-failed", name=recording.name)
-    return BadInput("recordings-not-ready", name=recording.name)

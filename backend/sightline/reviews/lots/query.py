@@ -11,6 +11,7 @@ from sqlalchemy import ColumnElement, and_, exists, func, select
 from sqlalchemy.orm import Session
 
 from sightline.enums import LotLeaving
+from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import missing, names, who
 from sightline.measurements.query import is_current, is_first, verdict, waits, with_verdict
@@ -109,18 +110,16 @@ def _lots(session: Session, condition: ColumnElement[bool]) -> tuple[Lot, ...]:
 
 def decision_of(row: Any, maker: str | None) -> Decision:
     """The record of a row of `lot_decisions`, or of what its event says."""
-    plain = {name: row[name] for name in ("id", "choice", "judged", "nonconforming", "rest", "created_at")}
     left = {int(number): why for number, why in row["left_out"].items()}
-    return Decision(
-        **plain, sample=tuple(row["sample"]), left_out=left, created_by=who(row["created_by"], maker)
-    )
+    by = who(row["created_by"], maker)
+    return record_of(Decision, row, sample=tuple(row["sample"]), left_out=left, created_by=by)
 
 
 def lot_of(row: Any, maker: str | None, operators: Any, decisions: Iterable[Decision]) -> Lot:
     """The record of a row of `lots`, or of what its event says; `operators`: names by number."""
-    plain = ("id", "survey_id", "number", "size", "sample_size", "acceptance_number", "seed", "created_at")
-    return Lot(
-        **{name: row[name] for name in plain},
+    return record_of(
+        Lot,
+        row,
         common=common_of(row["common"], operators),
         risks=RiskPoints(**{name: float(row[name]) for name in _RISKS}),
         created_by=who(row["created_by"], maker),

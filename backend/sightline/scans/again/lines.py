@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
 
 from sightline.infra.database import Session
 from sightline.linescan.line_height import LineHeight
-from sightline.linescan.line_pose import LinePose
-from sightline.measurements.again.service import Tell, changed_by, untold
+from sightline.measurements.again.service import Tell, changes_among, untold
 from sightline.measurements.again.store import Changed
 from sightline.measurements.height_of_clicks import filled_in
 from sightline.measurements.records import Clicks, ScanHeight, ScanHeightValues
@@ -21,17 +19,8 @@ from sightline.surveys.store import get_survey
 _EVERY = 50  # heights between two reports of progress
 
 
-@dataclass(eq=False)
-class LineAnswers:
-    """Heights by calibration and clicks: computed outside the transaction, only looked up in it."""
-
-    known: dict[tuple[int, Clicks], LineHeight] = field(default_factory=dict)
-
-    def of(self, pose_id: int, pose: LinePose, clicks: Clicks) -> LineHeight:
-        """The height of these clicks."""
-        if (pose_id, clicks) not in self.known:
-            self.known[pose_id, clicks] = answer(pose, clicks)
-        return self.known[pose_id, clicks]
+#: Heights by calibration and clicks: computed outside the transaction, only looked up in it.
+LineAnswers = dict[tuple[int, Clicks], LineHeight]
 
 
 def line_changes_to_come(
@@ -43,14 +32,7 @@ def line_changes_to_come(
     """
     standing = standing_scan_heights(session, survey_id)
     computed = _computed(session, survey_id, standing, answers)
-    found: list[Changed] = []
-    for at, (one, values) in enumerate(zip(standing, computed, strict=True)):
-        if at % _EVERY == 0:
-            tell(at / len(standing))
-        changed = changed_by(one, values)
-        if changed is not None:
-            found.append(changed)
-    return found
+    return list(changes_among(standing, computed, _EVERY, tell))
 
 
 def _computed(
@@ -65,5 +47,6 @@ def _computed(
     for one in standing:
         pose_id, pose = poses[one.scan_id]
         clicks = filled_in(clicks_to_compute_again(one.values), insets, one.category)
-        found = answers.of(pose_id, pose, clicks)
+        key = pose_id, clicks
+        found = answers[key] = answers[key] if key in answers else answer(pose, clicks)
         yield height_values(pose_id, clicks, found, remarks_on_clicks(one.values))

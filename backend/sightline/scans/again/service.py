@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from sightline.enums import ComputingKind
 from sightline.errors import Conflict, NotFound
 from sightline.infra.database import Session
-from sightline.measurements.again.query import computed_heights, get_computing, made_by
+from sightline.measurements.again.query import get_computing, made_by
 from sightline.measurements.again.records import ComputedHeights, Computing, OutOfDate
 from sightline.measurements.again.service import (
     Answers,
@@ -26,7 +26,7 @@ from sightline.measurements.again.service import (
 from sightline.measurements.again.store import Changed, add_computing
 from sightline.measurements.store import append_computed_again
 from sightline.scans.again.lines import LineAnswers, line_changes_to_come
-from sightline.scans.again.query import alike_lines, computed_scan_heights
+from sightline.scans.again.query import alike_lines, computed_heights
 from sightline.scans.heights.store import scan_heights_made_by
 
 _MOST_LISTED = 2000
@@ -37,7 +37,7 @@ class AllAnswers:
     """What was computed outside the transaction, to be only looked up in it."""
 
     frames: Answers = field(default_factory=Answers)
-    lines: LineAnswers = field(default_factory=LineAnswers)
+    lines: LineAnswers = field(default_factory=dict)
 
 
 def out_of_date(session: Session, survey_id: int) -> OutOfDate:
@@ -100,7 +100,7 @@ def undo_computing(session: Session, computing_id: int, *, actor: int | None) ->
     Raises Conflict where a later computing stands, or this one cannot be undone.
     """
     one = require_undoable(session, computing_id)
-    made = (*made_by(session, computing_id), *scan_heights_made_by(session, computing_id))
+    made = [*made_by(session, computing_id), *scan_heights_made_by(session, computing_id)]
     changes, kept = changes_back(made)
     return _stored(session, one.survey_id, changes, kind="undo", undoes=computing_id, kept=kept, actor=actor)
 
@@ -126,7 +126,7 @@ def _stored(
 def heights_of(session: Session, computing_id: int) -> ComputedHeights:
     """A computing with its heights, old beside new. Raises NotFound."""
     one = get_computing(session, computing_id)
-    found = (*computed_heights(session, computing_id), *computed_scan_heights(session, computing_id))
+    found = list(computed_heights(session, computing_id))
     changes = [row.change_m for row in found if row.change_m is not None and not row.repeat]
     try:
         require_undoable(session, computing_id)

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any, get_args
 
 from sightline.enums import JsonObject, Point, ScanVerdict
-from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.columns import (
     flag,
     integer,
@@ -223,60 +222,58 @@ LINE_BUDGET: Table[HeightBudgetEntry] = Table(
 TABLES: tuple[Table[Any], ...] = (LINE_POSES, LINE_MARKS, LINE_HEIGHTS, LINE_BUDGET, LINE_HEIGHT_REVIEWS)
 
 
-@dataclass(eq=False)
-class HeightRecords:
-    """What the tables of heights in line scans are made of."""
-
-    poses: list[StoredLinePose] = field(default_factory=list)
-    marks: list[RodMark] = field(default_factory=list)
-    heights: list[ListedHeight] = field(default_factory=list)
-    budget: list[HeightBudgetEntry] = field(default_factory=list)
-    reviews: list[JudgedHeight] = field(default_factory=list)
-
-    def add_scan(
-        self, session: Session, scan_id: int, vehicle_ids: Sequence[int], insets: Mapping[str, Inset]
-    ) -> list[Who | None]:
-        """Add one recording, its vehicles in their order; gives back who stands in the rows. `insets`: those
-        of the survey, by name.
-        """
-        poses = line_pose_history(session, scan_id)
-        self.poses += poses
-        for pose in poses:
-            self.marks += _marks(pose)
-        makers = [pose.created_by for pose in poses]
-        in_force = poses[-1].id if poses else None
-        of_vehicle = scan_height_history_of_scan(session, scan_id)
-        id_of: dict[tuple[int, int | None], int] = {}
-        for vehicle_id in vehicle_ids:
-            revisions = of_vehicle.get(vehicle_id, [])
-            newest = {one.id: one.revision for one in revisions}
-            for one in revisions:
-                makers.append(one.created_by)
-                id_of[one.id, one.revision] = one.revision_id
-                current = newest[one.id] == one.revision
-                if current and not one.withdrawn:
-                    causes = causes_now_of_scan(one.values, in_force, insets, one.category)
-                    one = replace(one, out_of_date=causes)
-                judged = id_of.get((one.id, one.verdict_of_revision))
-                self.heights.append(ListedHeight(one, current, judged))
-                self.budget += [
-                    HeightBudgetEntry(one.revision_id, entry["source"], entry["u_m"])
-                    for entry in one.values.budget
-                ]
+def fill_heights(
+    staging: Staging,
+    session: Session,
+    vehicles_of: Mapping[int, Sequence[int]],
+    insets: Mapping[str, Inset],
+) -> None:
+    """Write the tables of heights. `vehicles_of`: the living vehicles of each recording, in their order;
+    `insets`: those of the survey, by name.
+    """
+    poses = {scan_id: line_pose_history(session, scan_id) for scan_id in vehicles_of}
+    solved = [pose for history in poses.values() for pose in history]
+    staging.fill(LINE_POSES, solved)
+    staging.fill(LINE_MARKS, (mark for pose in solved for mark in _marks(pose)))
+    heights: list[ListedHeight] = []
+    reviews: list[JudgedHeight] = []
+    for scan_id, vehicle_ids in vehicles_of.items():
+        history = scan_height_history_of_scan(session, scan_id)
+        revisions = [one for vehicle_id in vehicle_ids for one in history.get(vehicle_id, ())]
+        in_force = poses[scan_id][-1].id if poses[scan_id] else None
+        id_of: dict[tuple[int, int | None], int] = {
+            (one.id, one.revision): one.revision_id for one in revisions
+        }
+        heights += _listed(revisions, in_force, insets, id_of)
         for review in reviews_of_series(session, measurement_series.c.scan_id == scan_id):
             judged = id_of.get((review.measurement_id, review.result_revision))
             if judged is not None:
-                self.reviews.append(JudgedHeight(review, judged))
-                makers.append(review.reviewer)
-        return makers
+                reviews.append(JudgedHeight(review, judged))
+    staging.fill(LINE_BUDGET, (entry for one in heights for entry in _budget(one.height)))
+    staging.fill(LINE_HEIGHTS, sorted(heights, key=lambda one: one.height.revision_id))
+    staging.fill(LINE_HEIGHT_REVIEWS, sorted(reviews, key=lambda one: one.review.id))
 
-    def fill(self, staging: Staging) -> None:
-        """Write the tables."""
-        staging.fill(LINE_POSES, self.poses)
-        staging.fill(LINE_MARKS, self.marks)
-        staging.fill(LINE_HEIGHTS, self.heights)
-        staging.fill(LINE_BUDGET, self.budget)
-        staging.fill(LINE_HEIGHT_REVIEWS, self.reviews)
+
+def _listed(
+    revisions: Sequence[ScanHeight],
+    pose_id: int | None,
+    insets: Mapping[str, Inset],
+    id_of: Mapping[tuple[int, int | None], int],
+) -> Iterator[ListedHeight]:
+    """The revisions of a recording's heights, each height's oldest first; `pose_id`: the calibration that
+    counts; `id_of`: each by height and number.
+    """
+    newest = {one.id: one.revision for one in revisions}
+    for one in revisions:
+        current = newest[one.id] == one.revision
+        if current and not one.withdrawn:
+            one = replace(one, out_of_date=causes_now_of_scan(one.values, pose_id, insets, one.category))
+        yield ListedHeight(one, current, id_of.get((one.id, one.verdict_of_revision)))
+
+
+def _budget(height: ScanHeight) -> Iterator[HeightBudgetEntry]:
+    for entry in height.values.budget:
+        yield HeightBudgetEntry(height.revision_id, entry["source"], entry["u_m"])
 
 
 def _marks(pose: StoredLinePose) -> list[RodMark]:

@@ -1,7 +1,6 @@
 """Heights of scanned vehicles: one measurement a vehicle's target; a withdrawn one is a revision too."""
 
 from collections.abc import Collection
-from itertools import pairwise
 from typing import Any
 
 from sqlalchemy import ColumnElement, Select, and_, select
@@ -11,7 +10,7 @@ from sightline.enums import Target
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit.records import name_or_somebody
 from sightline.infra.database.rows import add_row, missing
-from sightline.measurements.again.query import Made
+from sightline.measurements.again.query import Made, made_among
 from sightline.measurements.query import (
     OF_LINES,
     is_current,
@@ -110,18 +109,10 @@ def standing_scan_heights(session: Session, survey_id: int) -> tuple[ScanHeight,
     return _where(session, _s.survey_id == survey_id, stands)
 
 
-def scan_heights_made_by(session: Session, computing_id: int) -> tuple[Made, ...]:
+def scan_heights_made_by(session: Session, computing_id: int) -> list[Made]:
     """The heights that a computing made, of vehicles that are still there."""
     made = select(_m.series_id).where(_m.computing_id == computing_id)
-    revisions: dict[int, list[ScanHeight]] = {}
-    for one in _where(session, _s.id.in_(made), _alive):
-        revisions.setdefault(one.id, []).append(one)
-    return tuple(
-        Made(before, one, all_[-1])
-        for all_ in revisions.values()
-        for before, one in pairwise(all_)
-        if one.computing_id == computing_id and not all_[-1].withdrawn
-    )
+    return made_among(_where(session, _s.id.in_(made), _alive), computing_id)
 
 
 def scan_height_revisions(session: Session, height_id: int) -> tuple[ScanHeight, ...]:

@@ -15,7 +15,7 @@ from sightline.infra.services import Services
 from sightline.linescan.parts import Motion, Rig
 from sightline.media.store.local import key_of, sha256_of
 from sightline.messages.said import Said
-from sightline.scans.live.records import LiveHealth, LiveVehicle, SegmentFacts
+from sightline.scans.live.records import Keeper, LiveHealth, LiveVehicle, SegmentFacts
 from sightline.scans.live.store import add_live_scan, end_live_scan, hear_live_scan
 from sightline.scans.records import LiveSource, StripSource
 from sightline.scans.service import queue_reading
@@ -30,7 +30,7 @@ NOT_KEPT = Said("scans-lines-not-stored")
 _SUFFIX = ".spool.tif"
 
 
-class SurveyKeeper:
+class SurveyKeeper(Keeper):
     """Stores vehicles as they come, with the store functions of the search and their audit events.
 
     A database that cannot be written delays the storing, never the stream: what waits is stored with the next

@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
-from typing import Protocol
 
 from sightline.enums import LiveState, MeasurementStatus, ScanDirection
 from sightline.linescan.passing import Vehicle
@@ -52,18 +51,21 @@ class SegmentFacts:
     began_at: datetime
 
 
-class Keeper(Protocol):
-    """Where a stream's vehicles go besides being told: a survey, or nowhere."""
+class Keeper:
+    """Where a stream's vehicles go besides being told: here nowhere, of others a survey."""
 
     def begin(self, segment: SegmentFacts) -> int | None:
         """A segment begins; the number of its line-scan recording."""
+        return None
 
     def take_up(self, scan_id: int | None) -> None:
         """The segment that a killed stream left is the present one, until its end."""
 
-    def add(self, vehicle: LiveVehicle) -> None: ...
+    def add(self, vehicle: LiveVehicle) -> None:
+        """A vehicle was told."""
 
-    def hear(self, health: LiveHealth) -> None: ...
+    def hear(self, health: LiveHealth) -> None:
+        """How the stream is, once a second."""
 
     def end(self, paths: tuple[Path, Path] | None, notes: list[Said]) -> None:
         """The segment has ended; its strips (None: not kept) and what is to be said of them."""

@@ -257,22 +257,3 @@ def _memory_mib() -> float:
     except (OSError, IndexError, ValueError):
         return 0.0
     return pages * os.sysconf("SC_PAGE_SIZE") / 2**20
-
-
-class Nowhere:
-    """Keeps nothing besides what is told."""
-
-    def begin(self, segment: SegmentFacts) -> int | None:
-        return None
-
-    def take_up(self, scan_id: int | None) -> None:
-        """Nothing was kept."""
-
-    def add(self, vehicle: LiveVehicle) -> None:
-        """It is told; that is all."""
-
-    def hear(self, health: LiveHealth) -> None:
-        """Nobody looks."""
-
-    def end(self, paths: tuple[Path, Path] | None, notes: list[Said]) -> None:
-        """The files are where they are."""

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, fields
+from collections.abc import Iterable
+from dataclasses import dataclass, fields
 from typing import Any, get_args
 
 from sightline.enums import RigPassKind
-from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.columns import integer, key, metres, moment, number, person, text, within
 from sightline.infra.csv_package.files import Staging
 from sightline.infra.csv_package.schema import Column, Table
@@ -112,23 +112,12 @@ RIG_PASSES: Table[ListedPass] = Table(
 TABLES: tuple[Table[Any], ...] = (RIG_CALIBRATIONS, RIG_PASSES)
 
 
-@dataclass(eq=False)
-class RigRecords:
-    """What the tables of calibrations are made of."""
-
-    calibrations: list[StoredRigCalibration] = field(default_factory=list)
-
-    def add_scan(self, session: Session, scan_id: int) -> list[Who | None]:
-        """Add one recording; gives back who stands in the rows."""
-        found = rig_calibration_history(session, scan_id)
-        self.calibrations += found
-        return [one.created_by for one in found]
-
-    def fill(self, staging: Staging) -> None:
-        """Write the tables, by number."""
-        self.calibrations.sort(key=lambda one: one.id)
-        staging.fill(RIG_CALIBRATIONS, self.calibrations)
-        staging.fill(RIG_PASSES, [one for made in self.calibrations for one in _listed(made)])
+def fill_rigs(staging: Staging, session: Session, scan_ids: Iterable[int]) -> None:
+    """Write the tables of these recordings' calibrations, by number."""
+    found = [one for scan_id in scan_ids for one in rig_calibration_history(session, scan_id)]
+    found.sort(key=lambda one: one.id)
+    staging.fill(RIG_CALIBRATIONS, found)
+    staging.fill(RIG_PASSES, (one for made in found for one in _listed(made)))
 
 
 def _listed(made: StoredRigCalibration) -> list[ListedPass]:

@@ -236,45 +236,33 @@ def _spread(name: str, unit: str, values: Sequence[float]) -> Spread:
     )
 
 
-@dataclass(frozen=True)
-class _Pair:
-    """A measured and a true length with their uncertainties, and the lighting."""
-
-    measured_m: float
-    u_measured_m: float
-    true_m: float
-    u_true_m: float
-    lighting: str
-
-
-def _pairs(chosen: Iterable[VehicleMotion], name: str) -> list[_Pair]:
-    """Vehicles that have both; the measured one's uncertainty without the baseline's, which is common."""
-    out = []
-    for one in chosen:
-        true, value = one.known.get(name), one.values.get(name)
-        if true is None or value is None:
-            continue
-        u = alone(value, one.values.get(f"u_{name}"), one.rig_baseline_m, one.rig_u_baseline_m)
-        out.append(_Pair(value, u, true, one.known.get(f"u_{name}") or 0.0, one.lighting))
-    return out
+def _pairs(chosen: Iterable[VehicleMotion], name: str) -> list[tuple[VehicleMotion, float, float]]:
+    """Vehicles of which a length was measured and is known, with both, metres."""
+    both = ((one, one.values.get(name), one.known.get(name)) for one in chosen)
+    return [(one, value, true) for one, value, true in both if value is not None and true is not None]
 
 
 def _errors(chosen: Sequence[VehicleMotion], name: str) -> dict[str, ErrorGroup]:
     pairs = _pairs(chosen, name)
-    measured, true = [one.measured_m for one in pairs], [one.true_m for one in pairs]
-    return error_table(measured, true, [one.lighting for one in pairs], "none")
+    measured, true = [value for _, value, _ in pairs], [true for *_, true in pairs]
+    return error_table(measured, true, [one.lighting for one, *_ in pairs], "none")
 
 
 def _ratio(chosen: Sequence[VehicleMotion], of: KnownLength) -> RigEstimate:
-    """Measured over true, which tells of a wrong baseline."""
-    pairs = _pairs(chosen, f"{of}_m")
-    return baseline_ratio(
-        of,
-        [one.measured_m for one in pairs],
-        [one.u_measured_m for one in pairs],
-        [one.true_m for one in pairs],
-        [one.u_true_m for one in pairs],
-    )
+    """Measured over true, which tells of a wrong baseline; u of a measured one without the baseline's, which
+    is common.
+    """
+    name, u_name = f"{of}_m", f"u_{of}_m"
+    rows = [
+        (
+            value,
+            alone(value, one.values.get(u_name), one.rig_baseline_m, one.rig_u_baseline_m),
+            true,
+            one.known.get(u_name) or 0.0,
+        )
+        for one, value, true in _pairs(chosen, name)
+    ]
+    return baseline_ratio(of, *([row[k] for row in rows] for k in range(4)))
 
 
 def _row(one: VehicleMotion) -> ScanRow:

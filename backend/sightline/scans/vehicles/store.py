@@ -10,9 +10,15 @@ from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject, ScanDirection, VehicleOrigin
 from sightline.errors import BadInput, Conflict
-from sightline.infra.audit import trail
-from sightline.infra.database.rows import add_rows, change_row, get_row, last_change, missing
-from sightline.infra.database.types import document_text, now
+from sightline.infra.audit.changing import (
+    alter_row,
+    bring_back_row,
+    change_since,
+    make_rows,
+    take_out_row,
+)
+from sightline.infra.database.rows import get_row, last_change, missing
+from sightline.infra.database.types import document_text
 from sightline.scans.query import scan_vehicle_of_row, scan_vehicle_rows, scan_vehicle_states
 from sightline.scans.records import Changes, KnownOfScanned, ScanCounts, ScanVehicle, state_of
 from sightline.scans.tables import scan_measurements, scan_vehicles, scans
@@ -41,13 +47,7 @@ def create_scan_vehicles(
     first = session.execute(counted.where(scan_vehicles.c.scan_id == scan_id)).scalar_one() + 1
     place = {"survey_id": scan["survey_id"], "scan_id": scan_id, "origin": origin}
     told = [{**place, "number": number, **content} for number in range(first, first + count)]
-    moment = now()
-    stamps = {"version": 1, "created_at": moment, "created_by": actor}
-    stamps |= {"updated_at": moment, "updated_by": actor}
-    row_ids = add_rows(session, scan_vehicles, [{**row, **stamps} for row in told])
-    events = [(row_id, None, row) for row_id, row in zip(row_ids, told, strict=True)]
-    trail.record_many(session, actor, "create", "scan_vehicle", scan["survey_id"], events)
-    return row_ids
+    return make_rows(session, scan_vehicles, told, survey_id=scan["survey_id"], actor=actor)
 
 
 def get_scan_vehicle(session: Session, vehicle_id: int, *, deleted: bool = False) -> ScanVehicle:
@@ -132,8 +132,8 @@ def change_scan_vehicle(
 ) -> ScanVehicle:
     """Fill in what is known of a vehicle. Raises Conflict if `version` is not the current one, BadInput."""
     before = require_scan_vehicle_version(session, vehicle_id, version)
-    change = _checked(changes)
-    return _write(session, before, change, "update", trail.changed(before, change, change), actor)
+    alter_row(session, scan_vehicles, before, _checked(changes), actor=actor)
+    return get_scan_vehicle(session, vehicle_id)
 
 
 def remove_scan_vehicle(
@@ -141,9 +141,8 @@ def remove_scan_vehicle(
 ) -> ScanVehicle:
     """Take a vehicle out of all lists; `restore` brings it back. Found again, it stays away."""
     before = require_scan_vehicle_version(session, vehicle_id, version)
-    return _write(
-        session, before, {"deleted_at": now()}, "delete", ({"deleted": False}, {"deleted": True}), actor
-    )
+    take_out_row(session, scan_vehicles, before, actor=actor)
+    return get_scan_vehicle(session, vehicle_id, deleted=True)
 
 
 def restore_scan_vehicle(session: Session, vehicle_id: int, *, actor: int | None) -> ScanVehicle:
@@ -151,23 +150,7 @@ def restore_scan_vehicle(session: Session, vehicle_id: int, *, actor: int | None
     before = get_row(session, scan_vehicles, vehicle_id, "scanned vehicle")
     if before["deleted_at"] is None:
         raise Conflict("scans-vehicle-not-deleted")
-    return _write(
-        session, before, {"deleted_at": None}, "restore", ({"deleted": True}, {"deleted": False}), actor
-    )
-
-
-def _write(
-    session: Session,
-    before: Mapping[str, Any],
-    change: Mapping[str, Any],
-    action: str,
-    told: tuple[JsonObject, JsonObject],
-    actor: int | None,
-) -> ScanVehicle:
-    vehicle_id = before["id"]
-    stamps = {"version": before["version"] + 1, "updated_at": now(), "updated_by": actor}
-    change_row(session, scan_vehicles, vehicle_id, {**change, **stamps})
-    trail.record(session, actor, action, "scan_vehicle", vehicle_id, before["survey_id"], *told)
+    bring_back_row(session, scan_vehicles, before, actor=actor)
     return get_scan_vehicle(session, vehicle_id, deleted=True)
 
 
@@ -181,9 +164,8 @@ def require_scan_vehicle_version(session: Session, vehicle_id: int, version: int
     if row["deleted_at"] is not None:
         name, when = last_change(session, row)
         raise Conflict("scans-vehicle-deleted", name=name, number=row["number"], when=when)
-    if version is not None and row["version"] != version:
-        name, when = last_change(session, row)
-        raise Conflict("scans-vehicle-changed", name=name, number=row["number"], when=when)
+    if by := change_since(session, row, version):
+        raise Conflict("scans-vehicle-changed", name=by[0], when=by[1], number=row["number"])
     return row
 
 

@@ -1,6 +1,6 @@
 """Photographs of a survey's set-up: their captions and order; taken out ones are kept for undo."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from sqlalchemy import ColumnElement, func, select
@@ -8,9 +8,16 @@ from sqlalchemy.orm import Session
 
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
+from sightline.infra.audit.changing import (
+    alter_row,
+    bring_back_row,
+    change_since,
+    make_rows,
+    take_out_row,
+)
 from sightline.infra.audit.written import written_rows
 from sightline.infra.by_name import record_of
-from sightline.infra.database.rows import add_row, change_row, get_row, last_change, missing
+from sightline.infra.database.rows import change_row, get_row, missing
 from sightline.infra.database.types import now
 from sightline.surveys.photographs.records import Photograph
 from sightline.surveys.photographs.tables import survey_photographs as photographs
@@ -46,12 +53,10 @@ def add_photograph(
         "size_bytes": size_bytes,
         "width_px": width_px,
         "height_px": height_px,
+        "created_at": now(),
     }
-    moment = now()
-    stamps = {"created_at": moment, "created_by": actor, "updated_at": moment, "updated_by": actor}
-    new_id = add_row(session, photographs, {"survey_id": survey_id, **content, **stamps, "version": 1})
-    after = {**content, "created_at": moment}
-    trail.record(session, actor, "create", "photograph", new_id, survey_id, None, after)
+    of = {"survey_id": survey_id}
+    (new_id,) = make_rows(session, photographs, [content], **of, untold=of, actor=actor)
     return get_photograph(session, new_id)
 
 
@@ -80,10 +85,7 @@ def change_photograph_caption(
 ) -> Photograph:
     """Another caption. Raises NotFound, BadInput, and Conflict if `version` is not the current one."""
     before = _current(session, photograph_id, version)
-    content = {"caption": _caption(caption)}
-    _change(session, before, content, actor)
-    what = trail.changed(before, content, content)
-    trail.record(session, actor, "update", "photograph", photograph_id, before["survey_id"], *what)
+    alter_row(session, photographs, before, {"caption": _caption(caption)}, actor=actor)
     return get_photograph(session, photograph_id)
 
 
@@ -103,10 +105,7 @@ def order_photographs(
 
 def remove_photograph(session: Session, photograph_id: int, *, version: int, actor: int | None) -> Photograph:
     """Take a photograph out; `restore` brings it back. Raises NotFound, Conflict."""
-    before = _current(session, photograph_id, version)
-    _change(session, before, {"deleted_at": now()}, actor)
-    what = {"deleted": False}, {"deleted": True}
-    trail.record(session, actor, "delete", "photograph", photograph_id, before["survey_id"], *what)
+    take_out_row(session, photographs, _current(session, photograph_id, version), actor=actor)
     return get_photograph(session, photograph_id, deleted=True)
 
 
@@ -116,25 +115,15 @@ def restore_photograph(session: Session, photograph_id: int, *, actor: int | Non
     if before["deleted_at"] is None:
         return get_photograph(session, photograph_id)
     require_photograph_room(session, before["survey_id"])
-    _change(session, before, {"deleted_at": None}, actor)
-    what = {"deleted": True}, {"deleted": False}
-    trail.record(session, actor, "restore", "photograph", photograph_id, before["survey_id"], *what)
+    bring_back_row(session, photographs, before, actor=actor)
     return get_photograph(session, photograph_id)
 
 
 def _current(session: Session, photograph_id: int, version: int) -> dict[str, Any]:
     row = get_row(session, photographs, photograph_id, "photograph", photographs.c.deleted_at.is_(None))
-    if row["version"] != version:
-        name, when = last_change(session, row)
-        raise Conflict("surveys-photograph-changed", name=name, when=when)
+    if by := change_since(session, row, version):
+        raise Conflict("surveys-photograph-changed", name=by[0], when=by[1])
     return row
-
-
-def _change(
-    session: Session, before: Mapping[str, Any], content: Mapping[str, Any], actor: int | None
-) -> None:
-    stamps = {"version": before["version"] + 1, "updated_at": now(), "updated_by": actor}
-    change_row(session, photographs, before["id"], {**content, **stamps})
 
 
 def _caption(text: str) -> str:

@@ -5,8 +5,8 @@ from typing import Annotated
 from fastapi import APIRouter, Depends, File, Query, Response, UploadFile
 from pydantic import Field
 
-from sightline.enums import Category, OnConflict, SizeUnit
-from sightline.infra.web.bodies import Finite, In, Text
+from sightline.enums import OnConflict, SizeUnit
+from sightline.infra.web.bodies import Finite, In, Text, of_record
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
 from sightline.infra.web.uploaded import whole_file
 from sightline.vehicles.catalogue import store
@@ -39,30 +39,14 @@ Conflicting = Annotated[OnConflict, Query(description="What becomes of sizes tha
 Unit = Annotated[SizeUnit | None, Query(description="Of sizes whose column names none, or metres.")]
 
 
+_LOWER_EDGE = Annotated[Finite, Field(description="Of the lower edge.")]
+_GIVEN = {"year_*": Year, "u_*": Finite, "*light_m": _LOWER_EDGE, "*_m": Finite, "*_source": Source}
+
+
+@of_record(CatalogueRow, given=_GIVEN, optional=True)
 class ModelIn(In):
     make: Annotated[str, Field(min_length=1, max_length=store.MOST_MAKE)]
     model: Annotated[str, Field(min_length=1, max_length=store.MOST_MODEL)]
-    year_from: Year | None = None
-    year_to: Year | None = None
-    category: Category | None = None
-    height_m: Finite | None = None
-    length_m: Finite | None = None
-    width_m: Finite | None = None
-    wheelbase_m: Finite | None = None
-    taillight_m: Annotated[Finite | None, Field(description="Of the lower edge.")] = None
-    headlight_m: Annotated[Finite | None, Field(description="Of the lower edge.")] = None
-    u_height_m: Finite | None = None
-    u_length_m: Finite | None = None
-    u_width_m: Finite | None = None
-    u_wheelbase_m: Finite | None = None
-    u_taillight_m: Finite | None = None
-    u_headlight_m: Finite | None = None
-    height_source: Source | None = None
-    length_source: Source | None = None
-    width_source: Source | None = None
-    wheelbase_source: Source | None = None
-    taillight_source: Source | None = None
-    headlight_source: Source | None = None
     source: Text = ""
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from sightline.detection.classify import FoundPass
-from sightline.errors import BadInput, Conflict, Damaged
+from sightline.errors import Conflict, Damaged
 from sightline.geometry.documents import pose_from_dict
 from sightline.geometry.road_pose import RoadPose
 from sightline.infra.database import Session
@@ -23,7 +23,7 @@ from sightline.poses.store import get_pose
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.ingest_job import LOW_LIGHT_BELOW, PASSES
 from sightline.recordings.records import Recording
-from sightline.recordings.store import get_recording
+from sightline.recordings.store import get_ready_recording
 from sightline.vehicles.records import VehicleChanges
 from sightline.vehicles.store import PassSpan, create_vehicle, pass_spans
 
@@ -33,9 +33,7 @@ SAME_SHARE = 0.5
 
 def request_passes(session: Session, recording_id: int, *, actor: int) -> Job:
     """Queue the search. Raises NotFound, BadInput (no frames yet), Conflict while one waits or runs."""
-    recording = get_recording(session, recording_id)
-    if recording.state != "ready":
-        raise BadInput("poses-no-frames", name=recording.name)
+    recording = get_ready_recording(session, recording_id)
     if jobs_under_way(session, KIND, recording_id=recording_id):
         raise Conflict("vehicles-search-running", name=recording.name)
     return registry.enqueue(

@@ -8,25 +8,24 @@ from collections.abc import Iterable
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
-from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import choice, trail
 from sightline.infra.audit.records import survey_chain
-from sightline.infra.database.rows import get_row
 from sightline.recordings.tables import recordings
-from sightline.surveys.tables import surveys
 from sightline.vehicles.proposing.records import FreePlan
 from sightline.vehicles.proposing.tables import proposals
 
-USUAL = FreePlan(10, 0)
-MOST = 100
-_KIND = choice.Kind("free_plan", "free_one_in")
+_PLAN = choice.DrawPlan(
+    choice.Kind("free_plan", "free_one_in"),
+    usual=10,
+    least=2,
+    changed="proposals-somebody-changed-plan",
+    refused="proposals-plan-one-in",
+)
 
 
 def get_free_plan(session: Session, survey_id: int) -> FreePlan:
     """The plan in force; version 0 is the usual one. Raises NotFound."""
-    get_row(session, surveys, survey_id, "survey")
-    found = choice.chosen(session, _KIND, [survey_id])
-    return FreePlan(*found[survey_id]) if found else USUAL
+    return FreePlan(*_PLAN.in_force(session, survey_id))
 
 
 def choose_free_plan(
@@ -37,13 +36,7 @@ def choose_free_plan(
 
     Raises BadInput outside 0 and 2 to 100, Conflict if `version` is not the current one, NotFound.
     """
-    before = get_free_plan(session, survey_id)
-    if version != before.version:
-        raise Conflict("proposals-somebody-changed-plan")
-    if free_one_in != 0 and not 2 <= free_one_in <= MOST:
-        raise BadInput("proposals-plan-one-in", most=MOST)
-    made = choice.choose(session, _KIND, survey_id, before.free_one_in, free_one_in, actor)
-    return FreePlan(free_one_in, made)
+    return FreePlan(*_PLAN.choose(session, survey_id, free_one_in, version=version, actor=actor))
 
 
 def drawn_free(session: Session, survey_id: int, vehicles: Iterable[int]) -> tuple[frozenset[int], str]:

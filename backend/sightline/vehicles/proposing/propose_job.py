@@ -18,7 +18,7 @@ from sightline.messages.said import Said
 from sightline.poses.store import get_pose
 from sightline.proposals.propose import POINTS, Proposals, Proposed
 from sightline.recordings.frames.stills import stills_of
-from sightline.recordings.store import get_recording
+from sightline.recordings.store import get_ready_recording, get_recording
 from sightline.vehicles.passes.find_job import rate_hz_of
 from sightline.vehicles.proposing.records import PointProposal
 from sightline.vehicles.proposing.store import replace_proposals
@@ -32,9 +32,7 @@ def request_proposals(session: Session, recording_id: int, *, actor: int) -> Job
     """Queue the work. Raises NotFound, BadInput without frames or found passes, Conflict without a camera
     pose or while it waits or runs.
     """
-    recording = get_recording(session, recording_id)
-    if recording.state != "ready":
-        raise BadInput("poses-no-frames", name=recording.name)
+    recording = get_ready_recording(session, recording_id)
     if recording.pose_id is None:
         raise Conflict("measurements-no-pose", name=recording.name)
     if not found_passes(session, recording_id):
