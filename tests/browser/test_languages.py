@@ -75,8 +75,13 @@ def texts(language: str) -> dict[str, set[str]]:
         if isinstance(entry, ftl.Message):
             seen = _Texts()
             seen.visit(entry)
-            found[entry.id.name] = {one.strip() for text in seen.all for one in TAG.split(text)[::2]}
+            found[entry.id.name] = {spaced(one).strip() for text in seen.all for one in TAG.split(text)[::2]}
     return found
+
+
+def spaced(text: str) -> str:
+    """Wherever a line may break: pages keep numbers and units together, which catalogues and server do not."""
+    return text.replace("\u00a0", " ")
 
 
 class Said:
@@ -259,6 +264,7 @@ class Answers:
 
     def _gather(self, value: Any, named: bool) -> None:
         if isinstance(value, str):
+            value = spaced(value)
             said = [value, *re.split(r"(?<=[.!?]) ", value)]
             self.names |= {
                 one for one in said if len(one) > 1 and (named or self._french.letters(one) > LEAST_SAID)
@@ -273,7 +279,7 @@ class Answers:
     def left(self, page: Page) -> list[tuple[str, str]]:
         """What stands on the page, and the same without what the server called it, the longest first."""
         names = sorted(self.names, key=len, reverse=True)
-        return [(text, self._without(text, names)) for text in page.evaluate(SHOWN)]
+        return [(text, self._without(text, names)) for text in map(spaced, page.evaluate(SHOWN))]
 
     @staticmethod
     def _without(text: str, names: list[str]) -> str:

@@ -5,9 +5,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Locator, Page, Route, expect
+from playwright.sync_api import Browser, Locator, Page, Route, StorageState, expect
 
-from .test_screens import overflows, settle
+from .server import Server
+from .test_screens import columns_out_of_sight, overflows, settle
 
 SIZES = ((1024, 768), (1440, 900))
 
@@ -92,6 +93,73 @@ READ = (
     *("/", "/guide", "/guide?page=access", "/guide?page=formats", "/account", "/people", "/audit", "/jobs"),
     *("/catalogue", "/studies", "/system", "/surveys/{survey}", "/surveys/{survey}/export"),
 )
+
+
+#: A package with everything that its row may say, as the server would tell it.
+PACKAGE = {
+    "id": 1,
+    "created_at": "2026-11-28T12:34:56+00:00",
+    "created_by": {"id": 1, "name": "Demonstration operator"},
+    "size_bytes": 999_400_000,
+    "sha256": "0123456789abcdef" * 4,
+    "audit_count": 1000,
+    "audit_head": "fedcba9876543210" * 4,
+    "selection": {
+        "lighting": "low_light",
+        "class_sets": ["cars"],
+        "categories": [],
+        "filmed_from": "2026-05-01",
+        "filmed_to": "2026-05-31",
+        "hour_from": None,
+        "hour_to": None,
+    },
+    "language": "fr",
+    "signing_key": "0123456789abcdef" * 4,
+    "url": "/api/exports/1.zip",
+    "filename": "package.zip",
+    "since": {"heights": 0, "reviews": 0, "other": 0},
+}
+
+
+@pytest.mark.parametrize("locale", ["en-GB", "fr-FR"])
+def test_tables_that_are_opened_later_show_each_column(
+    browser: Browser,
+    demonstration: Server,
+    admin_state: StorageState,
+    survey_id: int,
+    screenshots: Path,
+    locale: str,
+) -> None:
+    """As those do that a screen shows at once: every screen is looked at for it (`test_screens.look_at`)."""
+    context = browser.new_context(
+        base_url=demonstration.url,
+        storage_state=admin_state,
+        locale=locale,
+        viewport={"width": 1024, "height": 768},
+        bypass_csp=True,
+    )
+    page = context.new_page()
+    page.route(re.compile(r"/api/surveys/\d+/exports$"), lambda route: route.fulfill(json=[PACKAGE]))
+    page.goto(f"/surveys/{survey_id}/export")
+    expect(page.locator("main table td code").first).to_be_visible()
+    wrong = columns_out_of_sight(page)
+    page.screenshot(path=screenshots / f"narrow-export-{locale}.png")
+    page.goto("/system")
+    page.locator("main section").last.get_by_role("button").click()
+    expect(page.locator("main table").nth(1)).to_be_visible()
+    wrong += columns_out_of_sight(page)
+    page.screenshot(path=screenshots / f"narrow-system-{locale}.png")
+    assert not wrong, "\n".join(wrong)
+
+    page.add_style_tag(content="td { min-width: 400px } th:last-child { display: none }")
+    assert any("runs" in one for one in columns_out_of_sight(page))
+    assert any("leaves out" in one for one in columns_out_of_sight(page))
+    # and where a table must be wider, all of it is reached by keyboard, and a shadow tells that there is more
+    scrolls = page.locator("main .table-scroll").first
+    expect(scrolls).to_have_attribute("tabindex", "0")
+    expect(scrolls).to_have_attribute("aria-label", re.compile("."))
+    expect(scrolls).not_to_have_css("box-shadow", "none")
+    context.close()
 
 
 #: What makes the page itself scroll sideways, rather than a table within it.

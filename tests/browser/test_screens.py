@@ -135,7 +135,8 @@ def look_at(page: Page, name: str, variant: str, folder: Path) -> list[str]:
     """What is wrong with the page as it stands, but for axe; its picture goes to `folder`."""
     settle(page)
     page.screenshot(path=folder / f"{name}-{variant}.png")
-    return [f"{name} {variant}: {one}" for one in overflows(page) + clipped_away(page)]
+    seen = overflows(page) + clipped_away(page) + columns_out_of_sight(page)
+    return [f"{name} {variant}: {one}" for one in seen]
 
 
 def look_at_all(page: Page, name: str, folder: Path, variants: Variants) -> list[str]:
@@ -199,9 +200,26 @@ def clipped_away(page: Page) -> list[str]:
     found: list[str] = page.evaluate(
         """() => [...document.querySelectorAll('body *')]
           .filter(e => getComputedStyle(e).clipPath === 'inset(50%)'
-            // a state's sign stands for its word in a narrow table
-            && !e.matches('.visually-hidden, .scan__table .mark > span'))
+            && !e.matches('.visually-hidden'))
           .slice(0, 5).map(e => `cannot be seen: ${e.tagName} ${e.textContent}`)"""
+    )
+    return found
+
+
+def columns_out_of_sight(page: Page) -> list[str]:
+    """Tables of which a column is left out, or lies where only scrolling sideways brings it."""
+    found: list[str] = page.evaluate(
+        """() => [...document.querySelectorAll('table')].filter(t => t.checkVisibility()).flatMap(table => {
+          const heads = [...table.querySelectorAll('thead th')];
+          const left = heads.filter(h => !h.checkVisibility()).map(h => `leaves out ${h.textContent}`);
+          const end = table.getBoundingClientRect().right;
+          for (let at = table.parentElement; at; at = at.parentElement)
+            if (at === table.parentElement || getComputedStyle(at).overflowX !== 'visible') {
+              const beyond = Math.round(end - at.getBoundingClientRect().right);
+              if (beyond > 1) left.push(`runs ${beyond} px beyond ${at.className}`);
+            }
+          return left.map(one => `the table "${heads.map(h => h.textContent).join(' | ')}" ${one}`);
+        })"""
     )
     return found
 

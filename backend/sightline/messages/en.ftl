@@ -173,8 +173,7 @@ sample-quota = { NUMBER($measured) } of { NUMBER($wanted) }
 sample-any-class = any class
 sample-response = Outcome of the passes
 sample-lighting = Lighting
-sample-classes = Classes
-sample-of = Target
+sample-of = Vehicles or target
 sample-passes = Passes
 sample-discarded = Discarded
 sample-out = Outside
@@ -194,10 +193,9 @@ sample-outside-counts = Heights measured outside the sample count in the results
 sample-outside-counts-help = Usually off: these vehicles were not chosen by the sampling rule. Applies to every page, package, report and study.
 sample-open = Open
 sample-rate = Response
-sample-rate-of = { $rate } % ({ $low } to { $high })
-sample-all = all
+sample-all = All
 sample-unknown = unknown
-sample-vehicle = vehicle
+sample-vehicles = All vehicles
 sample-help = Response: passes measured divided by passes in the sample, with the exact 95 % interval. If it differs between groups, the measured vehicles may not represent the traffic.
 sample-rule = { $method ->
     [nth] One pass in { NUMBER($step) } is measured, starting with number { NUMBER($start) }.
@@ -482,10 +480,10 @@ system-licences = Libraries and licences
 system-licences-show = Show
 system-licences-hide = Hide
 system-licences-loading = the libraries
-system-licences-server = library of the server
-system-licences-pages = library of the pages
-system-licences-version = version
-system-licences-licence = licence
+system-licences-server = Library of the server
+system-licences-pages = Library of the pages
+system-licences-version = Version
+system-licences-licence = Licence
 system-licences-none = none stated
 
 ## Jobs: the page
@@ -1200,6 +1198,7 @@ value-px = { $value } px
 value-s = { $value } s
 file-svg = SVG
 unit-px = px
+unit-byte = B
 unit-hz = Hz
 unit-ppm = ppm
 unit-mrad = mrad
@@ -1471,7 +1470,6 @@ checks-turn = Rotate
 checks-turn-done = Rotated pose applied to new measurements. Existing measurements are unchanged.
 checks-turn-back-done = The previous pose is current again.
 checks-heading = Heading
-checks-u = u
 checks-apart = Between tyres
 checks-two-frames = from two frames
 checks-tyres = tyres of vehicle { $vehicle }
@@ -2104,7 +2102,7 @@ review-step-verdict = verdict on { $target ->
 } of vehicle { $vehicle }
 review-error = Height error
 review-side = Driver’s side
-review-signs = Check closely
+review-signs = <strong>Check closely:</strong> { $signs }
 review-sign = { $sign ->
     [large_u] large uncertainty
     [unusual] unusual height in this survey
@@ -3443,7 +3441,6 @@ statistics-compared-mean = Mean
 statistics-compared-heights = Heights
 statistics-compared-of = { NUMBER($first) } and { NUMBER($second) }
 statistics-compared-difference = Difference
-statistics-compared-interval = { $low } to { $high }
 statistics-compared-verdict = Verdict
 statistics-compared-higher = higher (significant)
 statistics-compared-lower = lower (significant)
@@ -4286,11 +4283,10 @@ show-once-done = Done
 ## People: the page
 
 people-only-admin = Only administrators can manage accounts. Ask one if you need another role.
-people-lead = Accounts and roles. A person sees the surveys that are open to everyone and those whose members they are; administrators see every survey.
+people-lead = Accounts and roles. A person sees the surveys that are open to everyone and those they are a member of; administrators see every survey.
 people-loading = users
 people-add = Add a user
 people-name = Name
-people-email = E-mail
 people-role = Role
 people-state = State
 people-last-seen = Last sign-in
@@ -4307,7 +4303,7 @@ people-role-body = Rights of { $person } afterwards: { $does }
 people-role-change = Change the role
 people-switch-off-title = Deactivate { $person }’s account?
 people-switch-off-body = They are signed out and cannot sign in again. Their work stays under their name.
-people-does-viewer = sees open surveys and those whose members they are, exports packages
+people-does-viewer = sees open surveys and those they are a member of, exports packages
 people-does-operator = adds recordings, calibrates, measures
 people-does-reviewer = everything an operator does, and reviews other people’s work
 people-does-admin = everything, including accounts
@@ -4544,7 +4540,6 @@ export-loading = packages
 export-none-title = No packages yet
 export-none = Press “Build the package”. It takes seconds to minutes, depending on the number of images. You can continue working.
 export-made = Built
-export-by = By
 export-language = Report language
 export-size = Size
 export-sha256 = SHA-256
@@ -5981,6 +5976,10 @@ catalogue-correct-title = Correct a model
 catalogue-correct-save = Save the correction
 catalogue-retire = Retire
 catalogue-restore = Use again
+catalogue-retire-done = { $retired ->
+    [yes] { $model } is retired from the catalogue.
+   *[no] { $model } is used again.
+}
 catalogue-add = Add a model
 catalogue-add-title = Add a model
 catalogue-add-save = Add the model

@@ -104,7 +104,7 @@ state-ready = prêt
 state-failed = échec
 state-queued = en attente
 state-running = en cours
-state-cancelled = annulée
+state-cancelled = annulé
 state-trusted = fiable
 state-not_trusted = non fiable
 state-used = utilisée
@@ -171,8 +171,7 @@ sample-quota = { NUMBER($measured) } sur { NUMBER($wanted) }
 sample-any-class = toutes classes
 sample-response = Bilan des passages
 sample-lighting = Luminosité
-sample-classes = Classes
-sample-of = Cible
+sample-of = Véhicules ou cible
 sample-passes = Passages
 sample-discarded = Écartés
 sample-out = Hors éch.
@@ -192,10 +191,9 @@ sample-outside-counts = Les hauteurs mesurées hors échantillon comptent dans l
 sample-outside-counts-help = En général non : ces véhicules n’ont pas été choisis par la règle d’échantillonnage. Vaut pour chaque page, archive, rapport et étude.
 sample-open = À faire
 sample-rate = Taux de réponse
-sample-rate-of = { $rate } % ({ $low } à { $high })
-sample-all = toutes
+sample-all = Toutes
 sample-unknown = inconnue
-sample-vehicle = véhicule
+sample-vehicles = Tous les véhicules
 sample-help = Taux de réponse : passages mesurés sur passages de l’échantillon, avec son intervalle exact à 95 %. S’il diffère entre groupes, les véhicules mesurés peuvent ne pas représenter le trafic.
 sample-rule = { $method ->
     [nth] Un passage sur { NUMBER($step) } est à mesurer, à partir du numéro { NUMBER($start) }.
@@ -463,7 +461,7 @@ system-clock-back = L’horloge a reculé de { $seconds } s, constaté le { $whe
 system-jobs = Tâches
 system-checkpoints = Points de contrôle
 system-checkpoints-sign = Signer un point de contrôle
-system-checkpoints-lead = Un point de contrôle signe la fin de chaque chaîne d’audit. Conservez les fichiers hors de ce serveur : ils révèlent une chaîne coupée ou réécrite plus tard. Chaque export en signe un aussi.
+system-checkpoints-lead = Un point de contrôle signe la fin de chaque chaîne d’audit. Conservez les fichiers hors de ce serveur : ils révèlent une chaîne coupée ou réécrite plus tard. Chaque archive est signée de la même façon.
 system-checkpoints-loading = points de contrôle
 system-checkpoints-key = Clé actuelle
 system-checkpoints-keys-before = { $count ->
@@ -480,10 +478,10 @@ system-licences = Bibliothèques et licences
 system-licences-show = Afficher
 system-licences-hide = Masquer
 system-licences-loading = bibliothèques
-system-licences-server = bibliothèque du serveur
-system-licences-pages = bibliothèque des pages
-system-licences-version = version
-system-licences-licence = licence
+system-licences-server = Bibliothèque du serveur
+system-licences-pages = Bibliothèque des pages
+system-licences-version = Version
+system-licences-licence = Licence
 system-licences-none = non indiquée
 
 ## Tâches : la page
@@ -1198,6 +1196,7 @@ value-px = { $value } px
 value-s = { $value } s
 file-svg = SVG
 unit-px = px
+unit-byte = o
 unit-hz = Hz
 unit-ppm = ppm
 unit-mrad = mrad
@@ -1469,7 +1468,6 @@ checks-turn = Pivoter
 checks-turn-done = La pose pivotée vaut pour les nouvelles mesures. Les mesures existantes ne changent pas.
 checks-turn-back-done = La pose précédente est à nouveau en vigueur.
 checks-heading = Cap
-checks-u = u
 checks-apart = Écartement
 checks-two-frames = sur deux images
 checks-tyres = pneus du véhicule { $vehicle }
@@ -2103,7 +2101,7 @@ review-step-verdict = décision ({ $target ->
 }, véhicule { $vehicle })
 review-error = Erreur de hauteur
 review-side = Côté du conducteur
-review-signs = À contrôler de près
+review-signs = <strong>À contrôler de près :</strong> { $signs }
 review-sign = { $sign ->
     [large_u] incertitude élevée
     [unusual] hauteur inhabituelle dans ce relevé
@@ -3101,7 +3099,7 @@ flows-minutes = Durée d’une tranche
 flows-minutes-of = { $minutes } min
 flows-loading = trafic
 flows-table = Trafic de { $scan }
-flows-table-note = Sous une valeur : son incertitude-type u (k = 1), ou son intervalle à 95 %. L’intervalle d’un débit suppose des véhicules qui arrivent indépendamment les uns des autres. Classes par longueur : les quatre des compteurs des routes principales d’Angleterre.
+flows-table-note = Sous une valeur : son incertitude-type u (k = 1), ou son intervalle à 95 %. L’intervalle d’un débit suppose des véhicules qui arrivent indépendamment les uns des autres. « Près d’un bord », « proches » : à moins de leur U95 du début ou de la fin de la tranche, ou d’une limite de la classe ; ces véhicules sont peut-être de la voisine. Classes par longueur : les quatre des compteurs des routes principales d’Angleterre.
 flows-unplaced = { $count ->
     [one] { $count } véhicule n’a pas été mesuré, n’a pas d’heure et n’est dans aucune tranche.
    *[other] { $count } véhicules n’ont pas été mesurés, n’ont pas d’heure et ne sont dans aucune tranche.
@@ -3438,7 +3436,6 @@ statistics-compared-mean = Moyenne
 statistics-compared-heights = Hauteurs
 statistics-compared-of = { NUMBER($first) } et { NUMBER($second) }
 statistics-compared-difference = Différence
-statistics-compared-interval = { $low } à { $high }
 statistics-compared-verdict = Conclusion
 statistics-compared-higher = plus haut (significatif)
 statistics-compared-lower = plus bas (significatif)
@@ -3850,7 +3847,7 @@ survey-recordings-go = Ajouter
 survey-pose-go = Calculer
 survey-vehicles-go = Mesurer
 survey-review-go = Vérifier
-survey-results-go = Exporter
+survey-results-go = Créer l’archive
 survey-open = Ouvrir
 survey-statistics = <link>Résultats</link> : centiles et leurs intervalles, normes, erreurs.
 survey-traffic = La circulation est à { $traffic ->
@@ -4279,7 +4276,6 @@ people-lead = Comptes et rôles. Une personne voit les relevés ouverts à tous 
 people-loading = utilisateurs
 people-add = Ajouter un utilisateur
 people-name = Nom
-people-email = E-mail
 people-role = Rôle
 people-state = État
 people-last-seen = Dernière connexion
@@ -4533,7 +4529,6 @@ export-loading = archives
 export-none-title = Aucune archive
 export-none = Appuyez sur « Créer l’archive ». Cela prend de quelques secondes à quelques minutes, selon le nombre d’images. Vous pouvez continuer à travailler.
 export-made = Créée
-export-by = Par
 export-language = Langue du rapport
 export-size = Taille
 export-sha256 = SHA-256
@@ -6029,6 +6024,10 @@ catalogue-correct-title = Corriger un modèle
 catalogue-correct-save = Enregistrer la correction
 catalogue-retire = Retirer
 catalogue-restore = Proposer à nouveau
+catalogue-retire-done = { $retired ->
+    [yes] { $model } est retiré du catalogue.
+   *[no] { $model } est à nouveau proposé.
+}
 catalogue-add = Ajouter un modèle
 catalogue-add-title = Ajouter un modèle
 catalogue-add-save = Ajouter le modèle

@@ -32,7 +32,9 @@ afterEach(() => {
 
 describe("what was refused", () => {
   it("is told in one sentence, with a link to where it was done", () => {
-    expect(show(REFUSED)).toBe("roof < eye: The recording has no road pose; find it first. Yours: 1.460 m.");
+    expect(show(REFUSED)).toBe(
+      "roof < eye: The recording has no road pose; find it first. Yours: 1.460\u00a0m.",
+    );
     const link = document.querySelector("[data-testid=unsaved] a");
     expect(link?.getAttribute("href")).toBe(REFUSED.page);
     expect(link?.textContent).toBe("roof < eye");
@@ -41,6 +43,6 @@ describe("what was refused", () => {
   it("names both values where somebody else changed it", () => {
     outbox.register("measurement", { words: () => "1.480 m" } as never);
     const told = show({ ...REFUSED, state: "conflict", problem: "Olga changed it at 10:04." });
-    expect(told).toBe("roof < eye: Olga changed it at 10:04. Yours: 1.460 m. Theirs: 1.480 m.");
+    expect(told).toBe("roof < eye: Olga changed it at 10:04. Yours: 1.460\u00a0m. Theirs: 1.480\u00a0m.");
   });
 });

@@ -1,6 +1,7 @@
 import type { ComponentChildren } from "preact";
 import { useEffect, useId, useRef } from "preact/hooks";
 import { Button } from "./Button";
+import { Check } from "./Field";
 
 interface Group {
   /** What its choices are; none for a list of one kind. */
@@ -41,20 +42,16 @@ export function Checklist({ label, words, help, groups }: Props) {
             <div class="checklist__group" key={group.title}>
               {group.title && <p class="field__hint">{group.title}</p>}
               {group.options.map(({ value, label: word }) => (
-                <label key={value} class="row">
-                  <input
-                    type="checkbox"
-                    checked={group.chosen.includes(value)}
-                    onChange={(event) =>
-                      group.onChange(
-                        event.currentTarget.checked
-                          ? [...group.chosen, value]
-                          : group.chosen.filter((one) => one !== value),
-                      )
-                    }
-                  />
-                  {word}
-                </label>
+                <Check
+                  key={value}
+                  label={word}
+                  checked={group.chosen.includes(value)}
+                  onInput={(on) =>
+                    group.onChange(
+                      on ? [...group.chosen, value] : group.chosen.filter((one) => one !== value),
+                    )
+                  }
+                />
               ))}
             </div>
           ))}

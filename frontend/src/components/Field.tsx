@@ -1,5 +1,6 @@
 import type { ComponentChildren } from "preact";
 import { useId } from "preact/hooks";
+import { localNumber } from "../core/units";
 import { Icon } from "./Icon";
 import { type Named, nameOf } from "./named";
 
@@ -118,12 +119,15 @@ type Typed = Event & { currentTarget: HTMLInputElement | HTMLTextAreaElement };
 /** What is typed into: one line or several, a figure with its unit or words. */
 export function TextControl(props: TextControlProps) {
   const { rows, unit, numeric = unit !== undefined, type, list, autoComplete, ...rest } = props;
+  const written = numeric ? localNumber : (text: string) => text;
   const shape = `input${numeric ? " input--num" : ""}`;
   if (rows) return <textarea {...rest} class={shape} rows={rows} />;
   const input = (
     <input
       {...rest}
       class={shape}
+      value={written(rest.value)}
+      placeholder={rest.placeholder && written(rest.placeholder)}
       type={(type ?? "text") as "text"}
       inputMode={numeric ? "decimal" : undefined}
       autoComplete={autoComplete ?? "off"}
@@ -229,13 +233,13 @@ type CheckProps = Named & {
 /** Yes or no: a box to tick with its words behind it. */
 export function Check({ checked, onInput, disabled, class: shape, title, ...name }: CheckProps) {
   return (
-    <label class={shape} title={title}>
+    <label class={`check ${shape ?? ""}`} title={title}>
       <input
         type="checkbox"
         checked={checked}
         disabled={disabled}
         onChange={(event) => onInput(event.currentTarget.checked)}
-      />{" "}
+      />
       {nameOf(name)}
     </label>
   );

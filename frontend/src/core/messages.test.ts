@@ -12,6 +12,15 @@ test("a sentence counts as its language does, thousands set apart", () => {
   expect([0, 1, 1234].map(counted)).toEqual(["0\u00a0vehicles", "1\u00a0vehicle", "1,234\u00a0vehicles"]);
 });
 
+test("a number stays in the line of its unit, and of what it is the uncertainty", async () => {
+  const said = { value: "1.2 m", u: "0.1 m" };
+  expect(say("with-u", said)).toBe("1.2\u00a0m (u\u00a0=\u00a00.1\u00a0m)");
+  expect(say("percent", { percent: "5" })).toBe("5\u00a0%");
+  expect(say("with-unit", { name: "after 5 s.", unit: "m/s²" })).toBe("after 5\u00a0s. (m/s²)");
+  // no unit, though it begins as one
+  expect(say("with-unit", { name: "12 sites", unit: "m" })).toBe("12 sites (m)");
+});
+
 test("a key that no file has is shown as it is", () => {
   expect(sentence("no-such-key")).toBe("no-such-key");
 });

@@ -150,9 +150,17 @@ export function sentence(key: string, values?: Record<string, FluentVariable>): 
     const errors: Error[] = [];
     const text = bundle.formatPattern(pattern, values, errors);
     if (errors.length > 0) console.error(`${key}: ${errors.join("; ")}`);
-    return text;
+    return unbroken(text);
   }
   return key;
+}
+
+const BEFORE_UNIT = / (?=(?:%|(?:px|[µmck]?m|[µm]?s|km\/h|m\/s²?|mph|mrad|Hz|ppm|[kMGT]?[Bo])(?!\p{L})))/u;
+const IN_A_FIGURE = new RegExp(`(?<=\\d)${BEFORE_UNIT.source}|(?<=\\bu) (?== )|(?<=\\bu =) `, "gu");
+
+/** A number stays in the line of its unit, and of what it is the uncertainty. */
+function unbroken(text: string): string {
+  return text.replace(IN_A_FIGURE, "\u00a0");
 }
 
 /** What the server says: a key of the catalogue and the values of its sentence, which may be said things themselves. */
@@ -167,7 +175,7 @@ export interface Said {
 export function sentenceOf(said: Said): string;
 export function sentenceOf(said: Said | null | undefined): string | null;
 export function sentenceOf(said: Said | null | undefined): string | null {
-  return said ? (sayCode(said) ?? said.message ?? said.code) : null;
+  return said ? (sayCode(said) ?? unbroken(said.message ?? said.code)) : null;
 }
 
 /** Several of them one after the other, as in a paragraph. */

@@ -11,6 +11,7 @@ import {
   formatSpeed,
   heads,
   lengthUnit,
+  localNumber,
   numbersIn,
   parseLength,
   parseNumber,
@@ -132,7 +133,17 @@ describe("numbers and lists in another language", () => {
     expect(numbersIn("0.278 V t + 0.039 V² / a")).toBe("0,278 V t + 0,039 V² / a");
     expect(numbersIn("−6,600.0")).toBe("−6\u202f600,0");
     expect(plainPercent(2.5)).toBe("2,5");
+    expect(formatBytes(14_200_000)).toBe("14,2\u00a0Mo");
     expect(apart(["a", "b", "c"])).toBe("a\u202f; b\u202f; c");
+    await speak("en");
+  });
+
+  it("stand in a field with the language's sign, and are read with either", async () => {
+    expect(localNumber("-0.5")).toBe("-0.5");
+    await speak("fr");
+    expect(localNumber("-0.5")).toBe("-0,5");
+    expect(["0,5", "0.5"].map(parseNumber)).toEqual([0.5, 0.5]);
+    expect(["12", "2026.11.28", "1.5 m", ""].map(localNumber)).toEqual(["12", "2026.11.28", "1.5 m", ""]);
     await speak("en");
   });
 });

@@ -127,6 +127,11 @@ export function parseNumber(text: string): number | null {
   return Number(cleaned);
 }
 
+/** A number of a field as the chosen language writes it; `parseNumber` reads it in any. What is none stays as it is. */
+export function localNumber(text: string): string {
+  return /^[-−]?\d*\.\d*$/.test(text) ? text.replace(".", fixed(0.5, 1).charAt(1)) : text;
+}
+
 /** A count, its thousands set apart as the chosen language does. */
 export function formatCount(value: number): string {
   return numbers(0, true).format(Math.round(value));
@@ -134,14 +139,14 @@ export function formatCount(value: number): string {
 
 /** "14.2 MB" (decimal). */
 export function formatBytes(bytes: number): string {
-  const names = ["B", "kB", "MB", "GB", "TB"];
+  const prefixes = ["", "k", "M", "G", "T"];
   let value = bytes;
   let step = 0;
-  while (value >= 999.5 && step < names.length - 1) {
+  while (value >= 999.5 && step < prefixes.length - 1) {
     value /= 1000;
     step++;
   }
-  return `${fixed(value, step === 0 || value >= 99.5 ? 0 : 1)}${NBSP}${names[step]}`;
+  return `${fixed(value, step === 0 || value >= 99.5 ? 0 : 1)}${NBSP}${prefixes[step]}${say("unit-byte")}`;
 }
 
 /* -- lengths in input fields, as a person would type them -- */
@@ -167,9 +172,12 @@ function typedNumber(value: number, decimals: number): string {
 
 /** What is wrong with a typed length, or null. Empty is allowed where a value may be unknown. */
 export function lengthProblem(text: string, options: { empty: boolean }): string | null {
-  if (text.trim() === "") return options.empty ? null : say("length-problem", { example: "0.60" });
+  if (text.trim() === "")
+    return options.empty ? null : say("length-problem", { example: localNumber("0.60") });
   const value = parseLength(text);
-  return value === null || value > 10 || value < -10 ? say("length-problem", { example: "1.624" }) : null;
+  return value === null || value > 10 || value < -10
+    ? say("length-problem", { example: localNumber("1.624") })
+    : null;
 }
 
 /* -- speeds and accelerations -- */

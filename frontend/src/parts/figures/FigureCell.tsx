@@ -28,9 +28,7 @@ export function Bounded({ value, low, high }: { value: string; low: string | nul
   return (
     <>
       <strong>{value}</strong>
-      {low !== null && high !== null && (
-        <div class="stat-ci">{say("statistics-compared-interval", { low, high })}</div>
-      )}
+      {low !== null && high !== null && <div class="stat-ci">{say("interval", { low, high })}</div>}
     </>
   );
 }

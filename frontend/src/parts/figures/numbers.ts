@@ -30,5 +30,5 @@ export function percent(share: number, digits = 1): string {
 /** "4.2 mm" */
 export function fixedRange(metres: number): string {
   const [factor, unit] = smallScale();
-  return `${fixed(metres * factor, unit === "in" ? 2 : 1)} ${unit}`;
+  return `${fixed(metres * factor, unit === "in" ? 2 : 1)}\u00a0${unit}`;
 }

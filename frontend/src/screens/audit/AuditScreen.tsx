@@ -83,21 +83,17 @@ export default function AuditScreen({ surveyId }: ScreenProps) {
           columns={({ col, num }) => [
             num(say("audit-number"), ({ event }) => event.number, "muted"),
             {
-              ...col(
-                say("audit-when"),
-                ({ event: { at } }) => (
-                  <>
-                    {formatDay(at)} <span class="muted">{formatClock(new Date(at))}</span>
-                  </>
-                ),
-                "nowrap",
-              ),
+              ...col(say("audit-when"), ({ event: { at } }) => (
+                <>
+                  <span class="nowrap">{formatDay(at)}</span>{" "}
+                  <span class="muted">{formatClock(new Date(at))}</span>
+                </>
+              )),
               cellTitle: ({ event }) => event.at,
             },
             col(
               say("audit-who"),
               ({ event }) => event.actor?.name ?? <span class="muted">{say("person-system")}</span>,
-              "nowrap",
             ),
             col(say("audit-did"), (one) => <Did named={one} />, "audit__did"),
             col(say("audit-changes"), ({ event }) => <Changes event={event} />, "audit__changes"),

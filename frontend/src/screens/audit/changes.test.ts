@@ -23,6 +23,8 @@ it("says reasons and flags that events hold by their codes", async () => {
   await vi.waitFor(() =>
     expect(changesOf(null, { reason: horizon })[0]?.after).toMatch(/^The contact point lies at/),
   );
-  expect(changesOf(null, { flags })[0]?.after).toMatch(/there is no road\. The 95 % interval is approximate/);
+  expect(changesOf(null, { flags })[0]?.after).toMatch(
+    /there is no road\. The 95\u00a0% interval is approximate/,
+  );
   expect(changesOf(null, { flags: [] })[0]?.after).toBe("[]");
 });

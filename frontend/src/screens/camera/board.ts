@@ -1,6 +1,13 @@
 /** The checkerboard as a person types it, and what is wrong with it in words. */
 import { say } from "../../core/messages";
-import { type LengthUnit, lengthUnit, parseNumber, parseSmall, smallText } from "../../core/units";
+import {
+  type LengthUnit,
+  lengthUnit,
+  localNumber,
+  parseNumber,
+  parseSmall,
+  smallText,
+} from "../../core/units";
 import { type BoardKind, markerProblem, markersTold } from "../../parts/boards/markers";
 
 export interface TypedBoard {
@@ -50,9 +57,9 @@ export function problemsOf(typed: TypedBoard): BoardProblems {
     rows: countProblem(typed.rows, "rows"),
     square:
       square === null || square <= 0 || square > 2
-        ? say("camera-square-problem", { unit: lengthUnit.value, example: example.square })
+        ? say("camera-square-problem", { unit: lengthUnit.value, example: localNumber(example.square) })
         : null,
-    marker: markerProblem(typed.kind, parseSmall(typed.marker), square, example.marker),
+    marker: markerProblem(typed.kind, parseSmall(typed.marker), square, localNumber(example.marker)),
   };
 }
 

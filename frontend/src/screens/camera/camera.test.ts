@@ -184,7 +184,7 @@ describe("checks in words", () => {
     expect(halvesInWords(halves).replaceAll("\u00a0", " ")).toBe(
       "Heights from the two halves differ by 0.2 mm at 3 m and 16 mm at 5 m.",
     );
-    expect(heldOutInWords(halves)).toContain("0.171 px; fitted images: 0.160 px");
+    expect(heldOutInWords(halves)).toContain("0.171\u00a0px; fitted images: 0.160\u00a0px");
   });
 
   it("are in feet and inches where lengths are in feet", () => {

@@ -6,6 +6,7 @@ import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { canWork } from "../../core/session";
+import { toast, toastProblem } from "../../core/toasts";
 import type { CatalogueRow } from "../../core/types";
 import { formatSmall, lengthScale, plainLength } from "../../core/units";
 import { CATEGORY_WORDS } from "../../core/words";
@@ -25,10 +26,18 @@ export default function CatalogueScreen() {
   const [edited, setEdited] = useState<CatalogueRow | "new" | null>(null);
   const [importing, setImporting] = useState(false);
   const { problem, run } = useAction();
+  const put = (row: CatalogueRow) => {
+    const body = { version: row.version, retired: row.retired_at === null };
+    return api.write("POST /catalogue/{entry_id}/retire", { entry_id: row.id }, { body });
+  };
   const retire = async (row: CatalogueRow) => {
     await run(async () => {
-      const body = { version: row.version, retired: row.retired_at === null };
-      await api.write("POST /catalogue/{entry_id}/retire", { entry_id: row.id }, { body });
+      const now = await put(row);
+      const model = `${now.make} ${now.model}`;
+      const run = () => void put(now).catch(toastProblem).then(found.reload);
+      toast(say("catalogue-retire-done", { model, retired: now.retired_at === null ? "no" : "yes" }), {
+        action: { label: say("command-undo"), run },
+      });
     });
     await found.reload();
   };

@@ -126,7 +126,6 @@ function Draw({ surveyId, changed, done }: DrawProps) {
             <Check
               key={one}
               label={GROUPING_WORDS[one]}
-              class="row"
               checked={by.includes(one)}
               onInput={(on) => setBy(GROUPINGS.filter((each) => (each === one ? on : by.includes(each))))}
             />

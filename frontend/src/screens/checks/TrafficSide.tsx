@@ -4,7 +4,7 @@ import { say, sentenceOf, sentencesOf } from "../../core/messages";
 import { canWork } from "../../core/session";
 import type { TurnedPose, Vehicle } from "../../core/types";
 import { formatLength, formatSmall } from "../../core/units";
-import { formatDegrees } from "./angles";
+import { formatDegrees, formatHeading } from "./angles";
 import type { TrafficModel } from "./model";
 import { TARGET_NAMES } from "./words";
 
@@ -97,19 +97,18 @@ function Preview({ model, preview }: { model: TrafficModel; preview: TurnedPose 
           : say("checks-turn-heights", { count: changes.count, largest: formatSmall(changes.largest_m) })}
       </p>
       {changes.count > 0 && (
-        // biome-ignore lint/a11y/noNoninteractiveTabindex: a list that scrolls is reached by keyboard
-        <div class="traffic__changes" tabIndex={0} role="region" aria-label={say("checks-differences")}>
-          <DataTable
-            rows={changes.listed}
-            keyOf={(one) => one.measurement_id}
-            columns={({ col, num }) => [
-              col(say("checks-vehicle"), (one) => <>#{numberOf(one.vehicle_id)}</>),
-              col(say("checks-target"), (one) => TARGET_NAMES[one.target]),
-              num(say("checks-height"), (one) => formatLength(one.height_m)),
-              num(say("checks-turned"), (one) => formatSmall(one.difference_m)),
-            ]}
-          />
-        </div>
+        <DataTable
+          label={say("checks-differences")}
+          scroll="traffic__changes"
+          rows={changes.listed}
+          keyOf={(one) => one.measurement_id}
+          columns={({ col, num }) => [
+            col(say("checks-vehicle"), (one) => <>#{numberOf(one.vehicle_id)}</>),
+            col(say("checks-target"), (one) => TARGET_NAMES[one.target]),
+            num(say("checks-height"), (one) => formatLength(one.height_m)),
+            num(say("checks-turned"), (one) => formatSmall(one.difference_m)),
+          ]}
+        />
       )}
       <div class="row">
         <Button
@@ -135,12 +134,7 @@ function Passes({ model }: { model: TrafficModel }) {
   return (
     <Table
       class="traffic__list"
-      heads={[
-        say("checks-vehicle"),
-        num(say("checks-heading")),
-        num(say("checks-u")),
-        num(say("checks-apart")),
-      ]}
+      heads={[say("checks-vehicle"), num(say("checks-heading")), num(say("checks-apart"))]}
     >
       {model.passes.value.map((vehicle) => (
         <Row key={vehicle.id} model={model} vehicle={vehicle} />
@@ -177,8 +171,7 @@ function Row({ model, vehicle }: { model: TrafficModel; vehicle: Vehicle }) {
           />
         )}
       </td>
-      <td class="num">{found ? formatDegrees(found.heading_rad) : "–"}</td>
-      <td class="num">{found ? formatDegrees(found.u_heading_rad) : ""}</td>
+      <td class="num">{found ? formatHeading(found.heading_rad, found.u_heading_rad) : "–"}</td>
       <td class="num">{found?.base_m != null ? formatLength(found.base_m, 2) : ""}</td>
     </tr>
   );

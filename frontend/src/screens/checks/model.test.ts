@@ -112,7 +112,10 @@ describe("the direction of travel", () => {
     pairs = [theirs as unknown as WheelPair];
     await both();
     const wish = outbox.get("wheel-pair.7");
-    expect(wish).toMatchObject({ state: "conflict", mine: "frame 40, at 100.0, 300.0 and 180.0, 302.0 px" });
+    expect(wish).toMatchObject({
+      state: "conflict",
+      mine: "frame 40, at 100.0, 300.0 and 180.0, 302.0\u00a0px",
+    });
     expect(wish && outbox.theirs(wish)).toContain("frame 41");
     expect(pairs).toEqual([theirs]);
     outbox.resolve("wheel-pair.7", "mine");

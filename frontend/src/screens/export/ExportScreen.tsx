@@ -85,7 +85,7 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
     <div class="page">
       <PageHead says="page-export" lead={say("export-lead")}>
         <div class="row row--wrap">
-          <Check says="export-crops" class="row" checked={crops} disabled={underWay} onInput={setCrops} />
+          <Check says="export-crops" checked={crops} disabled={underWay} onInput={setCrops} />
           <Button
             says="export-build"
             kind="primary"
@@ -202,21 +202,17 @@ function Packages({ list }: { list: ExportPackage[] }) {
   return (
     <DataTable
       label={say("export-packages")}
-      class="table--hover"
+      class="table--hover table--dense"
       rows={list}
       keyOf={(entry) => entry.id}
       columns={({ col, num, actions }) => [
-        col(
-          say("export-made"),
-          (entry) => (
-            <>
-              {formatMoment(entry.created_at)}
-              <Outdated since={entry.since} />
-            </>
-          ),
-          "nowrap",
-        ),
-        col(say("export-by"), (entry) => entry.created_by?.name ?? "–", "nowrap"),
+        col(say("export-made"), (entry) => (
+          <>
+            {formatMoment(entry.created_at)}
+            <div class="muted">{entry.created_by?.name}</div>
+            <Outdated since={entry.since} />
+          </>
+        )),
         col(say("export-of"), (entry) => wantedWords(entry.selection) || say("export-of-all")),
         col(say("export-language"), (entry) => nameOfLanguage(entry.language), "nowrap"),
         num(say("export-size"), (entry) => formatBytes(entry.size_bytes), "nowrap"),
@@ -237,7 +233,7 @@ function Packages({ list }: { list: ExportPackage[] }) {
 function Hash({ text, which }: { text: string; which: "sha256" | "audit-head" }) {
   return (
     <>
-      <code title={text}>{text.slice(0, 16)}…</code>
+      <code title={text}>{text.slice(0, 8)}…</code>
       <Button
         small
         kind="quiet"

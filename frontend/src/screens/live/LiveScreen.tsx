@@ -1,4 +1,5 @@
 /** Line cameras at work: the last vehicles, the flow, and how the stream is; read again every second. */
+import { Fragment } from "preact";
 import { Button, Empty, Loaded, Notice, num, PageHead, StateMark, Table } from "../../components";
 import { say, sentenceOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
@@ -40,15 +41,27 @@ function HowToStart({ surveyId }: { surveyId: number }) {
     <div class="panel">
       <Empty title={say("live-none-title")}>
         <p>{say("live-none-pipe")}</p>
-        <pre class="live-command">{`recorder | sightline stream ${rig} --survey ${surveyId}`}</pre>
+        <Typed command={`recorder | sightline stream ${rig} --survey ${surveyId}`} />
         <p>{say("live-none-file")}</p>
-        <pre class="live-command">{`sightline stream ${rig} --follow lines.raw --survey ${surveyId}`}</pre>
+        <Typed command={`sightline stream ${rig} --follow lines.raw --survey ${surveyId}`} />
         <p>{say("live-none-cameras")}</p>
-        <pre class="live-command">
-          {`sightline stream ${rig} --camera FIRST --camera SECOND --survey ${surveyId}`}
-        </pre>
+        <Typed command={`sightline stream ${rig} --camera FIRST --camera SECOND --survey ${surveyId}`} />
       </Empty>
     </div>
+  );
+}
+
+/** Too long for a line, it goes on in the next with an option. */
+function Typed({ command }: { command: string }) {
+  return (
+    <pre class="live-command">
+      {command.split(/(?<= )(?=--)/).map((part) => (
+        <Fragment key={part}>
+          <span class="nowrap">{part}</span>
+          <wbr />
+        </Fragment>
+      ))}
+    </pre>
   );
 }
 
@@ -105,7 +118,7 @@ function Vehicles({ stream, surveyId }: { stream: LiveStream; surveyId: number }
     <div>
       <Table
         label={say("live-vehicles")}
-        class="table--dense live__vehicles"
+        class="table--dense"
         heads={[
           say("scan-head-number"),
           say("scan-head-clock"),

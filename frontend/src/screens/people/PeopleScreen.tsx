@@ -79,8 +79,9 @@ export default function PeopleScreen() {
       <Problem error={problem} />
       <Loaded of={people} what={say("people-loading")} />
       {people.data && (
-        <div class="panel table-scroll">
+        <div class="panel">
           <DataTable
+            label={say("page-people")}
             class="people"
             rows={people.data}
             keyOf={(person) => person.id}
@@ -89,9 +90,9 @@ export default function PeopleScreen() {
                 <>
                   <strong>{person.name}</strong>
                   {isMe(person) && <span class="muted"> {say("people-you")}</span>}
+                  <div class="people__mail">{person.email}</div>
                 </>
               )),
-              col(say("people-email"), (person) => person.email, "people__mail"),
               col(
                 say("people-role"),
                 (person) => (
@@ -106,11 +107,14 @@ export default function PeopleScreen() {
                 "people__role",
               ),
               col(say("people-state"), (person) => <StateOf person={person} />),
-              col(say("people-last-seen"), ({ last_seen_at }) => (
-                <span class="muted nowrap" title={last_seen_at ?? undefined}>
-                  {last_seen_at ? formatAgo(last_seen_at) : say("people-never")}
-                </span>
-              )),
+              {
+                ...col(say("people-last-seen"), ({ last_seen_at }) => (
+                  <span class="muted" title={last_seen_at ?? undefined}>
+                    {last_seen_at ? formatAgo(last_seen_at) : say("people-never")}
+                  </span>
+                )),
+                class: "nowrap",
+              },
               actions(
                 say("people-actions"),
                 (person) => (

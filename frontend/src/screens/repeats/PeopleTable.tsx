@@ -71,7 +71,7 @@ function Sigma({ one, busy, choose }: { one: PersonRepeats } & Pick<Props, "busy
   const reviewer = may("reviewer");
   return (
     <>
-      <strong class="nowrap">
+      <strong>
         {chosen === null
           ? say("repeats-sigma-usual")
           : say("repeats-sigma-own", { sigma_px: fixed(chosen, 2) })}

@@ -50,7 +50,7 @@ function Row({ one }: { one: TargetRepeats }) {
         {claim.observed !== null && claim.ratio !== null && (
           <>
             {formatSmall(claim.observed)}{" "}
-            <span class="muted small nowrap">
+            <span class="muted small">
               {say("repeats-ratio", {
                 ratio: fixed(claim.ratio, 2),
                 low: fixed(claim.low ?? 0, 2),

@@ -14,7 +14,7 @@ describe("figures of repeats in words", () => {
     const spread = { sd: 0.0041, low: 0.0032, high: 0.0156, freedom: 22, reason: null };
     expect(spreadWords(spread)).toEqual({ value: "4.1\u00a0mm", interval: "3.2 to 16\u00a0mm" });
     expect(spreadWords(few)).toBeNull();
-    expect(pixelWords({ ...spread, sd: 0.62, low: 0.54, high: 0.72 })?.interval).toBe("0.54 to 0.72 px");
+    expect(pixelWords({ ...spread, sd: 0.62, low: 0.54, high: 0.72 })?.interval).toBe("0.54 to 0.72\u00a0px");
   });
 
   it("says a shift with its interval, and nothing where too few vehicles tell", () => {

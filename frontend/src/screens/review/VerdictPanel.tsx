@@ -1,5 +1,6 @@
 /** What is known of the reviewed measurement, and the verdict: accept, fix, reject with a reason. */
 import { Button, Facts, Icon, Notice, StateMark } from "../../components";
+import { Said } from "../../components/Said";
 import { allOf, say, sentenceOf } from "../../core/messages";
 import { may } from "../../core/session";
 import { survey } from "../../core/survey";
@@ -134,7 +135,10 @@ function Signs({ item }: { item: ReviewItem }) {
     <p class="small row" data-testid="review-signs">
       <Icon name="warning" size={14} />
       <span class="grow">
-        <strong>{say("review-signs")}:</strong> {allOf(signs.map((sign) => say("review-sign", { sign })))}
+        <Said
+          what="review-signs"
+          values={{ signs: allOf(signs.map((sign) => say("review-sign", { sign }))) }}
+        />
       </span>
     </p>
   );

@@ -3,7 +3,7 @@ import { Button, DataTable, Empty, Facts, Notice } from "../../components";
 import { CommitField, LengthField } from "../../components/CommitField";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
 import type { RodMark } from "../../core/types";
-import { fixed, formatHeight, formatLength, parseLength, parseNumber } from "../../core/units";
+import { fixed, formatHeight, formatLength, localNumber, parseLength, parseNumber } from "../../core/units";
 import type { ScanModel } from "./model";
 
 const DEGREE = Math.PI / 180;
@@ -40,8 +40,9 @@ type NextName = "distance_m" | "height_m" | "step_m";
 type Check = (text: string) => string | null;
 
 const positive: Check = (text) =>
-  (parseLength(text) ?? 0) > 0 ? null : say("length-problem", { example: "2.70" });
-const any: Check = (text) => (parseLength(text) === null ? say("length-problem", { example: "0.50" }) : null);
+  (parseLength(text) ?? 0) > 0 ? null : say("length-problem", { example: localNumber("2.70") });
+const any: Check = (text) =>
+  parseLength(text) === null ? say("length-problem", { example: localNumber("0.50") }) : null;
 const NEXT_WORDS = wordsOf({
   distance_m: "scan-rod-distance",
   height_m: "scan-rod-height",
@@ -182,7 +183,9 @@ function Uncertainties({ model }: { model: ScanModel }) {
       <LengthField
         says="scan-rod-u-distance"
         metres={u_distance_m}
-        check={(text) => ((parseLength(text) ?? -1) < 0 ? say("length-problem", { example: "0.005" }) : null)}
+        check={(text) =>
+          (parseLength(text) ?? -1) < 0 ? say("length-problem", { example: localNumber("0.005") }) : null
+        }
         onCommit={(metres) => rod.change({ u_distance_m: metres ?? u_distance_m })}
       />
       <CommitField

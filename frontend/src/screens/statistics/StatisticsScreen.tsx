@@ -50,7 +50,6 @@ export default function StatisticsScreen() {
         <div class="row stat-noprint">
           <Check
             says="results-paper"
-            class="row"
             title={say("results-paper-help")}
             checked={asInPaper()}
             onInput={(on) => setFilter({ paper: on ? "1" : null })}

@@ -1,7 +1,7 @@
 import { Button, Notice, num, Panel, Table } from "../../components";
 import { Said } from "../../components/Said";
 import { allOf, say, sentenceOf } from "../../core/messages";
-import { fixed, formatLength, lengthScale, plainHeight } from "../../core/units";
+import { fixed, formatLength, lengthScale, plainHeight, plainPercent } from "../../core/units";
 import { csvOf, download } from "../../parts/figures/csv";
 import {
   type Curve,
@@ -197,7 +197,7 @@ function Percentiles({ target }: { target: OfTarget }) {
         label={title}
         aria-label={title}
         data-testid={`percentiles-${target.target}`}
-        heads={[say("statistics-percentile"), ...shown.map((one) => num(one.percent))]}
+        heads={[say("statistics-percentile"), ...shown.map((one) => num(plainPercent(one.percent)))]}
       >
         {total && (
           <PercentileRow

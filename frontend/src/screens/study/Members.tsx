@@ -24,7 +24,6 @@ export function Members({ studyId }: { studyId: number }) {
       <div class="panel__body stack stack--tight">
         <Check
           says="study-members-open"
-          class="row"
           checked={open_to_all}
           disabled={!may("operator")}
           onInput={(on) => void change(openToAll(on))}

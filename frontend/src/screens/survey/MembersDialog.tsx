@@ -96,11 +96,10 @@ export function MembersDialog({ surveyId, close }: { surveyId: number; close: ()
       <Problem error={problem} />
       <Loaded of={found} what={say("members-loading")} />
       {data && (
-        <>
+        <div class="stack">
           <p class="field__hint">{say(data.open_to_all ? "members-lead-open" : "members-lead")}</p>
           <Check
             says="members-open-to-all"
-            class="check"
             checked={data.open_to_all}
             disabled={!manages}
             onInput={(on) => void open(on)}
@@ -112,9 +111,11 @@ export function MembersDialog({ surveyId, close }: { surveyId: number; close: ()
           )}
           {manages && others.data && <AddMember others={others.data} add={put} />}
           {me.value?.person.role === "admin" && (
-            <Button says="members-invite" small onClick={() => setInviting(true)} />
+            <div>
+              <Button says="members-invite" small onClick={() => setInviting(true)} />
+            </div>
           )}
-        </>
+        </div>
       )}
     </Dialog>
   );
@@ -131,7 +132,6 @@ function MemberTable({ members, manages, put, remove }: TableProps) {
   return (
     <DataTable
       label={say("members-title")}
-      class="members"
       rows={members}
       keyOf={(one) => one.person_id}
       columns={({ col }) => [

@@ -5,6 +5,8 @@ import { may } from "../../core/session";
 import type { Response, Sampling, Survey } from "../../core/types";
 import { fixed, formatCount, plainPercent } from "../../core/units";
 import { CLASS_SET_WORDS, LIGHTING_WORDS, TARGET_WORDS } from "../../core/words";
+import { Bounded } from "../../parts/figures/FigureCell";
+import { NONE } from "../../parts/figures/numbers";
 import { SampleQuotas, useSample } from "../../parts/vehicles/SampleQuotas";
 
 export function SampleSection({ survey, edit }: { survey: Survey; edit(): void }) {
@@ -32,23 +34,19 @@ function ResponseTable({ rows, counts }: { rows: readonly Response[]; counts: bo
     <>
       <DataTable
         label={say("sample-response")}
+        class="table--dense"
         rows={rows}
         keyOf={(one) => `${one.lighting}.${one.class_set}.${one.target}`}
         columns={({ col, num }) => [
-          col(say("sample-lighting"), (one) => lightingWord(one.lighting), "nowrap"),
-          col(say("sample-classes"), (one) => setWord(one.class_set)),
-          col(
-            say("sample-of"),
-            (one) => (one.target ? TARGET_WORDS[one.target] : say("sample-vehicle")),
-            "nowrap",
-          ),
+          col(say("sample-lighting"), (one) => lightingWord(one.lighting)),
+          col(say("sample-of"), (one) => (one.target ? TARGET_WORDS[one.target] : setWord(one.class_set))),
           num(say("sample-passes"), (one) => formatCount(one.passes)),
           num(say("sample-discarded"), (one) => formatCount(one.discarded)),
           num(say("sample-out"), (one) => formatCount(one.out_of_sample)),
           num(say("sample-measured"), (one) => formatCount(one.measured)),
           num(say("sample-unseen"), (one) => formatCount(one.not_visible)),
           num(say("sample-open"), (one) => formatCount(one.open)),
-          num(say("sample-rate"), (one) => rate(one), "nowrap"),
+          num(say("sample-rate"), (one) => <Rate {...one} />),
         ]}
       />
       {outside > 0 && (
@@ -73,14 +71,20 @@ function lightingWord(lighting: Response["lighting"]): string {
 }
 
 function setWord(set: Response["class_set"]): string {
-  if (set === "all") return say("sample-all");
+  if (set === "all") return say("sample-vehicles");
   return set === "none" ? say("class-set-none") : CLASS_SET_WORDS[set];
 }
 
-function rate({ rate: value, low, high }: Response): string {
-  if (value === null || low === null || high === null) return "–";
-  const percent = (share: number) => fixed(100 * share, 0);
-  return say("sample-rate-of", { rate: percent(value), low: percent(low), high: percent(high) });
+function Rate({ rate, low, high }: Response) {
+  const percent = (share: number | null) => (share === null ? null : fixed(100 * share, 0));
+  const value = percent(rate);
+  return (
+    <Bounded
+      value={value === null ? NONE : say("percent", { percent: value })}
+      low={percent(low)}
+      high={percent(high)}
+    />
+  );
 }
 
 function ruleWords(rule: Sampling): string {

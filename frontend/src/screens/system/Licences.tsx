@@ -41,16 +41,15 @@ interface Library {
 
 function List({ title, libraries }: { title: string; libraries: readonly Library[] }) {
   return (
-    <div class="table-scroll">
-      <DataTable
-        rows={libraries}
-        keyOf={(one) => `${one.name} ${one.version}`}
-        columns={({ col }) => [
-          col(title, (one) => one.name),
-          col(say("system-licences-version"), (one) => one.version, "nowrap"),
-          col(say("system-licences-licence"), (one) => one.licence ?? say("system-licences-none")),
-        ]}
-      />
-    </div>
+    <DataTable
+      label={title}
+      rows={libraries}
+      keyOf={(one) => `${one.name} ${one.version}`}
+      columns={({ col }) => [
+        col(title, (one) => one.name),
+        col(say("system-licences-version"), (one) => one.version, "nowrap"),
+        col(say("system-licences-licence"), (one) => one.licence ?? say("system-licences-none")),
+      ]}
+    />
   );
 }
