@@ -3913,15 +3913,15 @@ overview-review-line-heights = { $count ->
    *[other] Review { $count } heights of line scans.
 }
 overview-remeasure = { $count ->
+    [one] Remeasure 1 rejected measurement.
+   *[other] Remeasure { $count } rejected measurements.
+}
 overview-accepted = Accepted: { $count ->
     [one] 1 measurement
    *[other] { $count } measurements
 }, { $scans ->
     [one] 1 height of line scans.
    *[other] { $scans } heights of line scans.
-}
-    [one] Remeasure 1 rejected measurement.
-   *[other] Remeasure { $count } rejected measurements.
 }
 overview-reviewed = { $count ->
     [one] 1 measurement reviewed.

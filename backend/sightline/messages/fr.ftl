@@ -3902,15 +3902,15 @@ overview-review-line-heights = { $count ->
    *[other] Vérifiez { $count } hauteurs de balayages.
 }
 overview-remeasure = { $count ->
+    [one] Mesurez à nouveau une mesure rejetée.
+   *[other] Mesurez à nouveau { $count } mesures rejetées.
+}
 overview-accepted = Validées : { $count ->
     [one] 1 mesure
    *[other] { $count } mesures
 }, { $scans ->
     [one] 1 hauteur de balayages.
    *[other] { $scans } hauteurs de balayages.
-}
-    [one] Mesurez à nouveau une mesure rejetée.
-   *[other] Mesurez à nouveau { $count } mesures rejetées.
 }
 overview-reviewed = { $count ->
     [one] Une mesure vérifiée.
