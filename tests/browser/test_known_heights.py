@@ -53,7 +53,7 @@ def test_a_check_target_is_declared_and_has_a_row_of_its_own(page: Page, one: Ow
     height_m = made.json()["height_m"]
     page.goto(f"/statistics?survey={one.survey}&state=all&tab=errors")
     row = page.get_by_test_id("known-taillight-check")
-    expect(row).to_contain_text("Taillight, check targets")
+    expect(row).to_contain_text("Taillight, lower edge, check targets")
     expect(row.locator("td").nth(1)).to_contain_text(f"{1000 * (height_m - 0.7):.1f}".replace("-", "−"))
     assert counted(page, one.survey) == before
 

@@ -26,11 +26,12 @@ from tests.support.packages import reseal
 def ground(
     services: Services, survey_id: int, recording_id: int, operator: Client, reviewer: Client
 ) -> Ground:
-    """A survey with one accepted height."""
+    """A survey with one accepted height, and one that waits for its review."""
     laid = lay_ground(services, survey_id, recording_id)
     car = add_vehicle(operator, laid.recording_id, category="saloon", manufacturer_height_m=1.31)["id"]
     made = measure(operator, car)
     reviewer.made(f"/measurements/{made['id']}/reviews", {"revision": 1, "verdict": "accepted"})
+    measure(operator, add_vehicle(operator, laid.recording_id, category="saloon")["id"])
     return laid
 
 
@@ -72,7 +73,9 @@ def test_figures_report_and_page_are_in_the_language_of_who_asked(
         checked = verify_package(FolderFiles(place))
         assert checked.ok and checked.drawings > 1, checked.problem
     assert (told_by_page(french)["language"], told_by_page(english)["language"]) == ("fr", "en")
-    assert told_by_page(french)["said"]["fr"]["click, target"] == "pointé, cible"
+    in_french = told_by_page(french)["said"]["fr"]
+    assert in_french["click, target"] == "pointé, cible"
+    assert in_french["It has not been reviewed yet."] == "Elle n’est pas encore vérifiée."
     assert told_by_page(english)["said"] == told_by_page(french)["said"]
     same = {path.name: path.read_bytes() for path in english.glob("statistics/*.csv")}
     assert same and same == {path.name: path.read_bytes() for path in french.glob("statistics/*.csv")}

@@ -26,7 +26,7 @@ from sightline.export.report.words import selection_words
 from sightline.export.seal import AUDIT_SCRIPT, CHECKPOINT, PAGE
 from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.columns import CODE, said_in, words_of
-from sightline.infra.csv_package.files import Files, Staging, read_columns, read_header, read_whole
+from sightline.infra.csv_package.files import Files, Staging, read_columns, read_whole
 from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, AnyTable, Written, sha256_hex
 from sightline.infra.version import code_version
 from sightline.messages import SOURCE, languages, name_of
@@ -63,11 +63,6 @@ _NAMES = (
     "corrections",
     "agreement",
 )
-#: The columns whose sentences the page shows in the language of the package, by the table's key.
-_SENTENCES = {
-    "measurements.csv": ("reason", "flags"),
-    "crops.csv": ("reason",),
-}
 _POSES = re.compile(r"records/pose-\d+\.json")
 _ABOUT = re.compile(r'<script type="application/json" id="about">(.*?)</script>\n', re.DOTALL)
 _BLOCK = re.compile(r'<script type="text/plain" data-path="([\w./-]+)">([A-Za-z0-9+/=]*)</script>\n')
@@ -227,12 +222,10 @@ def _said(files: Files, tables: Sequence[AnyTable], carried: Set[str], language:
         if table.key == "budget.csv":
             sources = {source for (source,) in read_columns(files, table.path, ("source",))}
             said |= {source: name_of("budget-of", source, language) for source in sources}
-        for column in _SENTENCES.get(table.key, ()):
-            code = f"{column}{CODE}"
-            names = (column, code) if code in read_header(files, table.path) else (column,)
-            for text, *codes in {tuple(cells) for cells in read_columns(files, table.path, names)}:
-                words = words_of(said_in(*codes), language) if codes else None
-                said[text] = words or text
+        names = [one.name for one in table.columns]
+        for column in (one for one in names if f"{one}{CODE}" in names):
+            for text, code in set(map(tuple, read_columns(files, table.path, (column, f"{column}{CODE}")))):
+                said[text] = words_of(said_in(code), language) or text
     return {text: said[text] for text in sorted(said) if said[text] != text}
 
 

@@ -146,7 +146,7 @@ def _known(name: str, meaning: str, more: str = "") -> Columns:
 
 def _proposed(which: str) -> Columns:
     """Where a point was proposed; of no height."""
-    return _known(f"proposed_{which}", f"where the {which} was proposed", "; it counts for no height")
+    return _known(f"proposed_{which}", f"where the {which} was proposed", "; not used for any height")
 
 
 _MADE: Columns = within(
@@ -183,7 +183,7 @@ _SIDE: Columns = within(
     "values",
     text(
         "side",
-        "of an eye: on which side of the vehicle, as the camera sees it, the driver sits",
+        "of an eye: side of the vehicle, seen from the camera, on which the driver sits",
         enum=get_args(DriverSide),
     ),
 )
@@ -248,7 +248,7 @@ def _frames_used(m: Measurement) -> int:
 _SEVERAL: Columns = (
     integer(
         "frames",
-        "on how many frames the points were clicked, or followed through a whole pass",
+        "number of frames on which the points were clicked, or followed through a whole pass",
         _frames_used,
         required=True,
         minimum=1,
@@ -300,7 +300,7 @@ _HEIGHT: Columns = (
     person("created_by_id", "who clicked the points"),
     moment("created_at", "when the revision was stored"),
     flag("withdrawn", "true if the measurement was withdrawn", required=True),
-    integer("computing_id", "what computed the revision again, with the clicks of the revision before"),
+    integer("computing_id", "recomputation that made this revision from the clicks of the previous one"),
     integer(
         "verdict_of_revision",
         "the revision before it whose verdict holds for this one too: computed again, it moved by no more "

@@ -3215,10 +3215,7 @@ statistics-none-accepted = { $count ->
 }
 statistics-none-filtered = No measurements match the filter. Clear or change it.
 statistics-none = Measure vehicles and have them reviewed; their figures then appear here.
-statistics-eye = Driver’s eye
 statistics-taillight = Taillight, lower edge
-statistics-headlight = Headlight
-statistics-roof = Roof
 
 ## Statistics: the filter
 
@@ -6230,9 +6227,18 @@ opened-figures-none = No figures: too few accepted measurements.
 opened-left-out = Too large for this page, so neither shown nor checked here: { $named }. Use sightline verify.
 opened-table-empty = No rows.
 opened-table-cut = The first { NUMBER($shown) } of { NUMBER($count) } rows; the file contains all.
-opened-sizes-total = { NUMBER($files) } files, { NUMBER($mb, maximumSignificantDigits: 3) } MB, not counting this page, the description, the audit chain and the checksums.
-opened-size-top = { NUMBER($files) } files at the top, { NUMBER($mb, maximumSignificantDigits: 2) } MB
-opened-size = { $folder } { NUMBER($files) } files, { NUMBER($mb, maximumSignificantDigits: 2) } MB
+opened-sizes-total = { $files ->
+    [one] { NUMBER($files) } file
+   *[other] { NUMBER($files) } files
+}, { NUMBER($mb, maximumSignificantDigits: 3) } MB, not counting this page, the description, the audit chain and the checksums.
+opened-size-top = { $files ->
+    [one] { NUMBER($files) } file
+   *[other] { NUMBER($files) } files
+} at the top, { NUMBER($mb, maximumSignificantDigits: 2) } MB
+opened-size = { $folder } { $files ->
+    [one] { NUMBER($files) } file
+   *[other] { NUMBER($files) } files
+}, { NUMBER($mb, maximumSignificantDigits: 2) } MB
 opened-filter = Show
 opened-filter-all = all
 opened-filter-differs = those that differ
@@ -6307,18 +6313,18 @@ column-measurements-made = how the points on `frame` were set: clicked: by hand 
 column-measurements-snapped-from-x-px = where a person clicked before the contact went to the tyre found there, x to the right; (0, 0) is the centre of the top-left pixel
 column-measurements-snapped-from-y-px = where a person clicked before the contact went to the tyre found there, y down; (0, 0) is the centre of the top-left pixel
 column-measurements-proposal = whether contact and target were proposed on `frame` when it was measured: shown, or withheld: the vehicle was drawn to be measured free; empty where one of them was not proposed
-column-measurements-proposed-contact-x-px = where the contact was proposed, x to the right; it counts for no height; (0, 0) is the centre of the top-left pixel
-column-measurements-proposed-contact-y-px = where the contact was proposed, y down; it counts for no height; (0, 0) is the centre of the top-left pixel
-column-measurements-proposed-target-x-px = where the target was proposed, x to the right; it counts for no height; (0, 0) is the centre of the top-left pixel
-column-measurements-proposed-target-y-px = where the target was proposed, y down; it counts for no height; (0, 0) is the centre of the top-left pixel
+column-measurements-proposed-contact-x-px = where the contact was proposed, x to the right; not used for any height; (0, 0) is the centre of the top-left pixel
+column-measurements-proposed-contact-y-px = where the contact was proposed, y down; not used for any height; (0, 0) is the centre of the top-left pixel
+column-measurements-proposed-target-x-px = where the target was proposed, x to the right; not used for any height; (0, 0) is the centre of the top-left pixel
+column-measurements-proposed-target-y-px = where the target was proposed, y down; not used for any height; (0, 0) is the centre of the top-left pixel
 column-measurements-pose-id = camera pose used
 column-measurements-calibration-id = calibration behind that pose
 column-measurements-inset-m = inset: distance from the vertical plane through the contact point to the target, along road Y
 column-measurements-u-inset-m = standard uncertainty of the inset (k = 1)
-column-measurements-side = of an eye: on which side of the vehicle, as the camera sees it, the driver sits
+column-measurements-side = of an eye: side of the vehicle, seen from the camera, on which the driver sits
 column-measurements-side-from = source of the side: entered for this vehicle, its direction, or the lane next to the camera
 column-measurements-inset-from = whether the inset is the survey's usual one or this measurement's own
-column-measurements-frames = on how many frames the points were clicked, or followed through a whole pass
+column-measurements-frames = number of frames on which the points were clicked, or followed through a whole pass
 column-measurements-frame-n = number of frame { $frame } that the points were clicked on
 column-measurements-contact-n-x-px = the same tyre contact on frame { $frame } of the measurement, x
 column-measurements-contact-n-y-px = the same tyre contact on frame { $frame } of the measurement, y
@@ -6345,7 +6351,7 @@ column-measurements-code-version = version of the program that computed the heig
 column-measurements-created-by-id = who clicked the points
 column-measurements-created-at = when the revision was stored (ISO 8601, UTC)
 column-measurements-withdrawn = true if the measurement was withdrawn
-column-measurements-computing-id = what computed the revision again, with the clicks of the revision before
+column-measurements-computing-id = recomputation that made this revision from the clicks of the previous one
 column-measurements-verdict-of-revision = the revision before it whose verdict holds for this one too: computed again, it moved by no more than its u, or its points were put back where they were
 column-measurements-filmed-at = when that frame was filmed, by the clocks of the place (ISO 8601 with offset): started_at of its recording and time_s; empty while nobody has confirmed that start
 column-measurements-verdict = state of the review of this revision
@@ -6382,7 +6388,7 @@ column-vehicles-model = model
 column-vehicles-year = model year
 column-vehicles-model-chosen-by = size: the model was chosen because it fits what was measured, so no height known of the vehicle is a reference; seen: it was then recognised on the vehicle; empty: neither
 column-vehicles-model-sizes = of a model chosen by size: by which sizes, a space between them
-column-vehicles-category = kind of body
+column-vehicles-category = body type
 column-vehicles-manufacturer-height-m = manufacturer's overall height
 column-vehicles-u-manufacturer-height-m = standard uncertainty of that height (k = 1)
 column-vehicles-height-source = where that height comes from
@@ -6390,7 +6396,7 @@ column-vehicles-known-driver-eye-m = height of its driver eye that was known bef
 column-vehicles-known-taillight-m = height of its taillight that was known before it was measured
 column-vehicles-known-headlight-m = height of its headlight that was known before it was measured
 column-vehicles-known-other-m = height of its mark that was known before it was measured
-column-vehicles-check-target = there to check the measuring: own rows in errors_by_target.csv, no vehicle of the traffic
+column-vehicles-check-target = present to check the measurement: own rows in errors_by_target.csv, not part of the traffic
 column-vehicles-lighting = light at the time of the pass
 column-vehicles-direction = travel direction in the image
 column-vehicles-driver-side = side of the driver as entered, seen from the camera; empty: it follows from the direction
@@ -6399,11 +6405,11 @@ column-vehicles-driver-eye-not-visible = why the driver eye cannot be measured o
 column-vehicles-taillight-not-visible = why the taillight cannot be measured of this vehicle; empty where it can
 column-vehicles-headlight-not-visible = why the headlight cannot be measured of this vehicle; empty where it can
 column-vehicles-filmed-at = when its first frame was filmed, by the clocks of the place (ISO 8601 with offset): started_at of its recording and first_frame, frames as long as on average; empty while nobody has confirmed that start
-column-vehicles-in-sample = whether the rule of sampling.csv takes it
-column-vehicles-counts = whether its heights count in results: no check target, and in the sample, unless sampling.csv counts others too
-column-vehicles-discarded = why it is no pass of a vehicle to be measured; empty where it is one
+column-vehicles-in-sample = whether the rule of sampling.csv selects it
+column-vehicles-counts = whether its heights count in the results: not a check target, and in the sample, unless sampling.csv counts others too
+column-vehicles-discarded = why this is not the pass of a vehicle to be measured; empty if it is
 column-vehicles-notes = remarks
-column-vehicles-state = how far the work on it is, by what the survey asks for
+column-vehicles-state = how far the work on it has come, given what the survey asks for
 column-recordings-id = recording
 column-recordings-name = name of the file
 column-recordings-sha256 = SHA-256 of the file
@@ -6421,14 +6427,14 @@ column-recordings-lighting = light in the recording
 column-recordings-started-at = when its first frame was filmed, as a person confirmed, by the clocks of the place (ISO 8601 with offset)
 column-recordings-time-zone = time zone of these times (IANA)
 column-recordings-weather = weather, in words
-column-recordings-street-lighting = whether street lamps were lit
-column-recordings-camera-id = camera that made it
+column-recordings-street-lighting = whether the street lamps were on
+column-recordings-camera-id = camera that filmed it
 column-recordings-pose-id = current camera pose
 column-recordings-drift-state = whether the camera moved since that pose
 column-recordings-drift-floor-px = detection limit of camera movement
 column-recordings-drift-moved-px = largest motion found, where it moved
-column-recordings-drift-height-m = by how much heights are off at most for it
-column-recordings-drift-checked-at = when that was looked at (ISO 8601, UTC)
+column-recordings-drift-height-m = largest error of heights that results from it
+column-recordings-drift-checked-at = when this was checked (ISO 8601, UTC)
 column-recordings-drift-decision = reason for keeping the pose although the camera moved
 column-recordings-drift-decided-by-id = who decided that
 column-recordings-drift-decided-at = when that was decided (ISO 8601, UTC)
@@ -6438,7 +6444,7 @@ column-poses-calibration-id = calibration it was solved with
 column-poses-first-frame = first frame of the board's segment
 column-poses-last-frame = last frame of the board's segment
 column-poses-frames-used = frames that entered the solution
-column-poses-rms-px = root of the mean squared distance of the corners
+column-poses-rms-px = RMS reprojection error of the corners
 column-poses-board-distance-m = from the camera's centre to the board
 column-poses-board-columns = inner corners in a row of the board
 column-poses-board-rows = rows of inner corners
@@ -7643,12 +7649,6 @@ report-uncovered-out-of-date = { $n ->
     [one] 1 height is out of date: facts that it depends on were changed after it was computed. It is included unchanged.
    *[other] { $n } heights are out of date: facts that they depend on were changed after they were computed. They are included unchanged.
  }
-report-uncovered-others = Other roads, days and traffic: the intervals are for the traffic that passes this site.
-report-readme-contents = What is in this package
-report-readme-page = This package as a page: open it in a browser. It checks itself without a server.
-report-readme-report = The report.
-report-readme-statistics = The figures of the report as tables, unrounded.
-report-readme-tables = Every vehicle, measurement and review as tables; datapackage.json describes each column.
 report-uncovered-line-heights = { $n ->
     [one] 1 accepted height of a line scan: the section on line scans contains it.
    *[other] { $n } accepted heights of line scans: the section on line scans contains them.
@@ -7657,6 +7657,12 @@ report-uncovered-by-lot = { $n ->
     [one] 1 accepted height was not reviewed individually: the sample of its lot was.
    *[other] { $n } accepted heights were not reviewed individually: the samples of their lots were.
  }
+report-uncovered-others = Other roads, days and traffic: the intervals are for the traffic that passes this site.
+report-readme-contents = What is in this package
+report-readme-page = This package as a page: open it in a browser. It checks itself without a server.
+report-readme-report = The report.
+report-readme-statistics = The figures of the report as tables, unrounded.
+report-readme-tables = Every vehicle, measurement and review as tables; datapackage.json describes each column.
 report-readme-files = Images, figures, camera poses and calibrations, and the same tables as Parquet.
 report-readme-audit = The audit chain and its signature.
 report-readme-check = To check everything: sightline verify, with the key that the installation shows. To check that no file changed: sha256sum -c SHA256SUMS

@@ -3211,10 +3211,7 @@ statistics-none-accepted = { $count ->
 }
 statistics-none-filtered = Aucune mesure ne correspond au filtre. Effacez-le ou modifiez-le.
 statistics-none = Mesurez des véhicules et faites vérifier les mesures ; leurs chiffres apparaîtront ici.
-statistics-eye = Œil du conducteur
 statistics-taillight = Feu arrière, bord inférieur
-statistics-headlight = Projecteur
-statistics-roof = Toit
 
 ## Statistiques : le filtre
 
@@ -6282,9 +6279,18 @@ opened-figures-none = Aucune figure : trop peu de mesures validées.
 opened-left-out = Trop volumineux pour cette page, donc ni affichés ni contrôlés ici : { $named }. Utilisez sightline verify.
 opened-table-empty = Aucune ligne.
 opened-table-cut = Les { NUMBER($shown) } premières lignes sur { NUMBER($count) } ; le fichier les a toutes.
-opened-sizes-total = { NUMBER($files) } fichiers, { NUMBER($mb, maximumSignificantDigits: 3) } Mo, outre cette page, la description, la chaîne d’audit et la liste des sommes.
-opened-size-top = { NUMBER($files) } fichiers à la racine, { NUMBER($mb, maximumSignificantDigits: 2) } Mo
-opened-size = { $folder } { NUMBER($files) } fichiers, { NUMBER($mb, maximumSignificantDigits: 2) } Mo
+opened-sizes-total = { $files ->
+    [one] { NUMBER($files) } fichier
+   *[other] { NUMBER($files) } fichiers
+}, { NUMBER($mb, maximumSignificantDigits: 3) } Mo, outre cette page, la description, la chaîne d’audit et la liste des sommes.
+opened-size-top = { $files ->
+    [one] { NUMBER($files) } fichier
+   *[other] { NUMBER($files) } fichiers
+} à la racine, { NUMBER($mb, maximumSignificantDigits: 2) } Mo
+opened-size = { $folder } { $files ->
+    [one] { NUMBER($files) } fichier
+   *[other] { NUMBER($files) } fichiers
+}, { NUMBER($mb, maximumSignificantDigits: 2) } Mo
 opened-filter = Afficher
 opened-filter-all = toutes
 opened-filter-differs = celles qui diffèrent
@@ -7697,12 +7703,6 @@ report-uncovered-out-of-date = { $n ->
     [one] 1 hauteur n’est plus à jour : des données dont elle dépend ont été modifiées après son calcul. Elle est incluse sans changement.
    *[other] { $n } hauteurs ne sont plus à jour : des données dont elles dépendent ont été modifiées après leur calcul. Elles sont incluses sans changement.
  }
-report-uncovered-others = Autres routes, autres jours, autre trafic : les intervalles valent pour le trafic qui passe sur ce site.
-report-readme-contents = Contenu de cette archive
-report-readme-page = Cette archive sous forme de page : à ouvrir dans un navigateur. Elle se vérifie elle-même, sans serveur.
-report-readme-report = Le rapport.
-report-readme-statistics = Les valeurs du rapport en tableaux, non arrondies.
-report-readme-tables = Chaque véhicule, mesure et vérification en tableaux ; datapackage.json décrit chaque colonne.
 report-uncovered-line-heights = { $n ->
     [one] 1 hauteur validée de balayages : elle figure dans la section sur les balayages.
    *[other] { $n } hauteurs validées de balayages : elles figurent dans la section sur les balayages.
@@ -7711,6 +7711,12 @@ report-uncovered-by-lot = { $n ->
     [one] 1 hauteur validée n’a pas été vérifiée individuellement : l’échantillon de son lot l’a été.
    *[other] { $n } hauteurs validées n’ont pas été vérifiées individuellement : les échantillons de leurs lots l’ont été.
  }
+report-uncovered-others = Autres routes, autres jours, autre trafic : les intervalles valent pour le trafic qui passe sur ce site.
+report-readme-contents = Contenu de cette archive
+report-readme-page = Cette archive sous forme de page : à ouvrir dans un navigateur. Elle se vérifie elle-même, sans serveur.
+report-readme-report = Le rapport.
+report-readme-statistics = Les valeurs du rapport en tableaux, non arrondies.
+report-readme-tables = Chaque véhicule, mesure et vérification en tableaux ; datapackage.json décrit chaque colonne.
 report-readme-files = Images, figures, poses et étalonnages des caméras, et les mêmes tableaux en Parquet.
 report-readme-audit = La chaîne d’audit et sa signature.
 report-readme-check = Pour tout vérifier : sightline verify, avec la clé qu’affiche l’installation. Pour vérifier qu’aucun fichier n’a changé : sha256sum -c SHA256SUMS

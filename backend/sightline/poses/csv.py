@@ -36,7 +36,7 @@ POSES: Table[Pose] = Table(
         integer("first_frame", "first frame of the board's segment"),
         integer("last_frame", "last frame of the board's segment"),
         integer("frames_used", "frames that entered the solution", lambda p: p.document.get("frames_used")),
-        number("rms_px", "root of the mean squared distance of the corners", "px"),
+        number("rms_px", "RMS reprojection error of the corners", "px"),
         metres("board_distance_m", "from the camera's centre to the board", lambda p: p.distance_m),
         integer("board_columns", "inner corners in a row of the board", _of_board("columns")),
         integer("board_rows", "rows of inner corners", _of_board("rows")),

@@ -82,11 +82,11 @@ _DRIFT: tuple[Column[Drift], ...] = (
     ),
     number("drift_floor_px", "detection limit of camera movement", "px", _found("floor_px")),
     number("drift_moved_px", "largest motion found, where it moved", "px", _found("moved_px")),
-    metres("drift_height_m", "by how much heights are off at most for it", _found("height_m")),
+    metres("drift_height_m", "largest error of heights that results from it", _found("height_m")),
     Column(
         "drift_checked_at",
         "datetime",
-        "when that was looked at (ISO 8601, UTC)",
+        "when this was checked (ISO 8601, UTC)",
         of=_time(_found("checked_at")),
     ),
     text("drift_decision", "reason for keeping the pose although the camera moved", _decided("reason")),
@@ -126,8 +126,8 @@ _FACTS: tuple[Column[Recording], ...] = (
     started_column("when its first frame was filmed", lambda r: r.started_at, lambda r: r.time_zone),
     text("time_zone", "time zone of these times (IANA)"),
     text("weather", "weather, in words"),
-    text("street_lighting", "whether street lamps were lit", enum=get_args(StreetLighting)),
-    integer("camera_id", "camera that made it"),
+    text("street_lighting", "whether the street lamps were on", enum=get_args(StreetLighting)),
+    integer("camera_id", "camera that filmed it"),
     integer("pose_id", "current camera pose"),
 )
 

@@ -25,6 +25,15 @@ export const ASKABLE: readonly AskedTarget[] = ["roof", "driver_eye", "taillight
 
 export const TARGET_WORDS = wordsOf("target-", "roof", "driver_eye", "taillight", "headlight", "other");
 
+/** What results are heights of: of a taillight, its lower edge. */
+export const HEIGHT_WORDS: Readonly<Record<Target, string>> = wordsOf({
+  driver_eye: "target-driver_eye",
+  taillight: "statistics-taillight",
+  headlight: "target-headlight",
+  roof: "target-roof",
+  other: "target-other",
+});
+
 /** The same within a list, beside a point, after a colon. */
 export const TARGET_NOUNS: Readonly<Record<Target, string>> = wordsOf("target-noun-");
 

@@ -240,7 +240,7 @@ function Tables({ found }: { found: Opened }) {
 
 const MOST_ROWS = 200;
 
-/** Cells with names and notes, some of which the program brought: these are said in the reader's language. */
+/** Cells with names and notes, some of which the program brought: these are said in the reader's language, as is what has a code. */
 const WORDS: Readonly<Record<string, readonly string[]>> = {
   insets: ["note"],
   same_rule: ["standard", "class"],
@@ -273,7 +273,9 @@ function Table({ path, name: table, columns, rows }: TableProps) {
             <tr key={names.map((name) => row[name]).join()}>
               {names.map((name) => (
                 <td key={name} title={row[name]}>
-                  {WORDS[table]?.includes(name) ? told(shown(path, name, row)) : shown(path, name, row)}
+                  {WORDS[table]?.includes(name) || `${name}_code` in columns
+                    ? told(shown(path, name, row))
+                    : shown(path, name, row)}
                 </td>
               ))}
             </tr>

@@ -56,14 +56,14 @@ VEHICLES: Table[VehicleSheet] = Table(
             enum=get_args(ModelChosenBy),
         ),
         text("model_sizes", "of a model chosen by size: by which sizes, a space between them"),
-        text("category", "kind of body", enum=get_args(Category)),
+        text("category", "body type", enum=get_args(Category)),
         metres("manufacturer_height_m", "manufacturer's overall height"),
         metres("u_manufacturer_height_m", "standard uncertainty of that height (k = 1)"),
         text("height_source", "where that height comes from"),
         *(column for target in get_args(KnownTarget) for column in _known(target)),
         flag(
             "check_target",
-            "there to check the measuring: own rows in errors_by_target.csv, no vehicle of the traffic",
+            "present to check the measurement: own rows in errors_by_target.csv, not part of the traffic",
             required=True,
         ),
         text("lighting", "light at the time of the pass", enum=get_args(Lighting)),
@@ -81,20 +81,20 @@ VEHICLES: Table[VehicleSheet] = Table(
             "of its recording and first_frame, frames as long as on average; empty while nobody has "
             "confirmed that start",
         ),
-        flag("in_sample", "whether the rule of sampling.csv takes it", required=True),
+        flag("in_sample", "whether the rule of sampling.csv selects it", required=True),
         flag(
             "counts",
-            "whether its heights count in results: no check target, and in the sample, unless sampling.csv "
-            "counts others too",
+            "whether its heights count in the results: not a check target, and in the sample, unless "
+            "sampling.csv counts others too",
             required=True,
         ),
         text(
             "discarded",
-            "why it is no pass of a vehicle to be measured; empty where it is one",
+            "why this is not the pass of a vehicle to be measured; empty if it is",
             enum=get_args(Discarded),
         ),
         text("notes", "remarks"),
-        text("state", "how far the work on it is, by what the survey asks for", required=True),
+        text("state", "how far the work on it has come, given what the survey asks for", required=True),
     ),
     primary=("id",),
     foreign=((("recording_id",), "recordings", ("id",)),),

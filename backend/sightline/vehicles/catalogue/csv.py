@@ -43,7 +43,7 @@ CATALOGUE: Table[CatalogueEntry] = Table(
         text("model", "model", required=True),
         integer("year_from", "first model year"),
         integer("year_to", "last model year"),
-        text("category", "kind of body", enum=get_args(Category)),
+        text("category", "body type", enum=get_args(Category)),
         *_sizes(),
         text("source", "where its sizes come from"),
     ),

@@ -3,7 +3,7 @@ import { DataTable } from "../../components";
 import { type Said, say, sentenceOf } from "../../core/messages";
 import type { Target } from "../../core/types";
 import { formatSmall, plainPercent } from "../../core/units";
-import { TARGET_WORDS } from "../../core/words";
+import { HEIGHT_WORDS } from "../../core/words";
 import { Bounded } from "./FigureCell";
 import { NONE } from "./numbers";
 
@@ -39,7 +39,7 @@ export function Differences({ rows, label, column }: Props) {
       columns={({ col, num, rowHead }) => [
         rowHead(say("statistics-compared-figure"), ({ target, percent }) => (
           <>
-            {TARGET_WORDS[target]},{" "}
+            {HEIGHT_WORDS[target]},{" "}
             {percent === null ? say("statistics-compared-mean") : `P${plainPercent(percent)}`}
           </>
         )),

@@ -15,8 +15,8 @@ export type Rule = Omit<RuleToday, "standard" | "by_pose_m"> & {
 const HEIGHT_OF: Readonly<Record<RuleToday["standard"]["what"], string>> = wordsOf({
   eye_car: "target-driver_eye",
   eye_truck: "target-driver_eye",
-  object_stopping: "target-taillight",
-  object_passing: "target-taillight",
+  object_stopping: "statistics-taillight",
+  object_passing: "statistics-taillight",
   headlight: "target-headlight",
   vehicle: "target-roof",
 });

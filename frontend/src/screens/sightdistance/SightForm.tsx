@@ -3,7 +3,7 @@ import { CommitField, LengthField } from "../../components/CommitField";
 import { navigate, query, setQuery } from "../../core/address";
 import { say } from "../../core/messages";
 import { parseLength, parseNumber, speedScale } from "../../core/units";
-import { CATEGORY_WORDS, LIGHTING_WORDS, STATE_WORDS, TARGET_WORDS } from "../../core/words";
+import { CATEGORY_WORDS, HEIGHT_WORDS, LIGHTING_WORDS, STATE_WORDS } from "../../core/words";
 import { formatLimit, inWords, STANDARD_OF, standardKey } from "../../parts/figures/standards";
 import type { Standard } from "../../parts/figures/types";
 import { ClassChoice } from "../../parts/vehicles/ClassChoice";
@@ -95,10 +95,10 @@ function SurveyRule() {
         says="sight-object-target"
         value={at.get("object_target") ?? usualObject(kind)}
         options={[
-          { value: "taillight", label: TARGET_WORDS.taillight },
-          { value: "headlight", label: TARGET_WORDS.headlight },
-          { value: "driver_eye", label: TARGET_WORDS.driver_eye },
-          { value: "roof", label: TARGET_WORDS.roof },
+          { value: "taillight", label: HEIGHT_WORDS.taillight },
+          { value: "headlight", label: HEIGHT_WORDS.headlight },
+          { value: "driver_eye", label: HEIGHT_WORDS.driver_eye },
+          { value: "roof", label: HEIGHT_WORDS.roof },
           { value: STANDARDS_OBJECT, label: say("sight-object-standard") },
         ]}
         onInput={(value) => setQuery({ object_target: value })}

@@ -12,12 +12,12 @@ import {
 import { query, setQuery } from "../../core/address";
 import { say, wordsOf } from "../../core/messages";
 import { lengthUnit, parseSmall, smallScale, smallText } from "../../core/units";
-import { LIGHTING_WORDS, STATE_WORDS } from "../../core/words";
+import { HEIGHT_WORDS, LIGHTING_WORDS, STATE_WORDS } from "../../core/words";
 import { fixedRange } from "../../parts/figures/numbers";
 import { FilmedFields, filmedOf } from "../../parts/filming/FilmedFields";
 import { ClassChoice } from "../../parts/vehicles/ClassChoice";
 import { CORRECTIONS, narrowed, type SingleName, setFilter, WIDE } from "./filters";
-import { type Statistics, TARGET_TITLES } from "./model";
+import type { Statistics } from "./model";
 
 const CORRECTION_WORDS = wordsOf("statistics-correction-");
 
@@ -74,7 +74,7 @@ export function FilterBar({ found }: { found: Statistics | null }) {
             "target",
             say("statistics-filter-target"),
             say("statistics-filter-target-all"),
-            choices<string>(TARGET_TITLES),
+            choices<string>(HEIGHT_WORDS, ["driver_eye", "taillight", "headlight", "roof"]),
           )}
           {choice(
             "operator",

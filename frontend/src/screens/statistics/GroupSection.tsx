@@ -2,11 +2,12 @@ import { useState } from "preact/hooks";
 import { Panel, Segments, Table } from "../../components";
 import { say, wordsOf } from "../../core/messages";
 import { lengthScale } from "../../core/units";
+import { HEIGHT_WORDS } from "../../core/words";
 import { type Curve, ECDF_COLUMNS, ecdfMarks, ecdfRows } from "../../parts/figures/curves";
 import type { Hue } from "../../parts/figures/hues";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 import type { Ecdf } from "../../parts/figures/types";
-import { type Group, groupWord, isThere, type OfTarget, TARGET_TITLES } from "./model";
+import { type Group, groupWord, isThere, type OfTarget } from "./model";
 import { SpreadCells, spreadHeads } from "./spread";
 
 /** Neighbours differ in hue, the fourth and on in their dashes too. */
@@ -28,7 +29,7 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
   const found = target.groups[grouping];
   const groups = found?.groups ?? [];
   const curves = drawn(groups, grouping);
-  const title = TARGET_TITLES[target.target];
+  const title = HEIGHT_WORDS[target.target];
   return (
     <Panel
       says="statistics-groups-title"
@@ -37,7 +38,7 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
           <Segments
             says="statistics-groups-target"
             value={target.target}
-            options={there.map((one) => ({ value: one.target, label: TARGET_TITLES[one.target] }))}
+            options={there.map((one) => ({ value: one.target, label: HEIGHT_WORDS[one.target] }))}
             onInput={setChosen}
           />
           <Segments

@@ -3,7 +3,7 @@ import type { ComponentChildren } from "preact";
 import { num, Panel, Table } from "../../components";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { formatCount, smallScale } from "../../core/units";
-import { TARGET_WORDS } from "../../core/words";
+import { HEIGHT_WORDS } from "../../core/words";
 import { FigureCell } from "../../parts/figures/FigureCell";
 import { NONE, range } from "../../parts/figures/numbers";
 import { groupWord, isThere, type KnownErrors } from "./model";
@@ -50,7 +50,7 @@ function Rows({ one }: { one: KnownErrors }) {
   const [all, ...parts] = one.groups;
   if (!all) return null;
   const id = `known-${one.target}${one.check_target ? "-check" : ""}`;
-  const target = TARGET_WORDS[one.target];
+  const target = HEIGHT_WORDS[one.target];
   return (
     <>
       <Row

@@ -2,6 +2,7 @@ import { Button, Notice, num, Panel, Table } from "../../components";
 import { Said } from "../../components/Said";
 import { allOf, say, sentenceOf } from "../../core/messages";
 import { fixed, formatLength, lengthScale, plainHeight, plainPercent } from "../../core/units";
+import { HEIGHT_WORDS } from "../../core/words";
 import { csvOf, download } from "../../parts/figures/csv";
 import {
   type Curve,
@@ -23,7 +24,7 @@ import { PlotFigure } from "../../parts/figures/PlotFigure";
 import { formatLimit, inWords } from "../../parts/figures/standards";
 import type { Density, Ecdf, Standard } from "../../parts/figures/types";
 import { asInPaper } from "./filters";
-import { isThere, type OfTarget, type Percentile, TARGET_TITLES } from "./model";
+import { isThere, type OfTarget, type Percentile } from "./model";
 
 const rawCurve = (): Curve => ({ word: say("statistics-curve-raw"), dash: "6 4", faint: true });
 const correctedCurve = (): Curve => ({ word: say("statistics-curve-corrected"), band: true });
@@ -36,7 +37,7 @@ interface Props {
 
 /** One target: its distribution raw and corrected, its percentiles, and who sits below the standards. */
 export function TargetSection({ target, standards }: Props) {
-  const title = TARGET_TITLES[target.target];
+  const title = HEIGHT_WORDS[target.target];
   const { corrected } = target;
   return (
     <Panel
@@ -190,7 +191,7 @@ function Percentiles({ target }: { target: OfTarget }) {
   const unit = lengthScale()[1];
   const shown = rows.length > 0 ? rows : kept(target.raw.percentiles);
   const { total } = target;
-  const title = say("statistics-percentiles", { target: TARGET_TITLES[target.target] });
+  const title = say("statistics-percentiles", { target: HEIGHT_WORDS[target.target] });
   return (
     <div class="stat-percentiles">
       <Table

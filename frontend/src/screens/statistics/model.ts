@@ -32,13 +32,6 @@ export const GROUP_WORDS: Readonly<Record<string, string>> = wordsOf({
 
 const LANE_WORDS: Readonly<Record<string, string>> = wordsOf("statistics-lane-");
 
-export const TARGET_TITLES = wordsOf({
-  driver_eye: "statistics-eye",
-  taillight: "statistics-taillight",
-  headlight: "statistics-headlight",
-  roof: "statistics-roof",
-});
-
 /** The word of a group in a grouping, for people. */
 export function groupWord(grouping: string, word: string): string {
   if (grouping === "lighting") return LIGHTING_WORDS[word as Lighting] ?? word;

@@ -1,7 +1,7 @@
 import { say } from "../../core/messages";
 import type { StudyResult } from "../../core/types";
 import { lengthScale } from "../../core/units";
-import { TARGET_WORDS } from "../../core/words";
+import { HEIGHT_WORDS } from "../../core/words";
 import { marginOf, standardMarks, standardTiers } from "../../parts/figures/curves";
 import { hueOf } from "../../parts/figures/hues";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
@@ -17,7 +17,7 @@ const REACH_M = 0.15;
 
 /** A target's distribution: percentiles of true heights with their total intervals as a band. */
 export function CurveFigure({ curve, rules }: { curve: Curve; rules: Found["rules"] }) {
-  const title = TARGET_WORDS[curve.target];
+  const title = HEIGHT_WORDS[curve.target];
   const first = curve.points[0]?.value_m ?? 0;
   const last = curve.points.at(-1)?.value_m ?? 0;
   const standards = rules

@@ -2,7 +2,7 @@ import { DataTable, num, Table } from "../../components";
 import { say, sentenceOf } from "../../core/messages";
 import type { Category, StudyResult } from "../../core/types";
 import { fixed, formatCount, formatSmall, lengthScale, plainHeight, plainPercent } from "../../core/units";
-import { CATEGORY_WORDS, LIGHTING_WORDS, TARGET_WORDS } from "../../core/words";
+import { CATEGORY_WORDS, HEIGHT_WORDS, LIGHTING_WORDS } from "../../core/words";
 import { Differences } from "../../parts/figures/Differences";
 import { Bounded } from "../../parts/figures/FigureCell";
 import { NONE, percent } from "../../parts/figures/numbers";
@@ -71,7 +71,7 @@ function Percentiles({ found, targets }: { found: Found; targets: readonly Row["
           return (
             <tr key={target}>
               <th scope="row">
-                {TARGET_WORDS[target]}
+                {HEIGHT_WORDS[target]}
                 <div class="stat-ci">{say("study-n", { n: rows[0]?.n ?? 0 })}</div>
               </th>
               {reason ? (
@@ -119,7 +119,7 @@ function Effects({ rows, targets }: { rows: readonly Row[]; targets: readonly Ro
         columns={({ num, rowHead }) => [
           rowHead(say("study-figure"), (one) => (
             <>
-              {TARGET_WORDS[one.target]}, {nameOf(one)}
+              {HEIGHT_WORDS[one.target]}, {nameOf(one)}
             </>
           )),
           num(say("study-vehicles"), (one) => formatCount(one.n)),
@@ -230,7 +230,7 @@ function Plan({ rows }: { rows: Found["plan"] }) {
   const goal = formatSmall(rows[0]?.goal_U95_m ?? 0);
   return (
     <Section id="study-plan" title={say("study-plan", { goal })} note={say("study-plan-note")}>
-      <Table heads={[num(say("study-plan-sites")), ...targets.map((one) => num(TARGET_WORDS[one]))]}>
+      <Table heads={[num(say("study-plan-sites")), ...targets.map((one) => num(HEIGHT_WORDS[one]))]}>
         {sites.map((count) => (
           <tr key={count}>
             <th scope="row" class="num">
