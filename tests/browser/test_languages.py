@@ -80,7 +80,7 @@ def texts(language: str) -> dict[str, set[str]]:
 
 
 def spaced(text: str) -> str:
-    """Wherever a line may break: pages keep numbers and units together, which catalogues and server do not."""
+    """Wherever a line may break: pages keep number and unit together, which catalogues do not."""
     return text.replace("\u00a0", " ")
 
 
