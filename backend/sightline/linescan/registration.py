@@ -195,7 +195,8 @@ def scores(
     cell: NDArray[np.intp] | None = None,
 ) -> Array:
     """(n, 5) what every pixel adds to the sums that are zero at the fit: weight, residual and derivative
-    multiplied, all of them under `state`, near the fit's. `moved`: strip 2, shifted by the state's rows.
+    multiplied, all of them under `state`, near the fit's. `moved`: strip 2, shifted by the state's rows;
+    `block`, `cell` (n,) as in `register`.
     """
     seen, weight = look(first, moved, points, clock, state), fit.weight
     if cell is not None:
