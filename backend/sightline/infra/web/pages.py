@@ -62,8 +62,8 @@ def install(app: FastAPI, settings: Settings) -> None:
 
 
 def answer_page(folder: Path, path: str, encodings: str = "") -> Response:
-    """A file of the build, or index.html for one of the front end's own routes; as the build compressed it, where that is
-    among the `encodings` that are taken.
+    """A file of the build, or index.html for one of the front end's own routes; as the build compressed it,
+    where that is among the `encodings` that are taken.
 
     Raises:
         HTTPException: 404 for anything else (also for every unknown path under /api).
