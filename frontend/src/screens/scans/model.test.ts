@@ -209,6 +209,21 @@ describe("judging vehicles of a line scan", () => {
     expect(toasts.value.at(-1)?.text).toContain("No other vehicle");
   });
 
+  it("asks for the reason of a rejection: a digit chooses one, Enter gives it, Esc leaves it", async () => {
+    const { rejection } = model.judging;
+    model.judging.reject();
+    expect(model.stage.cancel()).toBe(true);
+    expect(rejection.begun.value).toBe(false);
+    model.judging.reject();
+    model.stage.confirm();
+    rejection.commands[1]?.run(true);
+    model.stage.confirm();
+    await quiet();
+    expect(verdicts).toEqual(["102 rejected"]);
+    expect(rejection.begun.value).toBe(false);
+    expect(model.chosenId.value).toBe(4);
+  });
+
   it("takes a verdict on a motion back as a step, on the revision that stands then", async () => {
     await model.judging.review("rejected", "It is two vehicles.");
     await quiet();
