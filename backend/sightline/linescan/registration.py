@@ -196,7 +196,7 @@ def scores(
 ) -> Array:
     """(n, 5) what every pixel adds to the sums that are zero at the fit: weight, residual and derivative
     multiplied, all of them under `state`, near the fit's. `moved`: strip 2, shifted by the state's rows;
-    `block`, `cell` (n,) as in `register`.
+    `block`, `cell` (n,) as in `register`. Own method: the estimating function of DECISIONS.md 144.
     """
     seen, weight = look(first, moved, points, clock, state), fit.weight
     if cell is not None:
@@ -254,7 +254,7 @@ def _solved(normal: Array, right: Array) -> Array:
 
 
 def stepped(state: State, step: Array) -> State:
-    """A step of the five unknowns, kept from leaving what a vehicle can do."""
+    """The state after a `step` (5,), kept from leaving what a vehicle can do. Own method: limits of each."""
     speed = state.course.speed_mps * (1 + float(np.clip(step[0] / state.course.speed_mps, -0.1, 0.1)))
     acceleration = float(np.clip(state.course.acceleration_mps2 + np.clip(step[1], -3, 3), -12, 12))
     return State(

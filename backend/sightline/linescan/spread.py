@@ -50,9 +50,11 @@ def slopes_of(
     free: int,
     cell: NDArray[np.intp] | None = None,
 ) -> Slopes:
-    """Central differences by the first `free` unknowns, those that the fit solved for; `block` and `cell`
-    (n,) as in `register`. A step is STEPS times the standard uncertainty that the unknown would have if every
-    pixel's noise were its own; with 1 and with 6 times u comes out the same within a hundredth.
+    """Central differences by the first `free` unknowns, those that the fit solved for (DECISIONS.md 144).
+
+    `block` and `cell` (n,) as in `register`. A step is STEPS times the standard uncertainty that the unknown
+    would have if every pixel's noise were its own; with 1 and with 6 times u comes out the same within a
+    hundredth.
     """
     size = np.sqrt(np.maximum((fit.look.jacobian**2 * fit.weight[:, None]).sum(axis=0), 1e-12))
     step = STEPS * fit.scale_dn / size
