@@ -3913,6 +3913,10 @@ overview-remeasure = { $count ->
     [one] Remeasure 1 rejected measurement.
    *[other] Remeasure { $count } rejected measurements.
 }
+overview-remeasure-line-heights = { $count ->
+    [one] Remeasure 1 rejected height of line scans.
+   *[other] Remeasure { $count } rejected heights of line scans.
+}
 overview-accepted = Accepted: { $count ->
     [one] 1 measurement
    *[other] { $count } measurements

@@ -3902,8 +3902,12 @@ overview-remeasure = { $count ->
     [one] Mesurez à nouveau une mesure rejetée.
    *[other] Mesurez à nouveau { $count } mesures rejetées.
 }
+overview-remeasure-line-heights = { $count ->
+    [one] Mesurez à nouveau une hauteur de balayages rejetée.
+   *[other] Mesurez à nouveau { $count } hauteurs de balayages rejetées.
+}
 overview-accepted = Validées : { $count ->
-    [one] 1 mesure
+    [one] { $count } mesure
    *[other] { $count } mesures
 }, { $scans ->
     [one] 1 hauteur de balayages.

@@ -52,7 +52,7 @@ export function CommitField(props: CommitFieldProps) {
           numeric={props.numeric}
           rows={props.rows}
           disabled={props.disabled}
-          onInput={(event) => typing.type(event.currentTarget.value)}
+          onInput={typing.type}
           onBlur={() => void commit()}
           onKeyDown={onKeyDown}
         />

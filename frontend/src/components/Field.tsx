@@ -1,5 +1,5 @@
 import type { ComponentChildren } from "preact";
-import { useId } from "preact/hooks";
+import { useId, useRef } from "preact/hooks";
 import { localNumber } from "../core/units";
 import { Icon } from "./Icon";
 import { type Named, nameOf } from "./named";
@@ -85,8 +85,8 @@ export function TextField(props: TextFieldProps) {
             required={props.required}
             disabled={props.disabled}
             list={suggestions && `${wiring.id}-list`}
-            onInput={(event) => props.onInput(event.currentTarget.value)}
-            onChange={(event) => props.onChange?.(event.currentTarget.value)}
+            onInput={props.onInput}
+            onChange={props.onChange}
           />
           {suggestions && (
             <datalist id={`${wiring.id}-list`}>
@@ -108,25 +108,51 @@ interface TextControlProps
   disabled?: boolean;
   /** The list of what may be meant, by its id. */
   list?: string;
-  onInput: (event: Typed) => void;
-  onChange?: (event: Typed) => void;
+  onInput: (text: string) => void;
+  onChange?: (text: string) => void;
   onBlur?: () => void;
   onKeyDown?: (event: KeyboardEvent & Typed) => void;
 }
 
 type Typed = Event & { currentTarget: HTMLInputElement | HTMLTextAreaElement };
 
-/** What is typed into: one line or several, a figure with its unit or words. */
+/**
+ * What is typed into: one line or several, a figure with its unit or words. A figure is shown as the language writes it
+ * until someone types; typed back to what was shown, it is the value again with all its digits.
+ */
 export function TextControl(props: TextControlProps) {
-  const { rows, unit, numeric = unit !== undefined, type, list, autoComplete, ...rest } = props;
+  const {
+    rows,
+    unit,
+    numeric = unit !== undefined,
+    type,
+    list,
+    autoComplete,
+    onInput,
+    onChange,
+    ...rest
+  } = props;
   const written = numeric ? localNumber : (text: string) => text;
-  const shape = `input${numeric ? " input--num" : ""}`;
-  if (rows) return <textarea {...rest} class={shape} rows={rows} />;
+  const { value } = rest;
+  const typing = useRef({ from: value, told: value, shown: written(value) });
+  if (value !== typing.current.told) typing.current = { from: value, told: value, shown: written(value) };
+  const told = (event: Typed): string => {
+    const shown = event.currentTarget.value;
+    const { from } = typing.current;
+    typing.current = { from, told: shown === written(from) ? from : shown, shown };
+    return typing.current.told;
+  };
+  const own = {
+    ...rest,
+    value: typing.current.shown,
+    class: `input${numeric ? " input--num" : ""}`,
+    onInput: (event: Typed) => onInput(told(event)),
+    onChange: onChange && ((event: Typed) => onChange(told(event))),
+  };
+  if (rows) return <textarea {...own} rows={rows} />;
   const input = (
     <input
-      {...rest}
-      class={shape}
-      value={written(rest.value)}
+      {...own}
       placeholder={rest.placeholder && written(rest.placeholder)}
       type={(type ?? "text") as "text"}
       inputMode={numeric ? "decimal" : undefined}

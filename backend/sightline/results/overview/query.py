@@ -219,7 +219,7 @@ def _steps(
         ),
         (
             "review",
-            _reviewed(counts) and scans.heights_to_review == 0,
+            _reviewed(counts) and scans.heights_to_review + scans.heights_rejected == 0,
             counts.measurements + scans.heights_to_review > 0,
             _review_words(counts, scans),
         ),
@@ -278,6 +278,8 @@ def _review_words(counts: SurveyCounts, scans: ScanProgress) -> list[Said]:
         said.append(Said("overview-review-line-heights", count=scans.heights_to_review))
     if counts.rejected:
         said.append(Said("overview-remeasure", count=counts.rejected))
+    if scans.heights_rejected:
+        said.append(Said("overview-remeasure-line-heights", count=scans.heights_rejected))
     if scans.heights_accepted:
         said.append(Said("overview-accepted", count=counts.accepted, scans=scans.heights_accepted))
     if said:

@@ -1,5 +1,6 @@
 /** A figure with its interval below it. */
 import type { ComponentChildren } from "preact";
+import "./figures.css";
 import { say } from "../../core/messages";
 import { NONE, range, scaled } from "./numbers";
 import type { Interval } from "./types";

@@ -215,6 +215,7 @@ export class ReviewModel {
   startReject(): void {
     if (!this.mayReject) return;
     this.fixing.leave();
+    this.geometry.forgetHeight();
     this.rejection.begin();
   }
 

@@ -16,7 +16,7 @@ import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say, wordsOf } from "../../core/messages";
 import type { CalibrationLook, Scan } from "../../core/types";
-import { lengthUnit, parseLength, parseNumber } from "../../core/units";
+import { lengthUnit, localNumber, parseLength, parseNumber } from "../../core/units";
 import { typedLanes } from "./lanes";
 import { RigAnswer } from "./RigAnswer";
 import { type Lane, type PutRig, RigHistory, tellStored } from "./RigHistory";
@@ -250,7 +250,7 @@ function Passes({ way, passes, change }: PassesProps) {
                 inputMode="decimal"
                 aria-label={say("scans-passes-cell", { number: at + 1, column: headOf(name) })}
                 value={pass[name] ?? ""}
-                placeholder={USUAL[name]}
+                placeholder={localNumber(USUAL[name] ?? "")}
                 onInput={(event) => {
                   const cell = event.currentTarget.value;
                   change(passes.map((one, row) => (row === at ? { ...one, [name]: cell } : one)));

@@ -11,7 +11,7 @@ describe("passes as they are typed", () => {
     const one = { ...nextPass("positions"), distance_m: "3", position_1_m: "1", position_2_m: "1,6" };
     const file = tableOf("positions", [one, nextPass("positions", one), { ...one, u_position_m: '0.001"' }]);
     expect(await file?.text()).toBe(
-      "pass;distance_m;u_distance_m;position_1_m;position_2_m;u_position_m\n1;3;;1;1,6;\n3;3;;1;1,6;0.001",
+      "pass;distance_m;u_distance_m;position_1_m;position_2_m;u_position_m\n1;3;;1;1.6;\n3;3;;1;1.6;0.001",
     );
     expect(tableOf("speed", [nextPass("speed")])).toBeNull();
   });

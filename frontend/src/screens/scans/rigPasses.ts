@@ -1,5 +1,6 @@
 /** Passes of a staff or board as they are typed: one way at a time, sent as a table like any other. */
 import { say, wordsOf } from "../../core/messages";
+import { parseNumber } from "../../core/units";
 
 export type Way = "board" | "positions" | "speed";
 /** A column's cells, by the column's name. */
@@ -52,13 +53,19 @@ function isTyped(pass: PassTyped): boolean {
   return Object.entries(pass).some(([name, cell]) => !CARRIED.has(name) && cell.trim() !== "");
 }
 
+/** A cell as the table's reader takes it: a decimal point, and no sign that parts cells. */
+function plain(cell: string): string {
+  const value = parseNumber(cell);
+  return value === null ? cell.replace(/[;\r\n"]/g, " ").trim() : String(value);
+}
+
 /** The rows in which something stands, as a CSV (semicolons: a comma may be somebody's decimal sign); null for none. */
 export function tableOf(way: Way, passes: readonly PassTyped[]): File | null {
   const names = COLUMNS[way];
   const rows = passes.map((pass, at) => ({ pass, name: String(at + 1) })).filter(({ pass }) => isTyped(pass));
   if (rows.length === 0) return null;
   const lines = rows.map(({ pass, name }) =>
-    [name, ...names.map((column) => (pass[column] ?? "").replace(/[;\r\n"]/g, " ").trim())].join(";"),
+    [name, ...names.map((column) => plain(pass[column] ?? ""))].join(";"),
   );
   const text = [["pass", ...names].join(";"), ...lines].join("\n");
   return new File([text], say("scans-passes-typed"), { type: "text/csv" });

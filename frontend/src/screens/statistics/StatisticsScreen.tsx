@@ -156,9 +156,9 @@ const ALWAYS: readonly string[] = ["driver_eye", "taillight"];
 
 type LeftOut = "to_review" | "reopened" | "rejected" | "accepted" | "fixed" | "out_of_sample";
 
-/** Heights of the line scans of the survey that is open: those are counted elsewhere. */
+/** Accepted heights of the line scans of the survey that is open: those are counted elsewhere. */
 function scannedHeights(only: string | null): number {
-  return survey.value?.id === Number(only) ? survey.value.scans.heights : 0;
+  return survey.value?.id === Number(only) ? survey.value.scans.heights_accepted : 0;
 }
 
 function countedWords({ counted }: Statistics, scanned: number): string {
