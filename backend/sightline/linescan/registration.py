@@ -255,11 +255,20 @@ def _solved(normal: Array, right: Array) -> Array:
 
 def stepped(state: State, step: Array) -> State:
     """The state after a `step` (5,), kept from leaving what a vehicle can do. Own method: limits of each."""
-    speed = state.course.speed_mps * (1 + float(np.clip(step[0] / state.course.speed_mps, -0.1, 0.1)))
-    acceleration = float(np.clip(state.course.acceleration_mps2 + np.clip(step[1], -3, 3), -12, 12))
+    most = most_step(state)
+    speed, acceleration, shift, gain, offset = (float(one) for one in np.clip(step, -most, most))
     return State(
-        Course(speed, acceleration, state.course.baseline_m),
-        state.shift + float(np.clip(step[2], -1, 1)),
-        float(np.clip(state.gain + np.clip(step[3], -0.3, 0.3), *GAINS)),
-        state.offset + float(np.clip(step[4], -60, 60)),
+        Course(
+            state.course.speed_mps + speed,
+            float(np.clip(state.course.acceleration_mps2 + acceleration, -12, 12)),
+            state.course.baseline_m,
+        ),
+        state.shift + shift,
+        float(np.clip(state.gain + gain, *GAINS)),
+        state.offset + offset,
     )
+
+
+def most_step(state: State) -> Array:
+    """(5,) by which each of the unknowns moves at most in one step. Own method: limits of each."""
+    return np.array([0.1 * abs(state.course.speed_mps), 3.0, 1.0, 0.3, 60.0])

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from sightline.coverage import COVERAGE_95
 from sightline.linescan.masks import Points, Sheet, shifted
-from sightline.linescan.registration import Clock, Fit, Prior, scores, stepped
+from sightline.linescan.registration import Clock, Fit, Prior, most_step, scores, stepped
 
 Array = NDArray[np.float64]
 # about as wide as neighbouring pixels' noise, which is not their own, makes u
@@ -57,7 +57,7 @@ def slopes_of(
     hundredth.
     """
     size = np.sqrt(np.maximum((fit.look.jacobian**2 * fit.weight[:, None]).sum(axis=0), 1e-12))
-    step = STEPS * fit.scale_dn / size
+    step = np.minimum(STEPS * fit.scale_dn / size, most_step(fit.state))
 
     def at(by: Array) -> Array:
         state = stepped(fit.state, by)

@@ -53,10 +53,11 @@ DistanceM = Annotated[Finite, _within("distance_m")]
 _AWAY = "Of a vehicle's distance, its place in the lane included."
 UDistanceM = Annotated[Finite, _within("u_distance_m", _AWAY)]
 LaneName = Annotated[str, Field(min_length=1, max_length=40)]
+_SHADOW = "Of the rows, from the bottom, in which no vehicle is looked for"
 _SAID = {
     "u_line_rate_ratio": "Standard uncertainty over the value.",
     "misalignment_px": "null: estimated from the traffic.",
-    "shadow_share": "Of the rows, from the bottom, in which no vehicle is looked for.",
+    "shadow_share": f"{_SHADOW}.",
     "baseline_correlation": "Of the errors of baseline and divergence; 0 where these change without it.",
     "u_distance_m": _AWAY,
 }
@@ -69,6 +70,7 @@ _OF_LANE = {
         Field(ge=0, le=2**16, description="Tyres meet the road between these rows of strip 1; null: any."),
     ],
     **_OF_RIG,
+    "shadow_share": Annotated[Finite, _within("shadow_share", f"{_SHADOW}; null: the rig's.")],
 }
 
 

@@ -137,7 +137,7 @@ def gauge(values: ArrayLike, items: Codes, persons: Codes) -> Gauge:
         return Gauge(*counts, nothing, nothing)
     scale, squares = _persons_part(y, item, person)
     within = _centred(y[:, None], item)[:, 0]
-    residual = max(float(within @ within) - float(squares.sum()), 0.0)
+    residual = max(float(np.square(within).sum()) - float(squares.sum()), 0.0)
     freedom = counts[0] - counts[1] - len(scale)
     few = Said("repeats-few", freedom=max(freedom, 0), least=LEAST_FREEDOM)
     repeatability = spread_of(residual, freedom, few)

@@ -135,7 +135,7 @@ def _within(sites: Sites, influence: Floats) -> float:
     if sites.weight is None:
         return float(apart.sum()) / freedom
     squares = sites.weight**2
-    return float(squares @ apart / squares.sum()) * n / freedom
+    return float(np.sum(squares * apart) / squares.sum()) * n / freedom
 
 
 def _variance_between(moved: Floats) -> float:

@@ -75,9 +75,12 @@ def answer_page(folder: Path, path: str, encodings: str = "") -> Response:
         raise HTTPException(404)
     headers = {"Cache-Control": IMMUTABLE if HASHED.search(file.name) else "no-cache"}
     packed = file.with_name(f"{file.name}.br")
-    if not packed.is_file() or "br" not in {one.partition(";")[0].strip() for one in encodings.split(",")}:
+    if not packed.is_file():
         return FileResponse(file, headers=headers)
-    headers |= {"Content-Encoding": "br", "Vary": "Accept-Encoding"}
+    headers["Vary"] = "Accept-Encoding"
+    if not re.search(r"(^|,)\s*br\s*(,|$|;(?!\s*q=0(\.0*)?\s*(,|$)))", encodings):
+        return FileResponse(file, headers=headers)
+    headers["Content-Encoding"] = "br"
     return FileResponse(packed, headers=headers, media_type=mimetypes.guess_type(file.name)[0])
 
 
