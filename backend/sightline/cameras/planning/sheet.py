@@ -114,7 +114,11 @@ class _Sheet:
             value = "sheet-none" if U95_m is None else "sheet-millimetres"
             told = {} if U95_m is None else {"millimetres": 1000.0 * U95_m}
             rows.append(
-                [self.say(f"planning-{one.target}"), self.metres(one.height_m), self.say(value, **told)]
+                [
+                    self.say(f"planning-target-{one.target}"),
+                    self.metres(one.height_m),
+                    self.say(value, **told),
+                ]
             )
         head = [self.say("planning-target"), self.say("planning-planned-height"), "U95"]
         return {"title": self.say("planning-targets-title"), "head": head, "rows": rows}

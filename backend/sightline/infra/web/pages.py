@@ -17,6 +17,8 @@ FRONT_END_ROUTE = re.compile(
     r"(/(planning|settings|history|lots|camera|recordings|pose|measure|review|checks|repeats|repeats/click|export"
     r"|scans|scans/results|scan|live))?)?/?$"
 )
+# named, and not with the weight 0, which refuses it
+TAKES_BROTLI = re.compile(r"(?:^|,)\s*br\s*(?:,|$|;(?!\s*q=0(?:\.0*)?\s*(?:,|$)))", re.IGNORECASE)
 HASHED = re.compile(r"-[A-Za-z0-9_-]{8}\.\w+$")
 IMMUTABLE = "public, max-age=31536000, immutable"
 NOT_BUILT = (
@@ -75,12 +77,9 @@ def answer_page(folder: Path, path: str, encodings: str = "") -> Response:
         raise HTTPException(404)
     headers = {"Cache-Control": IMMUTABLE if HASHED.search(file.name) else "no-cache"}
     packed = file.with_name(f"{file.name}.br")
-    if not packed.is_file():
+    if not packed.is_file() or not TAKES_BROTLI.search(encodings):
         return FileResponse(file, headers=headers)
-    headers["Vary"] = "Accept-Encoding"
-    if not re.search(r"(^|,)\s*br\s*(,|$|;(?!\s*q=0(\.0*)?\s*(,|$)))", encodings):
-        return FileResponse(file, headers=headers)
-    headers["Content-Encoding"] = "br"
+    headers |= {"Content-Encoding": "br", "Vary": "Accept-Encoding"}
     return FileResponse(packed, headers=headers, media_type=mimetypes.guess_type(file.name)[0])
 
 
