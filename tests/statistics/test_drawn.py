@@ -7,6 +7,7 @@ from sightline.statistics.drawn import Drawn, lonely_strata, share_of
 from sightline.statistics.shared_errors import SharedErrors
 from sightline.statistics.study_plan import Components, U95_of, plan, vehicles_needed
 from sightline.statistics.survey_design import Design
+from sightline.statistics.survey_weights import Margin
 from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
 from tests.bench.bench_nations import Nation, coverage
 
@@ -58,6 +59,91 @@ def test_all_sites_of_a_stratum_leave_sampling_within_them_alone() -> None:
     # sampling within sites and the sites' own poses are left: 61 mm / sqrt(400), 5 mm / sqrt(10)
     assert half == pytest.approx(1.96 * np.hypot(0.061 / 20.0, 0.005 / np.sqrt(10.0)), rel=0.05)
     assert half < 0.6 * (few.U95_high - few.value)
+
+
+def held(design: Design, draws: int = 400) -> float:
+    """The share of samples of normal heights around 3.5 m whose interval of the mean holds it."""
+    rng, drawn = np.random.default_rng(11), Drawn(design)
+    within = 0
+    for _ in range(draws):
+        height = rng.normal(3.5, 0.3, len(design.weight))
+        mean = float(np.average(height, weights=design.weight))
+        found = drawn.figure(mean, height - mean)
+        assert found.U95_low is not None and found.U95_high is not None
+        within += found.U95_low <= 3.5 <= found.U95_high
+    return within / draws
+
+
+@pytest.mark.parametrize(
+    ("count", "part"),
+    [((1, 20), (9.0, 1.0)), ((2, 20), (9.0, 1.0)), ((5, 60), (9.0, 1.0)), ((3, 60), (1.0, 1.0))],
+)
+@pytest.mark.parametrize("by_class", [False, True], ids=["all sites seen", "classes of a fleet"])
+def test_few_heights_that_weigh_much_widen_the_interval(
+    count: tuple[int, int], part: tuple[float, float], by_class: bool
+) -> None:
+    """Of a site, or of a class of the fleet, that is seen by one height or a few (before: 0.05 to 0.84)."""
+    group = np.repeat([0, 1], count)
+    weight = np.repeat(np.array(part) / np.array(count), count)
+    one = np.zeros(len(group), np.int64)
+    share = np.array(part) / sum(part)
+    if by_class:
+        design = Design(weight, one, one, np.array([1.0]), (Margin(group, share),), np.ones(len(group)))
+    else:
+        design = Design(weight, one, group, np.array([2.0]))
+    assert 0.9 <= held(design) <= 0.99
+
+
+@pytest.mark.parametrize("there", [6.0, 9.0, np.inf])
+def test_sites_of_one_height_each_say_by_their_differences_how_far_heights_lie_apart(there: float) -> None:
+    height, site = np.array([3.2, 4.0, 3.1, 3.9, 3.0, 4.1]), np.arange(6)
+    design = Design(np.ones(6), np.zeros(6, np.int64), site, np.array([there]))
+    found = TotalUncertainty(HeightSample(height, np.zeros(6)), design).mean()
+    half = 2.571 * height.std(ddof=1) / np.sqrt(6.0)  # Student, 5 degrees of freedom
+    assert found.U95_high is not None and found.U95_high - found.value == pytest.approx(half, rel=0.01)
+
+
+def test_heights_that_are_each_all_of_their_class_have_no_interval() -> None:
+    one = np.zeros(2, np.int64)
+    margin = Margin(np.array([0, 1]), np.array([0.5, 0.5]))
+    design = Design(np.ones(2), one, one, np.array([1.0]), (margin,), np.ones(2))
+    figures = TotalUncertainty(HeightSample(np.array([3.2, 4.0]), np.zeros(2)), design)
+    for found in (figures.mean(), share_of(Drawn(design), np.array([True, False]))):
+        assert found.U95_low is found.U95_high is None and found.reason is not None
+
+
+def test_random_errors_are_taken_out_as_heights_weigh() -> None:
+    rng, n = np.random.default_rng(4), 4000
+    weight, u_m = np.repeat([9.0, 1.0], n // 2), np.repeat([0.03, 0.006], n // 2)
+    height = rng.normal(1.2, 0.05, n) + rng.normal(0.0, u_m)
+    one = np.zeros(n, np.int64)
+    for heavy in (weight, weight[::-1]):
+        figures = TotalUncertainty(HeightSample(height, u_m), Design(heavy, one, one, np.array([np.inf])))
+        sd, low = figures.sd(), figures.percentile(10.0)
+        assert sd.U95_low is not None and sd.U95_high is not None and sd.U95_low < 0.05 < sd.U95_high
+        assert low.U95_low is not None and low.U95_high is not None
+        assert low.U95_low < 1.2 - 1.2816 * 0.05 < low.U95_high
+
+
+def test_a_spread_of_few_unequal_weights_is_not_too_small() -> None:
+    rng, weight, one = np.random.default_rng(1), np.repeat([9.0, 1.0], 5), np.zeros(10, np.int64)
+    design = Design(weight, one, one, np.array([np.inf]))
+    squares = [
+        TotalUncertainty(HeightSample(rng.normal(1.5, 0.1, 10), np.zeros(10)), design).sd().value ** 2
+        for _ in range(400)
+    ]
+    assert np.mean(squares) == pytest.approx(0.01, abs=3 * float(np.std(squares)) / 20.0)
+
+
+def test_a_share_of_a_part_keeps_the_weights_of_the_whole() -> None:
+    """Two sites of equal traffic, of whose 100 vehicles each 10 and 50 pass at night."""
+    site, night = np.repeat([0, 1], 100), np.r_[np.arange(100) < 10, np.arange(100) < 50]
+    chosen = np.r_[np.arange(100) < 9, np.arange(100) < 1]
+    drawn = Drawn(Design(np.full(200, 10.0), np.zeros(200, np.int64), site, np.array([2.0])))
+    found = share_of(drawn, chosen, night)
+    assert found.value == pytest.approx(10 / 60)
+    assert found.U95_low is not None and found.U95_high is not None
+    assert 0.05 < found.U95_low < 10 / 60 < found.U95_high < 0.35
 
 
 def test_a_share_that_the_weights_were_made_to_meet_is_known() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from dataclasses import replace
 from datetime import date
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -14,7 +15,7 @@ from hypothesis import strategies as st
 
 from sightline.traffic.archive import add_recorded
 from sightline.traffic.query import ALL, NO_LENGTH, ArchiveTables, classes_of, percentile_column
-from sightline.traffic.records import Asked, Passing
+from sightline.traffic.records import Asked, Passing, Recorded
 from tests.traffic.samples import recorded
 from tests.traffic.test_archive import stood
 
@@ -40,6 +41,7 @@ def test_every_figure_is_a_recount(folder: Path) -> None:
         rows = [row for row in tables.intervals(asked) if row["lane"] == ""]
     assert len(rows) == 105  # of 26 h that begin at 5:20, 103 whole and two in part
     first = int(begins // 900)
+    standing = merged([(one.front_s, one.rear_s) for one in recorded(21, 2000, HOURS * 3600).passings])
     for place, row in enumerate(rows):
         here = cells.get(first + place, [])
         speeds = np.array([one.speed_mps for one in here if one.speed_mps is not None])
@@ -56,9 +58,58 @@ def test_every_figure_is_a_recount(folder: Path) -> None:
             assert row[percentile_column(percent)] == pytest.approx(true, rel=1e-12)
         if row["watched_s"] == 900.0:
             assert row["flow_per_hour"] == pytest.approx(4 * len(here))
-            occupied = sum(one.rear_s - one.front_s for one in here)
-            assert row["occupancy_ratio"] == pytest.approx(occupied / 900.0, rel=1e-9)
+            edge = (first + place) * 900.0 - begins
+            parts = [
+                (max(a, edge), min(b, edge + 900.0)) for a, b in standing if b > edge and a < edge + 900.0
+            ]
+            occupied = sum(b - a for a, b in parts)
+            assert row["occupancy_ratio"] == pytest.approx(occupied / 900.0, rel=1e-8)
             assert row["reason"] is None
+
+
+def standing_passing(number: int, front_s: float, rear_s: float) -> Passing:
+    """Of a vehicle before camera 1 between two moments."""
+    lines = 1000.0 * front_s, 1000.0 * rear_s
+    return Passing(
+        number, front_s, rear_s, *lines, 5.0, 0.1, None, None, 4.5, 0.1, None, None, status="ok", reason=None
+    )
+
+
+def merged(spans: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    """The same time without overlaps."""
+    found: list[tuple[float, float]] = []
+    for begin, end in sorted(spans):
+        if found and begin <= found[-1][1]:
+            found[-1] = found[-1][0], max(end, found[-1][1])
+        else:
+            found.append((begin, end))
+    return found
+
+
+def test_who_stands_occupies_every_interval_and_the_next_day(tmp_path: Path) -> None:
+    queue = (standing_passing(1, 1750.0, 2150.0), standing_passing(2, 2160.0, 2165.0))
+    add_recorded(tmp_path, Recorded("queue", "ab" * 32, 3600.0, queue, ()), stood("2026-05-04T23:30"))
+    with ArchiveTables(tmp_path) as tables:
+        rows = {row["from"][8:16]: row for row in tables.intervals(Asked(minutes=5))}
+    # the clock shows 24:00 after 1,800 s
+    assert rows["04T23:55"]["occupancy_ratio"] == pytest.approx(50 / 300)
+    assert rows["05T00:00"]["occupancy_ratio"] == pytest.approx(1.0)
+    assert rows["05T00:05"]["occupancy_ratio"] == pytest.approx((50 + 5) / 300)
+    assert rows["05T00:10"]["occupancy_ratio"] == 0.0
+    assert [rows[at]["vehicles"] for at in ("04T23:55", "05T00:00", "05T00:05")] == [1, 0, 1]
+
+
+def test_u_of_the_means_is_none_too_small_for_the_space_mean(tmp_path: Path) -> None:
+    slow, fast = (
+        replace(standing_passing(n, 60.0 * n, 60.5 * n), speed_mps=v, u_speed_mps=0.3)
+        for n, v in ((1, 10.0), (2, 30.0))
+    )
+    add_recorded(tmp_path, Recorded("two", "ab" * 32, 300.0, (slow, fast), ()), stood("2026-05-04T12:00"))
+    with ArchiveTables(tmp_path) as tables:
+        (row,) = tables.intervals(Asked(minutes=5))
+    # both 0.3 m/s too fast: the harmonic mean of 10.3 and 30.3 beside that of 10 and 30
+    moved = 2 / (1 / 10.3 + 1 / 30.3) - 2 / (1 / 10 + 1 / 30)
+    assert moved < row["u_mean_speed_mps"] == pytest.approx(0.375)
 
 
 def test_what_was_watched_in_part_says_so_and_too_little_has_no_flow(folder: Path) -> None:

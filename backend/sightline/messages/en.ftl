@@ -511,6 +511,7 @@ jobs-kind = { $kind ->
     [demonstration] Demonstration survey
     [demonstration_study] Demonstration study (simulated)
     [study] Study
+    [compute_again] Computing heights again
    *[other] Other job
 }
 jobs-column-what = Job

@@ -509,6 +509,7 @@ jobs-kind = { $kind ->
     [demonstration] Relevé de démonstration
     [demonstration_study] Étude de démonstration (simulée)
     [study] Étude
+    [compute_again] Recalcul des hauteurs
    *[other] Autre tâche
 }
 jobs-column-what = Tâche

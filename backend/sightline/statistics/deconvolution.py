@@ -278,13 +278,16 @@ def _below(edge: Floats, at: float) -> Floats:
     return np.clip((at - edge[:-1]) / np.diff(edge), 0.0, 1.0)
 
 
-def noise_of(u_random_m: Floats, extra_m2: float) -> Noise:
+def noise_of(u_random_m: Floats, extra_m2: float, weight: Floats | None = None) -> Noise:
     """The errors of heights whose random parts are u_random_m (N,), metres, as a mixture of at most 8 normal
-    ones; extra_m2: a variance that all of them carry besides.
+    ones; extra_m2: a variance that all of them carry besides; weight: (N,), of each height, None: all alike.
 
-    Own method: parts of equal number in the order of u, each with its mean square.
+    Own method: parts of equal number in the order of u, each with its mean square, as heights weigh.
     """
-    groups: Sequence[Floats] = np.array_split(np.sort(u_random_m), min(_MOST_PARTS, len(u_random_m)))
-    sd = np.sqrt(np.array([float(np.mean(one**2)) for one in groups]) + extra_m2)
-    share = np.array([len(one) for one in groups], dtype=np.float64)
-    return Noise(sd, share / share.sum())
+    order = np.argsort(u_random_m, kind="stable")
+    weight = np.ones(len(order)) if weight is None else weight
+    parts: Sequence[NDArray[np.int64]] = np.array_split(order, min(_MOST_PARTS, len(order)))
+    share = np.array([float(weight[one].sum()) for one in parts])
+    squares = np.array([float(np.sum(weight[one] * u_random_m[one] ** 2)) for one in parts])
+    there = share > 0.0  # some heights may weigh nothing
+    return Noise(np.sqrt(squares[there] / share[there] + extra_m2), share[there] / share.sum())

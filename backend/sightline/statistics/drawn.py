@@ -14,17 +14,19 @@ import scipy
 from numpy.typing import NDArray
 
 from sightline.coverage import COVERAGE_95
+from sightline.messages.said import Said
 from sightline.statistics.draws import TAIL, ends_of, normal_draws, student_draws
 from sightline.statistics.figures import TotalFigure
 from sightline.statistics.shared_errors import SharedErrors
-from sightline.statistics.sites import Sites, compact, pooled_variance
+from sightline.statistics.sites import Sites, compact, mean_variance, pooled_variance, variances
 from sightline.statistics.survey_design import Design
-from sightline.statistics.survey_weights import residuals
+from sightline.statistics.survey_weights import left_of_squares, residuals
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 _MANY = 1e6  # degrees of freedom of a variance that is as good as known
+_NOTHING = 1e-9  # degrees of freedom
 
 
 @dataclass(frozen=True)
@@ -54,7 +56,8 @@ def lonely_strata(design: Design) -> list[int]:
 @dataclass(frozen=True, eq=False)
 class _Stratum:
     """The rows of a stratum with their sites; part: what it weighs; seen: the share of its sites; own: the
-    variance of its mean, of heights of variance 1 within sites; moved: what shared errors move the sites by.
+    variance of its mean, of heights of variance 1 within sites; moved: what shared errors move the sites by;
+    kept, free, cell: of each row, what estimated means leave of it (`survey_weights.left_of_squares`).
     """
 
     rows: Ints | slice
@@ -63,6 +66,32 @@ class _Stratum:
     seen: float
     own: float
     moved: list[Floats]
+    kept: Floats
+    free: Floats
+    cell: Ints
+
+    def apart(self, influence: Floats) -> Floats:
+        """Squares of what the influences (N,) of its rows lie beside those of their sites."""
+        return np.square(influence - self.sites.means(influence)[self.sites.code])
+
+    def within(self, apart: Floats, otherwise: tuple[float, float]) -> tuple[float, float]:
+        """Variance of its mean by sampling within sites, with Satterthwaite's degrees of freedom.
+
+        Each site has the spread of its own heights; one that stands alone has that of the stratum, or
+        `otherwise`, the whole design's with its degrees of freedom (Cochran 1977, 5.3 and 5.4).
+        """
+        assert self.sites.weight is not None
+        free = float(self.free.sum())
+        spread = mean_variance(apart, self.kept) if free > _NOTHING else otherwise[0]
+        weight = np.square(self.sites.weight / self.sites.weight.sum())
+        each = variances(apart, self.kept, spread)
+        of_site = (np.bincount(self.sites.code, each) / self.sites.count)[self.sites.code]
+        by_cell, freedom = np.bincount(self.cell, weight * of_site), np.bincount(self.cell, self.free)
+        told = freedom > _NOTHING
+        squares = float(np.sum(by_cell[told] ** 2 / freedom[told]))
+        squares += float(by_cell[~told].sum()) ** 2 / max(free if free > _NOTHING else otherwise[1], 1.0)
+        found = float(by_cell.sum()) ** 2 / squares if squares > 0.0 else max(free, 1.0)
+        return float(np.sum(weight * each)), found
 
 
 class Drawn:
@@ -72,7 +101,8 @@ class Drawn:
         self.design, self._shared = design, shared
         self._drawn = design.weight if design.drawn is None else design.drawn
         whole = float(design.weight.sum())
-        self._strata = []
+        self._strata: list[_Stratum] = []
+        left = left_of_squares(self._drawn, design.site, design.margins) if design.margins else None
         for h in range(len(design.sites_there)):
             chosen = np.flatnonzero(design.stratum == h)
             if not len(chosen):
@@ -83,27 +113,41 @@ class Drawn:
             j = len(sites.count)
             told = [one.where(rows) for one in shared]
             moved = [one.by_site_m(sites.code, j, sites.weight) for one in told]
-            seen = min(j / float(design.sites_there[h]), 1.0)
+            # Of sites with one height each their differences alone say how far heights lie apart.
+            seen = 0.0 if 1 < j == len(sites.code) else min(j / float(design.sites_there[h]), 1.0)
             own_weight = design.weight[rows]
             own = float(np.square(own_weight).sum()) / float(own_weight.sum()) ** 2
-            self._strata.append(_Stratum(rows=rows, sites=sites, part=part, seen=seen, own=own, moved=moved))
+            if left is None:
+                kept, free, cell = sites.kept, 1.0 - own_weight / sites.total[sites.code], sites.code
+            else:
+                kept, free, cell = left[0][rows], left[1][rows], compact(left[2][rows])
+            self._strata.append(
+                _Stratum(
+                    rows=rows, sites=sites, part=part, seen=seen, own=own, moved=moved,
+                    kept=kept, free=free, cell=cell,
+                )
+            )  # fmt: skip
         self._of_all_m2 = sum(float(np.square(one.of_mean_m(design.weight)).sum()) for one in shared)
 
     def sampled(self, influence: Floats, smooth: Floats | None = None, *, height: bool = True) -> Sampled:
         """Variance of a weighted mean of which `influence` (N,) is each height's influence, in its unit
         squared.
 
-        Within strata as `sites.pooled_variance`; of a stratum of which part f was seen, 1 - f of the variance
-        between sites and f of that within them counts (Särndal, Swensson & Wretman 1992, 4.3), with degrees
-        of freedom by Satterthwaite. smooth: (N,), as there. height: shared errors act as on heights.
+        Within strata as `sites.pooled_variance`, sampling within sites as `_Stratum.within`; of a stratum of
+        which part f was seen, 1 - f of the variance between sites and f of that within them counts (Särndal,
+        Swensson & Wretman 1992, 4.3), with degrees of freedom by Satterthwaite. smooth: (N,), as there.
+        height: shared errors act as on heights.
         """
         own = residuals(influence, self._drawn, self.design.margins)
         even = own if smooth is None else residuals(smooth, self._drawn, self.design.margins)
         if np.abs(own).max(initial=0.0) < 1e-12:  # the weights were made to meet it
             return Sampled(0.0, _MANY, 0.0)
         variance, squares, seen, inside = 0.0, 0.0, 0.0, 0.0
-        for one in self._strata:
-            here, freedom = _within(one.sites, own[one.rows])
+        apart = [one.apart(own[one.rows]) for one in self._strata]
+        kept = np.concatenate([one.kept for one in self._strata])
+        otherwise = mean_variance(np.concatenate(apart), kept), sum(float(s.free.sum()) for s in self._strata)
+        for one, own_apart in zip(self._strata, apart, strict=True):
+            here, freedom = one.within(own_apart, otherwise)
             within = here
             if len(one.sites.count) > 1 and one.seen < 1.0:
                 moved = one.moved if height else []
@@ -119,9 +163,19 @@ class Drawn:
         return Sampled(variance, freedom, unseen, min(inside / max(variance, 1e-300), 1.0))
 
     @property
+    def tells_spread(self) -> bool:
+        """Whether its heights say how far heights lie apart: not where each is all that a mean is made of."""
+        return self.compares_sites or any(float(one.free.sum()) > _NOTHING for one in self._strata)
+
+    @property
     def compares_sites(self) -> bool:
         """Whether differences between sites are part of its variances."""
         return any(len(one.sites.count) > 1 and one.seen < 1.0 for one in self._strata)
+
+    def more_needed(self) -> Said:
+        """Why a figure has no interval where nothing tells how far heights lie apart."""
+        count = len(self.design.weight)
+        return Said("stat-heights-needed", needed=count + 1, count=count)
 
     def between(self, influence: Floats) -> float:
         """Standard deviation of sites within strata, of figures with this influence (N,), beyond sampling."""
@@ -139,6 +193,8 @@ class Drawn:
 
     def figure(self, value: float, influence: Floats, *, height: bool = False) -> TotalFigure:
         """A figure with this value and influence (N,), with Student's interval (Cochran 1977, 2.8)."""
+        if not self.tells_spread:
+            return TotalFigure(value, None, None, self.more_needed())
         found = self.sampled(influence, height=height)
         low, high = ends_of(found.draws() + np.sqrt(found.unseen) * normal_draws())
         return TotalFigure(value, value + low, value + high)
@@ -147,15 +203,6 @@ class Drawn:
 def _sites(site: Ints, weight: Floats) -> Sites:
     code = compact(site)
     return Sites(code, np.bincount(code).astype(np.float64), weight)
-
-
-def _within(sites: Sites, influence: Floats) -> tuple[float, float]:
-    """Variance of the weighted mean by sampling within sites, with its degrees of freedom."""
-    assert sites.weight is not None
-    n, freedom = len(influence), max(len(influence) - len(sites.count), 1)
-    apart = np.square(influence - sites.means(influence)[sites.code])
-    found = float(np.sum(np.square(sites.weight) * apart)) / float(sites.weight.sum()) ** 2
-    return found * n / freedom, float(freedom)
 
 
 def ordered(design: Design, order: Ints | NDArray[np.bool_]) -> Design:
@@ -173,20 +220,26 @@ def ordered(design: Design, order: Ints | NDArray[np.bool_]) -> Design:
     )
 
 
-def share_of(drawn: Drawn, chosen: NDArray[np.bool_]) -> TotalFigure:
-    """The share of the fleet that is `chosen` (N,), 0 to 1, with its interval: sampling and sites.
+def share_of(drawn: Drawn, chosen: NDArray[np.bool_], among: NDArray[np.bool_] | None = None) -> TotalFigure:
+    """The share of the fleet, or of the part of it that `among` (N,) are of, that is `chosen` (N,), 0 to 1,
+    with its interval: sampling and sites.
 
-    By the Beta distribution of as many vehicles as would tell it as well (Korn & Graubard 1998).
+    Of a part by the weights of the whole (Särndal, Swensson & Wretman 1992, 5.8). By the Beta distribution
+    of as many vehicles as would tell it as well (Korn & Graubard 1998).
     """
     share = drawn.design.weight / drawn.design.weight.sum()
-    value = float(np.sum(share * chosen))
-    found = drawn.sampled(np.asarray(chosen - value, dtype=np.float64), height=False)
-    if found.variance == 0.0 and 0.0 < value < 1.0:
+    part = np.ones(len(share)) if among is None else among.astype(np.float64)
+    whole, count = float(np.sum(share * part)), int(part.sum())
+    value = float(np.sum(share * part * chosen)) / whole
+    if not drawn.tells_spread:
+        return TotalFigure(value, None, None, drawn.more_needed())
+    found = drawn.sampled(np.asarray(part * (chosen - value) / whole, dtype=np.float64), height=False)
+    if found.freedom == _MANY and 0.0 < value < 1.0:  # the weights were made to meet it
         return TotalFigure(value, value, value)
-    plain = value * (1.0 - value) / len(chosen)
+    plain = value * (1.0 - value) / count
     longer = float(scipy.special.stdtrit(found.freedom, 1.0 - TAIL)) / COVERAGE_95
-    n = value * (1.0 - value) / max(found.variance * longer**2, 1e-300) if plain > 0.0 else len(chosen)
-    n = min(n, 10.0 * len(chosen))
+    n = value * (1.0 - value) / (found.variance * longer**2) if found.variance > 0.0 else float(count)
+    n = min(n, 10.0 * count)
     low, high = scipy.special.betaincinv(n * value + 0.5, n * (1.0 - value) + 0.5, [TAIL, 1.0 - TAIL])
     effect = found.variance / plain if plain > 0.0 else None
     return TotalFigure(value, float(min(low, value)), float(max(high, value)), effect=effect)

@@ -56,19 +56,18 @@ class SharedErrors:
         pairs = float(weight.sum() ** 2 - np.square(weight).sum())
         return max(float((sums**2 - squares).sum()) / pairs, 0.0)
 
-    def spread_m2(self) -> float:
-        """Variance that differences between groups are expected to add to the spread of the heights."""
-        n = max(len(self.group), 1)
-        sums, squares = self._by_group()
-        return max(float(squares.sum()) / n - float((sums**2).sum()) / n**2, 0.0)
+    def spread_m2(self, share: Floats | None = None) -> float:
+        """Variance that differences between groups are expected to add to the spread of the heights, of which
+        each has this `share` (N,), None: all alike.
+        """
+        own, mean = self._of_spread_m2(share)
+        return max(float(own.sum()) - float(mean.sum()), 0.0)
 
-    def variance_of_spread_m4(self) -> float:
+    def variance_of_spread_m4(self, share: Floats | None = None) -> float:
         """Variance of what one draw of the errors adds to the spread, about `spread_m2`: of a quadratic form
         in normal variables, twice the sum of its squared coefficients.
         """
-        n = max(len(self.group), 1)
-        sums, squares = self._by_group()
-        own, mean = squares / n, sums**2 / n**2
+        own, mean = self._of_spread_m2(share)
         return max(2.0 * float((own**2 - 2.0 * own * mean).sum() + mean.sum() ** 2), 0.0)
 
     def by_site_m(self, site: Ints, sites: int, weight: Floats | None = None) -> Floats:
@@ -96,6 +95,17 @@ class SharedErrors:
         moved = np.bincount(self.group[known], self.u_m[known] * weight[known], len(self.names))
         there = np.flatnonzero(moved)
         return dict(zip(self.names[there].tolist(), (moved[there] / weight.sum()).tolist(), strict=True))
+
+    def _of_spread_m2(self, share: Floats | None) -> tuple[Floats, Floats]:
+        """The mean square of the heights' errors, and the square of their mean, of each group, (G,) each."""
+        n = max(len(self.group), 1)
+        if share is None:
+            sums, squares = self._by_group()
+            return squares / n, sums**2 / n**2
+        known = self.group >= 0
+        group, u, share = self.group[known], self.u_m[known], share[known]
+        own, mean = np.bincount(group, share * u * u), np.bincount(group, share * u)
+        return own.astype(np.float64), mean.astype(np.float64) ** 2
 
     def _by_group(self) -> tuple[Floats, Floats]:
         """Sums of u and of its squares by group, (G,) each."""

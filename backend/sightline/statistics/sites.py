@@ -20,6 +20,7 @@ Ints = NDArray[np.int64]
 
 _SOME = 6  # sites; from then on sampling within them is taken from all heights, not from their differences
 _MANY = 400  # sites; from then on their degrees of freedom are one less than they are
+_NOTHING = 1e-9  # of a squared deviation's mean: a height that its own site's mean is made of alone
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,6 +50,15 @@ class Sites:
         if self.weight is None:
             return self.count
         return np.asarray(self.total**2 / np.bincount(self.code, self.weight**2), dtype=np.float64)
+
+    @cached_property
+    def kept(self) -> Floats:
+        """The mean of each squared deviation from its site's mean, (N,), of heights of variance 1."""
+        if self.weight is None:
+            return np.asarray(1.0 - 1.0 / self.count[self.code], dtype=np.float64)
+        squares = np.bincount(self.code, self.weight**2) / self.total**2
+        kept = 1.0 - 2.0 * self.weight / self.total[self.code] + squares[self.code]
+        return np.asarray(np.maximum(kept, 0.0), dtype=np.float64)
 
     def means(self, values: Floats) -> Floats:
         """Each site's mean, (J,), of values (N,)."""
@@ -111,8 +121,9 @@ def pooled_variance(
     if moved is None:
         moved = [one.by_site_m(sites.code, len(count), sites.weight) for one in shared]
     apart = max(_excess(count, of_site, inner_smooth), sum(_variance_between(one) for one in moved))
-    expected, freedom = _moments(weight, emphasis, inner_smooth / count + apart)
-    total = float(weight**2 @ (inner / count + apart))
+    alike = 1.0 if inner_smooth == inner == apart == 0.0 else 0.0  # sites of one height each, all the same
+    expected, freedom = _moments(weight, emphasis, (inner_smooth + alike) / count + apart)
+    total = float(weight**2 @ ((inner + alike) / count + apart))
     variance = observed * total / expected
     if len(count) >= _SOME:
         more = float(weight**2 @ ((inner - inner_smooth) / count))
@@ -131,11 +142,27 @@ def pooled_variance(
 
 def _within(sites: Sites, influence: Floats) -> float:
     apart = np.square(influence - sites.means(influence)[sites.code])
-    n, freedom = len(influence), len(influence) - len(sites.count)
     if sites.weight is None:
-        return float(apart.sum()) / freedom
+        return float(apart.sum()) / (len(influence) - len(sites.count))
+    found = variances(apart, sites.kept, mean_variance(apart, sites.kept))
     squares = sites.weight**2
-    return float(np.sum(squares * apart) / squares.sum()) * n / freedom
+    return float(np.sum(squares * found) / squares.sum())
+
+
+def mean_variance(apart: Floats, kept: Floats) -> float:
+    """The variance of heights of which `apart` (N,) are squared deviations from means that were estimated of
+    them, and `kept` (N,) what is left of their mean; 0 where nothing is.
+    """
+    left = float(kept.sum())
+    return float(apart.sum()) / left if left > _NOTHING else 0.0
+
+
+def variances(apart: Floats, kept: Floats, otherwise: float) -> Floats:
+    """An estimate of each height's variance (N,), unbiased where all of a mean's heights vary alike (Cochran
+    1977, 5.3); `otherwise`: of heights that stand alone and say nothing of it.
+    """
+    told = kept > _NOTHING
+    return np.where(told, apart / np.where(told, kept, 1.0), otherwise)
 
 
 def _variance_between(moved: Floats) -> float:

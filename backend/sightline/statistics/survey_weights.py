@@ -57,6 +57,28 @@ def _largest_miss(weight: Floats, margins: Sequence[Margin]) -> float:
     return float(max(misses, default=0.0))
 
 
+def left_of_squares(weight: Floats, site: Ints, margins: Sequence[Margin]) -> tuple[Floats, Floats, Ints]:
+    """What the means of sites and of the margins' classes, estimated of the heights themselves, leave of each
+    height: of the mean of its squared deviation, (N,); of one degree of freedom, (N,); and its cell (N,), the
+    heights of its site and classes.
+
+    Of least squares with these weights: with H the matrix that predicts heights of variance 1, the diagonals
+    of (1 - H)(1 - H)' and of 1 - H (Bell & McCaffrey, Survey Methodology 28, 2002).
+    """
+    codes = [site, *(one.code for one in margins)]
+    groups, cell = np.unique(np.stack(codes, axis=1), axis=0, return_inverse=True)
+    cell = np.asarray(cell, dtype=np.int64).reshape(-1)
+    starts = np.cumsum([0, *(int(one.max()) + 1 for one in codes)])
+    is_of = np.zeros((len(groups), int(starts[-1])))
+    for n, start in enumerate(starts[:-1]):
+        is_of[np.arange(len(groups)), start + groups[:, n]] = 1.0
+    of_cell, squares = np.bincount(cell, weight), np.bincount(cell, weight**2)
+    solved = is_of @ np.linalg.pinv(is_of.T @ (of_cell[:, None] * is_of), hermitian=True)
+    leverage = weight * np.sum(solved * is_of, axis=1)[cell]
+    both = np.sum((solved @ (is_of.T @ (squares[:, None] * is_of))) * solved, axis=1)[cell]
+    return np.maximum(1.0 - 2.0 * leverage + both, 0.0), np.maximum(1.0 - leverage, 0.0), cell
+
+
 def residuals(values: Floats, weight: Floats, margins: Sequence[Margin]) -> Floats:
     """What of `values` (N,) the margins do not explain, (N,), under `weight` (N,): the influence of a vehicle
     on a figure whose weights were made to meet them (Deville & Särndal 1992), by turns until it stands.

@@ -148,12 +148,13 @@ class TotalUncertainty:
         self._share = np.full(len(share), 1.0 / len(share)) if self._alike else share
         # Heights of equal weight that would tell a mean as well (Kish 1965, 11.7).
         self._n = float(self.n) if self._alike else 1.0 / float(np.square(share).sum())
-        spread_m2 = sum(one.spread_m2() for one in self._shared)
+        weighs = None if self._alike else self._share
+        spread_m2 = sum(one.spread_m2(weighs) for one in self._shared)
         # Sites show by their differences what their shared errors were; a sample of one site does not.
         compares = self._drawn.compares_sites
-        unknown = 0.0 if compares else sum(one.variance_of_spread_m4() for one in self._shared)
+        unknown = 0.0 if compares else sum(one.variance_of_spread_m4(weighs) for one in self._shared)
         self._u_spread_m2 = float(np.sqrt(unknown))
-        self._noise = noise_of(sample.u_random_m, spread_m2)
+        self._noise = noise_of(sample.u_random_m[order], spread_m2, weighs)
         self._noise_m2 = self._noise.variance_m2
         self._random = bool(np.any(sample.u_random_m > 0.0))
 
@@ -262,6 +263,8 @@ class TotalUncertainty:
     def _known(self, percent: float) -> _Confidence | Said:
         if not self._supported(percent):
             return too_few_for(percent, self.n, int(self._n + 1e-9))
+        if not self._drawn.tells_spread:
+            return self._drawn.more_needed()
         if self._density is None:
             return Said("stat-true-heights-alike")
         if percent in self._in_order:
@@ -337,8 +340,8 @@ class TotalUncertainty:
     def mean(self) -> TotalFigure:
         """The mean height, metres: random errors leave it as it is."""
         value = float(self._height_m.mean()) if self._alike else self._mean(self._height_m)
-        if self.n < 2:
-            return TotalFigure(value, None, None, self._too_few(2))
+        if self.n < 2 or not self._drawn.tells_spread:
+            return TotalFigure(value, None, None, self._too_few(max(self.n + 1, 2)))
         influence = self._height_m - value
         found = self._drawn.sampled(influence)
         u_m2 = self._unseen(found, np.arange(self.n))
@@ -352,10 +355,10 @@ class TotalUncertainty:
 
         Of the measured heights' variance the logarithm has a Student interval; 0 where errors explain it all.
         """
-        if self.n < 3:
-            return TotalFigure(0.0, None, None, self._too_few(3))
+        if self.n < 3 or not self._drawn.tells_spread:
+            return TotalFigure(0.0, None, None, self._too_few(max(self.n + 1, 3)))
         apart = np.square(self._height_m - self._mean(self._height_m))
-        measured_m2 = self._mean(apart) * self.n / (self.n - 1)
+        measured_m2 = self._mean(apart) * self._n / (self._n - 1.0)
         found = self._drawn.sampled(apart - self._mean(apart), height=False)
         draws = (
             measured_m2 * np.expm1(np.minimum(found.draws() / max(measured_m2, 1e-12), _LARGEST))
@@ -373,7 +376,7 @@ class TotalUncertainty:
         sites would need for the same variance (Korn & Graubard 1998).
         """
         plain = self._mean(self._height_m < limit_m)
-        if self._density is None:
+        if self._density is None or not self._drawn.tells_spread:
             return TotalFigure(plain, None, None, self._too_few(vehicles_for_interval(50.0)))
         correction = self._density.share_correction(limit_m)
         n = self._effective_n(plain, limit_m)

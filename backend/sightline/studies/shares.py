@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from sightline.results.measured_columns_query import CATEGORIES, LIGHTING, Heights
-from sightline.statistics.drawn import Drawn, share_of
+from sightline.statistics.drawn import Drawn, ordered, share_of
 from sightline.statistics.error_totals import ErrorTotals
 from sightline.statistics.figures import TotalFigure
 from sightline.statistics.shared_errors import SharedErrors
@@ -20,18 +20,22 @@ def class_shares(cars: tuple[Ints, Ints, Ints], places: Places, fleet: Fleet | N
     """Shares of classes on the road, by the draw alone: the fleet's own stand beside them."""
     package, category, lighting = cars
     of_fleet = fleet.margins.get("category", {}) if fleet else {}
-    found = []
-    for group, rows in [
-        ("all", category >= 0),
-        *((w, (category >= 0) & (lighting == n)) for n, w in enumerate(LIGHTING)),
+    found: list[ClassShare] = []
+    known = category >= 0
+    package, category, lighting = package[known], category[known], lighting[known]
+    if len(package) < LEAST:
+        return found
+    drawn = Drawn(design_of(package, places))
+    for group, among in [
+        ("all", np.ones(len(package), dtype=np.bool_)),
+        *((w, lighting == n) for n, w in enumerate(LIGHTING)),
     ]:
-        if np.count_nonzero(rows) < LEAST:
+        if np.count_nonzero(among) < LEAST:
             continue
-        drawn = Drawn(design_of(package[rows], places))
         for n, word in enumerate(CATEGORIES):
-            chosen = category[rows] == n
+            chosen = among & (category == n)
             if chosen.any():
-                share = share_of(drawn, chosen)
+                share = share_of(drawn, chosen, among)
                 found.append(ClassShare(group, word, int(chosen.sum()), share, of_fleet.get(word)))
     return found
 
@@ -42,11 +46,12 @@ def error_figures(rows: Heights, places: Places) -> list[ErrorFigure]:
     The bias is a mean of the design; the others' intervals are those of `ErrorTotals`, weighted alike, in
     which every site there is counts as not seen yet.
     """
-    known = np.isfinite(rows.known_m)
+    rows = rows.where(np.isfinite(rows.known_m))
+    design = design_of(rows.survey_id, places)
     found = []
     for group, wanted in [
-        ("overall", known),
-        *((w, known & (rows.lighting == n)) for n, w in enumerate(LIGHTING)),
+        ("overall", np.ones(len(rows), dtype=np.bool_)),
+        *((w, rows.lighting == n) for n, w in enumerate(LIGHTING)),
     ]:
         chosen = rows.where(wanted)
         n = len(chosen)
@@ -55,7 +60,7 @@ def error_figures(rows: Heights, places: Places) -> list[ErrorFigure]:
         error = chosen.height_m - chosen.known_m
         sample = sample_of(chosen)
         shared: tuple[SharedErrors, ...] = sample.shared
-        drawn = Drawn(design_of(chosen.survey_id, places), shared)
+        drawn = Drawn(ordered(design, wanted), shared)
         totals = ErrorTotals(error, shared, drawn.design.site, drawn.design.weight)
         found += [
             ErrorFigure(group, name, n, value) for name, value in _figures_of(error, drawn, totals).items()

@@ -4,8 +4,9 @@ A vehicle belongs to the interval in which its front reached camera 1. Flow: veh
 the time that was watched; occupancy: the share of that time in which a vehicle stood before camera 1; both
 only where at least half of the interval was watched. Time mean speed: the mean over vehicles; space mean
 speed: the harmonic mean, as a stretch of road shows it (Wardrop 1952). Percentiles: Hyndman and Fan's type 8,
-without bias of the median, as everywhere in Sightline. u of the means: the mean of the vehicles' own u, which
-theirs cannot exceed, whatever the vehicles share.
+without bias of the median, as everywhere in Sightline. u of the means: what neither exceeds, whatever the
+vehicles share: the mean of their own u, or that of u / v squared times the square of the space mean speed
+(JCGM 100:2008, 5.2.2), the larger. A vehicle that stands occupies every interval in which it does.
 """
 
 from __future__ import annotations
@@ -174,19 +175,41 @@ def _intervals_sql(asked: Asked) -> str:
         any_value(midnight_at) AS midnight_at, any_value(zone) AS zone
       FROM cut GROUP BY lane, cell
     ), passed AS (
-      SELECT lane, {begins} + floor(since_midnight_s / {step})::BIGINT AS cell, occupied_s, length_m,
+      SELECT lane, {begins} + floor(since_midnight_s / {step})::BIGINT AS cell, length_m,
         time_gap_s, speed_mps, u_speed_mps, {_kind_sql(asked.limits_m)} AS kind
       FROM vehicles
+    ), days AS (SELECT day, any_value(day_s) AS day_s FROM watched GROUP BY day
+    ), standing AS (
+      SELECT lane, day, day_s, length_m, since_midnight_s + occupied_s AS until_s,
+        greatest(since_midnight_s, coalesce(max(since_midnight_s + occupied_s) OVER (PARTITION BY lane, day
+          ORDER BY since_midnight_s ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING), 0)) AS from_s
+      FROM vehicles JOIN days USING (day) WHERE occupied_s > 0
+    ), in_days AS (
+      SELECT lane, day, length_m, from_s, least(until_s, day_s) AS until_s FROM standing
+      UNION ALL
+      SELECT lane, day + 1, length_m, greatest(from_s - day_s, 0), until_s - day_s
+      FROM standing WHERE until_s > day_s
+    ), in_cells AS (
+      SELECT *, unnest(range(floor(from_s / {step})::BIGINT, ceil(until_s / {step})::BIGINT)) AS nth,
+      FROM in_days WHERE from_s < until_s
+    ), parts AS (
+      SELECT lane, {begins} + nth AS cell, {_kind_sql(asked.limits_m)} AS kind,
+        least(until_s, (nth + 1) * {step}) - greatest(from_s, nth * {step}) AS part_s
+      FROM in_cells
+    ), occupied AS (
+      SELECT lane, cell, kind, sum(part_s) AS occupied_s FROM parts GROUP BY lane, cell, kind
     ), counted AS (
-      SELECT lane, cell, kind, count(*) AS vehicles, count(speed_mps) AS n, sum(occupied_s) AS occupied_s,
+      SELECT lane, cell, kind, count(*) AS vehicles, count(speed_mps) AS n,
         avg(length_m) AS mean_length_m, median(time_gap_s) AS median_time_gap_s,
         avg(speed_mps) AS time_mean_speed_mps, 1 / avg(1 / speed_mps) AS space_mean_speed_mps,
-        avg(u_speed_mps) AS u_mean_speed_mps,
+        greatest(avg(u_speed_mps), avg(u_speed_mps / speed_mps**2) / avg(1 / speed_mps)**2)
+          AS u_mean_speed_mps,
         list(speed_mps ORDER BY speed_mps) FILTER (speed_mps IS NOT NULL) AS rising
       FROM passed GROUP BY lane, cell, kind
     ), kinds AS (SELECT unnest(range({classes})) AS kind)
     SELECT * EXCLUDE (rising){"".join(map(_percentile_sql, asked.percents))}
     FROM shown CROSS JOIN kinds LEFT JOIN counted USING (lane, cell, kind)
+    LEFT JOIN occupied USING (lane, cell, kind)
     ORDER BY lane, cell, kind
     """
 

@@ -5,25 +5,9 @@ import { ApiError, api } from "./api";
 import { type Said, say, sentenceOf, sentencesOf } from "./messages";
 import type { Job } from "./types";
 
-const KINDS = [
-  "ingest",
-  "passes",
-  "proposals",
-  "pose",
-  "calibrate",
-  "drift",
-  "export",
-  "scan_read",
-  "scan_find",
-  "scan_tidy",
-  "demonstration",
-  "demonstration_study",
-  "study",
-] as const;
-
-/** "Camera stability check" */
+/** "Camera stability check"; a kind of an earlier program is "Other job". */
 export function jobName(kind: string): string {
-  return say("jobs-kind", { kind: KINDS.find((one) => one === kind) ?? "other" });
+  return say("jobs-kind", { kind });
 }
 
 export function isOver(job: Job): boolean {
