@@ -13,13 +13,14 @@ import pytest
 from sightline.cli import main
 from sightline.export import page
 from sightline.export.verify.package import verify_package
+from sightline.infra.csv_package.columns import code_in, words_of
 from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from tests.export.report.pdf_text import words
 from tests.support.app import Client, error_of
 from tests.support.ground import Ground, add_vehicle, lay_ground, measure
-from tests.support.packages import reseal
+from tests.support.packages import reseal, rows
 
 
 @pytest.fixture
@@ -80,6 +81,11 @@ def test_figures_report_and_page_are_in_the_language_of_who_asked(
     same = {path.name: path.read_bytes() for path in english.glob("statistics/*.csv")}
     assert same and same == {path.name: path.read_bytes() for path in french.glob("statistics/*.csv")}
     assert described(french)["description"] == described(english)["description"]
+    for row in rows(french, "statistics/error_table.csv"):
+        assert (row["reason"] != "") == (row["reason_code"] != "")
+    told = {row["reason"]: code_in(row["reason_code"]) for row in rows(french, "statistics/percentiles.csv")}
+    told.pop("", None)
+    assert told and all(in_french[words] == words_of(code, "fr") != words for words, code in told.items())
 
 
 @pytest.mark.parametrize("language", ["en", "xx"])

@@ -7,6 +7,7 @@ import io
 import json
 import shutil
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -33,6 +34,7 @@ from sightline.infra.csv_package.schema import (
     Written,
     json_bytes,
     sha256_hex,
+    table_key,
 )
 from sightline.infra.services import Services
 from sightline.media.images import jpeg
@@ -289,9 +291,20 @@ def columns_again(place: Path) -> None:
 
 
 def _tables(place: Path) -> tuple[AnyTable, ...]:
+    """Those of this program, with the columns that a package of an earlier one describes."""
     head = table_file(place, "measurements.csv").read_text().partition("\n")[0].split(",")
     most = sum(name.startswith("frame") and name[5:].isdigit() for name in head)
-    return tables_of(most + 1)
+    resources = json.loads((place / DESCRIPTION).read_text("utf-8"))["resources"]
+    there = {
+        table_key(one["path"]): {field["name"] for field in one["schema"]["fields"]}
+        for one in resources
+        if "schema" in one
+    }
+    return tuple(
+        replace(table, columns=tuple(one for one in table.columns if one.name in there[table.key]))
+        for table in tables_of(most + 1)
+        if table.key in there
+    )
 
 
 def _sums(place: Path) -> dict[str, Written]:

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
@@ -16,7 +15,14 @@ from typing import Any
 import click
 
 from sightline.commands.files import write_whole
-from sightline.commands.options import FILE, choice_option, json_option, number_option, output_option
+from sightline.commands.options import (
+    FILE,
+    choice_option,
+    json_option,
+    json_text,
+    number_option,
+    output_option,
+)
 from sightline.commands.scanned import (
     COLUMNS,
     TIMES,
@@ -125,14 +131,14 @@ class _Table:
         times = {} if self._start is None else self._start.times_of(vehicle, self._rig)
         self._writer.writerow([cell_of(value) for value in (row_of(vehicle) | times).values()])
         if self._objects is not None:
-            self._objects.append(json.dumps(object_of(vehicle) | times, allow_nan=False))
+            self._objects.append(json_text(object_of(vehicle) | times))
 
     def csv(self) -> str:
         return self._text.getvalue()
 
     def json(self, about: dict[str, Any]) -> str:
         """One object: what is said about all, then the vehicles."""
-        return f'{json.dumps(about, allow_nan=False)[:-1]}, "vehicles": [{", ".join(self._objects or [])}]}}'
+        return f'{json_text(about)[:-1]}, "vehicles": [{", ".join(self._objects or [])}]}}'
 
 
 def _opened(path: Path, time_axis: TimeAxis) -> Strip:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
+import math
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar, get_args
@@ -146,9 +147,21 @@ def tell(as_json: bool, document: object, *lines: object) -> None:
 
 
 def print_json(value: object) -> None:
-    """One JSON object, full precision, no NaN."""
-    json.dump(value, sys.stdout, indent=2, ensure_ascii=False, allow_nan=False, default=in_words)
-    sys.stdout.write("\n")
+    """One JSON object, full precision, whole or not at all."""
+    click.echo(json_text(value, indent=2))
+
+
+def json_text(value: object, indent: int | None = None) -> str:
+    """JSON as commands print it: a number that is not finite is one that there is not, so null."""
+    return json.dumps(_finite(value), indent=indent, ensure_ascii=False, allow_nan=False, default=in_words)
+
+
+def _finite(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return {name: _finite(one) for name, one in value.items()}
+    if isinstance(value, list | tuple):
+        return [_finite(one) for one in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def progress_told() -> Callable[[float, object], None]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import signal
 import sys
@@ -14,7 +13,7 @@ from typing import Any
 
 import click
 
-from sightline.commands.options import data_dir_option, opened_services
+from sightline.commands.options import data_dir_option, json_text, opened_services
 from sightline.commands.scanned import left_out, object_of, rig_options
 from sightline.enums import ScanMethod
 from sightline.errors import BadInput
@@ -112,7 +111,7 @@ def stream(
             segment_s=60 * segment_minutes if folder else math.inf,
         )
         for one in run.vehicles():
-            click.echo(json.dumps(said_of(one, rig.line_rate_hz), allow_nan=False))
+            click.echo(json_text(said_of(one, rig.line_rate_hz)))
             sys.stdout.flush()
             run.told(one)
     broken = run.source is not None and run.source.broken

@@ -23,9 +23,10 @@ from sightline.export.statistics_rows import (
     Cells,
     curve_rows,
     error_rows,
+    said_of,
     statistics_table,
 )
-from sightline.infra.csv_package.columns import integer, metres, number, text, words_of
+from sightline.infra.csv_package.columns import integer, metres, number, text
 from sightline.infra.csv_package.files import Files, read_columns, read_rows, unsafe
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.linescan.rig import rig_from
@@ -68,7 +69,7 @@ ERRORS = statistics_table(
     _N,
     number("value", "the figure"),
     *INTERVAL,
-    REASON,
+    *REASON,
     primary=("size", "group", "figure"),
 )
 BASELINES = statistics_table(
@@ -79,8 +80,8 @@ BASELINES = statistics_table(
     number("ratio", "measured over true"),
     number("u_ratio", "standard uncertainty of the ratio (k = 1)"),
     number("spread", "standard deviation of a vehicle's ratio"),
-    REASON,
-    text("warning", "warning"),
+    *REASON,
+    *said_of("warning", "warning"),
     primary=("size",),
 )
 QUANTITIES = statistics_table(
@@ -102,7 +103,7 @@ PERCENTILES = statistics_table(
     number("percent", "which percentile", "%"),
     number("value", "the percentile, in the row's unit"),
     *INTERVAL,
-    REASON,
+    *REASON,
     primary=("quantity", "percent"),
 )
 ECDF = statistics_table(
@@ -286,8 +287,7 @@ def _error_rows(found: ScanStatistics) -> Iterator[Cells]:
 def _baseline_rows(found: ScanStatistics) -> Iterator[Cells]:
     for size, one in (("length", found.length_ratio), ("wheelbase", found.wheelbase_ratio)):
         if found.counted["used"]:
-            words = {"reason": words_of(one.reason), "warning": words_of(one.warning)}
-            yield {"size": size, **vars(one), "ratio": one.value, "u_ratio": one.u, **words}
+            yield {"size": size, **vars(one), "ratio": one.value, "u_ratio": one.u}
 
 
 def _quantity_rows(found: ScanStatistics) -> Iterator[Cells]:

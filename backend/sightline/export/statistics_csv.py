@@ -19,6 +19,7 @@ from sightline.export.statistics_rows import (
     Cells,
     curve_rows,
     error_rows,
+    said_of,
     statistics_table,
 )
 from sightline.infra.csv_package.columns import flag, integer, metres, number, text
@@ -66,7 +67,7 @@ ERROR_TABLE = statistics_table(
     number("value", "value"),
     *INTERVAL,
     _HOLDS,
-    REASON,
+    *REASON,
     primary=("heights", "rounding", "group", "figure"),
 )
 ERRORS_BY_TARGET = statistics_table(
@@ -85,7 +86,7 @@ ERRORS_BY_TARGET = statistics_table(
     number("value", "value"),
     *INTERVAL,
     _HOLDS,
-    REASON,
+    *REASON,
     primary=("heights", "target", "check_target", "grouping", "group", "figure"),
 )
 AGREEMENT = statistics_table(
@@ -98,7 +99,7 @@ AGREEMENT = statistics_table(
     text("figure", "which figure; _m: metres", required=True),
     number("value", "value"),
     *INTERVAL,
-    REASON,
+    *REASON,
     primary=("heights", "rounding", "figure"),
 )
 ERROR_TREND = statistics_table(
@@ -142,9 +143,9 @@ CORRECTION_TABLE = statistics_table(
     _N,
     metres("mean_m", "mean of the corrected heights"),
     metres("sd_m", "standard deviation of the corrected heights (n - 1)"),
-    text("words", "description of the correction"),
-    text("warning", "warning"),
-    REASON,
+    *said_of("words", "description of the correction"),
+    *said_of("warning", "warning"),
+    *REASON,
     primary=("target", "correction"),
 )
 PERCENTILE_TABLE = statistics_table(
@@ -159,7 +160,7 @@ PERCENTILE_TABLE = statistics_table(
     number("percent", "which percentile", "%"),
     metres("height_m", "the percentile"),
     *INTERVAL_M,
-    REASON,
+    *REASON,
     primary=("target", "correction", "grouping", "group", "percent"),
 )
 TOTAL_TABLE = statistics_table(
@@ -175,7 +176,7 @@ TOTAL_TABLE = statistics_table(
     *INTERVAL,
     metres("raw_m", "of a percentile: the plain one of the measured heights"),
     text("holds", "components of the interval, separated by spaces", required=True),
-    REASON,
+    *REASON,
 )
 RULE_TABLE = statistics_table(
     "same_rule",
@@ -194,7 +195,7 @@ RULE_TABLE = statistics_table(
     number("lower", "probability that today's percentile is below the standard's height"),
     text("verdict", "verdict", required=True, enum=get_args(RuleVerdict)),
     number("risk", "probability that the verdict is wrong"),
-    REASON,
+    *REASON,
 )
 HEIGHT_ECDF = statistics_table(
     "height_ecdf",
@@ -242,7 +243,7 @@ LATERAL_TABLE = statistics_table(
     _N,
     metres("value_m", "value"),
     *INTERVAL_M,
-    REASON,
+    *REASON,
 )
 TABLES = (
     ERROR_TABLE,

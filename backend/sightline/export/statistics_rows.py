@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from sightline.infra.csv_package.columns import metres, number, text
+from sightline.infra.csv_package.columns import metres, number, said
 from sightline.infra.csv_package.schema import Cell, Column, Row, Table
 from sightline.messages.said import Said
 from sightline.statistics.errors import ErrorGroup
 
 Cells = dict[str, Cell]
-REASON = text("reason", "why a value or its interval is missing")
 INTERVAL = (
     number("low", "lower end of its 95 % interval"),
     number("high", "upper end of its 95 % interval"),
@@ -31,6 +30,14 @@ BAND = (number("low", "lower edge of the 95 % band"), number("high", "upper edge
 def statistics_table(name: str, meaning: str, *columns: Column, **keys: Any) -> Table:
     """A table of the folder of statistics, with the keys that it has."""
     return Table(name, meaning, columns, folder="statistics/", **keys)
+
+
+def said_of(name: str, meaning: str) -> tuple[Column, Column]:
+    """What is said in a cell of a row, which may leave it out, and beside it its codes and values."""
+    return said(name, meaning, lambda row: row.get(name))
+
+
+REASON = said_of("reason", "why a value or its interval is missing")
 
 
 def error_rows(key: Row, groups: Mapping[str, ErrorGroup]) -> Iterator[Cells]:

@@ -8,7 +8,17 @@ from typing import get_args, get_type_hints
 from sightline.enums import ScanDirection
 from sightline.export.scans import scanned_motions
 from sightline.export.statistics_rows import Cells, statistics_table
-from sightline.infra.csv_package.columns import flag, integer, key, metres, number, text, words_of
+from sightline.infra.csv_package.columns import (
+    CODE,
+    code_of,
+    flag,
+    integer,
+    key,
+    metres,
+    number,
+    text,
+    words_of,
+)
 from sightline.infra.csv_package.files import Files, read_rows, unsafe
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.schema import Column
@@ -88,6 +98,7 @@ INTERVALS = statistics_table(
     *_measured("density_per_km", "flow over space mean speed", "1/km"),
     integer("unclassed", "vehicles without a length that counts", required=True),
     text("reasons", "why a figure is missing, separated by semicolons"),
+    text(f"reasons{CODE}", "reasons by code and values (JSON)"),
     _WAY,
     _LANE,
     primary=("scan_id", "direction", "lane", "minutes", "begins_at"),
@@ -170,7 +181,7 @@ def _interval_row(scan: ScanTraffic, one: ShownInterval) -> Cells:
     for each in one.percentiles:
         name = f"p{each.percent:g}_speed_mps"
         row |= {name: each.value, f"{name}_low": each.low, f"{name}_high": each.high}
-    return {**row, "reasons": words_of(one.reasons)}
+    return {**row, "reasons": words_of(one.reasons), f"reasons{CODE}": code_of(one.reasons)}
 
 
 def _class_rows(scan: ScanTraffic, one: ShownInterval) -> Iterator[Cells]:

@@ -53,7 +53,7 @@ FIGURES = study_table(
     _EFFECT,
     _EFFECTIVE,
     number("weighting_effect", "how much unequal weights alone widen an interval's square"),
-    REASON,
+    *REASON,
 )
 ERRORS = study_table(
     "errors",
@@ -105,7 +105,7 @@ RULES = study_table(
     number("lower", "probability that the true percentile lies below the standard's height"),
     number("risk", "probability that the verdict is wrong"),
     text("verdict", "verdict", required=True, enum=get_args(RuleVerdict)),
-    REASON,
+    *REASON,
 )
 YEARS = study_table(
     "years",
@@ -121,7 +121,7 @@ YEARS = study_table(
     metres("value_m", "the difference"),
     *TOTAL_M,
     text("verdict", "more than noise, or not", enum=get_args(ComparisonVerdict)),
-    REASON,
+    *REASON,
 )
 TABLES = (PACKAGES, FIGURES, RULES, YEARS, ERRORS, CLASSES, PLANS)
 
@@ -185,9 +185,10 @@ def _rules(study: Study) -> Iterator[Cells]:
 
 
 def _years(study: Study) -> Iterator[Cells]:
+    plain = [column.name for column in YEARS.columns if column.of is None and column.name != "figure"]
     for one in study.years:
         figure = "mean" if one.percent is None else "percentile"
-        yield {name: getattr(one, name, figure) for name in YEARS.header}
+        yield {**{name: getattr(one, name) for name in plain}, "figure": figure, "reason": one.reason}
 
 
 def _told(one: TotalFigure | TotalPercentile, n: int, unit: str = "_m") -> Cells:

@@ -10,10 +10,10 @@ from sqlalchemy.orm import Session
 from sightline.enums import JsonObject
 from sightline.errors import Conflict
 from sightline.infra.audit import trail
+from sightline.infra.audit.changing import alter_row, change_since, make_rows, take_out_row
 from sightline.infra.audit.written import written_once, written_rows
 from sightline.infra.by_name import record_of
-from sightline.infra.database.rows import add_row, change_row, get_row, last_change, missing
-from sightline.infra.database.types import now
+from sightline.infra.database.rows import change_row, get_row, missing
 from sightline.infra.version import code_version
 from sightline.studies.records import StoredStudy, StudyFacts, StudyResult, StudySurvey
 from sightline.studies.tables import studies, study_results
@@ -26,11 +26,8 @@ def create_study(
     session: Session, facts: StudyFacts, *, simulated: bool = False, actor: int | None
 ) -> StoredStudy:
     """A new study of facts that hold together (`stored.checked`); a simulated one is open to all."""
-    moment = now()
     content = {**_content(facts), "simulated": simulated, "open_to_all": simulated}
-    stamps = {"created_at": moment, "created_by": actor, "updated_at": moment, "updated_by": actor}
-    study_id = add_row(session, studies, {**content, **stamps, "version": 1})
-    trail.record(session, actor, "create", "study", study_id, None, None, content)
+    (study_id,) = make_rows(session, studies, [content], survey_id=None, actor=actor)
     return get_study(session, study_id)
 
 
@@ -57,20 +54,13 @@ def update_study(
     session: Session, study_id: int, facts: StudyFacts, *, version: int, actor: int | None
 ) -> StoredStudy:
     """Change it. Raises Conflict, naming who and when, if `version` is not the current one; NotFound."""
-    before = _seen(session, study_id, version)
-    content = _content(facts)
-    change_row(session, studies, study_id, {**content, **_stamps(version, actor)})
-    trail.record(
-        session, actor, "update", "study", study_id, None, *trail.changed(before, content, _EDITABLE)
-    )
+    alter_row(session, studies, _seen(session, study_id, version), _content(facts), actor=actor)
     return get_study(session, study_id)
 
 
 def remove_study(session: Session, study_id: int, *, version: int, actor: int | None) -> None:
     """Take it from the list; what was computed of it stays stored. Raises Conflict, NotFound."""
-    _seen(session, study_id, version)
-    change_row(session, studies, study_id, {"deleted_at": now(), **_stamps(version, actor)})
-    trail.record(session, actor, "delete", "study", study_id, None, {"deleted": False}, {"deleted": True})
+    take_out_row(session, studies, _seen(session, study_id, version), actor=actor)
 
 
 def note_study_job(session: Session, study_id: int, job_id: int, *, actor: int | None) -> None:
@@ -133,14 +123,10 @@ def surveys_of_results(session: Session, study_id: int) -> frozenset[int]:
 
 def _seen(session: Session, study_id: int, version: int) -> dict[str, Any]:
     before = get_row(session, studies, study_id, "study", studies.c.deleted_at.is_(None))
-    if before["version"] != version:
-        name, when = last_change(session, before)
+    if changed := change_since(session, before, version):
+        name, when = changed
         raise Conflict("studies-changed-meanwhile", name=name, when=when)
     return before
-
-
-def _stamps(version: int, actor: int | None) -> dict[str, Any]:
-    return {"version": version + 1, "updated_at": now(), "updated_by": actor}
 
 
 def _content(facts: StudyFacts) -> dict[str, Any]:

@@ -22,7 +22,7 @@ from sightline.export.response import RESPONSE, response_rows
 from sightline.export.statistics_csv import TABLES, same_cell, statistics_rows
 from sightline.export.verify.described import Described
 from sightline.infra.csv_package.audit import AUDIT
-from sightline.infra.csv_package.files import Files, read_columns, read_rows, read_whole
+from sightline.infra.csv_package.files import Files, columns_lacking, read_columns, read_rows, read_whole
 from sightline.infra.csv_package.parquet import check_parquet
 from sightline.infra.csv_package.schema import Row, Table, Written, cell_text
 
@@ -65,12 +65,13 @@ def check_statistics(files: Files, *, same_program: bool) -> tuple[PackageStatis
 
 
 def _compare(files: Files, table: Table, rows: Iterable[Row]) -> int:
-    count = 0
+    count, lacks = 0, columns_lacking(files, table.key)
+    columns = [column for column in table.columns if column.name not in lacks]
     for at, (told, row) in enumerate(zip_longest(read_rows(files, table.key), rows), start=2):
         if told is None or row is None:
             raise Damaged("export-too-rows-changed", path=table.key, value="few" if told is None else "many")
-        for column in table.columns:
-            found = cell_text(column, row.get(column.name))
+        for column in columns:
+            found = cell_text(column, column.of_mapping(row))
             if not same_cell(column, told[column.name], found):
                 raise Damaged(
                     "export-line-differs",

@@ -29,7 +29,6 @@ from sightline.infra.csv_package.schema import (
     Cell,
     Column,
     Record,
-    Row,
     Table,
     Written,
     cell_text,
@@ -91,7 +90,7 @@ class TableWriter(Generic[Record]):
         if self._columns is None:
             is_mapping = isinstance(record, Mapping)
             self._columns = [
-                (one, _value_of(one) if is_mapping else one.of_object) for one in self._table.columns
+                (one, one.of_mapping if is_mapping else one.of_object) for one in self._table.columns
             ]
         row = [
             "" if (value := value_of(record)) is None else cell_text(column, value)
@@ -103,12 +102,6 @@ class TableWriter(Generic[Record]):
 
     def written(self) -> Written:
         return Written(self._hash.hexdigest(), self._size)
-
-
-def _value_of(column: Column[Record]) -> Callable[[Record], Cell]:
-    """A column's value of a mapping, which may leave it out."""
-    name = column.name
-    return column.of or (lambda record: cast(Row, record).get(name))
 
 
 class Staging:
@@ -406,7 +399,8 @@ class _EarlierRow(dict[str, str]):
         return ""
 
 
-def _lacking(files: Files, path: str) -> frozenset[str]:
+def columns_lacking(files: Files, path: str) -> frozenset[str]:
+    """The columns of this program that a table, by its path or key, lacks."""
     return files.lacking.get(table_key(path), frozenset()) if isinstance(files, EarlierFiles) else frozenset()
 
 
@@ -456,7 +450,7 @@ def read_rows(files: Files, path: str) -> Iterator[dict[str, str]]:
     missing or no CSV.
     """
     path = place_of(files, path)
-    lacking = _lacking(files, path)
+    lacking = columns_lacking(files, path)
     with files.open(path) as file:
         text = io.TextIOWrapper(file, encoding="utf-8", newline="")
         try:
@@ -484,7 +478,7 @@ def read_header(files: Files, path: str) -> list[str]:
 def read_columns(files: Files, path: str, names: tuple[str, ...]) -> Iterator[list[str]]:
     """Some columns of one CSV, row by row: several times as quick as `read_rows`. Raises Damaged."""
     path = place_of(files, path)
-    lacking = _lacking(files, path)
+    lacking = columns_lacking(files, path)
     with files.open(path) as file:
         text = io.TextIOWrapper(file, encoding="utf-8", newline="")
         try:

@@ -64,6 +64,12 @@ class Column(Generic[Record]):
         """Its value of a record that is no mapping."""
         return self.of or attrgetter(self.name)
 
+    @cached_property
+    def of_mapping(self) -> Callable[[Any], Cell]:
+        """Its value of a mapping, which may leave it out."""
+        name = self.name
+        return self.of or (lambda record: record.get(name))
+
     def described(self) -> dict[str, Any]:
         """The field descriptor of the Table Schema (specs.frictionlessdata.io/table-schema)."""
         constraints: dict[str, Any] = {"required": True} if self.required else {}

@@ -137,6 +137,11 @@ export function rodOf({ marks, sigma_px, u_distance_m, u_lean_rad }: LinePose): 
   return { marks, sigma_px: sigma_px ?? FRESH.sigma_px, u_distance_m, u_lean_rad };
 }
 
+/** Of a stored rod without one, the marks' uncertainty is from the residuals: another than the usual one. */
+export function isRodOf(saved: LinePose, want: RodValues): boolean {
+  return saved.sigma_px === want.sigma_px && sameValue(rodOf(saved), want);
+}
+
 const rodKind: Kind<LinePose, RodValues, { scanId: number }> = {
   once: true,
   send: ({ about, saved, want }, sending) =>
@@ -148,7 +153,7 @@ const rodKind: Kind<LinePose, RodValues, { scanId: number }> = {
   read: async ({ about }, _error, signal) =>
     (await api.ask("GET /scans/{scan_id}/line-pose", { scan_id: about.scanId }, { signal })).current,
   isSaved: shapeOf<LinePose>({ revision: "number", marks: "list" }),
-  done: ({ saved, want }) => saved !== null && sameValue(rodOf(saved), want),
+  done: ({ saved, want }) => saved !== null && isRodOf(saved, want),
   version: (saved) => saved?.revision ?? 0,
   words: (saved) => (saved ? rodWords(saved.marks) : say("scan-wish-no-marks")),
 };

@@ -6,6 +6,7 @@ import { fitAll } from "../../parts/strips/view";
 import { FakeServer } from "../../testing/server";
 import type { Bench } from "./bench";
 import { LineHeights } from "./heights";
+import { isRodOf, rodOf } from "./kinds";
 import { RodDraft } from "./rod";
 
 const SOLVED = { status: "ok", residuals_px: [], warnings: [], camera_height_m: 1.2 };
@@ -71,6 +72,13 @@ describe("the rod's marks", () => {
     rod.reset();
     expect(rod.values.value.marks).toEqual([MARK]);
     expect(rod.changed.value).toBe(false);
+  });
+
+  it("are not stored while the stored ones have their uncertainty from the residuals", () => {
+    const saved = pose().current as LinePose;
+    const unsaid = { ...saved, sigma_px: null };
+    expect(isRodOf(saved, rodOf(saved))).toBe(true);
+    expect(isRodOf(unsaid, rodOf(unsaid))).toBe(false);
   });
 
   it("closes what it is stored from, and nothing that was taken up meanwhile", async () => {
