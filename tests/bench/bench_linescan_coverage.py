@@ -40,7 +40,7 @@ from tests.bench.scan_cells import RIG, Seen, seen
 from tests.simulation.scan_traffic import ScanTruth
 
 N = int(os.environ.get("N", "100"))
-SEED = int(os.environ.get("SEED", "9500"))
+SEED = int(os.environ.get("SEED", "9600"))
 CLASSES = os.environ.get("CLASSES", "car,van,lorry").split(",")
 SPEEDS = [float(one) for one in os.environ.get("SPEEDS", "40,30,20,10,5,2.5").split(",")]
 NOISES = [float(one) for one in os.environ.get("NOISES", "2,8").split(",")]
