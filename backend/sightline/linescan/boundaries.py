@@ -1,27 +1,23 @@
 """Front and rear of a vehicle to a fraction of a line, from the upper part of the picture alone.
 
 In every band of rows the edge lies where the picture has gone half the way from the road's grey to the
-vehicle's. The foremost point is the vertex of a parabola through the edges of neighbouring bands, each with
-the weight of its own noise: bumpers are round, and may have the road's own grey in some bands. Where a
-parabola fits no better than an upright line the end is flat, and the line goes through as many bands as agree
-with it: the lowest of noisy values, which a vertex seeks, lies too far out. A shadow lies in the lowest part,
-which is not looked at. The road is taken as bright as it is just outside the boundary,
-for the light changes while a slow vehicle passes.
+vehicle's; where those differ too little for that, in means over more lines. What the bands' edges say of the
+outline's foremost point is `outline`'s. A shadow lies in the lowest part, which is not looked at. The road is
+taken as bright as it is just outside the boundary, for the light changes while a slow vehicle passes.
 """
 
-from dataclasses import dataclass
-from math import hypot, log, sqrt
+from math import hypot, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.linescan.outline import BEFORE_M, DOUBT_M, TOLD_M, Bands, Edge, Seen, foremost
 from sightline.linescan.parts import USUAL_SHADOW_SHARE, Crossings, Passage, Pixels, Rig
-from sightline.robust import robust_scale
 
 Array = NDArray[np.float64]
 BANDS = 48
-# along the vehicle, metres: searched before and behind the rough edge; where the vehicle's grey is read
-BEFORE_M, BEHIND_M = 0.10, 0.30
+# along the vehicle, metres: searched behind the rough edge; where the vehicle's grey is read
+BEHIND_M = 0.30
 GREY_M = (0.012, 0.040)
 # of what is searched before the edge, the outermost share shows the road as bright as it is now, by the rows
 # that are not dark: brighter than a share of the road's median
@@ -29,14 +25,6 @@ ROAD_SHARE, DARK_SHARE = 0.2, 0.15
 # lamps flicker: over this share of the lines searched before the edge the light is followed, and a band must
 # differ by more than so many of its usual changes
 LIGHT_SHARE, LIGHT_TIMES = 0.6, 4.0
-# bands on either side of the foremost one through which the parabola goes: some 14 cm of a bumper; and those
-# through which an upright line goes as long as it stays within so many of its standard uncertainties
-REACH = 3
-FLAT_REACHES, STAYS = (5, 8, 12, 18), 1.5
-# An outline is no parabola: at its foremost point it is off by a share of what the parabola falls back within
-# one band. And of the bands about it, one that shows no clear edge, or one that strays, may have been the
-# foremost: by how much it hides grows as the square of their number, as a parabola falls back. Metres.
-FALL_SHARE, HIDDEN_M = 0.15, 0.0003
 # what is left of a flat edge of one grey
 FLAT_M = 0.0001
 # Both cameras see one end's shape and greys, each with its own noise, road and lines: correlation of both
@@ -45,7 +33,6 @@ SAME_END = 0.58
 # above this noise of a pixel, means along the vehicle are twice as long
 NOISY_DN = 4.5
 SOFT_M = 0.006
-CLEAR_SHARE = 0.4
 # a band's edge is there, and clear, where the greys differ by so many standard deviations of the noise, and
 # no less than these shares of the road's grey
 SIGMAS, LEAST_SHARE, CLEAR_GREY_SHARE = 5.0, 0.02, 0.03
@@ -60,29 +47,14 @@ NEAR_M, FAR_M, SOFT_EDGE_M = (0.010, 0.020), (0.028, 0.040), 0.010
 # What differs from the road lies at most so far before its half-way edge, metres, by optics alone. What lies
 # farther before it (by noise, up to TOLD_M), or is brighter where the vehicle is darker, may be the vehicle's
 # own edge or a shadow.
-AHEAD_M, TOLD_M = 0.008, 0.011
-# of seven bands as many change independently of each other
-OWN_BANDS = 3.0
-CAUCHY, ROBUST_ROUNDS = 2.385, 6
+AHEAD_M = 0.008
+# An edge too faint to be clear is looked for in means over so many times the lines. The half-way rule puts an
+# edge in means over a length off by half of it times the error of the grey behind: a half, for what covers so
+# much of a vehicle is seldom of one grey.
+FAINT_TIMES, FAINT_SHARE = 4.0, 4.0
 # what interpolating half the grey between two lines leaves of an edge that fell into a line of full exposure:
 # with a share f of that line covered it is off by (0.5 - f) f / (1 - f) lines; root mean square over f
 U_LINE_LINES = 0.06
-# standard uncertainty of a doubtful boundary: the rms error of 50 such ones of 1008 simulated vehicles, most
-# of them bumpers of the road's own grey at 8 DN and 30 m/s or more, which hide up to 110 mm
-DOUBT_M = 0.025
-
-
-@dataclass(frozen=True)
-class Edge:
-    """One boundary: its line, None where the bands show none; doubtful where few bands near it are clear.
-
-    `u_lines`: standard uncertainty by the scatter of the bands about the outline, by what too few of them may
-    hide and its shape leaves, and by greys that change behind the edge, 0 where there is no line.
-    """
-
-    line: float | None
-    doubtful: bool = True
-    u_lines: float = 0.0
 
 
 def refined(passage: Passage, rig: Rig) -> tuple[Crossings, float]:
@@ -140,9 +112,13 @@ def edge_near(
     smooth = _box(differs, soft)
     sigma = 1.15 * noise_dn / np.sqrt(height * soft)
     least = np.maximum((LEAST_SHARE, CLEAR_GREY_SHARE), LIGHT_TIMES * unrest) * float(np.median(lit))
-    edges, u, ahead, clear = _band_edges(smooth, sigma, (float(least[0]), float(least[1])), lines_per_m)
+    limits = float(least[0]), float(least[1])
+    long = round(FAINT_TIMES * soft) // 2 * 2 + 1
+    faint = _band_edges(_box(differs, long), sigma * sqrt(soft / long), limits, lines_per_m, long)
+    edges, u, ahead, clear = _with_faint(_band_edges(smooth, sigma, limits, lines_per_m), faint, long)
     uneven = _uneven(smooth, edges, lines_per_m)
-    found = _foremost(edges, np.hypot(u, BUMPY_M * lines_per_m), uneven, ahead, clear, lines_per_m)
+    bands = Bands(edges, np.hypot(u, BUMPY_M * lines_per_m), uneven, ahead, clear)
+    found = foremost(bands, Seen(differs, 1.15 * noise_dn / sqrt(height), limits[0] / 2, lines_per_m))
     if found.line is None:
         return found
     return Edge(hi - 1 - found.line if rear else lo + found.line, found.doubtful, found.u_lines)
@@ -183,9 +159,27 @@ def _box(values: Array, size: int) -> Array:
     return np.asarray((sums[size:] - sums[:-size]) / size)
 
 
+_Edges = tuple[Array, Array, Array, NDArray[np.bool_]]
+
+
+def _with_faint(seen: _Edges, faint: _Edges, long: int) -> _Edges:
+    """Edges as `_band_edges` tells them, the faint ones in the place of those that are not clear, or that lie
+    behind them by more than `long` lines: what differs so little shows only over that many lines together.
+    """
+    edges, u, ahead, clear = seen
+    use = faint[3] & (faint[0] < edges + np.where(clear, -long, long))
+    u_faint = np.hypot(faint[1], long / FAINT_SHARE)
+    return (
+        np.where(use, faint[0], edges),
+        np.where(use, u_faint, u),
+        np.where(use, 0.0, ahead),
+        clear | use,
+    )
+
+
 def _band_edges(
-    smooth: Array, sigma: float, least: tuple[float, float], lines_per_m: float
-) -> tuple[Array, Array, Array, NDArray[np.bool_]]:
+    smooth: Array, sigma: float, least: tuple[float, float], lines_per_m: float, long: int = 0
+) -> _Edges:
     """(bands,) line at which each band is half the way to the vehicle's grey, u of that line by noise, lines
     before it in which something else differs from the road, and whether it is clear. `least`: grey values by
     which something, and something clear, differs from the road.
@@ -195,7 +189,7 @@ def _band_edges(
     limit = max(SIGMAS * sigma, least[0])
     beyond = np.abs(smooth) > limit
     start = beyond.argmax(0)
-    near, far = (max(1, round(part * lines_per_m)) for part in GREY_M)
+    near, far = (max(1, round(part * lines_per_m)) + long // 2 for part in GREY_M)
     places = np.minimum(start + np.arange(near, max(far, near + 1) + 1)[:, None], count - 1)
     level = np.median(smooth[places, every], axis=0)
     rising = smooth * np.sign(level)
@@ -210,18 +204,11 @@ def _band_edges(
     steady = np.abs(level) > max(SIGMAS * sigma, least[1])
     inside = beyond.any(0) & below.any(0) & (last > 0) & (start + near < count)
     # of the level, half of whose noise comes on top, and of the line itself
-    steep = np.maximum(np.maximum(y1 - y0, np.abs(level) / max(EDGE_M * lines_per_m, 1.5)), 1e-9)
+    steep = np.maximum(np.maximum(y1 - y0, np.abs(level) / max(EDGE_M * lines_per_m, 1.5, long)), 1e-9)
     lead = last + part - start
     turns = smooth[start, every] * level < 0
     ahead = np.where(turns, lead, (lead - AHEAD_M * lines_per_m) * (lead > TOLD_M * lines_per_m)) * inside
     return last + part, 1.2 * sigma / steep, ahead, steady & inside
-
-
-def _of_three(values: Array) -> Array:
-    """The median of each value and its two neighbours; at the ends the mean of both that are there."""
-    before, here, after = values[:-2], values[1:-1], values[2:]
-    inner = np.maximum(np.minimum(before, here), np.minimum(np.maximum(before, here), after))
-    return np.concatenate([[values[:2].mean()], inner, [values[-2:].mean()]])
 
 
 def _uneven(smooth: Array, edges: Array, lines_per_m: float) -> Array:
@@ -237,99 +224,3 @@ def _uneven(smooth: Array, edges: Array, lines_per_m: float) -> Array:
     change = (far - near) * (sum(NEAR_M) + sum(FAR_M)) / 2 / (sum(FAR_M) - sum(NEAR_M))
     level = np.maximum(np.abs(near + far) / 2, 1e-6)
     return np.minimum(SOFT_EDGE_M * np.abs(change) / level / 2, BEFORE_M / 10) * lines_per_m
-
-
-def _foremost(
-    edges: Array, u: Array, uneven: Array, ahead: Array, clear: NDArray[np.bool_], lines_per_m: float
-) -> Edge:
-    """The smallest line of the outline through the edges around the foremost bands, all (bands,)."""
-    bands = np.flatnonzero(clear)
-    if len(bands) < 3:
-        return Edge(None)
-    # a single band that is ahead of all others is noise, so the foremost three decide where to look
-    smooth = _of_three(edges[bands])
-    middle = bands[int(smooth[1:-1].argmin()) + 1]
-    near = bands[np.abs(bands - middle) <= REACH]
-    if len(near) < 3:
-        return Edge(float(smooth.min()))
-    away = np.abs(edges[near] - np.median(edges[near]))
-    kept = near[away <= 3 * np.maximum(max(robust_scale(away), 0.7), u[near])]
-    if len(kept) < 4:
-        return Edge(float(np.median(edges[near])))
-    doubtful = float(np.mean(clear[max(middle - 2 * REACH, 0) : middle + 2 * REACH + 1])) < CLEAR_SHARE
-    end = _end_of(kept - middle, edges[kept], u[kept], uneven[kept])
-    hidden = HIDDEN_M * lines_per_m * (2 * REACH + 1 - len(kept)) ** 2
-    other = float(np.max(ahead[kept[np.abs(kept - middle) <= 1]], initial=0.0)) / 2
-    line, u_lines = end.line, hypot(end.u_lines, hidden, other)
-    for reach in FLAT_REACHES if end.flat else ():
-        near = bands[np.abs(bands - middle) <= reach]
-        wider = _end_of(near - middle, edges[near], u[near], uneven[near])
-        if not wider.flat or abs(wider.line - end.line) > STAYS * end.u_lines:
-            break
-        end, line, u_lines = wider, wider.line, hypot(wider.u_lines, other)
-    return Edge(line, doubtful, u_lines)
-
-
-@dataclass(frozen=True)
-class _End:
-    """The foremost line of an outline, its u but for what is hidden, and whether the outline is flat."""
-
-    line: float
-    u_lines: float
-    flat: bool
-
-
-def _end_of(x: NDArray[np.intp], y: Array, s: Array, uneven: Array) -> _End:
-    """The foremost line of a parabola, or of an upright line if that is enough, through the edges `y` (n,) of
-    bands `x` (n,), of standard deviations `s` (n,) by noise and `uneven` (n,) by greys.
-    """
-    place = x.astype(float)
-    c, normal, wider = _weighted_fit(place, y, s, 2)
-    flat = _weighted_fit(place, y, s, 0)
-    spread = max(1.0, robust_scale(_misses(place, y, s, c)) * sqrt(len(y) / max(len(y) - 3, 1)))
-    costs = [
-        CAUCHY**2 * float(np.log1p((_misses(place, y, s, one) / (CAUCHY * spread)) ** 2).sum())
-        for one in (flat[0], c)
-    ]
-    # a parabola must gain what its two more coefficients cost (Schwarz 1978)
-    is_flat = costs[0] < costs[1] + 2 * log(len(y))
-    at = 0.0
-    if is_flat:
-        c, normal, wider = flat
-    elif c[2] > 1e-6:
-        at = float(np.clip(-c[1] / (2 * c[2]), place.min(), place.max()))
-    else:
-        c, normal, wider = _weighted_fit(place, y, s, 1)
-        at = float(place.min() if c[1] > 0 else place.max())
-    gradient = at ** np.arange(len(c))
-    by_noise = wider * float(gradient @ np.linalg.solve(normal, gradient))
-    # as many of them change independently of each other
-    own = OWN_BANDS * len(y) / (2 * REACH + 1)
-    by_grey = float(np.average(uneven**2, weights=s**-2)) / own
-    by_shape = FALL_SHARE * float(c[2]) if len(c) == 3 else 0.0
-    return _End(float(gradient @ c), sqrt(by_noise + by_grey + by_shape**2), is_flat)
-
-
-def _misses(x: Array, y: Array, s: Array, c: Array) -> Array:
-    """(n,) by how many of its standard deviations each edge lies off the polynomial `c`, from x^0 up."""
-    return np.asarray((y - np.vander(x, len(c), increasing=True) @ c) / s)
-
-
-def _weighted_fit(x: Array, y: Array, s: Array, degree: int) -> tuple[Array, Array, float]:
-    """Coefficients from x^0 up of a polynomial through `y` (n,) of standard deviations `s`, its normal
-    matrix, and by how much its variances are too small.
-
-    Bands in which a lamp or a gap has the road's grey lie far off: their weights fall as
-    1 / (1 + t^2). Bands that stray by more than their noise say how well the polynomial fits.
-    """
-    powers, sure = np.vander(x, degree + 1, increasing=True), s
-    for _ in range(ROBUST_ROUNDS):
-        design = powers / sure[:, None]
-        c = np.linalg.lstsq(design, y / sure, rcond=1e-10)[0]
-        misses = (y - powers @ c) / s
-        scale = max(1.0, robust_scale(misses))
-        sure = s * np.sqrt(1 + (misses / (CAUCHY * scale)) ** 2)
-    design = powers / sure[:, None]
-    left = (y - powers @ c) / sure
-    wider = max(1.0, float(left @ left) / max(len(x) - degree - 1, 1))
-    return np.asarray(c, np.float64), design.T @ design, wider

@@ -58,11 +58,14 @@ def slopes_of(
     """
     size = np.sqrt(np.maximum((fit.look.jacobian**2 * fit.weight[:, None]).sum(axis=0), 1e-12))
     step = np.minimum(STEPS * fit.scale_dn / size, most_step(fit.state))
+    # most looks share the fit's own shift
+    moved = dict[float, Sheet]()
 
     def at(by: Array) -> Array:
         state = stepped(fit.state, by)
-        moved = shifted(second, state.shift)
-        every = scores(first, moved, points, clock, state, fit, block, cell)
+        if state.shift not in moved:
+            moved[state.shift] = shifted(second, state.shift)
+        every = scores(first, moved[state.shift], points, clock, state, fit, block, cell)
         return np.asarray(every[:, :free] * step[:free])
 
     steps = np.diag(step)[:free]

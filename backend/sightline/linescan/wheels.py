@@ -148,21 +148,17 @@ def _likeness(laid: Array, along: float, upwards: float) -> Array:
     weight, ring, spread = _ring(along, upwards)
     if weight.shape[0] > laid.shape[0] or weight.shape[1] > laid.shape[1]:
         return np.zeros((0, 0), np.float32)
-    half_y, half_x = weight.shape[0] // 2, weight.shape[1] // 2
-    low = laid.shape[0] // 2
-    bordered = cv2.copyMakeBorder(laid[low:], 0, half_y, half_x, half_x, cv2.BORDER_REPLICATE)
-    part = np.asarray(bordered, np.float32)
+    part = laid[laid.shape[0] // 2 :]
 
     def correlated(image: Array, kernel: Array) -> Array:
         return np.asarray(
             cv2.filter2D(image, cv2.CV_32F, kernel, borderType=cv2.BORDER_REPLICATE), np.float32
         )
 
-    mean = correlated(part, weight)
-    square = correlated(part * part, weight)
+    mean, square = cv2.split(correlated(cv2.merge([part, part * part]), weight))
     found = correlated(part, ring)
     deviation = np.sqrt(np.maximum(square - mean * mean, 4.0))
-    out = np.asarray((found / (spread * deviation))[: laid.shape[0] - low, half_x:-half_x], np.float32)
+    out = np.asarray(found / (spread * deviation), np.float32)
     # no wheel stands out beyond a bumper
     within = max(1, int(WITHIN * along))
     out[:, :within] = out[:, -within:] = -1.0
