@@ -440,7 +440,7 @@ def test_each_part_of_a_budget_that_has_words_is_one_of_code() -> None:
     keys = {key for key in known() if key.startswith("budget-of-")}
     assert len(keys) > 20
     assert keys <= {"budget-of-" + re.sub("[^a-z]+", "-", text) for text in templates()}
-    assert messages.name_of("budget-of", "click, target", "fr") == "pointé, cible"
+    assert messages.name_of("budget-of", "click, target", "fr") == "Pointé de la cible"
     assert messages.name_of("budget-of", "width 0.6", "fr") == "width 0.6"
 
 

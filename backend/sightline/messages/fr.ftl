@@ -400,7 +400,7 @@ address-elsewhere = { $what ->
 
 loading = Chargement : { $what }…
 job-queued = En attente
-job-working = En cours
+job-named = { $job } : { $words }
 undo-step = Annuler : { $step }
 undo-nothing = Rien à annuler
 redo-step = Rétablir : { $step }
@@ -632,32 +632,32 @@ figure-standard = { $standards } { $height } { $unit }
 
 ## Véhicules : bilan, historique, catalogue, passages
 
-budget-of-click-target = pointé, cible
-budget-of-click-contact = pointé, contact
-budget-of-clicks = pointés
-budget-of-inset = retrait
-budget-of-lens-and-pose = objectif et pose
-budget-of-board-lean = inclinaison de la mire
-budget-of-board-roll = roulis de la mire
-budget-of-board-height = hauteur de la mire
-budget-of-square-size = côté d’une case
-budget-of-board-bow = flèche de la mire
-budget-of-heading = cap
-budget-of-row-time = durée d’une ligne
-budget-of-confirmed-points = points confirmés
-budget-of-drift = dérive
-budget-of-baseline = base
-budget-of-clock = horloge
-budget-of-misalignment = désalignement
-budget-of-fit = ajustement
-budget-of-boundaries = bornes
-budget-of-regression = régression
-budget-of-following = suivi
-budget-of-frame-times = instants des images
-budget-of-depth-of-what-is-followed = profondeur du point suivi
-budget-of-seen-from-another-side = vu sous un autre angle
-budget-of-front-and-rear = avant et arrière
-budget-of-pose-of-the-line-camera = pose de la caméra linéaire
+budget-of-click-target = Pointé de la cible
+budget-of-click-contact = Pointé du contact du pneu
+budget-of-clicks = Pointés
+budget-of-inset = Retrait
+budget-of-lens-and-pose = Objectif et pose de la caméra
+budget-of-board-lean = Inclinaison de la mire
+budget-of-board-roll = Roulis de la mire
+budget-of-board-height = Hauteur de la mire
+budget-of-square-size = Côté d’une case de la mire
+budget-of-board-bow = Planéité de la mire
+budget-of-heading = Cap du véhicule
+budget-of-row-time = Temps de lecture d’une ligne
+budget-of-confirmed-points = Points confirmés
+budget-of-drift = Dérive des points suivis
+budget-of-baseline = Base
+budget-of-clock = Horloge
+budget-of-misalignment = Désalignement des caméras
+budget-of-fit = Ajustement
+budget-of-boundaries = Bornes
+budget-of-regression = Régression
+budget-of-following = Suivi
+budget-of-frame-times = Instants des images
+budget-of-depth-of-what-is-followed = Profondeur du point suivi
+budget-of-seen-from-another-side = Changement d’angle de vue
+budget-of-front-and-rear = Avant et arrière
+budget-of-pose-of-the-line-camera = Pose de la caméra linéaire
 budget-title = Bilan d’incertitude
 budget-note = incertitude-type
 budget-together = Composée
@@ -970,9 +970,9 @@ pose-square = Case
 pose-corners-hint = Les coins intérieurs sont là où quatre cases se touchent : une mire de 10 sur 7 cases en a 9 sur 6.
 pose-charuco-hint = Une pose de la caméra exige que la mire soit visible en entier.
 pose-still = Images à mire immobile
-pose-begins = Première ici
+pose-begins = Début ici
 pose-begins-title = La première image
-pose-ends = Dernière ici
+pose-ends = Fin ici
 pose-ends-title = La dernière image
 pose-span-offer = La mire est immobile de l’image { $first_frame } à { $last_frame }.
 pose-span-take = Utiliser ces images
@@ -1857,9 +1857,9 @@ measure-span = Images du passage
 measure-span-first = Première
 measure-span-best = Meilleure
 measure-span-last = Dernière
-measure-span-first-here = Première ici
-measure-span-best-here = Meilleure ici
-measure-span-last-here = Dernière ici
+measure-span-first-here = Début ici
+measure-span-best-here = Choisir
+measure-span-last-here = Fin ici
 measure-span-elsewhere = Un autre enregistrement est ouvert.
 measure-span-frame-problem = Saisissez un numéro d’image.
 measure-span-order = { $first_frame } est après { $last_frame }.
@@ -3007,6 +3007,23 @@ motion-counted = { $vehicles ->
     [one] { $scans } balayage
    *[other] { $scans } balayages
 }.
+motion-counted-of = { $vehicles } { $all ->
+    [one] véhicule sur { $all }
+   *[other] véhicules sur { $all }
+} dans { $scans ->
+    [one] { $scans } balayage
+   *[other] { $scans } balayages
+} ; { $left }.
+motion-left-to_review = { $count } à vérifier
+motion-counter-braking = freinage
+motion-left-rejected = { $count ->
+    [one] { $count } rejeté
+   *[other] { $count } rejetés
+}
+motion-left-not_measurable = { $count ->
+    [one] { $count } n’est pas mesurable
+   *[other] { $count } ne sont pas mesurables
+}
 motion-heights-target = Cible
 motion-heights-mean = Moyenne
 motion-heights-sd = Écart-type
@@ -3275,7 +3292,7 @@ stat-density-needs = Une densité demande au moins { $least } véhicules ; { s
 stat-values-alike = Toutes les valeurs sont égales ; une densité demande des valeurs différentes.
 stat-no-reference = aucune hauteur retenue de ce groupe n’a de hauteur de référence
 stat-none-of-class = aucune hauteur validée de sa classe
-stat-vehicles-give = { $vehicles } véhicules donnent au centile { $percent } un intervalle à 95 % d’environ { SMALL($width_m, digits: 0) }, pour des hauteurs de loi normale et d’écart-type { SMALL($sd_m, digits: 0) }.
+stat-vehicles-give = { NUMBER($vehicles) } véhicules donnent au centile { $percent } un intervalle à 95 % d’environ { SMALL($width_m, digits: 0) }, pour des hauteurs de loi normale et d’écart-type { SMALL($sd_m, digits: 0) }.
 stat-heights-needed = demande { $needed } hauteurs ; { stat-there-are }
 stat-sites = les écarts entre { $sites } sites
 stat-shared-errors = les erreurs communes aux hauteurs
@@ -3543,11 +3560,11 @@ statistics-standard-of-vehicle = véhicule
 statistics-standard-percentile = P{ $percent }
 statistics-standard-rule = P{ $percent } de { $group }
 statistics-standard-edition = { $source }, { $edition }
-statistics-standard-cited = cité d’après : { $by }
+statistics-standard-cited = Valeur citée d’après { $by } ; le texte lui-même n’a pas été consulté. À vérifier avant emploi.
 statistics-standard-edition-field = Édition
 statistics-standard-year = Année
 statistics-standard-class = Classe du centile
-statistics-standard-cited-by = Cité d’après
+statistics-standard-cited-by = Citée d’après
 statistics-standard-drawn-yes = oui
 statistics-standard-drawn-no = non
 statistics-standards-rule = Règle
@@ -3674,7 +3691,7 @@ planning-planned-height = Hauteur prévue
 planning-inset = Retrait
 planning-two-frames = U95, deux images
 planning-inset-ignored = Biais si le retrait est ignoré
-planning-targets-note = Les hauteurs et retraits sont des estimations ; les retraits du relevé sont utilisés. Deux images : le véhicule a parcouru { $travel } entre les deux, et le retrait est calculé au lieu d’être supposé.
+planning-targets-note = Les hauteurs sont des valeurs courantes ; les retraits sont ceux du relevé. Deux images : le véhicule a parcouru { $travel } entre les deux, et le retrait est calculé au lieu d’être supposé.
 planning-parts-title = Bilan d’incertitude, une image
 planning-parts-label = Bilan d’incertitude
 planning-parts-source = Source
@@ -3803,7 +3820,7 @@ planning-forms-note = n = b f / s : les lignes de la caméra 1 à la caméra 2,
 survey-loading = relevé
 survey-demonstration = démonstration
 survey-edit = Modifier
-settings-lead = Paramètres de ce relevé.
+settings-lead = Site, trafic, cibles, échantillon, classes, normes et membres de ce relevé.
 settings-site = Site, trafic, cibles et retraits
 settings-traffic-unsaid = Le trafic n’est pas encore décrit.
 settings-inset = { $inset } (u = { $u })
@@ -4188,7 +4205,7 @@ surveys-card-with-site = { $site } · <made>{ $recordings ->
 } · { $day }</made>
 surveys-vehicles-measured = Véhicules mesurés
 surveys-heights-reviewed = Hauteurs vérifiées
-surveys-scans-reviewed = Balayages vérifiés
+surveys-scans-reviewed = Véhicules de balayages vérifiés
 surveys-scans = Balayages : { $summary }
 surveys-simulated = { $count ->
     [one] Étude simulée : 1 relevé
@@ -4478,7 +4495,7 @@ audit-subject-target = véhicule { $vehicle }, { $target ->
     [headlight] projecteur
    *[other] autre
 }
-audit-subject-verdict = { $verdict } : { $subject }
+audit-subject-verdict = { $subject } : { $verdict }
 audit-subject-named = { $entity } « { $name } »
 audit-person = Personne
 audit-person-all = Toutes
@@ -5741,9 +5758,9 @@ measurements-discard-measured = Le véhicule { $number } est mesuré et ne peut 
 measurements-sample-differs = vehicles.csv : l’appartenance du véhicule { $id } à l’échantillon, ou à ce qui compte, n’est pas ce que donnent sampling.csv et les passages ; il a été modifié.
 measurements-invisible-measured = { $target } : mesuré sur ce véhicule, donc visible ; retirez d’abord la mesure.
 measurements-already-measured = { $name } a déjà mesuré cette cible du véhicule ; gardez l’une des deux.
-lots-lead = Les hauteurs peuvent être vérifiées par lots : un échantillon de chaque lot est vérifié, puis le lot est accepté ou contrôlé en entier. Le plan indique le risque de décision erronée dans chaque sens.
+lots-lead = Les mesures peuvent être vérifiées par lots : un échantillon de chaque lot est vérifié, puis le lot est accepté ou contrôlé en entier. Le plan indique le risque de décision erronée dans chaque sens. Les hauteurs des balayages se vérifient dans la file.
 lots-loading = lots
-lots-summary = Validées par décision individuelle : { $individual } ; par l’échantillon de leur lot : { $by_lot }.
+lots-summary = Mesures validées : { $individual } individuellement, { $by_lot } par l’échantillon de leur lot.
 lots-outgoing = { $count ->
     [one] Sur { $count } non vérifiée individuellement, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
    *[other] Sur les { $count } non vérifiées individuellement, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
@@ -5918,9 +5935,9 @@ sight-case-standard = la norme
 sight-case-survey = le relevé
 sight-case-mix = l’autre parc
 sight-sentence = Résultat
-sight-missing = Aucune hauteur de cette cible ne correspond au filtre : { $targets }. Mesurez et validez-en, ou affichez tous les états.
+sight-missing = Aucune hauteur ne correspond au filtre pour : { $targets }. Mesurez et validez-en, ou affichez tous les états.
 sight-too-few = Trop peu de hauteurs pour le centile : { $targets }.
-sight-too-few-of = { $target }, { $reason }
+sight-too-few-of = { $target } ({ $reason })
 sight-read-class = de la classe que nomme chaque règle
 sight-read-all = de tous les véhicules retenus
 sight-verdict-alike = { $case ->
@@ -6949,7 +6966,7 @@ rig-baseline-off = D’après { $count } { $of ->
 rig-baseline-agrees = { $count } { $of ->
     [length] longueurs
    *[wheelbase] empattements
- } de véhicules connus s’accordent avec la base saisie à { NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % (U95).
+ } de véhicules connus concordent avec la base saisie (U95 = { NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %).
 scan-flow-no-speed = Aucun véhicule n’a ici de vitesse validée.
 scan-flow-no-u-occupancy = L’incertitude du taux d’occupation n’est pas connue : { $count } des véhicules n’ont pas de mouvement.
 stream-lines-lost = { $count } lignes de la caméra { $camera } ont été perdues et remplacées par des copies ; les véhicules passés pendant ce temps ne sont pas mesurés.
@@ -7308,16 +7325,16 @@ standard-class-fitzpatrick_vehicle = voitures particulières
 standard-class-uk_eye_car = conducteurs
 standard-class-uk_eye_truck = grands poids lourds, valeur typique
 standard-class-france_eye_car = voitures particulières de l’étude de Fambro et al. 1997
-standard-class-france_object_stopping = bord inférieur des feux arrière, gare de péage près de Paris
+standard-class-france_object_stopping = feux arrière, bord inférieur, à une gare de péage près de Paris
 standard-class-australia_eye_truck = camions
 standard-class-australia_object_stopping = feux arrière de voitures
 standard-class-germany_eye_truck = camions
-standard-source-usa_eye_car = A Policy on Geometric Design of Highways and Streets, d’après Fitzpatrick, Lienau et Fambro, Transportation Research Record 1612, 1998
-standard-source-usa_object_stopping = A Policy on Geometric Design of Highways and Streets, d’après Fitzpatrick, Lienau et Fambro, Transportation Research Record 1612, 1998
+standard-source-usa_eye_car = A Policy on Geometric Design of Highways and Streets (d’après Fitzpatrick, Lienau et Fambro, Transportation Research Record 1612, 1998)
+standard-source-usa_object_stopping = A Policy on Geometric Design of Highways and Streets (d’après Fitzpatrick, Lienau et Fambro, Transportation Research Record 1612, 1998)
 standard-source-usa_headlight = angles rentrants ; Fitzpatrick, Lienau et Fambro, Transportation Research Record 1612, 1998
 standard-source-fitzpatrick_vehicle = Fitzpatrick, Lienau et Fambro, Transportation Research Record 1612, 1998
 standard-source-usa_1965_eye_car = le guide AASHTO de l’époque
-standard-source-usa_1920_eye_car = premières propositions ; 1676 mm d’après Fitzpatrick et al.
+standard-source-usa_1920_eye_car = premières propositions (1676 mm dans Fitzpatrick et al.)
 standard-source-uk_eye_car = Design Manual for Roads and Bridges, TD 9/93 (auj. CD 109)
 standard-source-uk_eye_truck = Design Manual for Roads and Bridges, TD 9/93 (auj. CD 109)
 standard-source-uk_object_low = Design Manual for Roads and Bridges, TD 9/93 (auj. CD 109) ; Dupuis et al. impriment 0,25 m
@@ -7333,16 +7350,16 @@ standard-source-israel_object_low = directives nationales
 standard-source-own = saisie sur la page
 standard-cited-usa_eye_car = Dupuis et al., Sensors 2019 ; le centile d’après le résumé de Fitzpatrick et al.
 standard-cited-usa_object_stopping = Dupuis et al., Sensors 2019 ; le centile d’après le résumé de Fitzpatrick et al.
-standard-cited-usa_eye_truck = aucun texte consulté ; à contrôler avant usage
+standard-cited-usa_eye_truck = une source non consignée
 standard-cited-usa_headlight = le résumé de Fitzpatrick et al., qui le recommandent
 standard-cited-fitzpatrick_vehicle = le résumé de Fitzpatrick et al.
 standard-cited-uk_eye_car = Rogers, Highway Engineering, 2003 : plus de 95 % des yeux des conducteurs sont plus hauts
-standard-cited-australia_eye_car = aucun texte consulté ; à contrôler avant usage
+standard-cited-australia_eye_car = une source non consignée
 standard-cited-australia_1991_eye_car = le résumé de Barker et Yue, Australian Road Research 21(2), 1991
-standard-cited-germany_eye_car = aucun texte consulté ; à contrôler avant usage
-standard-cited-germany_eye_truck = aucun texte consulté ; à contrôler avant usage
-standard-cited-israel_eye_car = aucun texte consulté ; à contrôler avant usage
-standard-cited-israel_object_low = aucun texte consulté ; à contrôler avant usage
+standard-cited-germany_eye_car = une source non consignée
+standard-cited-germany_eye_truck = une source non consignée
+standard-cited-israel_eye_car = une source non consignée
+standard-cited-israel_object_low = une source non consignée
 inset-note-roof = bord proche du toit ; 0,85 m (u = 0,10 m) pour son sommet (estimation)
 inset-note-roof_van = bord proche du toit (estimation)
 inset-note-roof_box = caisse à parois verticales (estimation)
@@ -7788,7 +7805,7 @@ report-below = Au-dessous
 report-share = Part
 report-not-corrected-why = Non corrigées : { $reason }
 report-percentile-of = P{ $percent }, { $of }
-report-cited-by = cité d’après : { $who }
+report-cited-by = citée d’après { $who }, texte non consulté
 report-lateral = Positions latérales
 report-lateral-words = Distance du contact du pneu à la caméra, mesurée en travers de la route : une valeur par véhicule, la médiane de ses contacts. Une voie regroupe les véhicules qui vont dans le même sens sur l’image.
 report-lateral-table = Positions latérales par voie et par classe.
