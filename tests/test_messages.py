@@ -430,7 +430,7 @@ SAID_ANEW = {
 
 
 def test_the_words_of_the_program_s_standards_and_insets_stand_in_the_catalogue() -> None:
-    """Each key is a standard's or an inset's and says its English, or better than stored; titles need none."""
+    """Each key is a standard's or an inset's and says its English, or better; titles have none."""
     kinds = ("name", "class", "source", "cited")
     words = {
         f"standard-{kind}-{one.code}": word
