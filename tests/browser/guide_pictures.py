@@ -33,8 +33,11 @@ PICTURES = {
     "study": "study",
     "scan": "scan",
 }
-#: Screens that are not among those, in their place.
-OWN = {"study": ("/study?id={study}", "[data-testid=figure-study-driver_eye] svg")}
+#: Screens that are not among those, or of which more is waited for, in their place.
+OWN = {
+    "study": ("/study?id={study}", "[data-testid=figure-study-driver_eye] svg"),
+    "pose": (SCREENS["pose"][0], "[data-testid=found-board]"),
+}
 #: What is brought to the top of the picture first.
 SCROLLED_TO = {"statistics": "[data-testid=target-driver_eye]"}
 WIDTH_PX, HEIGHT_PX = 1280, 800
