@@ -33,8 +33,13 @@ PICTURES = {
     "study": "study",
     "scan": "scan",
 }
-#: Screens that are not among those, in their place.
-OWN = {"study": ("/study?id={study}", "[data-testid=figure-study-driver_eye] svg")}
+#: Screens that are not among those, or of which more is waited for, in their place.
+OWN = {
+    "study": ("/study?id={study}", "[data-testid=figure-study-driver_eye] svg"),
+    "pose": (SCREENS["pose"][0], "[data-testid=found-board]"),
+}
+#: What is pressed first: a measurement whose points are shown, not one that is clicked blind.
+PRESSED = {"review": ".review__row:has-text('±')"}
 #: What is brought to the top of the picture first.
 SCROLLED_TO = {"statistics": "[data-testid=target-driver_eye]"}
 WIDTH_PX, HEIGHT_PX = 1280, 800
@@ -113,6 +118,9 @@ def take(page: Page, places: dict[str, int], folder: Path) -> None:
         page.goto(address.format(**places))
         page.locator(sign).first.wait_for()
         settle(page)
+        if name in PRESSED:
+            page.locator(PRESSED[name]).first.click()
+            settle(page)
         if name in SCROLLED_TO:
             page.locator(SCROLLED_TO[name]).evaluate("one => one.scrollIntoView()")
         page.wait_for_timeout(1000)

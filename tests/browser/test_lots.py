@@ -53,7 +53,7 @@ def test_a_lot_from_its_draw_to_its_decision(browser: Browser, server: Server, s
     words = page.get_by_test_id("lot-words")
     expect(words).to_contain_text(f"{size - sample} heights accepted with it")
     expect(page.get_by_test_id("lots-summary")).to_contain_text(
-        f"individually: {sample}; by the sample of their lot: {size - sample}"
+        f"Accepted measurements: {sample} individually, {size - sample} by the sample of their lot."
     )
     lot.get_by_role("img").first.scroll_into_view_if_needed()
     page.screenshot(path=screenshots / "lots-accepted.png", full_page=True)

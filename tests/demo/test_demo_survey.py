@@ -171,7 +171,7 @@ def check_scan(admin: Client, survey_id: int) -> None:
     (scan,) = admin.seen(f"/surveys/{survey_id}/scans")
     assert (scan["state"], scan["counts"]["accepted"], scan["counts"]["rejected"]) == ("ready", 7, 1)
     found = admin.seen(f"/scans/{scan['id']}/vehicles")
-    assert f"{len(found)} vehicles more" in admin.seen(f"/surveys/{survey_id}")["description"]
+    assert f"{len(found)} more vehicles" in admin.seen(f"/surveys/{survey_id}")["description"]
     for n, (one, car) in enumerate(zip(found, SCAN_VEHICLES, strict=True)):
         motion = one["measurement"]
         assert motion["speed_mps"] == pytest.approx(car.speed_mps, rel=0.002) or n == scan_demo.SLIPPED

@@ -75,7 +75,8 @@ def test_figures_report_and_page_are_in_the_language_of_who_asked(
         assert checked.ok and checked.drawings > 1, checked.problem
     assert (told_by_page(french)["language"], told_by_page(english)["language"]) == ("fr", "en")
     in_french = told_by_page(french)["said"]["fr"]
-    assert in_french["click, target"] == "pointé, cible"
+    assert in_french["click, target"] == "Pointé de la cible"
+    assert told_by_page(french)["said"]["en"]["click, target"] == "Click on the target"
     assert in_french["It has not been reviewed yet."] == "Elle n’est pas encore vérifiée."
     assert told_by_page(english)["said"] == told_by_page(french)["said"]
     same = {path.name: path.read_bytes() for path in english.glob("statistics/*.csv")}

@@ -321,7 +321,9 @@ def test_standards_of_before_codes_get_them_by_their_words() -> None:
 
 def test_the_words_of_the_program_s_standards_are_said_in_each_language() -> None:
     french = {one.code: in_language(one, "fr") for one in USUAL}
-    assert all(in_language(one, "en") is one for one in USUAL) and None not in french
+    english = {one.code: in_language(one, "en") for one in USUAL}
+    assert all(english[one.code].name == one.name for one in USUAL) and None not in french
+    assert english["germany_eye_car"].cited_by == "an unrecorded source"  # better than it is stored
     assert french["uk_object_low"].name == "Royaume-Uni, bas"
     assert french["germany_eye_car"].source == "RAL (auparavant RAS-L)"
     written = replace(USUAL[9], code=None)

@@ -45,10 +45,10 @@ from sightline.vehicles.store import create_vehicle
 NAME = "Demonstration: Corvane Road"
 SITE = "an invented road, two lanes"
 DESCRIPTION = (
-    "Rendered from a known scene, so that the truth is known: 9 vehicles in daylight and 7 in low light, "
-    "of invented makes. 14 are measured, most of them accepted; the others are there to try with. A "
-    "line-scan recording has 9 vehicles more, with speed, length and gaps. So few vehicles give no verdict "
-    "on a standard; the surveys of the simulated study have enough."
+    "Rendered from a known scene, so the true heights are known: 9 vehicles of invented makes in daylight, "
+    "7 in low light. 14 of them are measured, most are accepted; the other 2 are for you to try. A line scan "
+    "shows 9 more vehicles with speed, length and gaps. So few vehicles give no verdict on a standard; the "
+    "surveys of the simulated study have enough."
 )
 TRAFFIC = TrafficFacts(traffic_side="right", steering_side="left", camera_place="verge")
 PLACE = Place(

@@ -60,10 +60,9 @@ Rng = np.random.Generator
 
 BEGIN = "Simulated study: "
 DESCRIPTION = (
-    "Simulated, not filmed: vehicles drawn from a known fleet, clicks with 0.7 px of noise, a "
-    "camera pose that "
-    "is off as its uncertainty states. It shows statistics, standards, sight distance and report at work; no "
-    "value in it describes real roads."
+    "Simulated, not filmed: vehicles drawn from a known fleet, clicks with 0.7 px of noise, camera poses "
+    "with errors drawn from their stated uncertainty. An example of statistics, standards, sight distance "
+    "and report; no value describes a real road."
 )
 JOINED = "Simulated study of four invented sites"
 #: What the fleet is said to be; its few lorries, whose roofs no camera here sees whole, do not count.

@@ -29,7 +29,7 @@ from sightline.infra.csv_package.columns import CODE, said_in, words_of
 from sightline.infra.csv_package.files import Files, Staging, read_columns, read_whole
 from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, AnyTable, Written, sha256_hex
 from sightline.infra.version import code_version
-from sightline.messages import SOURCE, languages, name_of
+from sightline.messages import languages, name_of
 from sightline.messages.recognised import translated_meaning
 from sightline.results.csv import selection_in
 from sightline.results.usual_standards import in_language, standards_in
@@ -200,7 +200,7 @@ def _about_block(
     with speaking(language):
         only = selection_words(selection_in(files))
     carried = set(_carried(tables, written))
-    said = {one: _said(files, tables, carried, one) for one in languages() if one != SOURCE}
+    said = {one: _said(files, tables, carried, one) for one in languages()}
     told = {"language": language, "only": only, "said": said, **_about(files, tables, written, version)}
     text = json.dumps(told, ensure_ascii=False).replace("<", "\\u003c")
     return f'<script type="application/json" id="about">{text}</script>\n'

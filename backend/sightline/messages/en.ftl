@@ -402,7 +402,7 @@ address-elsewhere = { $what ->
 
 loading = Loading { $what }…
 job-queued = Queued
-job-working = Working
+job-named = { $job }: { $words }
 undo-step = Undo: { $step }
 undo-nothing = Nothing to undo
 redo-step = Redo: { $step }
@@ -635,32 +635,32 @@ figure-standard = { $standards } { $height } { $unit }
 
 ## Vehicles: budget, history, catalogue, passes
 
-budget-of-click-target = click, target
-budget-of-click-contact = click, contact
-budget-of-clicks = clicks
-budget-of-inset = inset
-budget-of-lens-and-pose = lens and pose
-budget-of-board-lean = board lean
-budget-of-board-roll = board roll
-budget-of-board-height = board height
-budget-of-square-size = square size
-budget-of-board-bow = board bow
-budget-of-heading = heading
-budget-of-row-time = row time
-budget-of-confirmed-points = confirmed points
-budget-of-drift = drift
-budget-of-baseline = baseline
-budget-of-clock = clock
-budget-of-misalignment = misalignment
-budget-of-fit = fit
-budget-of-boundaries = boundaries
-budget-of-regression = regression
-budget-of-following = following
-budget-of-frame-times = frame times
-budget-of-depth-of-what-is-followed = depth of what is followed
-budget-of-seen-from-another-side = seen from another side
-budget-of-front-and-rear = front and rear
-budget-of-pose-of-the-line-camera = pose of the line camera
+budget-of-click-target = Click on the target
+budget-of-click-contact = Click on the tyre contact point
+budget-of-clicks = Clicks
+budget-of-inset = Inset
+budget-of-lens-and-pose = Lens and camera pose
+budget-of-board-lean = Board tilt
+budget-of-board-roll = Board roll
+budget-of-board-height = Board height
+budget-of-square-size = Square size of the board
+budget-of-board-bow = Board flatness
+budget-of-heading = Heading of the vehicle
+budget-of-row-time = Row read-out time
+budget-of-confirmed-points = Confirmed points
+budget-of-drift = Drift of the tracked points
+budget-of-baseline = Baseline
+budget-of-clock = Clock
+budget-of-misalignment = Misalignment of the cameras
+budget-of-fit = Fit
+budget-of-boundaries = Boundaries
+budget-of-regression = Regression
+budget-of-following = Tracking
+budget-of-frame-times = Frame times
+budget-of-depth-of-what-is-followed = Depth of the tracked point
+budget-of-seen-from-another-side = Change of viewing angle
+budget-of-front-and-rear = Front and rear
+budget-of-pose-of-the-line-camera = Pose of the line camera
 budget-title = Uncertainty budget
 budget-note = standard uncertainty
 budget-together = Combined
@@ -3004,12 +3004,26 @@ motion-without-time = { $count ->
 }
 motion-none-filmed = No vehicle was filmed at this time.
 motion-counted = { $vehicles ->
-    [one] { $vehicles } vehicle
-   *[other] { $vehicles } vehicles
-} of { $scans ->
-    [one] { $scans } line scan
-   *[other] { $scans } line scans
+    [one] { $vehicles } vehicle
+   *[other] { $vehicles } vehicles
+} in { $scans ->
+    [one] { $scans } line scan
+   *[other] { $scans } line scans
 }.
+motion-counted-of = { $vehicles } of { $all ->
+    [one] { $all } vehicle
+   *[other] { $all } vehicles
+} in { $scans ->
+    [one] { $scans } line scan
+   *[other] { $scans } line scans
+}; { $left }.
+motion-left-to_review = { $count ->
+    [one] { $count } waits for review
+   *[other] { $count } wait for review
+}
+motion-counter-braking = braking
+motion-left-rejected = { $count } rejected
+motion-left-not_measurable = { $count } cannot be measured
 motion-heights-target = Target
 motion-heights-mean = Mean
 motion-heights-sd = SD
@@ -3280,7 +3294,7 @@ stat-density-needs = A density needs at least { $least } vehicles; { stat-there-
 stat-values-alike = All values are the same; a density needs values that differ.
 stat-no-reference = no counted height of this group has a reference height
 stat-none-of-class = no accepted heights of its class
-stat-vehicles-give = { $vehicles } vehicles give percentile { $percent } a 95 % interval about { SMALL($width_m, digits: 0) } wide, for normally distributed heights with a standard deviation of { SMALL($sd_m, digits: 0) }.
+stat-vehicles-give = { NUMBER($vehicles) } vehicles give percentile { $percent } a 95 % interval about { SMALL($width_m, digits: 0) } wide, for normally distributed heights with a standard deviation of { SMALL($sd_m, digits: 0) }.
 stat-heights-needed = needs { $needed } heights; { stat-there-are }
 stat-sites = differences between { $sites } sites
 stat-shared-errors = errors that heights share
@@ -3549,11 +3563,11 @@ statistics-standard-of-vehicle = vehicle
 statistics-standard-percentile = P{ $percent }
 statistics-standard-rule = P{ $percent } of { $group }
 statistics-standard-edition = { $source }, { $edition }
-statistics-standard-cited = as cited in: { $by }
+statistics-standard-cited = Quoted from { $by }; the text itself was not consulted. Check it before use.
 statistics-standard-edition-field = Edition
 statistics-standard-year = Year
 statistics-standard-class = Vehicle class of the percentile
-statistics-standard-cited-by = As cited in
+statistics-standard-cited-by = Quoted from
 statistics-standard-drawn-yes = yes
 statistics-standard-drawn-no = no
 statistics-standards-rule = Rule
@@ -3680,7 +3694,7 @@ planning-planned-height = Planned height
 planning-inset = Inset
 planning-two-frames = U95, two frames
 planning-inset-ignored = Bias if inset is ignored
-planning-targets-note = Heights and insets are estimates; the survey’s own insets are used. Two frames: the vehicle has moved { $travel } between them, and the inset is computed instead of assumed.
+planning-targets-note = Heights are typical values; insets are those of the survey. Two frames: the vehicle has moved { $travel } between them, and the inset is computed instead of assumed.
 planning-parts-title = Uncertainty budget, one frame
 planning-parts-label = Uncertainty budget
 planning-parts-source = Source
@@ -3809,7 +3823,7 @@ planning-forms-note = n = b f / s: number of lines from camera 1 to camera 2, wi
 survey-loading = the survey
 survey-demonstration = demonstration
 survey-edit = Edit
-settings-lead = Settings of this survey.
+settings-lead = Site, traffic, targets, sample, classes, standards and members of this survey.
 settings-site = Site, traffic, targets and insets
 settings-traffic-unsaid = Traffic is not described yet.
 settings-inset = { $inset } (u = { $u })
@@ -4200,7 +4214,7 @@ surveys-card-with-site = { $site } · <made>{ $recordings ->
 } · { $day }</made>
 surveys-vehicles-measured = Vehicles measured
 surveys-heights-reviewed = Heights reviewed
-surveys-scans-reviewed = Scans reviewed
+surveys-scans-reviewed = Line-scan vehicles reviewed
 surveys-scans = Line scans: { $summary }
 surveys-simulated = { $count ->
     [one] Simulated study: 1 survey
@@ -4490,7 +4504,7 @@ audit-subject-target = vehicle { $vehicle }, { $target ->
     [headlight] headlight
    *[other] other
 }
-audit-subject-verdict = { $verdict }: { $subject }
+audit-subject-verdict = { $subject }: { $verdict }
 audit-subject-named = { $entity } “{ $name }”
 audit-person = Person
 audit-person-all = All
@@ -4540,7 +4554,7 @@ export-since-other = { $count ->
 }
 export-loading = packages
 export-none-title = No packages yet
-export-none = Press “Build the package”. It takes seconds to minutes, depending on the number of images. You can continue working.
+export-none = Press “Build the package”. It takes a few seconds to a few minutes, depending on the number of images. You can continue working meanwhile.
 export-made = Built
 export-language = Report language
 export-size = Size
@@ -5694,9 +5708,9 @@ measurements-discard-measured = Vehicle { $number } is measured, so it cannot be
 measurements-sample-differs = vehicles.csv: whether vehicle { $id } is in the sample and counts does not follow from sampling.csv and the passes; it was changed.
 measurements-invisible-measured = { $target } is measured of this vehicle, so it is visible; withdraw the measurement first.
 measurements-already-measured = { $name } has measured this target of the vehicle already; keep one of the two.
-lots-lead = Heights can be reviewed in lots: a sample of each lot is reviewed, and the lot is accepted or inspected fully. The plan states the risk of a wrong decision either way.
+lots-lead = Measurements can be reviewed in lots: a sample of each lot is reviewed, and the lot is accepted or inspected fully. The plan states the risk of a wrong decision either way. Heights of line scans are reviewed in the queue.
 lots-loading = the lots
-lots-summary = Accepted individually: { $individual }; by the sample of their lot: { $by_lot }.
+lots-summary = Accepted measurements: { $individual } individually, { $by_lot } by the sample of their lot.
 lots-outgoing = { $count ->
     [one] Of the 1 not reviewed individually, { $estimate } is estimated to be wrong and { $most } at most ({ $share }, one-sided 95 %).
    *[other] Of the { $count } not reviewed individually, { $estimate } are estimated to be wrong and { $most } at most ({ $share }, one-sided 95 %).
@@ -5871,9 +5885,9 @@ sight-case-standard = the standard
 sight-case-survey = the survey
 sight-case-mix = the other fleet
 sight-sentence = Result
-sight-missing = No heights of this target match the filter: { $targets }. Measure and accept some, or show all states.
+sight-missing = No heights match the filter for: { $targets }. Measure and accept some, or show all states.
 sight-too-few = Too few heights for the percentile: { $targets }.
-sight-too-few-of = { $target }, { $reason }
+sight-too-few-of = { $target } ({ $reason })
 sight-read-class = of the class that each rule names
 sight-read-all = of all vehicles that match
 sight-verdict-alike = { $case ->
@@ -6896,7 +6910,7 @@ rig-baseline-off = { $count } { $of ->
 rig-baseline-agrees = { $count } { $of ->
     [length] lengths
    *[wheelbase] wheelbases
- } of known vehicles agree with the baseline entered to { NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % (U95).
+ } of known vehicles agree with the entered baseline (U95 = { NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %).
 scan-flow-no-speed = No vehicle here has an accepted speed.
 scan-flow-no-u-occupancy = The uncertainty of the occupancy is not known: { $count } of the vehicles here have no motion.
 stream-lines-lost = { $count } lines of camera { $camera } were lost and replaced by copies; vehicles that passed meanwhile are not measured.
@@ -7115,7 +7129,7 @@ repeat-other-pose = The camera pose changed since, so not only the clicks differ
 repeat-other-inset = The insets differ, so not only the clicks differ.
 repeat-no-uncertainty = A height has no uncertainty.
 repeats-few-own = { $name } has { $pairs } own repeats; { $least } are needed.
-repeats-few-other-frame = { $count } repeated on another frame by one operator; { $least } are needed.
+repeats-few-other-frame = Needs { $least } repeats on another frame, has { $count }.
 repeats-nothing-yet = No repeat measurements yet.
 repeats-few = Too few repeats: { $freedom } degrees of freedom, at least { $least } are needed.
 repeats-few-to-compare = Too few repeats to compare: { $freedom }, at least { $least } are needed.
@@ -7255,16 +7269,16 @@ standard-class-fitzpatrick_vehicle = passenger cars
 standard-class-uk_eye_car = drivers
 standard-class-uk_eye_truck = large heavy goods vehicles, typical
 standard-class-france_eye_car = passenger cars of the study of Fambro et al. 1997
-standard-class-france_object_stopping = lower limit of rear lamps, a toll station near Paris
+standard-class-france_object_stopping = rear lamps, lower limit, at a toll station near Paris
 standard-class-australia_eye_truck = trucks
 standard-class-australia_object_stopping = taillights of cars
 standard-class-germany_eye_truck = trucks
-standard-source-usa_eye_car = A Policy on Geometric Design of Highways and Streets, after Fitzpatrick, Lienau and Fambro, Transportation Research Record 1612, 1998
-standard-source-usa_object_stopping = A Policy on Geometric Design of Highways and Streets, after Fitzpatrick, Lienau and Fambro, Transportation Research Record 1612, 1998
+standard-source-usa_eye_car = A Policy on Geometric Design of Highways and Streets (after Fitzpatrick, Lienau and Fambro, Transportation Research Record 1612, 1998)
+standard-source-usa_object_stopping = A Policy on Geometric Design of Highways and Streets (after Fitzpatrick, Lienau and Fambro, Transportation Research Record 1612, 1998)
 standard-source-usa_headlight = sags; Fitzpatrick, Lienau and Fambro, Transportation Research Record 1612, 1998
 standard-source-fitzpatrick_vehicle = Fitzpatrick, Lienau and Fambro, Transportation Research Record 1612, 1998
 standard-source-usa_1965_eye_car = AASHTO's policy of the time
-standard-source-usa_1920_eye_car = first proposals; 1676 mm by Fitzpatrick et al.
+standard-source-usa_1920_eye_car = first proposals (1676 mm in Fitzpatrick et al.)
 standard-source-uk_eye_car = Design Manual for Roads and Bridges, TD 9/93 (now CD 109)
 standard-source-uk_eye_truck = Design Manual for Roads and Bridges, TD 9/93 (now CD 109)
 standard-source-uk_object_low = Design Manual for Roads and Bridges, TD 9/93 (now CD 109); Dupuis et al. print 0.25 m
@@ -7280,16 +7294,16 @@ standard-source-israel_object_low = national guidelines
 standard-source-own = entered on the page
 standard-cited-usa_eye_car = Dupuis et al., Sensors 2019; the percentile by the abstract of Fitzpatrick et al.
 standard-cited-usa_object_stopping = Dupuis et al., Sensors 2019; the percentile by the abstract of Fitzpatrick et al.
-standard-cited-usa_eye_truck = no text consulted; check before use
+standard-cited-usa_eye_truck = an unrecorded source
 standard-cited-usa_headlight = the abstract of Fitzpatrick et al., who recommend it
 standard-cited-fitzpatrick_vehicle = the abstract of Fitzpatrick et al.
 standard-cited-uk_eye_car = Rogers, Highway Engineering, 2003: more than 95 % of drivers' eyes are higher
-standard-cited-australia_eye_car = no text consulted; check before use
+standard-cited-australia_eye_car = an unrecorded source
 standard-cited-australia_1991_eye_car = the abstract of Barker and Yue, Australian Road Research 21(2), 1991
-standard-cited-germany_eye_car = no text consulted; check before use
-standard-cited-germany_eye_truck = no text consulted; check before use
-standard-cited-israel_eye_car = no text consulted; check before use
-standard-cited-israel_object_low = no text consulted; check before use
+standard-cited-germany_eye_car = an unrecorded source
+standard-cited-germany_eye_truck = an unrecorded source
+standard-cited-israel_eye_car = an unrecorded source
+standard-cited-israel_object_low = an unrecorded source
 inset-note-roof = near edge of the roof; 0.85 m (u = 0.10 m) for its crown (estimate)
 inset-note-roof_van = near edge of the roof (estimate)
 inset-note-roof_box = a body with upright sides (estimate)
@@ -7735,7 +7749,7 @@ report-below = Below
 report-share = Share
 report-not-corrected-why = Not corrected: { $reason }
 report-percentile-of = P{ $percent } of { $of }
-report-cited-by = as cited in: { $who }
+report-cited-by = quoted from { $who }, text itself not consulted
 report-lateral = Lateral positions
 report-lateral-words = Distance of the tyre contact from the camera, measured across the road: one value per vehicle, the median of its contacts. A lane is all traffic that travels one way in the frame.
 report-lateral-table = Lateral positions by lane and class.

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from sightline.infra.csv_package.files import Files, FolderFiles
-from sightline.messages import SOURCE, say_or
+from sightline.messages import say_or
 from sightline.results import csv
 from sightline.statistics.standards import Standard
 
@@ -31,8 +31,11 @@ def stored_standards(stored: Iterable[Mapping[str, Any]]) -> tuple[Standard, ...
 
 
 def in_language(one: Standard, language: str) -> Standard:
-    """With the program's words in a language; as it is where they are a person's."""
-    if one.code is None or language == SOURCE:
+    """With the program's words in a language; as it is where they are a person's.
+
+    English too comes from the catalogue; what is stored stays, so that packages that hold it verify.
+    """
+    if one.code is None:
         return one
     name, vehicle_class, source, cited_by = (
         say_or(f"standard-{kind}-{one.code}", word, language)

@@ -1,6 +1,7 @@
 /** What a screen says while it loads, when it is empty, when something is wrong, and how far work has come. */
 import type { ComponentChildren } from "preact";
 import { ApiError, explain } from "../core/api";
+import { jobName } from "../core/jobs";
 import { say, sentenceOf } from "../core/messages";
 import type { Resource } from "../core/resource";
 import type { Job } from "../core/types";
@@ -126,9 +127,19 @@ export function Progress({ value, label, figure, still }: ProgressProps) {
   );
 }
 
+interface JobProgressProps {
+  job: Job;
+  onCancel?: () => void;
+  /** Where nothing else says what is being done: with the job's name before its words. */
+  named?: boolean;
+}
+
 /** A job's progress with its own words. */
-export function JobProgress({ job, onCancel }: { job: Job; onCancel?: () => void }) {
-  const label = sentenceOf(job.message) ?? (job.state === "queued" ? say("job-queued") : say("job-working"));
+export function JobProgress({ job, onCancel, named }: JobProgressProps) {
+  const name = jobName(job.kind);
+  const message = sentenceOf(job.message);
+  const words = message ?? (job.state === "queued" ? say("job-queued") : name);
+  const label = named && words !== name ? say("job-named", { job: name, words }) : words;
   return (
     <div class="row">
       <div class="grow">

@@ -1,5 +1,6 @@
 import { afterEach, expect, test, vi } from "vitest";
 import { language, preferredLanguage, say, sayCode, sentence, sentenceOf, speak } from "./messages";
+import { budgetSource } from "./words";
 
 afterEach(() => speak("en"));
 
@@ -56,4 +57,17 @@ test("a reason within a reason, and the server's own words where this program ha
       "Frame 2 of 3: The contact point lies at or above the horizon, where there is no road.",
     ),
   );
+});
+
+test("a source of uncertainty is said in words, as it is stored only where it has none", async () => {
+  expect(["click, target", "board bow", "width 0.6"].map(budgetSource)).toEqual([
+    "Click on the target",
+    "Board flatness",
+    "width 0.6",
+  ]);
+  await speak("fr");
+  expect(["click, target", "board bow"].map(budgetSource)).toEqual([
+    "Pointé de la cible",
+    "Planéité de la mire",
+  ]);
 });

@@ -72,11 +72,18 @@ export function formatPlaceDay(local: string): string {
   return placeDay.value.format(new Date(`${local.slice(0, 10)}T00:00:00Z`));
 }
 
-/** "08:10:00.25"; of a time that is not known to a tenth of a second "08:10:00". */
-export function formatPlaceTime(local: string, u_s: number | null): string {
+/** Decimals of a second for a time known to ± U95: down to its second digit, at most the milliseconds that are stored. */
+export function secondDigits(U95_s: number | null): number {
+  return U95_s === null || U95_s <= 0 ? 0 : Math.min(3, Math.max(0, 1 - Math.floor(Math.log10(U95_s))));
+}
+
+/** "08:10:00.251" with three decimals of a second, "08:10:00" with none. */
+export function formatPlaceTime(local: string, digits: number): string {
   const whole = local.slice(11, 19);
-  const parts = local.slice(19, 22);
-  return u_s !== null && u_s < 0.1 && parts ? `${whole}${fixed(Number(`0${parts}`), 2).slice(1)}` : whole;
+  if (digits === 0) return whole;
+  const steps = 10 ** digits;
+  const part = Number(/^\.\d+/.exec(local.slice(19))?.[0] ?? 0);
+  return whole + fixed(Math.min(Math.round(part * steps), steps - 1) / steps, digits).slice(1);
 }
 
 /** What clocks of a zone show at an instant, "2026-05-03T08:10:00"; null for a zone that the browser does not know. */

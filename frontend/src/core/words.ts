@@ -34,7 +34,14 @@ export const HEIGHT_WORDS: Readonly<Record<Target, string>> = wordsOf({
   other: "target-other",
 });
 
-/** The same within a list, beside a point, after a colon. */
+const BUDGET_WORDS: Readonly<Record<string, string>> = wordsOf("budget-of-");
+
+/** A source of uncertainty as it is stored, in words: "board bow" is "Board flatness". */
+export function budgetSource(source: string): string {
+  return BUDGET_WORDS[source.replace(/[^a-z]+/g, "-")] ?? source;
+}
+
+/** A target within a list, beside a point, after a colon. */
 export const TARGET_NOUNS: Readonly<Record<Target, string>> = wordsOf("target-noun-");
 
 export const LIGHTING_WORDS: Readonly<Record<Lighting, string>> = wordsOf(

@@ -17,7 +17,7 @@ from sightline.messages.said import Said
 
 def translations_of(document: Mapping[str, Any]) -> JsonObject:
     """By language the sentences of a document by their English, those alone that are said otherwise."""
-    return {one: _said(document, one) for one in languages() if one != SOURCE}
+    return {one: _said(document, one) for one in languages()}
 
 
 def _said(document: Mapping[str, Any], language: str) -> JsonObject:

@@ -98,21 +98,13 @@ def _walked(value: Any, language: str, *, of_code: bool = False) -> Any:
     if isinstance(value, list):
         return [_walked(one, language, of_code=of_code) for one in value]
     if isinstance(value, dict):
-        return {
+        walked = {
             key: _walked(one, language, of_code=of_code or key == "values") for key, one in value.items()
-        } | _said(value, language)
+        }
+        if value.keys() >= {"code", "values", "message"}:
+            walked["message"] = said_by_key(value, value["message"], language)
+        return walked
     return value
-
-
-def _said(value: dict[str, Any], language: str) -> dict[str, Any]:
-    """What an object's other fields tell how to say."""
-    if value.keys() >= {"code", "values", "message"}:
-        return {"message": said_by_key(value, value["message"], language)}
-    if isinstance(value.get("source"), str) and any(name.startswith("u_") for name in value):
-        return {
-            "source": messages.name_of("budget-of", value["source"], language)
-        }  # a line of an uncertainty budget
-    return {}
 
 
 def said_by_key(said: dict[str, Any], english: str, language: str) -> str:

@@ -1,6 +1,7 @@
 import { say } from "../../core/messages";
 import type { BudgetEntry } from "../../core/types";
 import { formatSmall } from "../../core/units";
+import { budgetSource } from "../../core/words";
 import "./vehicle.css";
 
 /** Each source of uncertainty with its share; bars show squared contributions, which is how they add. */
@@ -14,7 +15,7 @@ export function Budget({ entries, total_m }: { entries: readonly BudgetEntry[]; 
       <tbody>
         {entries.map((one) => (
           <tr key={one.source}>
-            <th scope="row">{one.source}</th>
+            <th scope="row">{budgetSource(one.source)}</th>
             <td class="budget__share" aria-hidden="true">
               <span style={{ width: `${squares > 0 ? (100 * one.u_m ** 2) / squares : 0}%` }} />
             </td>

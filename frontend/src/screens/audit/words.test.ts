@@ -20,7 +20,7 @@ describe("an audit event in words", () => {
   it("names vehicle and target, not a row of the database, and leads to it", () => {
     const on = { vehicle_id: 9, vehicle: 9, target: "roof", measurement_id: 31 };
     const one = named({ after: { verdict: "rejected" } }, on);
-    expect(`${actionWords(one.event)} ${subjectWords(one)}`).toBe("reviewed rejected: vehicle 09, roof");
+    expect(`${actionWords(one.event)} ${subjectWords(one)}`).toBe("reviewed vehicle 09, roof: rejected");
     expect(pageOf(one)).toBe("/surveys/5/review?measurement=31");
     expect(rowWords(one.event)).toContain("25");
   });

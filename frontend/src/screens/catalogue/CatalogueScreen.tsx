@@ -167,7 +167,7 @@ function yearsOf(row: CatalogueRow): string {
 function sizeWords(row: CatalogueRow, size: Size) {
   const value = row[`${size}_m`];
   const u = row[`u_${size}_m`];
-  if (value === null) return "";
+  if (value === null) return "–";
   return (
     <>
       {plainLength(value, 3)}

@@ -29,7 +29,7 @@ import {
   smallScale,
   smallText,
 } from "../../core/units";
-import { TARGET_WORDS } from "../../core/words";
+import { TARGET_WORDS, vehicleName } from "../../core/words";
 import { scaled } from "../../parts/figures/numbers";
 
 type Known = PoseAdjustment["known"];
@@ -245,7 +245,9 @@ function LeftOut({ surveyId, found }: { surveyId: number; found: PoseAdjustment 
       rows={found.left_out}
       keyOf={(one) => `${one.vehicle_id} ${one.what}`}
       columns={({ col }) => [
-        col(say("computing-vehicle"), (one) => <a href={vehicleAt(surveyId, one)}>#{one.number}</a>),
+        col(say("computing-vehicle"), (one) => (
+          <a href={vehicleAt(surveyId, one)}>{vehicleName(one.number)}</a>
+        )),
         col(say("adjust-what"), (one) => say(one.what === "tyres" ? "adjust-of-tyres" : "adjust-of-roof")),
         col(say("computing-kind"), (one) => sentenceOf(one.reason)),
       ]}
@@ -284,7 +286,9 @@ function HeightsTable({ surveyId, found }: { surveyId: number; found: PoseAdjust
       rows={found.heights}
       keyOf={(one) => one.measurement_id}
       columns={({ col, num }) => [
-        col(say("computing-vehicle"), (one) => <a href={vehicleAt(surveyId, one)}>#{one.number}</a>),
+        col(say("computing-vehicle"), (one) => (
+          <a href={vehicleAt(surveyId, one)}>{vehicleName(one.number)}</a>
+        )),
         col(say("computing-target"), (one) => TARGET_WORDS[one.target]),
         num(say("adjust-now"), (one) => formatHeight(one.height_m, one.U95_height_m)),
         num(say("adjust-then"), (one) => formatHeight(one.adjusted_m, one.U95_adjusted_m)),

@@ -5,7 +5,7 @@ import { useAsked } from "../../core/resource";
 import { canWork } from "../../core/session";
 import type { ComputedHeight, ComputedHeights, Computing } from "../../core/types";
 import { fixed, formatCount, formatHeight, formatSmall, lengthScale, smallScale } from "../../core/units";
-import { TARGET_WORDS } from "../../core/words";
+import { TARGET_WORDS, vehicleName } from "../../core/words";
 import { causesInWords } from "../../parts/again/words";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 import { readable } from "../../parts/figures/reading";
@@ -164,7 +164,7 @@ function Heights({ surveyId, found }: { surveyId: number; found: ComputedHeights
         keyOf={(one) => one.measurement_id}
         columns={({ col, num, actions }) => [
           col(say("computing-vehicle"), (one) => (
-            <a href={addressOf(surveyId, one)}>#{one.vehicle_number}</a>
+            <a href={addressOf(surveyId, one)}>{vehicleName(one.vehicle_number)}</a>
           )),
           col(say("computing-target"), (one) => (
             <>

@@ -11,7 +11,7 @@ import { refreshSurvey } from "../../core/survey";
 import { toast } from "../../core/toasts";
 import type { Estimate, InsetCheck, InsetName, Survey, TargetInsets } from "../../core/types";
 import { formatLength, formatSmall } from "../../core/units";
-import { INSET_PLACE_WORDS, INSET_WORDS, insetNote } from "../../core/words";
+import { INSET_PLACE_WORDS, INSET_WORDS, insetNote, vehicleName } from "../../core/words";
 import { InsetDrawing } from "./InsetDrawing";
 import { TARGET_NAMES } from "./words";
 
@@ -146,7 +146,7 @@ function Figures(props: { name: InsetName; one: Estimate; busy: string | null; u
 function Vehicles({ one }: { one: Estimate }) {
   const count = one.vehicles;
   if (one.left_out.length === 0) return <>{say("checks-vehicles", { count })}</>;
-  const left_out = allOf(one.left_out.map((vehicle) => `#${vehicle.number}`));
+  const left_out = allOf(one.left_out.map((vehicle) => vehicleName(vehicle.number)));
   return (
     <Said
       what="checks-vehicles-without"

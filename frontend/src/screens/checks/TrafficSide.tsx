@@ -4,6 +4,7 @@ import { say, sentenceOf, sentencesOf } from "../../core/messages";
 import { canWork } from "../../core/session";
 import type { TurnedPose, Vehicle } from "../../core/types";
 import { formatLength, formatSmall } from "../../core/units";
+import { vehicleName } from "../../core/words";
 import { formatDegrees, formatHeading } from "./angles";
 import type { TrafficModel } from "./model";
 import { TARGET_NAMES } from "./words";
@@ -103,7 +104,7 @@ function Preview({ model, preview }: { model: TrafficModel; preview: TurnedPose 
           rows={changes.listed}
           keyOf={(one) => one.measurement_id}
           columns={({ col, num }) => [
-            col(say("checks-vehicle"), (one) => <>#{numberOf(one.vehicle_id)}</>),
+            col(say("checks-vehicle"), (one) => vehicleName(numberOf(one.vehicle_id) ?? 0)),
             col(say("checks-target"), (one) => TARGET_NAMES[one.target]),
             num(say("checks-height"), (one) => formatLength(one.height_m)),
             num(say("checks-turned"), (one) => formatSmall(one.difference_m)),
@@ -157,7 +158,8 @@ function Row({ model, vehicle }: { model: TrafficModel; vehicle: Vehicle }) {
             model.stage.focus();
           }}
         >
-          <strong>#{vehicle.number}</strong> {[vehicle.make, vehicle.model].filter(Boolean).join(" ")}
+          <strong>{vehicleName(vehicle.number)}</strong>{" "}
+          {[vehicle.make, vehicle.model].filter(Boolean).join(" ")}
         </button>
         {found?.source === "two_frames" && <div class="small muted">{say("checks-two-frames")}</div>}
         {found?.reason && <div class="small">{sentenceOf(found.reason)}</div>}

@@ -7,6 +7,7 @@ import { type HistoryCommands, historyCommands } from "../../components/undoTool
 import { asked } from "../../core/address";
 import { useCommands } from "../../core/commands";
 import { say } from "../../core/messages";
+import { vehicleName } from "../../core/words";
 import { FrameView } from "../../viewer/FrameView";
 import { AxesLayer, InImage, Line, PointMark } from "../../viewer/Overlay";
 import { RoadOverlay } from "../../viewer/PoseOverlay";
@@ -115,7 +116,7 @@ function Hint({ model }: { model: TrafficModel }) {
   const first = model.clicks.first.value;
   return (
     <p class="frame-hint" id="traffic-hint" role="status">
-      {vehicle && <strong class="nowrap">#{vehicle.number}</strong>}
+      {vehicle && <strong class="nowrap">{vehicleName(vehicle.number)}</strong>}
       {here && heading?.heading_rad != null && !first && !model.preview.value && (
         <strong class="nowrap">{formatHeading(heading.heading_rad, heading.u_heading_rad)}</strong>
       )}

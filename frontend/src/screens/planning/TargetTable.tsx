@@ -2,6 +2,7 @@ import { useState } from "preact/hooks";
 import { DataTable, num, Panel, Table } from "../../components";
 import { say, sentenceOf } from "../../core/messages";
 import { formatLength, formatSmall } from "../../core/units";
+import { budgetSource } from "../../core/words";
 import { type PlannedTarget, wordOf } from "./model";
 
 interface Props {
@@ -63,7 +64,7 @@ function Contributions({ targets }: { targets: readonly PlannedTarget[] }) {
       >
         {sources.map((source, row) => (
           <tr key={source}>
-            <td>{source}</td>
+            <td>{budgetSource(source)}</td>
             {measured.map((one) => (
               <Part key={one.target} one={one} row={row} />
             ))}

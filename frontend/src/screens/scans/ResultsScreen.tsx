@@ -9,6 +9,7 @@ import type { ScreenProps } from "../../core/places";
 import { useAsked } from "../../core/resource";
 import { resultsTabs } from "../../core/tabs";
 import { FilmedFields, filmedOf } from "../../parts/filming/FilmedFields";
+import { countedWords } from "./counted";
 import { ReferenceErrors, RunsOfCars } from "./ReferenceErrors";
 import { ScannedHeights } from "./ScannedHeights";
 import { SizeErrors } from "./SizeErrors";
@@ -31,7 +32,7 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
   const data = found.data;
   const vehicles = data?.table.length ?? 0;
   return (
-    <div class="page">
+    <div class="page page--alone motion-page">
       <PageHead says="page-scan-results" lead={say("motion-lead")}>
         <div class="row row--wrap">
           <Segments
@@ -76,7 +77,7 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
       {data && vehicles > 0 && (
         <div class="stack">
           <p class="small muted" data-testid="scan-counted">
-            {say("motion-counted", { vehicles, scans: data.scans })}
+            {countedWords(data, which === "accepted")}
           </p>
           <SizeErrors found={data} />
           <ReferenceErrors found={data} />

@@ -3,7 +3,7 @@ import { DataTable, Panel } from "../../components";
 import { say } from "../../core/messages";
 import type { ScanStatistics, Target } from "../../core/types";
 import { formatCount, heads, plainLength } from "../../core/units";
-import { TARGET_WORDS } from "../../core/words";
+import { HEIGHT_WORDS } from "../../core/words";
 
 export function ScannedHeights({ heights }: { heights: ScanStatistics["heights"] }) {
   const { length: unit } = heads();
@@ -22,7 +22,7 @@ export function ScannedHeights({ heights }: { heights: ScanStatistics["heights"]
         rows={heights}
         keyOf={(one) => one.target}
         columns={({ num, rowHead }) => [
-          rowHead(say("motion-heights-target"), (one) => TARGET_WORDS[one.target as Target]),
+          rowHead(say("motion-heights-target"), (one) => HEIGHT_WORDS[one.target as Target]),
           num("n", (one) => formatCount(one.n)),
           num(say("with-unit", { name: say("motion-heights-mean"), unit }), (one) =>
             plainLength(one.mean_m, 3),

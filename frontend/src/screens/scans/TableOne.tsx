@@ -65,7 +65,9 @@ function Printed({ found }: { found: ScanStatistics }) {
         num(speedHead(), (row) => plainSpeed(row.speed_kmh / speedScale("m")[0])),
         num(accelerationHead(), (row) => plainAcceleration(row.acceleration_mps2)),
         num(lengthHead("motion-head-size"), (row) => plainLength(row.size_m)),
-        col(say("motion-head-counter"), (row) => row.counter ?? ""),
+        col(say("motion-head-counter"), (row) =>
+          row.counter === "breaking" ? say("motion-counter-braking") : (row.counter ?? ""),
+        ),
         num(lengthHead("motion-head-true"), (row) => plainLength(row.true_length_m)),
         num(say("motion-head-fit-error"), (row) => fixed(row.fit_error_percent, 2)),
       ]}

@@ -2,6 +2,7 @@ import { render } from "preact";
 import { afterEach, describe, expect, it } from "vitest";
 import { learn, speak } from "../../core/messages";
 import type { ScanTraffic, TrafficInterval } from "../../core/types";
+import { countedWords } from "./counted";
 import { FundamentalFigure, statesOf } from "./TrafficFigures";
 
 afterEach(() => render(null, document.body));
@@ -59,5 +60,25 @@ describe("the fundamental diagram", () => {
     render(<FundamentalFigure scan={scan(interval(0, 720, null))} against="flow" />, document.body);
     expect(document.body.textContent).toContain("No interval contains an accepted speed.");
     expect(document.querySelector("[data-testid^=figure-]")).toBeNull();
+  });
+});
+
+describe("how many vehicles the figures of Motion include", () => {
+  const counted = { vehicles: 9, used: 7, accepted: 7, to_review: 1, rejected: 1, not_measurable: 0 };
+  it("agrees with the Overview: it says why the others are not among them", async () => {
+    expect(countedWords({ counted, scans: 1 }, true)).toBe(
+      "7 of 9 vehicles in 1 line scan; 1 waits for review; 1 rejected.",
+    );
+    expect(countedWords({ counted: { ...counted, used: 8 }, scans: 1 }, false)).toBe(
+      "8 of 9 vehicles in 1 line scan; 1 rejected.",
+    );
+    expect(countedWords({ counted: { vehicles: 9, used: 9 }, scans: 2 }, true)).toBe(
+      "9 vehicles in 2 line scans.",
+    );
+    await speak("fr");
+    expect(countedWords({ counted, scans: 1 }, true)).toBe(
+      "7 véhicules sur 9 dans 1 balayage\u202f; 1 à vérifier\u202f; 1 rejeté.",
+    );
+    await speak("en");
   });
 });

@@ -4,9 +4,9 @@ import { Said } from "../../components/Said";
 import { hint } from "../../core/commands";
 import { say, sentenceOf } from "../../core/messages";
 import { canWork } from "../../core/session";
-import { formatPlaceDay, formatPlaceTime } from "../../core/times";
+import { formatPlaceDay, formatPlaceTime, secondDigits } from "../../core/times";
 import type { ScanMotion, ScanVehicle } from "../../core/types";
-import { fixed, formatAcceleration, formatLength, formatSpeed, significant } from "../../core/units";
+import { fixed, formatAcceleration, formatLength, formatSpeed } from "../../core/units";
 import { vehicleName } from "../../core/words";
 import { EvidenceButton } from "./EvidenceDialog";
 import { HeightList } from "./HeightList";
@@ -176,14 +176,17 @@ function ChooseLane({ model, m, lanes }: ChooseLaneProps) {
 
 /** When its front reached camera 1, or that the recording's start is not known. */
 function Passed({ vehicle }: { vehicle: ScanVehicle }) {
-  const { filmed_at, U95_filmed_at_s, u_filmed_at_s } = vehicle;
+  const { filmed_at, U95_filmed_at_s } = vehicle;
   if (!filmed_at) return <>{say("scan-passed-unknown")}</>;
+  const digits = secondDigits(U95_filmed_at_s);
   const time = say("scan-passed-at", {
     day: formatPlaceDay(filmed_at),
-    time: formatPlaceTime(filmed_at, u_filmed_at_s),
+    time: formatPlaceTime(filmed_at, digits),
   });
   if (U95_filmed_at_s === null) return <>{time}</>;
-  return <>{say("scan-passed-within", { time, U95_s: significant(U95_filmed_at_s) })}</>;
+  return (
+    <>{say("scan-passed-within", { time, U95_s: fixed(Math.max(U95_filmed_at_s, 10 ** -digits), digits) })}</>
+  );
 }
 
 function DistanceGap({ gap }: { gap: NonNullable<ScanVehicle["gap"]> }) {

@@ -15,7 +15,7 @@ import {
   parseLength,
   plainLength,
 } from "../../core/units";
-import { STATE_WORDS } from "../../core/words";
+import { budgetSource, STATE_WORDS } from "../../core/words";
 import { CatalogueField } from "../../parts/vehicles/CatalogueField";
 import type { ScanModel } from "./model";
 import type { Facts } from "./wanted";
@@ -90,7 +90,7 @@ export function Budget({ detail }: { detail: ScanVehicleDetail }) {
       >
         {detail.budget.map((one) => (
           <tr key={one.source}>
-            <td>{one.source}</td>
+            <td>{budgetSource(one.source)}</td>
             <td class="num">{formatSpeed(one.u_speed_mps, null, 3)}</td>
             <td class="num">{formatAcceleration(one.u_acceleration_mps2, null, 3)}</td>
             <td class="num">{formatSmall(one.u_length_m)}</td>

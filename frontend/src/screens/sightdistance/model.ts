@@ -1,9 +1,9 @@
 /** What the sight-distance page asks and shows; all of it is in the address. */
 import type { components } from "#schema";
-import { allOf, apart, say, sentenceOf, wordsOf } from "../../core/messages";
+import { apart, say, sentenceOf, wordsOf } from "../../core/messages";
 import type { AddressOf } from "../../core/routes";
 import { lengthUnit } from "../../core/units";
-import { TARGET_WORDS } from "../../core/words";
+import { HEIGHT_WORDS } from "../../core/words";
 
 type Schemas = components["schemas"];
 export type Sight = Schemas["SightDistances"];
@@ -57,9 +57,9 @@ export function usualObject(kind: string | null): string {
 /** Why a case has no crest: what nobody measured, else what has too few heights for its percentile. */
 export function withoutCrest(one: Case): string {
   if (one.missing.length > 0)
-    return say("sight-missing", { targets: allOf(one.missing.map((target) => TARGET_WORDS[target])) });
+    return say("sight-missing", { targets: apart(one.missing.map((target) => HEIGHT_WORDS[target])) });
   const each = one.too_few.map(({ target, reason }) =>
-    say("sight-too-few-of", { target: TARGET_WORDS[target], reason: sentenceOf(reason) }),
+    say("sight-too-few-of", { target: HEIGHT_WORDS[target], reason: sentenceOf(reason) }),
   );
   return say("sight-too-few", { targets: apart(each) });
 }

@@ -8,6 +8,7 @@ import { useAsked } from "../../core/resource";
 import { may } from "../../core/session";
 import { formatMoment } from "../../core/times";
 import type { ListedStudy } from "../../core/types";
+import { formatCount } from "../../core/units";
 
 /** Surveys joined: every study with what its newest computing was of. */
 export default function StudiesScreen() {
@@ -53,7 +54,7 @@ function List({ studies }: { studies: readonly ListedStudy[] }) {
           )),
           num(say("studies-surveys"), (one) => one.surveys),
           num(say("studies-sites"), (one) => one.sites),
-          num(say("studies-heights"), (one) => one.heights ?? "–"),
+          num(say("studies-heights"), (one) => (one.heights === null ? "–" : formatCount(one.heights))),
           col(
             say("studies-computed"),
             (one) => (one.computed_at ? formatMoment(one.computed_at) : say("studies-not-computed")),

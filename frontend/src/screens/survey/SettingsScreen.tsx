@@ -117,7 +117,7 @@ function Insets({ survey }: { survey: Survey }) {
             <tr key={name}>
               <th scope="row">{INSET_WORDS[name]}</th>
               <td class="num">
-                {say("settings-inset", { inset: formatLength(inset_m), u: formatLength(u_inset_m) })}
+                {say("settings-inset", { inset: formatLength(inset_m, 2), u: formatLength(u_inset_m, 2) })}
               </td>
             </tr>
           );

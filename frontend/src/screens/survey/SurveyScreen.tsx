@@ -52,7 +52,7 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
       {survey.is_demo && !tour.value && isTourNew() && <TourOffer />}
       {running.map((job) => (
         <div class="panel panel__body" key={job.id}>
-          <JobProgress job={job} />
+          <JobProgress job={job} named />
         </div>
       ))}
       <OutOfDateNotice surveyId={survey.id} />
