@@ -1,11 +1,12 @@
 /** What a screen says while it loads, when it is empty, when something is wrong, and how far work has come. */
 import type { ComponentChildren } from "preact";
 import { ApiError, explain } from "../core/api";
-import { say, sentenceOf } from "../core/messages";
+import { type PlainKey, type Said, say, sentenceOf } from "../core/messages";
 import type { Resource } from "../core/resource";
 import type { Job } from "../core/types";
 import { Button } from "./Button";
 import { Icon } from "./Icon";
+import { type Named, nameOf } from "./named";
 
 export function Loading({ what }: { what: string }) {
   return (
@@ -16,23 +17,30 @@ export function Loading({ what }: { what: string }) {
   );
 }
 
-/** Nothing here yet: says so, and what to do. */
-export function Empty({
-  title,
-  children,
-  actions,
-}: {
-  title: string;
+type EmptyProps = Named & {
+  /** The sentence below it; more of it are its children. */
+  why?: PlainKey;
+  /** It stands for a whole panel. */
+  panel?: boolean;
   children?: ComponentChildren;
   actions?: ComponentChildren;
-}) {
-  return (
+};
+
+/** Nothing here yet: says so, and what to do. */
+export function Empty({ why, panel, children, actions, ...name }: EmptyProps) {
+  const empty = (
     <div class="empty">
-      <h2>{title}</h2>
-      {children && <div class="stack stack--tight">{children}</div>}
+      <h2>{nameOf(name)}</h2>
+      {(why || children) && (
+        <div class="stack stack--tight">
+          {why && <p>{say(why)}</p>}
+          {children}
+        </div>
+      )}
       {actions && <div class="row row--wrap">{actions}</div>}
     </div>
   );
+  return panel ? <div class="panel">{empty}</div> : empty;
 }
 
 interface NoticeProps {
@@ -56,6 +64,15 @@ export function Notice({ kind = "info", title, children, actions }: NoticeProps)
       {actions}
     </div>
   );
+}
+
+/** What the server says of a thing, each sentence by itself. */
+export function Notices({ of, kind }: Pick<NoticeProps, "kind"> & { of: readonly Said[] | undefined }) {
+  return of?.map(sentenceOf).map((one) => (
+    <Notice key={one} kind={kind}>
+      {one}
+    </Notice>
+  ));
 }
 
 /** What was asked for cannot be: asking once more gives the same answer. */
@@ -126,10 +143,17 @@ export function Progress({ value, label, figure, still }: ProgressProps) {
   );
 }
 
+interface JobProps {
+  job: Job;
+  onCancel?: () => void;
+  /** It stands for a whole panel. */
+  panel?: boolean;
+}
+
 /** A job's progress with its own words. */
-export function JobProgress({ job, onCancel }: { job: Job; onCancel?: () => void }) {
+export function JobProgress({ job, onCancel, panel }: JobProps) {
   const label = sentenceOf(job.message) ?? (job.state === "queued" ? say("job-queued") : say("job-working"));
-  return (
+  const row = (
     <div class="row">
       <div class="grow">
         <Progress value={job.progress} label={label} still={job.state === "queued"} />
@@ -137,4 +161,5 @@ export function JobProgress({ job, onCancel }: { job: Job; onCancel?: () => void
       {onCancel && <Button says="action-cancel" small onClick={onCancel} />}
     </div>
   );
+  return panel ? <div class="panel panel__body">{row}</div> : row;
 }

@@ -38,11 +38,10 @@ export function Tokens() {
       <Loaded of={tokens} what={say("account-tokens-loading")} />
       {tokens.data?.length === 0 && (
         <Empty
-          title={say("account-tokens-none")}
+          says="account-tokens-none"
+          why="account-tokens-help"
           actions={<Button says="account-token-make" icon="add" onClick={() => setMaking(true)} />}
-        >
-          <p>{say("account-tokens-help")}</p>
-        </Empty>
+        />
       )}
       {!!tokens.data?.length && <TokenTable tokens={tokens.data} revoke={revoke} />}
       {making && (

@@ -31,9 +31,7 @@ export function AgainTab({ surveyId }: { surveyId: number }) {
       <Problem error={work.problem} />
       <Stale found={read.data} busy={work.underWay} start={start} />
       {work.job && (
-        <div class="panel panel__body">
-          <JobProgress job={work.job} onCancel={work.job.progress < 0.9 ? work.cancel : undefined} />
-        </div>
+        <JobProgress panel job={work.job} onCancel={work.job.progress < 0.9 ? work.cancel : undefined} />
       )}
       <Runs computings={computings} shown={shown?.id ?? 0} />
       {shown && (

@@ -33,11 +33,10 @@ export function TrafficTab({ surveyId }: { surveyId: number }) {
   if (!player || model.vehicles.value.length === 0) {
     return (
       <Empty
-        title={say("checks-no-vehicles-title")}
+        says="checks-no-vehicles-title"
+        why="checks-no-vehicles"
         actions={<Button says="checks-mark-passes" href={`/surveys/${surveyId}/measure`} />}
-      >
-        <p>{say("checks-no-vehicles")}</p>
-      </Empty>
+      />
     );
   }
   return (

@@ -106,19 +106,11 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
           />
         </Notice>
       )}
-      {job && (
-        <div class="panel panel__body">
-          <JobProgress job={job} onCancel={cancel} />
-        </div>
-      )}
+      {job && <JobProgress panel job={job} onCancel={cancel} />}
       <Problem error={problem} again={() => void build()} />
       <Panel says="export-packages">
         <Loaded of={packages} what={say("export-loading")} />
-        {packages.data?.length === 0 && (
-          <Empty title={say("export-none-title")}>
-            <p>{say("export-none")}</p>
-          </Empty>
-        )}
+        {packages.data?.length === 0 && <Empty says="export-none-title" why="export-none" />}
         {packages.data && packages.data.length > 0 && <Packages list={packages.data} />}
       </Panel>
       {packages.data?.[0] && <Checking newest={packages.data[0]} />}

@@ -60,17 +60,13 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
         </Notice>
       )}
       <Loaded of={found} what={say("motion-loading")} />
-      {data && vehicles === 0 && limited && (
-        <div class="panel">
-          <Empty title={say("motion-none-filmed")} />
-        </div>
-      )}
+      {data && vehicles === 0 && limited && <Empty panel says="motion-none-filmed" />}
       {data && vehicles === 0 && !limited && (
-        <div class="panel">
-          <Empty title={say(which === "accepted" ? "motion-none-accepted-title" : "motion-none-title")}>
-            <p>{say(which === "accepted" ? "motion-none-accepted" : "motion-none")}</p>
-          </Empty>
-        </div>
+        <Empty
+          panel
+          says={which === "accepted" ? "motion-none-accepted-title" : "motion-none-title"}
+          why={which === "accepted" ? "motion-none-accepted" : "motion-none"}
+        />
       )}
       {data && data.heights.length > 0 && <ScannedHeights heights={data.heights} />}
       {data && vehicles > 0 && (

@@ -50,13 +50,7 @@ export default function ScansScreen({ surveyId }: ScreenProps) {
           }}
         />
       )}
-      {none && !canWork.value && (
-        <div class="panel">
-          <Empty title={say("scans-none-title")}>
-            <p>{say("scans-none")}</p>
-          </Empty>
-        </div>
-      )}
+      {none && !canWork.value && <Empty panel says="scans-none-title" why="scans-none" />}
       <div class="stack">
         {scans.data?.map((scan) => (
           <ScanCard key={scan.id} scan={scan} reload={scans.reload} />

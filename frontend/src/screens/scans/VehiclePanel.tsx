@@ -1,5 +1,14 @@
 /** The chosen vehicle: its numbers, what is known of it, profile, match, budget, history, and the verdict. */
-import { Button, type Fact, Facts, Loading, Notice, OptionalField, StateMark } from "../../components";
+import {
+  Button,
+  type Fact,
+  Facts,
+  Loading,
+  Notice,
+  Notices,
+  OptionalField,
+  StateMark,
+} from "../../components";
 import { Said } from "../../components/Said";
 import { hint } from "../../core/commands";
 import { say, sentenceOf } from "../../core/messages";
@@ -84,11 +93,7 @@ function Numbers({ m, vehicle, lanes }: NumbersProps) {
           {sentenceOf(m.reason)}
         </Notice>
       )}
-      {m.warnings.map(sentenceOf).map((one) => (
-        <Notice key={one} kind="warning">
-          {one}
-        </Notice>
-      ))}
+      <Notices of={m.warnings} kind="warning" />
       {m.older && <Notice>{say("scan-older")}</Notice>}
       <Facts
         small

@@ -232,14 +232,13 @@ function Percentiles({ target }: { target: OfTarget }) {
           <NoIntervals rows={shown} />
         </div>
         <Button
+          says="file-csv"
           small
           icon="download"
           class="stat-noprint"
           onClick={() => save(target)}
           title={say("statistics-percentiles-save")}
-        >
-          {say("file-csv")}
-        </Button>
+        />
       </div>
     </div>
   );

@@ -80,11 +80,7 @@ function TrafficOf({ survey, edit }: { survey: Survey; edit(): void }) {
   return (
     <Notice kind="warning">
       {say("survey-traffic-unsaid")}{" "}
-      {may("operator") && (
-        <Button small onClick={edit}>
-          {say("survey-traffic-say")}
-        </Button>
-      )}
+      {may("operator") && <Button says="survey-traffic-say" small onClick={edit} />}
     </Notice>
   );
 }
@@ -132,7 +128,7 @@ function LineScans({ survey }: { survey: Survey }) {
             [scans.accepted, say("survey-count-scanned-accepted", { count: scans.accepted })],
           ]}
         />
-        <Button href={href}>{say("survey-open")}</Button>
+        <Button says="survey-open" href={href} />
       </div>
     </section>
   );
@@ -218,12 +214,8 @@ function TourOffer() {
     <Notice
       actions={
         <>
-          <Button small onClick={() => beginTour().catch(toastProblem)}>
-            {say("tour-take")}
-          </Button>
-          <Button small kind="quiet" onClick={endTour}>
-            {say("tour-not-now")}
-          </Button>
+          <Button says="tour-take" small onClick={() => beginTour().catch(toastProblem)} />
+          <Button says="tour-not-now" small kind="quiet" onClick={endTour} />
         </>
       }
     >

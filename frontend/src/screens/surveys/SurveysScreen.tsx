@@ -75,19 +75,11 @@ function SurveyList({ surveys, lastDemo, children }: SurveyListProps) {
 }
 
 function AddSurvey({ primary, make }: { primary: boolean; make: () => void }) {
-  return (
-    <Button kind={primary ? "primary" : "plain"} icon="add" onClick={make}>
-      {say("surveys-new")}
-    </Button>
-  );
+  return <Button says="surveys-new" kind={primary ? "primary" : "plain"} icon="add" onClick={make} />;
 }
 
 function ChoosePassword() {
-  const toAccount = (
-    <Button small href="/account">
-      {say("surveys-choose-password")}
-    </Button>
-  );
+  const toAccount = <Button says="surveys-choose-password" small href="/account" />;
   return <Notice actions={toAccount}>{say("surveys-link-used")}</Notice>;
 }
 
@@ -130,27 +122,24 @@ function Simulated({ surveys }: { surveys: readonly Survey[] }) {
 function NoSurvey({ make }: { make: () => void }) {
   const demoId = me.value?.demo_survey_id ?? null;
   return (
-    <div class="panel">
-      <Empty
-        title={say("surveys-none-title")}
-        actions={
-          <>
-            {demoId !== null && (
-              <Button kind="primary" href={`/surveys/${demoId}`}>
-                {say("surveys-demo-open")}
-              </Button>
-            )}
-            {may("operator") && (
-              <Button kind={demoId === null ? "primary" : "plain"} icon="add" onClick={make}>
-                {say("surveys-new")}
-              </Button>
-            )}
-          </>
-        }
-      >
-        <p>{say(may("operator") ? "surveys-none-make" : "surveys-none")}</p>
-      </Empty>
-    </div>
+    <Empty
+      panel
+      says="surveys-none-title"
+      why={may("operator") ? "surveys-none-make" : "surveys-none"}
+      actions={
+        <>
+          {demoId !== null && <Button says="surveys-demo-open" kind="primary" href={`/surveys/${demoId}`} />}
+          {may("operator") && (
+            <Button
+              says="surveys-new"
+              kind={demoId === null ? "primary" : "plain"}
+              icon="add"
+              onClick={make}
+            />
+          )}
+        </>
+      }
+    />
   );
 }
 
