@@ -1,4 +1,4 @@
-export { Button } from "./Button";
+export { Button, IconButton } from "./Button";
 export { Checklist } from "./Checklist";
 export { type Choice, choices, named } from "./choices";
 export { AskDialog, ask, Dialog } from "./Dialog";

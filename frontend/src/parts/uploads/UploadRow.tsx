@@ -1,4 +1,4 @@
-import { ask, Button, Notice, Progress } from "../../components";
+import { ask, Button, IconButton, Notice, Progress } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { formatDuration } from "../../core/times";
@@ -28,9 +28,7 @@ export function UploadRow({ item }: { item: UploadItem }) {
           <Button says="upload-resume" small icon="play" onClick={() => resumeUpload(item.key)} />
         )}
         {item.state !== "done" && (
-          <Button
-            small
-            kind="quiet"
+          <IconButton
             icon="close"
             label={say("upload-cancel", { file: item.name })}
             onClick={() => void (item.size === 0 ? forget(item.key) : cancelUpload(item.key))}
@@ -87,9 +85,7 @@ export function UnfinishedRow({ upload, gone }: { upload: UnfinishedUpload; gone
             still
           />
         </div>
-        <Button
-          small
-          kind="quiet"
+        <IconButton
           icon="trash"
           label={say("upload-discard-one", { file: upload.filename })}
           onClick={discard}

@@ -51,7 +51,6 @@ export default function ClickAgainScreen({ surveyId }: ScreenProps) {
                 vehicle: vehicleName(item.vehicle_number),
                 target: TARGET_WORDS[item.target],
               }}
-              parts={{ muted: (text) => <span class="muted">{text}</span> }}
             />
           ) : (
             <strong>{say("again-stored", { count: session.stored.value })}</strong>

@@ -1,6 +1,6 @@
 /** What something else measured of the chosen vehicle, ours beside it, and whose run it is. */
 import { useState } from "preact/hooks";
-import { Button } from "../../components";
+import { Button, IconButton } from "../../components";
 import { CommitField } from "../../components/CommitField";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
@@ -83,13 +83,7 @@ function Reference({ one, edit, remove }: ReferenceProps) {
             label={say("scan-reference-edit-one", named)}
             onClick={edit}
           />
-          <Button
-            small
-            kind="quiet"
-            icon="trash"
-            label={say("scan-reference-remove-one", named)}
-            onClick={remove}
-          />
+          <IconButton icon="trash" label={say("scan-reference-remove-one", named)} onClick={remove} />
         </div>
       )}
     </div>

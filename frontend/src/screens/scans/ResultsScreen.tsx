@@ -2,7 +2,7 @@
 import { useState } from "preact/hooks";
 import { Button, choices, Empty, Loaded, Notice, PageHead, Segments } from "../../components";
 import { PageTabs } from "../../components/PageTabs";
-import { Said } from "../../components/Said";
+import { linkTo, Said } from "../../components/Said";
 import { query, setQuery } from "../../core/address";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
@@ -55,7 +55,7 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
           <Said
             what="motion-without-time"
             values={{ count: data.counted["without_time"] ?? 0 }}
-            parts={{ link: (text) => <a href={`/surveys/${surveyId}/scans`}>{text}</a> }}
+            parts={linkTo(`/surveys/${surveyId}/scans`)}
           />
         </Notice>
       )}

@@ -1,5 +1,5 @@
 /** The line camera's calibration: where the rod stood, its marks with their residuals, and what they give. */
-import { Button, DataTable, Empty, Facts, Notice, Notices } from "../../components";
+import { Button, DataTable, Empty, Facts, IconButton, Notice, Notices } from "../../components";
 import { CommitField, LengthField } from "../../components/CommitField";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
 import type { RodMark } from "../../core/types";
@@ -105,9 +105,7 @@ function Marks({ model, marks, residuals }: MarksProps) {
             return <span class={worst ? "rod__worst" : ""}>{words}</span>;
           }),
           col(<span class="visually-hidden">{say("scan-rod-head-remove")}</span>, (_, index) => (
-            <Button
-              small
-              kind="quiet"
+            <IconButton
               icon="trash"
               label={say("scan-rod-remove", { number: String(index + 1) })}
               onClick={() => model.rod.remove(index)}

@@ -198,7 +198,6 @@ function DistanceGap({ gap }: { gap: NonNullable<ScanVehicle["gap"]> }) {
     <Said
       what="scan-distance-gap-paper"
       values={{ gap: words ?? "", paper_gap: formatLength(gap.paper_distance_gap_m, 2) }}
-      parts={{ muted: (text) => <span class="muted">{text}</span> }}
     />
   );
 }

@@ -171,7 +171,6 @@ function Shares({ target, standards }: Props) {
               below: one.below,
               n: one.n,
             }}
-            parts={{ muted: (text) => <span class="muted">{text}</span> }}
           />
         </li>
       ))}

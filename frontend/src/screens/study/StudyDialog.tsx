@@ -1,5 +1,5 @@
 import { useId, useState } from "preact/hooks";
-import { Button, FormDialog, named, OptionalField, Problem, TextField } from "../../components";
+import { FormDialog, IconButton, named, OptionalField, Problem, TextField } from "../../components";
 import { api } from "../../core/api";
 import { fieldsOf, useForm } from "../../core/form";
 import { say } from "../../core/messages";
@@ -90,9 +90,7 @@ function Surveys({ rows, change }: { rows: readonly Row[]; change: (rows: readon
           <TextField says="study-site" {...field(one)("site")} />
           <TextField says="study-stratum" {...field(one)("stratum")} />
           <TextField says="study-year" {...field(one)("year")} numeric />
-          <Button
-            small
-            kind="quiet"
+          <IconButton
             icon="close"
             label={say("study-take-out", { name: one.name })}
             onClick={() => change(rows.filter((other) => other !== one))}

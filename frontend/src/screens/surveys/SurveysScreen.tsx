@@ -1,7 +1,7 @@
 import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
 import { Button, Empty, JobProgress, Loading, Notice, PageHead, Problem, StateMark } from "../../components";
-import { Said } from "../../components/Said";
+import { linkTo, Said } from "../../components/Said";
 import { isOver } from "../../core/jobs";
 import { say, sentenceOf, sentencesOf } from "../../core/messages";
 import { useAsked, useEvery } from "../../core/resource";
@@ -106,7 +106,7 @@ function Simulated({ surveys }: { surveys: readonly Survey[] }) {
     <details class="panel panel__body" data-testid="simulated">
       <summary>{say("surveys-simulated", { count: surveys.length })}</summary>
       <p class="muted small">
-        <Said what="surveys-simulated-help" parts={{ link: (text) => <a href="/studies">{text}</a> }} />
+        <Said what="surveys-simulated-help" parts={linkTo("/studies")} />
       </p>
       <ul>
         {surveys.map((survey) => (
@@ -198,11 +198,7 @@ function Tally({ label, done, of }: { label: string; done: number; of: number })
     <div class="tally">
       <span class="tally__label">{label}</span>
       <span class="tally__figure">
-        <Said
-          what="surveys-tally"
-          values={{ done, all: of }}
-          parts={{ muted: (text) => <span class="muted">{text}</span> }}
-        />
+        <Said what="surveys-tally" values={{ done, all: of }} />
       </span>
       <span class="tally__track" aria-hidden="true">
         <span style={{ width: `${share * 100}%` }} />
