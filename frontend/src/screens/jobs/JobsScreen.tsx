@@ -88,12 +88,7 @@ function pageLink(job: Job, survey: string) {
   return page ? <a href={page}>{survey}</a> : survey;
 }
 
-interface ActionsProps {
-  job: Job;
-  run(work: () => Promise<unknown>): Promise<void>;
-}
-
-function Actions({ job, run }: ActionsProps) {
+function Actions({ job, run }: { job: Job; run(work: () => Promise<unknown>): Promise<void> }) {
   if (!may("operator")) return null;
   if (!isOver(job)) {
     return (

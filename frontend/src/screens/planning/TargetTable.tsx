@@ -4,13 +4,8 @@ import { say, sentenceOf } from "../../core/messages";
 import { formatLength, formatSmall } from "../../core/units";
 import { type PlannedTarget, wordOf } from "./model";
 
-interface Props {
-  targets: readonly PlannedTarget[];
-  travelM: number;
-}
-
 /** Each target's expected uncertainty; the parts it is made of below. */
-export function TargetTable({ targets, travelM }: Props) {
+export function TargetTable({ targets, travelM }: { targets: readonly PlannedTarget[]; travelM: number }) {
   return (
     <Panel says="planning-targets-title">
       <DataTable

@@ -54,13 +54,7 @@ export function References({ model, vehicle }: { model: ScanModel; vehicle: Scan
   );
 }
 
-interface ReferenceProps {
-  one: ScanReference;
-  edit: () => void;
-  remove: () => void;
-}
-
-function Reference({ one, edit, remove }: ReferenceProps) {
+function Reference({ one, edit, remove }: { one: ScanReference; edit: () => void; remove: () => void }) {
   const named = { quantity: QUANTITY_WORDS[one.quantity], source: SOURCE_WORDS[one.source] };
   const outside = one.agreement !== null && !one.agreement.within;
   return (

@@ -75,13 +75,7 @@ export function VehiclePanel({ model }: { model: ScanModel }) {
   );
 }
 
-interface NumbersProps {
-  m: ScanMotion;
-  vehicle: ScanVehicle;
-  lanes: readonly RigLane[];
-}
-
-function Numbers({ m, vehicle, lanes }: NumbersProps) {
+function Numbers({ m, vehicle, lanes }: { m: ScanMotion; vehicle: ScanVehicle; lanes: readonly RigLane[] }) {
   return (
     <section class="stack stack--tight" aria-label={say("scan-motion")}>
       {m.status === "ok" ? (
@@ -160,14 +154,8 @@ function gapFacts(gap: ScanVehicle["gap"]): Fact[] {
   ];
 }
 
-interface ChooseLaneProps {
-  model: ScanModel;
-  m: ScanMotion;
-  lanes: readonly RigLane[];
-}
-
 /** The program proposes; what a person says stays. */
-function ChooseLane({ model, m, lanes }: ChooseLaneProps) {
+function ChooseLane({ model, m, lanes }: { model: ScanModel; m: ScanMotion; lanes: readonly RigLane[] }) {
   return (
     <OptionalField
       says="scan-lane-choose"

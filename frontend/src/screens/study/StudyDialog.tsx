@@ -7,12 +7,6 @@ import { useAsked } from "../../core/resource";
 import type { Study } from "../../core/types";
 import { parseNumber } from "../../core/units";
 
-interface Props {
-  study: Study;
-  close: () => void;
-  saved: () => void;
-}
-
 interface Row {
   survey_id: number;
   name: string;
@@ -22,7 +16,7 @@ interface Row {
 }
 
 /** What a study joins and how it weighs: sent as a whole, refused in one sentence where it does not hold together. */
-export function StudyDialog({ study, close, saved }: Props) {
+export function StudyDialog({ study, close, saved }: { study: Study; close: () => void; saved: () => void }) {
   const { values, field } = useForm(() => {
     const { name, description, fleet_csv, sites_csv } = study;
     return { name, description, fleet_csv, sites_csv, goal: String(1000 * study.goal_m) };
