@@ -2,7 +2,7 @@ import { ask, Button, IconButton, Notice, Progress } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { formatDuration } from "../../core/times";
-import { toastProblem } from "../../core/toasts";
+import { telling } from "../../core/toasts";
 import type { UnfinishedUpload } from "../../core/types";
 import { formatBytes } from "../../core/units";
 import { cancelUpload, forget, pauseUpload, resumeUpload, type UploadItem } from "./uploads";
@@ -64,12 +64,10 @@ export function UnfinishedRow({ upload, gone }: { upload: UnfinishedUpload; gone
       action: say("upload-discard"),
     });
     if (!yes) return;
-    try {
+    await telling(async () => {
       await api.write("DELETE /uploads/{upload_id}", { upload_id: upload.id });
       await gone();
-    } catch (error) {
-      toastProblem(error);
-    }
+    });
   };
   return (
     <div class="upload">

@@ -129,11 +129,7 @@ function usePhotographs(
   const [waiting, setWaiting] = useState(0);
   const [refused, setRefused] = useState<string[]>([]);
   const run = async (work: () => Promise<unknown>) => {
-    try {
-      await work();
-    } catch (error) {
-      toastProblem(error);
-    }
+    await work().catch(toastProblem);
     await reload();
   };
   const add = async (files: File[]) => {
