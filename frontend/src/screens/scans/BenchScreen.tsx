@@ -112,7 +112,11 @@ function Head({ model, scan, surveyId }: { model: ScanModel; scan: Scan; surveyI
       <Button says="scans-all" small kind="quiet" href={`/surveys/${surveyId}/scans`} />
       {open === "find" && <FindDialog model={model} scan={scan} onClose={() => setOpen(null)} />}
       {open === "rig" && <RigDialog model={model} scan={scan} onClose={() => setOpen(null)} />}
-      {scan.run && scan.run.warnings.length > 0 && <RunWarnings scan={scan} />}
+      {scan.run && scan.run.warnings.length > 0 && (
+        <div class="scan__warnings">
+          <Notices of={scan.run.warnings} kind="warning" />
+        </div>
+      )}
     </header>
   );
 }
@@ -127,14 +131,6 @@ function headWords({ lines, rows_px, duration_s, rig, run, started_local }: Scan
     sentenceOf(run?.summary.misalignment_words),
   ];
   return words.filter(Boolean).join("  ·  ");
-}
-
-function RunWarnings({ scan }: { scan: Scan }) {
-  return (
-    <div class="scan__warnings">
-      <Notices of={scan.run?.warnings} kind="warning" />
-    </div>
-  );
 }
 
 function NoVehicles({ model, scan }: { model: ScanModel; scan: Scan }) {

@@ -93,7 +93,7 @@ function Marks({ model, marks, residuals }: MarksProps) {
         data-testid="rod-marks"
         rows={marks}
         keyOf={(_, index) => index}
-        columns={({ col, num }) => [
+        columns={({ num, actions }) => [
           num(say("scan-rod-head-distance"), (mark) => formatLength(mark.distance_m, 3)),
           num(say("scan-rod-head-height"), (mark) => formatLength(mark.height_m, 3)),
           num(say("scan-rod-head-row"), (mark) => fixed(mark.row_px, 1)),
@@ -104,7 +104,7 @@ function Marks({ model, marks, residuals }: MarksProps) {
             const words = say("value-px", { value: fixed(residual, 2) });
             return <span class={worst ? "rod__worst" : ""}>{words}</span>;
           }),
-          col(<span class="visually-hidden">{say("scan-rod-head-remove")}</span>, (_, index) => (
+          actions(say("scan-rod-head-remove"), (_, index) => (
             <IconButton
               icon="trash"
               label={say("scan-rod-remove", { number: String(index + 1) })}
