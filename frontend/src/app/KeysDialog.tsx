@@ -55,13 +55,12 @@ export default function KeysDialog() {
       }}
       actions={
         <Button
+          says="keys-usual"
           disabled={!changed}
           onClick={() => {
             overrides.value = {};
           }}
-        >
-          {say("keys-usual")}
-        </Button>
+        />
       }
     >
       <div class="stack">

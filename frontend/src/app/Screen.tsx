@@ -52,8 +52,10 @@ function Guarded({ children }: { children: ComponentChildren }) {
 
 export function NotFound() {
   return (
-    <Empty title={say("app-nothing-here-title")} actions={<a href="/">{say("app-to-surveys")}</a>}>
-      <p>{say("app-nothing-here")}</p>
-    </Empty>
+    <Empty
+      says="app-nothing-here-title"
+      why="app-nothing-here"
+      actions={<a href="/">{say("app-to-surveys")}</a>}
+    />
   );
 }

@@ -83,3 +83,11 @@ export function Button(props: ButtonProps) {
     </button>
   );
 }
+
+type IconButtonProps = Required<Pick<ButtonProps, "icon" | "label" | "onClick">> &
+  Pick<ButtonProps, "title" | "disabled" | "pressed">;
+
+/** A small quiet sign: beside a thing, what can be done with it. */
+export function IconButton(props: IconButtonProps) {
+  return <Button {...props} small kind="quiet" />;
+}

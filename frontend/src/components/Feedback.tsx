@@ -2,11 +2,12 @@
 import type { ComponentChildren } from "preact";
 import { ApiError, explain } from "../core/api";
 import { jobName } from "../core/jobs";
-import { say, sentenceOf } from "../core/messages";
+import { type PlainKey, type Said, say, sentenceOf } from "../core/messages";
 import type { Resource } from "../core/resource";
 import type { Job } from "../core/types";
 import { Button } from "./Button";
 import { Icon } from "./Icon";
+import { type Named, nameOf } from "./named";
 
 export function Loading({ what }: { what: string }) {
   return (
@@ -17,23 +18,30 @@ export function Loading({ what }: { what: string }) {
   );
 }
 
-/** Nothing here yet: says so, and what to do. */
-export function Empty({
-  title,
-  children,
-  actions,
-}: {
-  title: string;
+type EmptyProps = Named & {
+  /** The sentence below it; more of it are its children. */
+  why?: PlainKey;
+  /** It stands for a whole panel. */
+  panel?: boolean;
   children?: ComponentChildren;
   actions?: ComponentChildren;
-}) {
-  return (
+};
+
+/** Nothing here yet: says so, and what to do. */
+export function Empty({ why, panel, children, actions, ...name }: EmptyProps) {
+  const empty = (
     <div class="empty">
-      <h2>{title}</h2>
-      {children && <div class="stack stack--tight">{children}</div>}
+      <h2>{nameOf(name)}</h2>
+      {(why || children) && (
+        <div class="stack stack--tight">
+          {why && <p>{say(why)}</p>}
+          {children}
+        </div>
+      )}
       {actions && <div class="row row--wrap">{actions}</div>}
     </div>
   );
+  return panel ? <div class="panel">{empty}</div> : empty;
 }
 
 interface NoticeProps {
@@ -57,6 +65,15 @@ export function Notice({ kind = "info", title, children, actions }: NoticeProps)
       {actions}
     </div>
   );
+}
+
+/** What the server says of a thing, each sentence by itself. */
+export function Notices({ of, kind }: Pick<NoticeProps, "kind"> & { of: readonly Said[] | undefined }) {
+  return of?.map(sentenceOf).map((one) => (
+    <Notice key={one} kind={kind}>
+      {one}
+    </Notice>
+  ));
 }
 
 /** What was asked for cannot be: asking once more gives the same answer. */
@@ -130,17 +147,19 @@ export function Progress({ value, label, figure, still }: ProgressProps) {
 interface JobProgressProps {
   job: Job;
   onCancel?: () => void;
+  /** It stands for a whole panel. */
+  panel?: boolean;
   /** Where nothing else says what is being done: with the job's name before its words. */
   named?: boolean;
 }
 
 /** A job's progress with its own words. */
-export function JobProgress({ job, onCancel, named }: JobProgressProps) {
+export function JobProgress({ job, onCancel, panel, named }: JobProgressProps) {
   const name = jobName(job.kind);
   const message = sentenceOf(job.message);
   const words = message ?? (job.state === "queued" ? say("job-queued") : name);
   const label = named && words !== name ? say("job-named", { job: name, words }) : words;
-  return (
+  const row = (
     <div class="row">
       <div class="grow">
         <Progress value={job.progress} label={label} still={job.state === "queued"} />
@@ -148,4 +167,5 @@ export function JobProgress({ job, onCancel, named }: JobProgressProps) {
       {onCancel && <Button says="action-cancel" small onClick={onCancel} />}
     </div>
   );
+  return panel ? <div class="panel panel__body">{row}</div> : row;
 }

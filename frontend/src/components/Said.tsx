@@ -1,13 +1,15 @@
-/** A sentence of the catalogue with marked parts: `<strong>`, `<em>`, `<kbd>`, `<code>`, `<sub>`, and those that a
- * screen gives a meaning, such as `<link>`. The sentence stays whole, so that a translator can move its parts. */
+/** A sentence of the catalogue with marked parts: `<strong>`, `<em>`, `<kbd>`, `<code>`, `<sub>`, `<muted>`, and those
+ * that a screen gives a meaning, such as `<link>`. The sentence stays whole, so that a translator can move its parts. */
 import type { FluentVariable } from "@fluent/bundle";
 import type { ComponentChildren } from "preact";
 import type { Messages, Parts } from "#messages";
 import { type MessageKey, sentence } from "../core/messages";
 
 type Part = (text: string) => ComponentChildren;
+/** What a screen must give a meaning. */
+type Marked<K> = K extends keyof Parts ? Exclude<Parts[K], "muted"> : never;
 type Given<K extends MessageKey> = (Messages[K] extends null ? { values?: never } : { values: Messages[K] }) &
-  (K extends keyof Parts ? { parts: Record<Parts[K], Part> } : { parts?: never });
+  ([Marked<K>] extends [never] ? { parts?: { muted: Part } } : { parts: Record<Marked<K>, Part> });
 
 const USUAL: Record<string, Part> = {
   strong: (text) => <strong>{text}</strong>,
@@ -15,7 +17,14 @@ const USUAL: Record<string, Part> = {
   kbd: (text) => <kbd>{text}</kbd>,
   code: (text) => <code>{text}</code>,
   sub: (text) => <sub>{text}</sub>,
+  muted: (text) => <span class="muted">{text}</span>,
 };
+
+/** `<link>` leads there. */
+export function linkTo(href: string): { link: Part } {
+  return { link: (text) => <a href={href}>{text}</a> };
+}
+
 /** Stands for "<" in what people typed, which marks nothing. */
 const LESS = "\uE000";
 

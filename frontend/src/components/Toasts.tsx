@@ -1,6 +1,6 @@
 import { say } from "../core/messages";
 import { dismiss, toasts } from "../core/toasts";
-import { Button } from "./Button";
+import { Button, IconButton } from "./Button";
 
 /** One live region for all of them, so that each is read once and the ones that stay are not read again. */
 export function Toasts() {
@@ -21,13 +21,7 @@ export function Toasts() {
               {toast.action.label}
             </Button>
           )}
-          <Button
-            kind="quiet"
-            small
-            icon="close"
-            label={say("action-dismiss")}
-            onClick={() => dismiss(toast.id)}
-          />
+          <IconButton icon="close" label={say("action-dismiss")} onClick={() => dismiss(toast.id)} />
         </div>
       ))}
     </div>

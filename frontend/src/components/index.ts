@@ -1,10 +1,10 @@
-export { Button } from "./Button";
+export { Button, IconButton } from "./Button";
 export { Checklist } from "./Checklist";
 export { type Choice, choices, named } from "./choices";
 export { AskDialog, ask, Dialog } from "./Dialog";
 export { DropFiles } from "./DropFiles";
 export { type Fact, Facts } from "./Facts";
-export { Empty, JobProgress, Loaded, Loading, Notice, Problem, Progress } from "./Feedback";
+export { Empty, JobProgress, Loaded, Loading, Notice, Notices, Problem, Progress } from "./Feedback";
 export {
   Check,
   DateField,

@@ -27,6 +27,11 @@ export function toastProblem(error: unknown): void {
   toast(explain(error), { kind: "problem" });
 }
 
+/** Does the work; what goes wrong is told in the corner. */
+export function telling(work: () => Promise<void>): Promise<void> {
+  return work().catch(toastProblem);
+}
+
 export function dismiss(id: number): void {
   toasts.value = toasts.value.filter((old) => old.id !== id);
 }

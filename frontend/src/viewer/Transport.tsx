@@ -1,6 +1,6 @@
 /** Step buttons, play, the frame box, the time. */
 import { useLayoutEffect, useRef } from "preact/hooks";
-import { Button } from "../components";
+import { Button, IconButton } from "../components";
 import { type ActionId, commandName, hint } from "../core/commands";
 import { say } from "../core/messages";
 import { formatFrameTime } from "../core/times";
@@ -38,9 +38,7 @@ export function Transport({ player, stage }: { player: Player; stage: FrameStage
     <div class="transport">
       <Step action="framePreviousTen" text="−10" onClick={() => player.step(-10)} />
       <Step action="framePrevious" text="−1" onClick={() => player.step(-1)} />
-      <Button
-        small
-        kind="quiet"
+      <IconButton
         icon={player.playing.value ? "pause" : "play"}
         label={playWords}
         title={playWords + hint("play")}

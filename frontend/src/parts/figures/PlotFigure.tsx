@@ -127,12 +127,20 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
         <h3>{title}</h3>
         {!reason && (
           <div class="row stat-noprint">
-            <Button small icon="download" onClick={saveSvg} title={say("figure-as-svg", { figure: title })}>
-              {say("file-svg")}
-            </Button>
-            <Button small icon="download" onClick={saveCsv} title={say("figure-as-csv", { figure: title })}>
-              {say("file-csv")}
-            </Button>
+            <Button
+              says="file-svg"
+              small
+              icon="download"
+              onClick={saveSvg}
+              title={say("figure-as-svg", { figure: title })}
+            />
+            <Button
+              says="file-csv"
+              small
+              icon="download"
+              onClick={saveCsv}
+              title={say("figure-as-csv", { figure: title })}
+            />
           </div>
         )}
       </header>

@@ -23,6 +23,31 @@ export interface Read {
   high: number | null;
 }
 
+/** Where a row is drawn, and what it says: as Plot takes it for a mark. */
+export interface Channels<R> {
+  x: (row: R) => number;
+  y: (row: R) => number | null;
+  low?: (row: R) => number | null;
+  high?: (row: R) => number | null;
+}
+
+/** Rows read where a mark with the same channels draws them. */
+export function readRows<R>(
+  rows: readonly R[],
+  { x, y, low, high }: Channels<R>,
+  way: Readable["way"],
+  word = "",
+): Readable {
+  return {
+    word,
+    x: rows.map(x),
+    y: rows.map(y),
+    low: low && rows.map(low),
+    high: high && rows.map(high),
+    way,
+  };
+}
+
 const READABLE = new WeakMap<object, readonly Readable[]>();
 
 /** The mark, which can be read from now on. */

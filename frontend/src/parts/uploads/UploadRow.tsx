@@ -1,8 +1,8 @@
-import { ask, Button, Notice, Progress } from "../../components";
+import { ask, Button, IconButton, Notice, Progress } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { formatDuration } from "../../core/times";
-import { toastProblem } from "../../core/toasts";
+import { telling } from "../../core/toasts";
 import type { UnfinishedUpload } from "../../core/types";
 import { formatBytes } from "../../core/units";
 import { cancelUpload, forget, pauseUpload, resumeUpload, type UploadItem } from "./uploads";
@@ -28,9 +28,7 @@ export function UploadRow({ item }: { item: UploadItem }) {
           <Button says="upload-resume" small icon="play" onClick={() => resumeUpload(item.key)} />
         )}
         {item.state !== "done" && (
-          <Button
-            small
-            kind="quiet"
+          <IconButton
             icon="close"
             label={say("upload-cancel", { file: item.name })}
             onClick={() => void (item.size === 0 ? forget(item.key) : cancelUpload(item.key))}
@@ -66,12 +64,10 @@ export function UnfinishedRow({ upload, gone }: { upload: UnfinishedUpload; gone
       action: say("upload-discard"),
     });
     if (!yes) return;
-    try {
+    await telling(async () => {
       await api.write("DELETE /uploads/{upload_id}", { upload_id: upload.id });
       await gone();
-    } catch (error) {
-      toastProblem(error);
-    }
+    });
   };
   return (
     <div class="upload">
@@ -87,9 +83,7 @@ export function UnfinishedRow({ upload, gone }: { upload: UnfinishedUpload; gone
             still
           />
         </div>
-        <Button
-          small
-          kind="quiet"
+        <IconButton
           icon="trash"
           label={say("upload-discard-one", { file: upload.filename })}
           onClick={discard}

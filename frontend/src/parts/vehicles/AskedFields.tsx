@@ -7,12 +7,7 @@ import "./surveyFields.css";
 
 export const USUALLY_ASKED: Asked = { daytime: ["roof", "driver_eye"], low_light: ["roof", "taillight"] };
 
-interface Props {
-  value: Asked;
-  onInput(asked: Asked): void;
-}
-
-export function AskedFields({ value: asked, onInput }: Props) {
+export function AskedFields({ value: asked, onInput }: { value: Asked; onInput(asked: Asked): void }) {
   const change = (lighting: Lighting, target: AskedTarget, wanted: boolean): void => {
     const now = asked[lighting];
     const next = ASKABLE.filter((one) => (one === target ? wanted : now.includes(one)));

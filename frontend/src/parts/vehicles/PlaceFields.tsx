@@ -72,12 +72,7 @@ function optional(text: string): number | null | undefined {
   return text.trim() === "" ? null : (parseNumber(text) ?? undefined);
 }
 
-interface Props {
-  value: TypedPlace;
-  onInput(place: TypedPlace): void;
-}
-
-export function PlaceFields({ value, onInput }: Props) {
+export function PlaceFields({ value, onInput }: { value: TypedPlace; onInput(place: TypedPlace): void }) {
   const field = fieldsOf(value, (part) => onInput({ ...value, ...part }));
   return (
     <fieldset class="survey-fields stack" data-testid="place">

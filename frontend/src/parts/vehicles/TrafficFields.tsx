@@ -9,12 +9,7 @@ const HANDS = wordsOf("traffic-", "right", "left");
 const WHEELS = wordsOf("wheel-");
 const PLACES = wordsOf("camera-", "verge", "median");
 
-interface Props {
-  value: Traffic;
-  onInput(traffic: Traffic): void;
-}
-
-export function TrafficFields({ value, onInput }: Props) {
+export function TrafficFields({ value, onInput }: { value: Traffic; onInput(traffic: Traffic): void }) {
   const field = fieldsOf(value, (part) => onInput({ ...value, ...part }));
   const none = say("traffic-not-said");
   return (

@@ -38,11 +38,10 @@ export function Tokens() {
       <Loaded of={tokens} what={say("account-tokens-loading")} />
       {tokens.data?.length === 0 && (
         <Empty
-          title={say("account-tokens-none")}
+          says="account-tokens-none"
+          why="account-tokens-help"
           actions={<Button says="account-token-make" icon="add" onClick={() => setMaking(true)} />}
-        >
-          <p>{say("account-tokens-help")}</p>
-        </Empty>
+        />
       )}
       {!!tokens.data?.length && <TokenTable tokens={tokens.data} revoke={revoke} />}
       {making && (
@@ -81,7 +80,7 @@ function TokenTable({ tokens, revoke }: TableProps) {
       class="tokens"
       rows={tokens}
       keyOf={(token) => token.id}
-      columns={({ col }) => [
+      columns={({ col, actions }) => [
         col(say("account-token-name"), (token) => token.name),
         col(say("account-token-scopes"), (token) =>
           token.scopes.map((scope) => SCOPE_NAMES[scope]).join(", "),
@@ -96,8 +95,8 @@ function TokenTable({ tokens, revoke }: TableProps) {
           (token) => (token.last_used_at ? formatAgo(token.last_used_at) : say("account-token-never")),
           "nowrap",
         ),
-        col(
-          <span class="visually-hidden">{say("people-actions")}</span>,
+        actions(
+          say("people-actions"),
           (token) => <Button says="account-token-revoke" small onClick={() => void revoke(token)} />,
           "tokens__revoke",
         ),

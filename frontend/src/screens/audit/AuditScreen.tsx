@@ -67,11 +67,11 @@ export default function AuditScreen({ surveyId }: ScreenProps) {
       <Filters surveyId={surveyId} />
       <Loaded of={first} what={say("audit-loading")} />
       {first.data && events.length === 0 && (
-        <div class="panel">
-          <Empty title={say("audit-none-title")}>
-            <p>{say(Object.keys(filters).length > 0 ? "audit-none-filtered" : "audit-none")}</p>
-          </Empty>
-        </div>
+        <Empty
+          panel
+          says="audit-none-title"
+          why={Object.keys(filters).length > 0 ? "audit-none-filtered" : "audit-none"}
+        />
       )}
       {events.length > 0 && (
         <DataTable

@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
 import { Button, choices, Segments, SelectField, TextField } from "../../components";
-import { Said } from "../../components/Said";
+import { linkTo, Said } from "../../components/Said";
 import { useForm } from "../../core/form";
 import { say, wordsOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
@@ -80,10 +80,7 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
           </div>
         ) : (
           <p class="muted">
-            <Said
-              what="camera-no-recording"
-              parts={{ link: (text) => <a href={`/surveys/${surveyId}/recordings`}>{text}</a> }}
-            />
+            <Said what="camera-no-recording" parts={linkTo(`/surveys/${surveyId}/recordings`)} />
           </p>
         ))}
       <div class="row row--wrap calibrate__choices">

@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { Button, Loading, Notice, Problem, StateMark } from "../../components";
+import { Button, Loading, Notices, Problem, StateMark } from "../../components";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { formatMoment } from "../../core/times";
@@ -60,11 +60,7 @@ export function CalibrationPanel({ id, camera, makeCurrent }: Props) {
       </header>
       <div class="panel__body stack">
         <p>{sentenceOf(c.summary)}</p>
-        {c.warnings.map(sentenceOf).map((warning) => (
-          <Notice kind="warning" key={warning}>
-            {warning}
-          </Notice>
-        ))}
+        <Notices of={c.warnings} kind="warning" />
         <div class="result">
           <Figures calibration={c} />
           <Coverage calibration={c} />

@@ -46,21 +46,19 @@ export default function CameraScreen({ surveyId }: ScreenProps) {
       )}
       {!cameras.data && cameras.loading && <Loading what={say("camera-loading-all")} />}
       {cameras.data && list.length === 0 && (
-        <div class="panel">
-          <Empty
-            title={say("camera-none-title")}
-            actions={
-              canWork && (
-                <>
-                  <Button says="camera-add-first" kind="primary" icon="add" onClick={() => setAdding(true)} />
-                  <Button says="camera-take-open" onClick={() => setTaking(true)} />
-                </>
-              )
-            }
-          >
-            <p>{say("camera-none")}</p>
-          </Empty>
-        </div>
+        <Empty
+          panel
+          says="camera-none-title"
+          why="camera-none"
+          actions={
+            canWork && (
+              <>
+                <Button says="camera-add-first" kind="primary" icon="add" onClick={() => setAdding(true)} />
+                <Button says="camera-take-open" onClick={() => setTaking(true)} />
+              </>
+            )
+          }
+        />
       )}
       {list.length > 1 && open && (
         <nav class="tabs" aria-label={say("camera-list")}>

@@ -1,12 +1,7 @@
 import { say } from "../../core/messages";
 
-interface Props {
-  coverage: number[][];
-  aspect: number;
-}
-
 /** 16 by 12 cells, darker with more corners; empty cells are hatched, so that shape tells it too. */
-export function CoverageMap({ coverage, aspect }: Props) {
+export function CoverageMap({ coverage, aspect }: { coverage: number[][]; aspect: number }) {
   const rows = coverage.length;
   const columns = coverage[0]?.length ?? 1;
   const most = Math.max(...coverage.flat(), 1);

@@ -22,7 +22,7 @@ export function History({ camera, shownId, show }: Props) {
         class="table--hover"
         rows={newestFirst}
         keyOf={(entry) => entry.id}
-        columns={({ col }) => [
+        columns={({ col, actions }) => [
           col(say("camera-history-made"), (entry) => formatMoment(entry.created_at), "nowrap"),
           col(say("camera-history-by"), (entry) => entry.created_by?.name ?? "–", "nowrap"),
           col(say("camera-history-from"), (entry) => SOURCES[entry.source], "nowrap"),
@@ -30,8 +30,8 @@ export function History({ camera, shownId, show }: Props) {
             <StateMark state={entry.trusted ? "trusted" : "not_trusted"} />
           )),
           col(say("camera-history-summary"), (entry) => sentenceOf(entry.summary)),
-          col(
-            <span class="visually-hidden">{say("camera-history-show")}</span>,
+          actions(
+            say("camera-history-show"),
             (entry) => (
               <>
                 {entry.id === camera.current_calibration_id && (

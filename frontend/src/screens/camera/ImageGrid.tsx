@@ -1,4 +1,4 @@
-import { Button, StateMark } from "../../components";
+import { IconButton, StateMark } from "../../components";
 import { say, sentenceOf } from "../../core/messages";
 import type { CalibrationImage } from "../../core/types";
 import { STATE_WORDS } from "../../core/words";
@@ -33,9 +33,7 @@ export function ImageGrid({
             <span class="clip" title={image.name}>
               {image.name}
             </span>
-            <Button
-              small
-              kind="quiet"
+            <IconButton
               icon="close"
               label={say("camera-remove", { image: image.name })}
               onClick={() => remove(image)}

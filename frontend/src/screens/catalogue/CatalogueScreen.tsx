@@ -81,9 +81,7 @@ export default function CatalogueScreen() {
       {found.data && (
         <section class="panel" aria-label={say("page-catalogue")}>
           {found.data.total === 0 ? (
-            <Empty title={say("catalogue-none")}>
-              {say(q ? "catalogue-none-found" : "catalogue-none-yet")}
-            </Empty>
+            <Empty says="catalogue-none" why={q ? "catalogue-none-found" : "catalogue-none-yet"} />
           ) : (
             <Models rows={found.data.entries} edit={setEdited} retire={retire} />
           )}

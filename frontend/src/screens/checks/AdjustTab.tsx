@@ -7,6 +7,7 @@ import {
   JobProgress,
   Loaded,
   Notice,
+  Notices,
   Panel,
   Problem,
   TextField,
@@ -64,12 +65,8 @@ export function AdjustTab({ surveyId }: { surveyId: number }) {
     <>
       <KnownFields known={known} change={setKnown} />
       <Problem error={problem ?? read.error} />
-      {job && (
-        <div class="panel panel__body">
-          <JobProgress job={job} onCancel={cancel} />
-        </div>
-      )}
-      {read.data.length === 0 && <Empty title={say("adjust-no-pose")} />}
+      {job && <JobProgress panel job={job} onCancel={cancel} />}
+      {read.data.length === 0 && <Empty says="adjust-no-pose" />}
       {read.data.map((one) => (
         <OfPose
           key={one.pose_id}
@@ -178,11 +175,7 @@ function OfPose({ surveyId, found, busy, put, takeBack }: PoseProps) {
         )}
         {found.reason && found.adjusted_from === null && <Notice>{sentenceOf(found.reason)}</Notice>}
         {found.used > 0 && <p>{inWords(found)}</p>}
-        {found.notes.map(sentenceOf).map((note) => (
-          <Notice kind="warning" key={note}>
-            {note}
-          </Notice>
-        ))}
+        <Notices of={found.notes} kind="warning" />
       </div>
       {found.moved.length > 0 && <MovedTable found={found} />}
       <LeftOut surveyId={surveyId} found={found} />

@@ -31,9 +31,7 @@ export function AgainTab({ surveyId }: { surveyId: number }) {
       <Problem error={work.problem} />
       <Stale found={read.data} busy={work.underWay} start={start} />
       {work.job && (
-        <div class="panel panel__body">
-          <JobProgress job={work.job} onCancel={work.job.progress < 0.9 ? work.cancel : undefined} />
-        </div>
+        <JobProgress panel job={work.job} onCancel={work.job.progress < 0.9 ? work.cancel : undefined} />
       )}
       <Runs computings={computings} shown={shown?.id ?? 0} />
       {shown && (
@@ -86,7 +84,7 @@ function Runs({ computings, shown }: { computings: readonly Computing[]; shown: 
           rows={computings}
           keyOf={(one) => one.id}
           rowAttributes={(one) => ({ "aria-current": one.id === shown ? "true" : undefined })}
-          columns={({ col, num }) => [
+          columns={({ col, num, actions }) => [
             col(say("computing-when"), (one) => formatMoment(one.created_at), "nowrap"),
             col(say("computing-who"), (one) => one.created_by?.name),
             col(say("computing-kind"), (one) => (
@@ -98,7 +96,7 @@ function Runs({ computings, shown }: { computings: readonly Computing[]; shown: 
             num(say("computing-heights"), (one) => formatCount(one.heights)),
             num(say("computing-to-review"), (one) => formatCount(one.to_review)),
             num(say("computing-largest"), (one) => formatSmall(one.largest_m)),
-            col(<span class="visually-hidden">{say("table-actions")}</span>, (one) =>
+            actions(say("table-actions"), (one) =>
               one.id === shown ? (
                 <span class="muted">{say("computing-shown")}</span>
               ) : (

@@ -8,7 +8,7 @@ import { fixed, formatCount, formatHeight, formatSmall, lengthScale, smallScale 
 import { TARGET_WORDS, vehicleName } from "../../core/words";
 import { causesInWords } from "../../parts/again/words";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
-import { readable } from "../../parts/figures/reading";
+import { readable, readRows } from "../../parts/figures/reading";
 
 interface Props {
   surveyId: number;
@@ -117,7 +117,7 @@ function ChangesOf({ found, of }: { found: ComputedHeights; of: keyof typeof PLA
                 rows.filter((one) => !one.to_review),
                 { ...at, r: 3, stroke: "var(--ink)", strokeWidth: 1.2, fill: "var(--surface)" },
               ),
-              { word: "", x: rows.map(at.x), y: rows.map(at.y), way: "points" },
+              readRows(rows, at, "points"),
             ),
             plot.dot(
               rows.filter((one) => one.to_review),
@@ -129,13 +129,8 @@ function ChangesOf({ found, of }: { found: ComputedHeights; of: keyof typeof PLA
       table={() => ({
         columns: ["vehicle", "target", "height_before_m", "u_before_m", "height_m", "u_height_m", column],
         rows: rows.map((one) => [
-          one.vehicle_number,
-          one.target,
-          one.height_before_m,
-          one.u_before_m,
-          one.height_m,
-          one.u_height_m,
-          at_m(one),
+          ...[one.vehicle_number, one.target, one.height_before_m, one.u_before_m],
+          ...[one.height_m, one.u_height_m, at_m(one)],
         ]),
       })}
     />

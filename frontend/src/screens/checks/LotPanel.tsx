@@ -10,7 +10,7 @@ import type { ShownLot } from "../../core/types";
 import { fixed, formatCount } from "../../core/units";
 import { percent } from "../../parts/figures/numbers";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
-import { readable } from "../../parts/figures/reading";
+import { readable, readRows } from "../../parts/figures/reading";
 import { commonInWords, leftInWords } from "./lots";
 
 interface Props {
@@ -146,6 +146,12 @@ function Acts({ surveyId, shown, done }: Props) {
   );
 }
 
+type CurvePoint = ShownLot["curve"][number];
+const PERCENT = {
+  x: (one: CurvePoint) => one.fraction * 100,
+  y: (one: CurvePoint) => one.accepted * 100,
+};
+
 function Curve({ shown }: { shown: ShownLot }) {
   const { kept, curve, lot } = shown;
   const points = [
@@ -170,29 +176,13 @@ function Curve({ shown }: { shown: ShownLot }) {
         y: { label: say("lots-curve-y"), domain: [0, 100] },
         marks: [
           readable(
-            plot.line(curve, {
-              x: (one) => one.fraction * 100,
-              y: (one) => one.accepted * 100,
-              stroke: "var(--ink)",
-              strokeWidth: 1.6,
-            }),
-            {
-              word: "",
-              x: curve.map((one) => one.fraction * 100),
-              y: curve.map((one) => one.accepted * 100),
-              way: "line",
-            },
+            plot.line(curve, { ...PERCENT, stroke: "var(--ink)", strokeWidth: 1.6 }),
+            readRows(curve, PERCENT, "line"),
           ),
-          plot.dot(points, {
-            x: (one) => one.fraction * 100,
-            y: (one) => one.accepted * 100,
-            r: 5,
-            fill: "var(--ink)",
-          }),
+          plot.dot(points, { ...PERCENT, r: 5, fill: "var(--ink)" }),
           ...points.map((one, i) =>
             plot.text([one], {
-              x: [one.fraction * 100],
-              y: [one.accepted * 100],
+              ...PERCENT,
               text: [say(i === 0 ? "lots-producer" : "lots-consumer")],
               // beside the first: the axis has its name above, the curve falls below
               dx: i === 0 ? 24 : 9,

@@ -191,7 +191,7 @@ function Lots({ lots, shown }: { lots: readonly ShownLot[]; shown: ShownLot | un
         rows={lots}
         keyOf={(one) => one.lot.id}
         rowAttributes={(one) => ({ "aria-current": one === shown ? "true" : undefined })}
-        columns={({ col, num }) => [
+        columns={({ col, num, actions }) => [
           col(say("lots-lot"), (one) =>
             say("lots-named", { number: String(one.lot.number), common: commonInWords(one.lot.common) }),
           ),
@@ -203,7 +203,7 @@ function Lots({ lots, shown }: { lots: readonly ShownLot[]; shown: ShownLot | un
           ),
           num(say("lots-bad"), (one) => formatCount(one.progress.nonconforming)),
           col(say("lots-state"), (one) => LOT_STATES[one.state]),
-          col(<span class="visually-hidden">{say("table-actions")}</span>, (one) =>
+          actions(say("table-actions"), (one) =>
             one === shown ? (
               <span class="muted">{say("computing-shown")}</span>
             ) : (

@@ -2,7 +2,7 @@
 import { useEffect, useMemo } from "preact/hooks";
 import { Button, Empty, Loading, Notice, Problem } from "../../components";
 import { type ButtonCommand, CommandButton } from "../../components/CommandButton";
-import { Said } from "../../components/Said";
+import { linkTo, Said } from "../../components/Said";
 import { type HistoryCommands, historyCommands } from "../../components/undoTools";
 import { asked } from "../../core/address";
 import { useCommands } from "../../core/commands";
@@ -34,11 +34,10 @@ export function TrafficTab({ surveyId }: { surveyId: number }) {
   if (!player || model.vehicles.value.length === 0) {
     return (
       <Empty
-        title={say("checks-no-vehicles-title")}
+        says="checks-no-vehicles-title"
+        why="checks-no-vehicles"
         actions={<Button says="checks-mark-passes" href={`/surveys/${surveyId}/measure`} />}
-      >
-        <p>{say("checks-no-vehicles")}</p>
-      </Empty>
+      />
     );
   }
   return (
@@ -138,10 +137,7 @@ function Tools(props: { model: TrafficModel; player: Player; commands: Commands 
     <section class="traffic__tools" aria-label={say("stage-frames")}>
       {model.reel.recording.value?.pose_id == null && (
         <Notice kind="warning">
-          <Said
-            what="checks-no-pose-link"
-            parts={{ link: (text) => <a href={`/surveys/${model.surveyId}/pose`}>{text}</a> }}
-          />
+          <Said what="checks-no-pose-link" parts={linkTo(`/surveys/${model.surveyId}/pose`)} />
         </Notice>
       )}
       <div class="frame-tools">

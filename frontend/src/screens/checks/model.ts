@@ -8,7 +8,7 @@ import { say } from "../../core/messages";
 import { outbox, type Wish } from "../../core/outbox";
 import { canWork } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
-import { toast, toastProblem } from "../../core/toasts";
+import { telling, toast } from "../../core/toasts";
 import type { AxesAnswer, TrafficCheckBody, TurnedPose, Vehicle, WheelPair } from "../../core/types";
 import { bestFrame, neighbour } from "../../parts/vehicles/passes";
 import { fromServer, type ImagePoint, pair } from "../../viewer/points";
@@ -172,27 +172,23 @@ export class TrafficModel {
   async previewTurn(): Promise<void> {
     const pose = this.pose.value;
     if (!pose) return;
-    try {
+    await telling(async () => {
       this.preview.value = await api.ask("GET /poses/{pose_id}/turn", { pose_id: pose.pose_id });
-    } catch (error) {
-      toastProblem(error);
-    }
+    });
   }
 
   async turn(): Promise<void> {
     const preview = this.preview.value;
     if (!preview) return;
     this.turning.value = true;
-    try {
+    await telling(async () => {
       await api.write(
         "POST /poses/{pose_id}/turn",
         { pose_id: preview.pose_id },
         { body: { turn_rad: preview.turn_rad } },
       );
       toast(say("checks-turn-done"));
-    } catch (error) {
-      toastProblem(error);
-    }
+    });
     await this.reload();
     batch(() => {
       if (this.preview.value === preview) this.preview.value = null;
@@ -206,7 +202,7 @@ export class TrafficModel {
     const pose = this.pose.value;
     if (pose?.turned_from == null) return;
     this.turning.value = true;
-    try {
+    await telling(async () => {
       for (const one of pose.recordings)
         await api.write(
           "PUT /recordings/{recording_id}",
@@ -214,9 +210,7 @@ export class TrafficModel {
           { body: { pose_id: pose.turned_from } },
         );
       toast(say("checks-turn-back-done"));
-    } catch (error) {
-      toastProblem(error);
-    }
+    });
     await this.reload();
     this.turning.value = false;
   }
@@ -273,7 +267,7 @@ export class TrafficModel {
   }
 
   private async reload(): Promise<void> {
-    try {
+    await telling(async () => {
       const [recordings, check] = await Promise.all([
         api.ask("GET /surveys/{survey_id}/recordings", { survey_id: this.surveyId }),
         api.ask("GET /surveys/{survey_id}/checks/traffic", { survey_id: this.surveyId }),
@@ -282,9 +276,7 @@ export class TrafficModel {
         this.reel.recordings.value = recordings.filter((one) => one.state === "ready");
         this.stored.value = check;
       });
-    } catch (error) {
-      toastProblem(error);
-    }
+    });
   }
 }
 

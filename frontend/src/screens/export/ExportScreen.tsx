@@ -5,6 +5,7 @@ import {
   choices,
   DataTable,
   Empty,
+  IconButton,
   JobProgress,
   Loaded,
   Notice,
@@ -14,7 +15,7 @@ import {
   Problem,
 } from "../../components";
 import { nameOfLanguage } from "../../components/LanguageChoice";
-import { Said } from "../../components/Said";
+import { linkTo, Said } from "../../components/Said";
 import { api } from "../../core/api";
 import { isOver, useJobAction } from "../../core/jobs";
 import { apart, say, sentencesOf } from "../../core/messages";
@@ -100,25 +101,14 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
       {counts && review && counts.to_review + counts.rejected > 0 && (
         <Notice kind="warning">
           {sentencesOf(review.summary)}{" "}
-          <Said
-            what="export-open-note"
-            parts={{ link: (text) => <a href={`/surveys/${surveyId}/review`}>{text}</a> }}
-          />
+          <Said what="export-open-note" parts={linkTo(`/surveys/${surveyId}/review`)} />
         </Notice>
       )}
-      {job && (
-        <div class="panel panel__body">
-          <JobProgress job={job} onCancel={cancel} />
-        </div>
-      )}
+      {job && <JobProgress panel job={job} onCancel={cancel} />}
       <Problem error={problem} again={() => void build()} />
       <Panel says="export-packages">
         <Loaded of={packages} what={say("export-loading")} />
-        {packages.data?.length === 0 && (
-          <Empty title={say("export-none-title")}>
-            <p>{say("export-none")}</p>
-          </Empty>
-        )}
+        {packages.data?.length === 0 && <Empty says="export-none-title" why="export-none" />}
         {packages.data && packages.data.length > 0 && <Packages list={packages.data} />}
       </Panel>
       {packages.data?.[0] && <Checking newest={packages.data[0]} />}
@@ -234,9 +224,7 @@ function Hash({ text, which }: { text: string; which: "sha256" | "audit-head" })
   return (
     <>
       <code title={text}>{text.slice(0, 8)}…</code>
-      <Button
-        small
-        kind="quiet"
+      <IconButton
         icon="copy"
         label={say(`export-${which}-copy`)}
         onClick={() => void copy(text, say(`export-${which}-copied`))}
@@ -254,9 +242,7 @@ function Checking({ newest }: { newest: ExportPackage }) {
         <p>{say("export-checking-help")}</p>
         <p class="export__command">
           <code>{command}</code>
-          <Button
-            small
-            kind="quiet"
+          <IconButton
             icon="copy"
             label={say("export-command-copy")}
             onClick={() => void copy(command, say("export-command-copied"))}

@@ -51,13 +51,7 @@ export default function JobsScreen() {
       </PageHead>
       <Problem error={problem} />
       <Loaded of={jobs} what={say("jobs-loading")} />
-      {jobs.data?.length === 0 && (
-        <div class="panel">
-          <Empty title={say("jobs-none-title")}>
-            <p>{say("jobs-none")}</p>
-          </Empty>
-        </div>
-      )}
+      {jobs.data?.length === 0 && <Empty panel says="jobs-none-title" why="jobs-none" />}
       {jobs.data && jobs.data.length > 0 && (
         <DataTable
           label={say("page-jobs")}
@@ -94,18 +88,11 @@ function pageLink(job: Job, survey: string) {
   return page ? <a href={page}>{survey}</a> : survey;
 }
 
-interface ActionsProps {
-  job: Job;
-  run(work: () => Promise<unknown>): Promise<void>;
-}
-
-function Actions({ job, run }: ActionsProps) {
+function Actions({ job, run }: { job: Job; run(work: () => Promise<unknown>): Promise<void> }) {
   if (!may("operator")) return null;
   if (!isOver(job)) {
     return (
-      <Button small kind="quiet" onClick={() => void run(() => cancelJob(job.id))}>
-        {say("action-cancel")}
-      </Button>
+      <Button says="action-cancel" small kind="quiet" onClick={() => void run(() => cancelJob(job.id))} />
     );
   }
   if (job.state === "done") return null;
@@ -113,11 +100,7 @@ function Actions({ job, run }: ActionsProps) {
     await api.write("POST /jobs/{job_id}/again", { job_id: job.id });
     toast(say("jobs-begun-again"));
   };
-  return (
-    <Button small kind="quiet" icon="retry" onClick={() => void run(again)}>
-      {say("jobs-again")}
-    </Button>
-  );
+  return <Button says="jobs-again" small kind="quiet" icon="retry" onClick={() => void run(again)} />;
 }
 
 /** The sentence that it ended with; of one that is done, what it did last is none. */

@@ -1,6 +1,6 @@
 /** Line cameras at work: the last vehicles, the flow, and how the stream is; read again every second. */
 import { Fragment } from "preact";
-import { Button, Empty, Loaded, Notice, num, PageHead, StateMark, Table } from "../../components";
+import { Button, Empty, Loaded, Notice, Notices, num, PageHead, StateMark, Table } from "../../components";
 import { say, sentenceOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useAsked, useEvery } from "../../core/resource";
@@ -38,16 +38,14 @@ export default function LiveScreen({ surveyId }: ScreenProps) {
 function HowToStart({ surveyId }: { surveyId: number }) {
   const rig = "--rows 1024 --baseline 0.5 --line-rate 5000";
   return (
-    <div class="panel">
-      <Empty title={say("live-none-title")}>
-        <p>{say("live-none-pipe")}</p>
-        <Typed command={`recorder | sightline stream ${rig} --survey ${surveyId}`} />
-        <p>{say("live-none-file")}</p>
-        <Typed command={`sightline stream ${rig} --follow lines.raw --survey ${surveyId}`} />
-        <p>{say("live-none-cameras")}</p>
-        <Typed command={`sightline stream ${rig} --camera FIRST --camera SECOND --survey ${surveyId}`} />
-      </Empty>
-    </div>
+    <Empty panel says="live-none-title">
+      <p>{say("live-none-pipe")}</p>
+      <Typed command={`recorder | sightline stream ${rig} --survey ${surveyId}`} />
+      <p>{say("live-none-file")}</p>
+      <Typed command={`sightline stream ${rig} --follow lines.raw --survey ${surveyId}`} />
+      <p>{say("live-none-cameras")}</p>
+      <Typed command={`sightline stream ${rig} --camera FIRST --camera SECOND --survey ${surveyId}`} />
+    </Empty>
   );
 }
 
@@ -81,11 +79,7 @@ function Stream({ stream, surveyId }: { stream: LiveStream; surveyId: number }) 
       {stream.state === "stopped" && (
         <Notice kind="warning">{say("live-stopped", { time: formatMoment(stream.heard_at) })}</Notice>
       )}
-      {stream.health?.words.map(sentenceOf).map((words) => (
-        <Notice key={words} kind="warning">
-          {words}
-        </Notice>
-      ))}
+      <Notices of={stream.health?.words} kind="warning" />
       <Health stream={stream} />
       <div class="live__both">
         <Flow flow={stream.flow} />

@@ -1,5 +1,5 @@
 /** The frames of a measurement, and what a further one gains. */
-import { Button, Facts } from "../../components";
+import { Button, Facts, IconButton } from "../../components";
 import { explain } from "../../core/api";
 import { hint } from "../../core/commands";
 import { say, sentenceOf } from "../../core/messages";
@@ -35,9 +35,7 @@ export function Frames({ model, entry }: { model: MeasureModel; entry: Entry }) 
                 </Button>
                 <span class="grow muted small">{i === 0 ? say("measure-frame-first") : ""}</span>
                 {canWork.value && (
-                  <Button
-                    small
-                    kind="quiet"
+                  <IconButton
                     icon="trash"
                     label={say("measure-frame-remove", { frame: String(frame) })}
                     title={say("measure-frame-remove-this")}

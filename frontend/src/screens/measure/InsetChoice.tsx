@@ -1,6 +1,6 @@
 /** What only a look at the vehicle can tell: where the driver sits, which spot of the roof was clicked. */
 import { choices, Segments } from "../../components";
-import { Said } from "../../components/Said";
+import { linkTo, Said } from "../../components/Said";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { survey } from "../../core/survey";
@@ -49,7 +49,7 @@ function DriverSideChoice({ model, vehicle }: { model: MeasureModel; vehicle: Ve
         <Said
           what="measure-side-from"
           values={{ from, ...values }}
-          parts={{ link: (text) => <a href={`/surveys/${model.surveyId}/settings`}>{text}</a> }}
+          parts={linkTo(`/surveys/${model.surveyId}/settings`)}
         />
       </span>
       {from === "said" && canWork.value && (

@@ -54,15 +54,12 @@ export default function MeasureScreen({ surveyId }: ScreenProps) {
 function NothingToMeasure({ surveyId }: { surveyId: number }) {
   return (
     <Empty
-      title={say("measure-none-title")}
+      says="measure-none-title"
+      why="measure-none"
       actions={
-        <Button kind="primary" href={`/surveys/${surveyId}/recordings`}>
-          {say("measure-add-recordings")}
-        </Button>
+        <Button says="measure-add-recordings" kind="primary" href={`/surveys/${surveyId}/recordings`} />
       }
-    >
-      <p>{say("measure-none")}</p>
-    </Empty>
+    />
   );
 }
 

@@ -1,7 +1,7 @@
 /** What has been measured of a vehicle: one line per target, its value, its state; more on demand. */
 
 import { useSignal } from "@preact/signals";
-import { Button, Icon, StateMark } from "../../components";
+import { Button, Icon, IconButton, StateMark } from "../../components";
 import { late } from "../../components/late";
 import { say, sentenceOf } from "../../core/messages";
 import { outbox } from "../../core/outbox";
@@ -134,9 +134,7 @@ function Row({ model, target, entry, open, onOpen }: RowProps) {
         </span>
       )}
       {entry && (
-        <Button
-          small
-          kind="quiet"
+        <IconButton
           icon={open ? "chevron" : "right"}
           label={say(open ? "measure-details-hide" : "measure-details-show", { target })}
           onClick={() => onOpen?.()}

@@ -1,7 +1,7 @@
 /** The passes of the survey with their state; filter, order, a new pass. */
 import { useComputed, useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import { Button, choices, Icon, LongList, Select, StateMark } from "../../components";
+import { Button, choices, Icon, IconButton, LongList, Select, StateMark } from "../../components";
 import { bringInSight } from "../../components/inSight";
 import { late, soon } from "../../components/late";
 import { useOneTabStop } from "../../components/oneTabStop";
@@ -215,9 +215,7 @@ function NewPass({ model }: { model: MeasureModel }) {
             title={say("measure-pass-ends") + hint("passEnd")}
             onClick={() => model.passes.mark("last")}
           />
-          <Button
-            small
-            kind="quiet"
+          <IconButton
             icon="close"
             label={say("measure-pass-drop")}
             onClick={() => {

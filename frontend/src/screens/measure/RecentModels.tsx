@@ -3,7 +3,7 @@ import { api } from "../../core/api";
 import { keyMap, showChord, useCommands } from "../../core/commands";
 import { say } from "../../core/messages";
 import { stored } from "../../core/stored";
-import { toast, toastProblem } from "../../core/toasts";
+import { telling, toast } from "../../core/toasts";
 import type { CatalogueRow } from "../../core/types";
 
 interface RecentModel {
@@ -35,7 +35,7 @@ export function RecentModels({ locked, onChoose, toMake }: Props) {
   // the sizes are those that the catalogue has now
   const choose = async ({ id, make, model }: RecentModel): Promise<void> => {
     const name = { model: `${make} ${model}` };
-    try {
+    await telling(async () => {
       const found = (await api.ask("GET /catalogue", { q: name.model })).find((one) => one.id === id);
       if (found) {
         onChoose(found);
@@ -44,9 +44,7 @@ export function RecentModels({ locked, onChoose, toMake }: Props) {
         recentModels.value = recentModels.value.filter((one) => one.id !== id);
         toast(say("recent-models-gone", name), { kind: "problem" });
       }
-    } catch (error) {
-      toastProblem(error);
-    }
+    });
   };
   useCommands([
     { id: "record", run: toMake, enabled: () => !locked },

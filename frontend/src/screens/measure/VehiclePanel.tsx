@@ -1,5 +1,5 @@
 /** The right side: the vehicle's measurements, and its record, saved by itself. */
-import { Button, StateMark } from "../../components";
+import { Button, IconButton, StateMark } from "../../components";
 import { late, soon } from "../../components/late";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
@@ -33,9 +33,7 @@ export function VehiclePanel({ model }: { model: MeasureModel }) {
         <span class="grow" />
         <DraftWord model={model} id={vehicle.id} />
         {canWork.value && (
-          <Button
-            small
-            kind="quiet"
+          <IconButton
             icon="trash"
             label={say("measure-pass-delete-of", { vehicle: String(vehicle.number) })}
             onClick={() => void model.passes.remove()}

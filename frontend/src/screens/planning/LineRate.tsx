@@ -22,7 +22,11 @@ export function LineRate({ surveyId }: { surveyId: number }) {
   if (!values) return <Loaded of={scans} what={say("planning-loading-rig")} />;
   return (
     <>
-      <Form values={values} />
+      <form class="panel panel__body stack plan-form" onSubmit={(event) => event.preventDefault()}>
+        <div class="plan-form__lines">
+          <ValueFields words={LINES} values={values} />
+        </div>
+      </form>
       <Planned values={values} />
     </>
   );
@@ -42,16 +46,6 @@ const LINES = wordsOf({
   distance_m: "planning-line-distance",
   exposure_us: "planning-exposure",
 });
-
-function Form({ values }: { values: Values }) {
-  return (
-    <form class="panel panel__body stack plan-form" onSubmit={(event) => event.preventDefault()}>
-      <div class="plan-form__lines">
-        <ValueFields words={LINES} values={values} />
-      </div>
-    </form>
-  );
-}
 
 /** What the server makes of the values; what it says last stays until the next answer is there. */
 function Planned({ values }: { values: Values }) {

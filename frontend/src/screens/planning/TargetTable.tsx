@@ -5,13 +5,8 @@ import { formatLength, formatSmall } from "../../core/units";
 import { budgetSource } from "../../core/words";
 import { type PlannedTarget, wordOf } from "./model";
 
-interface Props {
-  targets: readonly PlannedTarget[];
-  travelM: number;
-}
-
 /** Each target's expected uncertainty; the parts it is made of below. */
-export function TargetTable({ targets, travelM }: Props) {
+export function TargetTable({ targets, travelM }: { targets: readonly PlannedTarget[]; travelM: number }) {
   return (
     <Panel says="planning-targets-title">
       <DataTable

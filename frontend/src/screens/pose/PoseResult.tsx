@@ -1,7 +1,7 @@
 /** What the pose is worth, in plain words: the expected uncertainty of heights, warnings, and other poses to choose from. */
 import { useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import { Button, Notice, Shape } from "../../components";
+import { Button, Notices, Shape } from "../../components";
 import { say, sentenceOf, sentencesOf } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { formatMoment } from "../../core/times";
@@ -98,11 +98,7 @@ function Verdict({ pose }: { pose: Pose }) {
             </p>
           ),
       )}
-      {pose.warnings.map(sentenceOf).map((warning) => (
-        <Notice key={warning} kind="warning">
-          {warning}
-        </Notice>
-      ))}
+      <Notices of={pose.warnings} kind="warning" />
       <p class="small muted">
         {say("pose-facts", {
           ...framesOf(pose),

@@ -44,13 +44,12 @@ export default function PoseScreen({ surveyId }: ScreenProps) {
   if (!player) {
     return (
       <Empty
-        title={say("pose-no-recording-title")}
+        says="pose-no-recording-title"
+        why="pose-no-recording"
         actions={
           <Button says="pose-add-recordings" kind="primary" href={`/surveys/${surveyId}/recordings`} />
         }
-      >
-        <p>{say("pose-no-recording")}</p>
-      </Empty>
+      />
     );
   }
   return (

@@ -7,7 +7,7 @@ import { Latest } from "../../core/latest";
 import { say, sentenceOf } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
-import { toast, toastProblem } from "../../core/toasts";
+import { telling, toast, toastProblem } from "../../core/toasts";
 import type { BoardFinding, Camera, Job, Pose, PoseSummary, StillSpan } from "../../core/types";
 import { lengthUnit } from "../../core/units";
 import { linesShown } from "../../viewer/display";
@@ -237,7 +237,7 @@ export class PoseModel {
   }
 
   async showPose(id: number): Promise<void> {
-    try {
+    await telling(async () => {
       const pose = await api.ask("GET /poses/{pose_id}", { pose_id: id });
       const own = pose.recording_id === this.reel.player.value?.recordingId;
       batch(() => {
@@ -246,16 +246,14 @@ export class PoseModel {
       });
       if (own && this.reel.player.value && this.finding.value === null)
         this.reel.player.value.go(pose.first_frame);
-    } catch (error) {
-      toastProblem(error);
-    }
+    });
   }
 
   /** Makes another stored pose the recording's. */
   async choose(id: number): Promise<void> {
     const recording = this.reel.recording.value;
     if (!recording) return;
-    try {
+    await telling(async () => {
       const changed = await api.write(
         "PUT /recordings/{recording_id}",
         { recording_id: recording.id },
@@ -267,9 +265,7 @@ export class PoseModel {
       await this.showPose(id);
       toast(say("pose-chosen"));
       void refreshSurvey();
-    } catch (error) {
-      toastProblem(error);
-    }
+    });
   }
 
   private async finished(job: Job): Promise<void> {

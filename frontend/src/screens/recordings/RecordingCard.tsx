@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { ask, Button, JobProgress, Notice, Problem, StateMark } from "../../components";
+import { ask, Button, JobProgress, Notice, Notices, Problem, StateMark } from "../../components";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { cancelJob } from "../../core/jobs";
@@ -87,11 +87,7 @@ export function RecordingCard({ recording, passes, cameras, changed, reload }: P
         <Facts recording={recording} passes={passes} />
         <Filmed recording={recording} change={change} />
         <ReadAs recording={recording} run={run} reload={reload} />
-        {recording.misfits.map(sentenceOf).map((misfit) => (
-          <Notice key={misfit} kind="warning">
-            {misfit}
-          </Notice>
-        ))}
+        <Notices of={recording.misfits} kind="warning" />
         {recording.state === "ingesting" && recording.job && (
           <JobProgress job={recording.job} onCancel={canWork ? () => void cancel() : undefined} />
         )}

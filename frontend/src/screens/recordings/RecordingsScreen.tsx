@@ -76,12 +76,10 @@ export default function RecordingsScreen({ surveyId }: ScreenProps) {
       <Problem error={counts.error} again={counts.reload} />
       <Loaded of={recordings} what={say("recordings-loading")} />
       {recordings.data?.length === 0 && mine.length === 0 && (
-        <div class="panel">
-          <Empty title={say("recordings-none-title")}>
-            <p>{say(canWork ? "recordings-none" : "recordings-none-look")}</p>
-            {canWork && <SampleLink kind="clip" />}
-          </Empty>
-        </div>
+        <Empty panel says="recordings-none-title">
+          <p>{say(canWork ? "recordings-none" : "recordings-none-look")}</p>
+          {canWork && <SampleLink kind="clip" />}
+        </Empty>
       )}
       <div class="stack">
         {recordings.data?.map((recording) => (

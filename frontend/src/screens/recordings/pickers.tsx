@@ -1,5 +1,5 @@
 import { OptionalField, Segments } from "../../components";
-import { Said } from "../../components/Said";
+import { linkTo, Said } from "../../components/Said";
 import { say } from "../../core/messages";
 import { may } from "../../core/session";
 import type { Camera, Lighting, Recording } from "../../core/types";
@@ -17,10 +17,7 @@ export function CameraPick({
   if (cameras.length === 0) {
     return (
       <p class="small">
-        <Said
-          what="recordings-no-camera"
-          parts={{ link: (text) => <a href={`/surveys/${recording.survey_id}/camera`}>{text}</a> }}
-        />
+        <Said what="recordings-no-camera" parts={linkTo(`/surveys/${recording.survey_id}/camera`)} />
       </p>
     );
   }
@@ -54,14 +51,7 @@ export function LightPick({ recording, pick }: { recording: Recording; pick: (li
   return (
     <div class="field">
       <span class="field__label">
-        {proposed ? (
-          <Said
-            what="recordings-lighting-proposed"
-            parts={{ muted: (text) => <span class="muted">{text}</span> }}
-          />
-        ) : (
-          say("recordings-lighting")
-        )}
+        {proposed ? <Said what="recordings-lighting-proposed" /> : say("recordings-lighting")}
       </span>
       <Segments<Lighting | "none">
         label={say(proposed ? "recordings-lighting-of-proposed" : "recordings-lighting-of", {

@@ -15,15 +15,13 @@ export function AnchoringPanel({ surveyId }: { surveyId: number }) {
   const data = found.data;
   const choose = async (free_one_in: number): Promise<void> => {
     const version = data?.plan.version ?? 0;
-    try {
-      await api.write(
+    await api
+      .write(
         "PUT /surveys/{survey_id}/free-plan",
         { survey_id: surveyId },
         { body: { free_one_in, version } },
-      );
-    } catch (error) {
-      toastProblem(error);
-    }
+      )
+      .catch(toastProblem);
     await found.reload();
   };
   if (!data) return <Problem error={found.error} again={found.reload} />;

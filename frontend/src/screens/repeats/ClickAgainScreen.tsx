@@ -51,7 +51,6 @@ export default function ClickAgainScreen({ surveyId }: ScreenProps) {
                 vehicle: vehicleName(item.vehicle_number),
                 target: TARGET_WORDS[item.target],
               }}
-              parts={{ muted: (text) => <span class="muted">{text}</span> }}
             />
           ) : (
             <strong>{say("again-stored", { count: session.stored.value })}</strong>
@@ -90,9 +89,7 @@ export default function ClickAgainScreen({ surveyId }: ScreenProps) {
           </section>
         </>
       ) : (
-        <Empty title={say("again-last-title")}>
-          <p>{say("again-last")}</p>
-        </Empty>
+        <Empty says="again-last-title" why="again-last" />
       )}
     </div>
   );
@@ -103,7 +100,8 @@ function NothingToClick({ surveyId, onlyOwn }: { surveyId: number; onlyOwn: bool
     <div class="page">
       <h1 class="visually-hidden">{say("page-click-again")}</h1>
       <Empty
-        title={say(onlyOwn ? "again-none-own-title" : "again-none-title")}
+        says={onlyOwn ? "again-none-own-title" : "again-none-title"}
+        why={onlyOwn ? "again-none-own" : "again-none"}
         actions={
           <>
             {onlyOwn && (
@@ -116,9 +114,7 @@ function NothingToClick({ surveyId, onlyOwn }: { surveyId: number; onlyOwn: bool
             <Button says="again-to-measure" href={`/surveys/${surveyId}/measure`} />
           </>
         }
-      >
-        <p>{say(onlyOwn ? "again-none-own" : "again-none")}</p>
-      </Empty>
+      />
     </div>
   );
 }

@@ -4,7 +4,7 @@ import type { RepeatDifference, Target } from "../../core/types";
 import { type LengthUnit, lengthScale, lengthUnit, smallScale } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
 import { type Dot, type Plot, PlotFigure } from "../../parts/figures/PlotFigure";
-import { readable } from "../../parts/figures/reading";
+import { readable, readRows } from "../../parts/figures/reading";
 import type { PlotOptions } from "../../parts/figures/style";
 
 /** Symbols tell the targets apart: colours belong to the road's axes. */
@@ -39,19 +39,17 @@ export function DifferenceFigure({ differences }: { differences: readonly Repeat
 
 function drawn(plot: Plot, differences: readonly RepeatDifference[], unit: LengthUnit): PlotOptions {
   const [[perX], [perY, small]] = [lengthScale(unit), smallScale(unit)];
+  const at = {
+    x: (one: RepeatDifference) => one.mean_m * perX,
+    y: (one: RepeatDifference) => one.difference_m * perY,
+    low: (one: RepeatDifference) => (one.difference_m - one.expected_m) * perY,
+    high: (one: RepeatDifference) => (one.difference_m + one.expected_m) * perY,
+  };
   const marks = TARGETS.map((target) => {
-    const points = differences
-      .filter((one) => one.target === target)
-      .map(({ mean_m, difference_m, expected_m }) => ({
-        x: mean_m * perX,
-        y: difference_m * perY,
-        low: (difference_m - expected_m) * perY,
-        high: (difference_m + expected_m) * perY,
-      }));
-    const of = (what: "x" | "y" | "low" | "high") => points.map((one) => one[what]);
+    const points = differences.filter((one) => one.target === target);
     const dots = plot.dot(points, {
-      x: "x",
-      y: "y",
+      x: at.x,
+      y: at.y,
       symbol: SYMBOLS[target],
       r: 4,
       fill: "var(--surface)",
@@ -59,11 +57,8 @@ function drawn(plot: Plot, differences: readonly RepeatDifference[], unit: Lengt
       strokeWidth: 1.5,
     });
     return [
-      plot.ruleX(points, { x: "x", y1: "low", y2: "high", stroke: "var(--line-strong)" }),
-      readable(dots, {
-        ...{ word: TARGET_WORDS[target], x: of("x"), y: of("y"), low: of("low"), high: of("high") },
-        way: "points",
-      }),
+      plot.ruleX(points, { x: at.x, y1: at.low, y2: at.high, stroke: "var(--line-strong)" }),
+      readable(dots, readRows(points, at, "points", TARGET_WORDS[target])),
     ];
   });
   return {

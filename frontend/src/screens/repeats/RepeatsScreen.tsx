@@ -69,7 +69,7 @@ function Again({ surveyId }: { surveyId: number }) {
 function Nothing({ surveyId, oneIn }: { surveyId: number; oneIn: number }) {
   return (
     <Empty
-      title={say("repeats-none-title")}
+      says="repeats-none-title"
       actions={
         <>
           {canWork.value && <Again surveyId={surveyId} />}

@@ -2,7 +2,7 @@
 import { signal } from "@preact/signals";
 import { api } from "../../core/api";
 import { theme } from "../../core/theme";
-import { toastProblem } from "../../core/toasts";
+import { telling } from "../../core/toasts";
 import type { LineHeight, Scan } from "../../core/types";
 import { formatHeight } from "../../core/units";
 import { draw } from "../../parts/strips/draw";
@@ -68,15 +68,13 @@ export class LinePicture {
 
   private async read(scan_id: number): Promise<void> {
     this.close();
-    try {
+    await telling(async () => {
       const scan = await api.ask("GET /scans/{scan_id}", { scan_id });
       if (this.height.value?.scan_id !== scan_id) return;
       this.strips.value = { scan, tiles: new Tiles((key) => tileAddress(scan, key)) };
       if (scan.lines && scan.rows_px) this.stage.setStrips({ lines: scan.lines, rows: scan.rows_px });
       this.aim();
-    } catch (error) {
-      toastProblem(error);
-    }
+    });
   }
 
   private aim(): void {

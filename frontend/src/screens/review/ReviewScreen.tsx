@@ -89,24 +89,20 @@ function NothingHere({ surveyId, model }: { surveyId: number; model: ReviewModel
   if (model.queue.lot !== null) {
     return (
       <Empty
-        title={say("lots-sample-done-title")}
+        says="lots-sample-done-title"
+        why="lots-sample-done"
         actions={<Button says="lots-decide" kind="primary" href={lotAddress(surveyId, model.queue.lot)} />}
-      >
-        <p>{say("lots-sample-done")}</p>
-      </Empty>
+      />
     );
   }
   if (model.queue.shown.value !== "to_review") {
-    return (
-      <Empty title={say("review-none-in-state-title")}>
-        <p>{say("review-none-in-state")}</p>
-      </Empty>
-    );
+    return <Empty says="review-none-in-state-title" why="review-none-in-state" />;
   }
   const measured = model.queue.work.value?.heights ?? 0;
   return (
     <Empty
-      title={say(measured > 0 ? "review-all-done-title" : "review-none-title")}
+      says={measured > 0 ? "review-all-done-title" : "review-none-title"}
+      why={measured > 0 ? "review-all-done" : "review-none"}
       actions={
         <Button
           says={measured > 0 ? "review-to-export" : "review-to-measure"}
@@ -114,9 +110,7 @@ function NothingHere({ surveyId, model }: { surveyId: number; model: ReviewModel
           href={`/surveys/${surveyId}/${measured > 0 ? "export" : "measure"}`}
         />
       }
-    >
-      <p>{say(measured > 0 ? "review-all-done" : "review-none")}</p>
-    </Empty>
+    />
   );
 }
 

@@ -5,7 +5,7 @@ import { api } from "../../core/api";
 import { History } from "../../core/history";
 import { say } from "../../core/messages";
 import { may } from "../../core/session";
-import { toast, toastProblem } from "../../core/toasts";
+import { telling, toast, toastProblem } from "../../core/toasts";
 import type { Measurement, ReviewItem } from "../../core/types";
 import { vehicleName } from "../../core/words";
 import { Rejection } from "../../parts/verdicts/rejection";
@@ -306,14 +306,12 @@ export class ReviewModel {
   }
 
   private async readComparisons(id: number): Promise<void> {
-    try {
+    await telling(async () => {
       const found = await this.repeats.read(id);
       if (this.currentId.value !== id) return;
       this.repeats.comparisons.value = found;
       if (found.some(isOwn)) this.reveal(id);
-    } catch (error) {
-      toastProblem(error);
-    }
+    });
   }
 
   private followAxes(): void {

@@ -2,7 +2,7 @@
 import { computed, signal } from "@preact/signals";
 import { asked } from "../../core/address";
 import { api } from "../../core/api";
-import { toastProblem } from "../../core/toasts";
+import { telling, toastProblem } from "../../core/toasts";
 import type { ReviewItem, ReviewPlan, ReviewWork, Verdict } from "../../core/types";
 import { type Height, readHeight } from "./kinds";
 
@@ -51,14 +51,12 @@ export class ReviewQueue {
     const items = this.items.value ?? [];
     const last = items.at(-1);
     if (!last || !this.more.value) return;
-    try {
+    await telling(async () => {
       const page = await this.read({ limit: PAGE, after: last.measurement.id });
       const known = new Set(items.map((item) => item.measurement.id));
       this.items.value = [...items, ...page.filter((item) => !known.has(item.measurement.id))];
       this.more.value = page.length === PAGE;
-    } catch (error) {
-      toastProblem(error);
-    }
+    });
   }
 
   find(id: number | null): ReviewItem | undefined {

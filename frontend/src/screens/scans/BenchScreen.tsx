@@ -1,6 +1,6 @@
 /** The line-scan bench: both strips above, the vehicles below with everything that is known of the chosen one. */
 import { useEffect, useMemo, useState } from "preact/hooks";
-import { Button, Empty, JobProgress, Loading, Notice } from "../../components";
+import { Button, Empty, JobProgress, Loading, Notice, Notices } from "../../components";
 import { type ButtonCommand, CommandButton } from "../../components/CommandButton";
 import { historyCommands, useUndoTools } from "../../components/undoTools";
 import { navigate, query } from "../../core/address";
@@ -98,21 +98,25 @@ function Head({ model, scan, surveyId }: { model: ScanModel; scan: Scan; surveyI
             <CommandButton command={calibrateHeight(model)} kind="plain">
               {say("scan-calibrate")}
             </CommandButton>
-            <Button small onClick={() => setOpen("rig")}>
-              {say("scan-rig")}
-            </Button>
-            <Button small kind={scan.run ? "plain" : "primary"} icon="search" onClick={() => setOpen("find")}>
-              {say("scan-find")}
-            </Button>
+            <Button says="scan-rig" small onClick={() => setOpen("rig")} />
+            <Button
+              says="scan-find"
+              small
+              kind={scan.run ? "plain" : "primary"}
+              icon="search"
+              onClick={() => setOpen("find")}
+            />
           </>
         )
       )}
-      <Button small kind="quiet" href={`/surveys/${surveyId}/scans`}>
-        {say("scans-all")}
-      </Button>
+      <Button says="scans-all" small kind="quiet" href={`/surveys/${surveyId}/scans`} />
       {open === "find" && <FindDialog model={model} scan={scan} onClose={() => setOpen(null)} />}
       {open === "rig" && <RigDialog model={model} scan={scan} onClose={() => setOpen(null)} />}
-      {scan.run && scan.run.warnings.length > 0 && <RunWarnings scan={scan} />}
+      {scan.run && scan.run.warnings.length > 0 && (
+        <div class="scan__warnings">
+          <Notices of={scan.run.warnings} kind="warning" />
+        </div>
+      )}
     </header>
   );
 }
@@ -129,32 +133,21 @@ function headWords({ lines, rows_px, duration_s, rig, run, started_local }: Scan
   return words.filter(Boolean).join("  ·  ");
 }
 
-function RunWarnings({ scan }: { scan: Scan }) {
-  return (
-    <div class="scan__warnings">
-      {scan.run?.warnings.map(sentenceOf).map((one) => (
-        <Notice key={one} kind="warning">
-          {one}
-        </Notice>
-      ))}
-    </div>
-  );
-}
-
 function NoVehicles({ model, scan }: { model: ScanModel; scan: Scan }) {
   return (
     <Empty
-      title={say(scan.run ? "scan-nothing-found-title" : "scan-nothing-yet-title")}
+      says={scan.run ? "scan-nothing-found-title" : "scan-nothing-yet-title"}
+      why={scan.run ? "scan-nothing-found" : "scan-nothing-yet"}
       actions={
         canWork.value && model.search.job.value === null ? (
-          <Button kind="primary" onClick={() => void model.search.find("direct", true)}>
-            {say("scan-find-now")}
-          </Button>
+          <Button
+            says="scan-find-now"
+            kind="primary"
+            onClick={() => void model.search.find("direct", true)}
+          />
         ) : undefined
       }
-    >
-      <p>{say(scan.run ? "scan-nothing-found" : "scan-nothing-yet")}</p>
-    </Empty>
+    />
   );
 }
 
@@ -171,8 +164,8 @@ function NotReady({ scan, model, surveyId }: { scan: Scan; model: ScanModel; sur
         job && <JobProgress job={job} />
       )}
       <p class="row">
-        {scan.state === "live" && <Button href={`/surveys/${surveyId}/live`}>{say("page-live")}</Button>}
-        <Button href={`/surveys/${surveyId}/scans`}>{say("scans-all")}</Button>
+        {scan.state === "live" && <Button says="page-live" href={`/surveys/${surveyId}/live`} />}
+        <Button says="scans-all" href={`/surveys/${surveyId}/scans`} />
       </p>
     </div>
   );
@@ -188,10 +181,7 @@ function Elsewhere({ surveyId }: { surveyId: number }) {
   const words = say("address-elsewhere", { what: "scan" });
   return (
     <div class="page">
-      <Empty
-        title={words}
-        actions={<Button href={`/surveys/${surveyId}/scans`}>{say("scan-none-choose")}</Button>}
-      />
+      <Empty label={words} actions={<Button says="scan-none-choose" href={`/surveys/${surveyId}/scans`} />} />
     </div>
   );
 }

@@ -5,13 +5,7 @@ import { say, wordsOf } from "../../core/messages";
 import type { Scan, ScanMethod } from "../../core/types";
 import type { ScanModel } from "./model";
 
-interface Props {
-  model: ScanModel;
-  scan: Scan;
-  onClose: () => void;
-}
-
-export function FindDialog({ model, scan, onClose }: Props) {
+export function FindDialog({ model, scan, onClose }: { model: ScanModel; scan: Scan; onClose: () => void }) {
   const [method, setMethod] = useState<ScanMethod>(scan.run?.method ?? "direct");
   const [search, setSearch] = useState<"search" | "again">("search");
   const known = scan.counts.vehicles > 0;

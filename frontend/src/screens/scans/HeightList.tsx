@@ -1,7 +1,7 @@
 /** The chosen vehicle's heights: one line per target; budget, inset and history on demand. */
 
 import { useEffect, useRef, useState } from "preact/hooks";
-import { Button, Facts, Notice, Segments, StateMark } from "../../components";
+import { Button, Facts, IconButton, Notice, Segments, StateMark } from "../../components";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { outbox } from "../../core/outbox";
 import { canWork, may } from "../../core/session";
@@ -91,9 +91,7 @@ function Row({ model, target }: { model: ScanModel; target: Target }) {
           {valueWords(one, live?.answer ?? null)}
         </span>
         {one && (
-          <Button
-            small
-            kind="quiet"
+          <IconButton
             icon={open ? "chevron" : "right"}
             label={say(open ? "scan-height-hide" : "scan-height-show", { target })}
             onClick={() => setOpen(!open)}

@@ -3,7 +3,11 @@ import { say } from "../../core/messages";
 import type { ScanVehicleDetail } from "../../core/types";
 import { speedScale } from "../../core/units";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
-import { readable } from "../../parts/figures/reading";
+import { readable, readRows } from "../../parts/figures/reading";
+
+type Row = { time_s: number; speed: number; fitted: number; used: boolean };
+const MEASURED = { x: (row: Row) => row.time_s, y: (row: Row) => row.speed };
+const FITTED = { x: MEASURED.x, y: (row: Row) => row.fitted };
 
 export function ProfileFigure({ detail }: { detail: ScanVehicleDetail }) {
   const profile = detail.profile;
@@ -22,7 +26,10 @@ export function ProfileFigure({ detail }: { detail: ScanVehicleDetail }) {
   );
   const low = Math.min(...fitted) - 1.6 * near;
   const high = Math.max(...fitted) + 1.6 * near;
-  const beyond = rows.filter((row) => row.speed < low || row.speed > high).length;
+  const within = rows.filter((row) => row.speed >= low && row.speed <= high);
+  const beyond = rows.length - within.length;
+  const used = within.filter((row) => row.used);
+  const leftOut = within.filter((row) => !row.used);
   return (
     <PlotFigure
       name={`speed-profile-${detail.vehicle.number}`}
@@ -41,28 +48,15 @@ export function ProfileFigure({ detail }: { detail: ScanVehicleDetail }) {
         x: { label: say("scan-profile-x") },
         y: { label: say("with-unit", { name: say("scan-head-speed"), unit }), domain: [low, high] },
         marks: [
-          readable(plot.line(rows, { x: "time_s", y: "fitted", strokeWidth: 2 }), {
-            word: say("scan-profile-fitted"),
-            x: rows.map((row) => row.time_s),
-            y: fitted,
-            way: "line",
-          }),
           readable(
-            plot.dot(
-              rows.filter((row) => row.used && row.speed >= low && row.speed <= high),
-              { x: "time_s", y: "speed", r: 2.4, stroke: "currentColor" },
-            ),
-            {
-              word: say("scan-profile-used"),
-              x: rows.map((row) => row.time_s),
-              y: rows.map((row) => (row.used && row.speed >= low && row.speed <= high ? row.speed : null)),
-              way: "points",
-            },
+            plot.line(rows, { ...FITTED, strokeWidth: 2 }),
+            readRows(rows, FITTED, "line", say("scan-profile-fitted")),
           ),
-          plot.dot(
-            rows.filter((row) => !row.used && row.speed >= low && row.speed <= high),
-            { x: "time_s", y: "speed", r: 2.5, symbol: "triangle", stroke: "var(--ink-3)" },
+          readable(
+            plot.dot(used, { ...MEASURED, r: 2.4, stroke: "currentColor" }),
+            readRows(used, MEASURED, "points", say("scan-profile-used")),
           ),
+          plot.dot(leftOut, { ...MEASURED, r: 2.5, symbol: "triangle", stroke: "var(--ink-3)" }),
         ],
       })}
       table={() => ({

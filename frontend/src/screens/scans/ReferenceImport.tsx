@@ -1,8 +1,8 @@
 /** Reference values from a CSV: what each line would do, before anything is stored. */
-import { DataTable, Notice } from "../../components";
+import { DataTable, Notices } from "../../components";
 import { CommitField } from "../../components/CommitField";
 import { api } from "../../core/api";
-import { apart, say, sentenceOf, sentencesOf, wordsOf } from "../../core/messages";
+import { apart, say, sentencesOf, wordsOf } from "../../core/messages";
 import type { ReferencePlan, ReferenceRow } from "../../core/types";
 import { fixed, formatCount, parseNumber } from "../../core/units";
 import { ImportCsv } from "../../parts/ImportCsv";
@@ -64,9 +64,7 @@ function Preview({ plan }: { plan: ReferencePlan }) {
   const timed = plan.tolerance_s !== null;
   return (
     <>
-      {plan.notes.map(sentenceOf).map((note) => (
-        <Notice key={note}>{note}</Notice>
-      ))}
+      <Notices of={plan.notes} />
       <p class="row row--wrap" data-testid="reference-counts">
         {Object.entries(CHANGES).map(([name, word]) => (
           <span key={name}>

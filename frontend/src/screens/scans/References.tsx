@@ -1,6 +1,6 @@
 /** What something else measured of the chosen vehicle, ours beside it, and whose run it is. */
 import { useState } from "preact/hooks";
-import { Button } from "../../components";
+import { Button, IconButton } from "../../components";
 import { CommitField } from "../../components/CommitField";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
@@ -54,13 +54,7 @@ export function References({ model, vehicle }: { model: ScanModel; vehicle: Scan
   );
 }
 
-interface ReferenceProps {
-  one: ScanReference;
-  edit: () => void;
-  remove: () => void;
-}
-
-function Reference({ one, edit, remove }: ReferenceProps) {
+function Reference({ one, edit, remove }: { one: ScanReference; edit: () => void; remove: () => void }) {
   const named = { quantity: QUANTITY_WORDS[one.quantity], source: SOURCE_WORDS[one.source] };
   const outside = one.agreement !== null && !one.agreement.within;
   return (
@@ -83,13 +77,7 @@ function Reference({ one, edit, remove }: ReferenceProps) {
             label={say("scan-reference-edit-one", named)}
             onClick={edit}
           />
-          <Button
-            small
-            kind="quiet"
-            icon="trash"
-            label={say("scan-reference-remove-one", named)}
-            onClick={remove}
-          />
+          <IconButton icon="trash" label={say("scan-reference-remove-one", named)} onClick={remove} />
         </div>
       )}
     </div>

@@ -2,7 +2,7 @@
 import { useState } from "preact/hooks";
 import { Button, choices, Empty, Loaded, Notice, PageHead, Segments } from "../../components";
 import { PageTabs } from "../../components/PageTabs";
-import { Said } from "../../components/Said";
+import { linkTo, Said } from "../../components/Said";
 import { query, setQuery } from "../../core/address";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
@@ -56,22 +56,18 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
           <Said
             what="motion-without-time"
             values={{ count: data.counted["without_time"] ?? 0 }}
-            parts={{ link: (text) => <a href={`/surveys/${surveyId}/scans`}>{text}</a> }}
+            parts={linkTo(`/surveys/${surveyId}/scans`)}
           />
         </Notice>
       )}
       <Loaded of={found} what={say("motion-loading")} />
-      {data && vehicles === 0 && limited && (
-        <div class="panel">
-          <Empty title={say("motion-none-filmed")} />
-        </div>
-      )}
+      {data && vehicles === 0 && limited && <Empty panel says="motion-none-filmed" />}
       {data && vehicles === 0 && !limited && (
-        <div class="panel">
-          <Empty title={say(which === "accepted" ? "motion-none-accepted-title" : "motion-none-title")}>
-            <p>{say(which === "accepted" ? "motion-none-accepted" : "motion-none")}</p>
-          </Empty>
-        </div>
+        <Empty
+          panel
+          says={which === "accepted" ? "motion-none-accepted-title" : "motion-none-title"}
+          why={which === "accepted" ? "motion-none-accepted" : "motion-none"}
+        />
       )}
       {data && data.heights.length > 0 && <ScannedHeights heights={data.heights} />}
       {data && vehicles > 0 && (

@@ -189,12 +189,7 @@ function laneOf({ distance_m, u_distance_m }: Said): Lane {
   return { distance_m, u_distance_m };
 }
 
-interface BesideProps {
-  typed: BesideTyped;
-  change: (part: Partial<BesideTyped>) => void;
-}
-
-function Beside({ typed, change }: BesideProps) {
+function Beside({ typed, change }: { typed: BesideTyped; change: (part: Partial<BesideTyped>) => void }) {
   const wired = (name: BesideName, problem: string) => ({
     numeric: true,
     value: typed[name],

@@ -3,7 +3,7 @@ import { Button, Problem } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useAsked } from "../../core/resource";
-import { toast, toastProblem } from "../../core/toasts";
+import { telling, toast, toastProblem } from "../../core/toasts";
 import type { CalibrationFigures, RigCalibrationShown, Scan } from "../../core/types";
 import { formatCount, formatHeight } from "../../core/units";
 import { OF_CALIBRATION, type RigChange, type RigName, rigValues } from "./rig";
@@ -29,13 +29,11 @@ export function RigHistory({ scan, put, onClose, lane }: Props) {
   if (found.error) return <Problem error={found.error} again={found.reload} />;
   if (!found.data || found.data.length === 0) return null;
   const use = async (one: RigCalibrationShown): Promise<void> => {
-    try {
+    await telling(async () => {
       const stored = await put({ ...calibrated(one.figures), ...lane }, scan.version);
       onClose();
       tellStored(scan, stored, OF_CALIBRATION, put);
-    } catch (error) {
-      toastProblem(error);
-    }
+    });
   };
   return (
     <section class="stack stack--tight" aria-label={say("scans-calibrate-history")}>

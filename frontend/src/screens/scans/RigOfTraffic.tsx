@@ -4,8 +4,8 @@ import { api } from "../../core/api";
 import { say, sentenceOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { may } from "../../core/session";
-import { toast, toastProblem } from "../../core/toasts";
-import type { RigOfTraffic as Found, Scan } from "../../core/types";
+import { telling, toast } from "../../core/toasts";
+import type { Scan } from "../../core/types";
 import { fixed, formatLength, lengthUnit } from "../../core/units";
 import { type RigTyped, typedLength } from "./rig";
 
@@ -21,16 +21,14 @@ interface Props {
 
 /** Exchanged on the server, where the search starts again; one press takes it back. */
 async function swapCameras({ id }: Pick<Scan, "id">, changed: () => Promise<void>): Promise<void> {
-  try {
+  await telling(async () => {
     const { version } = await api.ask("GET /scans/{scan_id}", { scan_id: id });
     await api.write("POST /scans/{scan_id}/swap", { scan_id: id }, { body: { version } });
     await changed();
     toast(say("scans-traffic-swapped"), {
       action: { label: say("command-undo"), run: () => void swapCameras({ id }, changed) },
     });
-  } catch (error) {
-    toastProblem(error);
-  }
+  });
 }
 
 export function RigOfTraffic({ scan, use, narrow, changed }: Props) {
@@ -40,18 +38,14 @@ export function RigOfTraffic({ scan, use, narrow, changed }: Props) {
     { also: [scan.version] },
   );
   if (found.error || !found.data) return <Loaded of={found} what={say("scans-traffic-loading")} />;
-  return <Told found={found.data} scan={scan} use={use} narrow={narrow} changed={changed} />;
-}
-
-function Told({ found, scan, use, narrow, changed }: Props & { found: Found }) {
   const { rig } = scan;
-  const { misalignment, gain } = found;
-  const words = [misalignment.warning, ...found.baselines.map((one) => one.words)].flatMap(
+  const { misalignment, gain, baselines, order } = found.data;
+  const words = [misalignment.warning, ...baselines.map((one) => one.words)].flatMap(
     (one) => sentenceOf(one) ?? [],
   );
   return (
     <div class="stack stack--tight" data-testid="rig-of-traffic">
-      {found.order && (
+      {order && (
         <Notice
           kind="warning"
           actions={
@@ -60,7 +54,7 @@ function Told({ found, scan, use, narrow, changed }: Props & { found: Found }) {
             )
           }
         >
-          {sentenceOf(found.order)}
+          {sentenceOf(order)}
         </Notice>
       )}
       <Table
@@ -100,7 +94,7 @@ function Told({ found, scan, use, narrow, changed }: Props & { found: Found }) {
           inForce={narrow ? null : say("scans-traffic-gain-own")}
           reason={sentenceOf(gain.reason)}
         />
-        {found.baselines.map((one) => (
+        {baselines.map((one) => (
           <Row
             key={one.of}
             what={say("scans-traffic-baseline", { of: one.of })}

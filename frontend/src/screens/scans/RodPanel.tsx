@@ -1,5 +1,5 @@
 /** The line camera's calibration: where the rod stood, its marks with their residuals, and what they give. */
-import { Button, DataTable, Empty, Facts, Notice } from "../../components";
+import { Button, DataTable, Empty, Facts, IconButton, Notice, Notices } from "../../components";
 import { CommitField, LengthField } from "../../components/CommitField";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
 import type { RodMark } from "../../core/types";
@@ -23,9 +23,7 @@ export function RodPanel({ model }: { model: ScanModel }) {
       <div class="scan__body stack" role="group" aria-label={say("scan-rod-body")} tabIndex={0}>
         <NextMark model={model} />
         {marks.length === 0 ? (
-          <Empty title={say("scan-rod-none-title")}>
-            <p>{say("scan-rod-none")}</p>
-          </Empty>
+          <Empty says="scan-rod-none-title" why="scan-rod-none" />
         ) : (
           <Marks model={model} marks={marks} residuals={solved?.residuals_px ?? []} />
         )}
@@ -95,7 +93,7 @@ function Marks({ model, marks, residuals }: MarksProps) {
         data-testid="rod-marks"
         rows={marks}
         keyOf={(_, index) => index}
-        columns={({ col, num }) => [
+        columns={({ num, actions }) => [
           num(say("scan-rod-head-distance"), (mark) => formatLength(mark.distance_m, 3)),
           num(say("scan-rod-head-height"), (mark) => formatLength(mark.height_m, 3)),
           num(say("scan-rod-head-row"), (mark) => fixed(mark.row_px, 1)),
@@ -106,10 +104,8 @@ function Marks({ model, marks, residuals }: MarksProps) {
             const words = say("value-px", { value: fixed(residual, 2) });
             return <span class={worst ? "rod__worst" : ""}>{words}</span>;
           }),
-          col(<span class="visually-hidden">{say("scan-rod-head-remove")}</span>, (_, index) => (
-            <Button
-              small
-              kind="quiet"
+          actions(say("scan-rod-head-remove"), (_, index) => (
+            <IconButton
               icon="trash"
               label={say("scan-rod-remove", { number: String(index + 1) })}
               onClick={() => model.rod.remove(index)}
@@ -142,11 +138,7 @@ function Result({ model }: { model: ScanModel }) {
         />
       )}
       {solved && solved.status !== "ok" && marks > 0 && <Notice>{sentenceOf(solved.reason)}</Notice>}
-      {solved?.warnings.map(sentenceOf).map((one) => (
-        <Notice key={one} kind="warning">
-          {one}
-        </Notice>
-      ))}
+      <Notices of={solved?.warnings} kind="warning" />
       <div class="row row--wrap">
         <Button
           says="scan-rod-store"

@@ -8,7 +8,7 @@ import type { ScreenProps } from "../../core/places";
 import { useAsked, useEvery } from "../../core/resource";
 import { canWork } from "../../core/session";
 import { formatDuration } from "../../core/times";
-import { toast, toastProblem } from "../../core/toasts";
+import { telling, toast } from "../../core/toasts";
 import type { Scan } from "../../core/types";
 import { formatCount, formatLength } from "../../core/units";
 import { LIVE_WORDS } from "../../core/words";
@@ -50,13 +50,7 @@ export default function ScansScreen({ surveyId }: ScreenProps) {
           }}
         />
       )}
-      {none && !canWork.value && (
-        <div class="panel">
-          <Empty title={say("scans-none-title")}>
-            <p>{say("scans-none")}</p>
-          </Empty>
-        </div>
-      )}
+      {none && !canWork.value && <Empty panel says="scans-none-title" why="scans-none" />}
       <div class="stack">
         {scans.data?.map((scan) => (
           <ScanCard key={scan.id} scan={scan} reload={scans.reload} />
@@ -99,12 +93,10 @@ function ScanCard({ scan, reload }: { scan: Scan; reload: () => Promise<void> })
   const [rigOpen, setRigOpen] = useState(false);
   const [offered, setOffered] = useState<Partial<RigTyped> | null>(null);
   const run = async (work: () => Promise<unknown>): Promise<void> => {
-    try {
+    await telling(async () => {
       await work();
       await reload();
-    } catch (error) {
-      toastProblem(error);
-    }
+    });
   };
   const remove = () =>
     run(async () => {

@@ -80,14 +80,13 @@ function OfScan({ scan, of, surveyId }: { scan: ScanTraffic; of: TrafficOfScans;
   const [view, setView] = useState<View>("flow");
   if (scan.reason)
     return (
-      <div class="panel">
-        <Empty
-          title={scan.name}
-          actions={<Button href={`/surveys/${surveyId}/scans`}>{say("scans-all")}</Button>}
-        >
-          <p>{sentenceOf(scan.reason)}</p>
-        </Empty>
-      </div>
+      <Empty
+        panel
+        label={scan.name}
+        actions={<Button says="scans-all" href={`/surveys/${surveyId}/scans`} />}
+      >
+        <p>{sentenceOf(scan.reason)}</p>
+      </Empty>
     );
   const day = scan.intervals[0] ? formatPlaceDay(scan.intervals[0].begins_at) : "";
   return (

@@ -5,7 +5,7 @@ import type { ScanTraffic, TrafficInterval } from "../../core/types";
 import { fixed, speedScale } from "../../core/units";
 import { aroundOne } from "../../parts/figures/curves";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
-import { type Readable, readable } from "../../parts/figures/reading";
+import { type Channels, type Readable, readable, readRows } from "../../parts/figures/reading";
 
 /** A time of the place as the axis shows it: its clocks read as if they were UTC's. */
 function from(one: TrafficInterval): Date {
@@ -32,17 +32,9 @@ const clock = (x: number) => formatPlaceClock(new Date(x).toISOString().replace(
 /** Read over the whole of each interval. */
 function overIntervals(
   intervals: readonly TrafficInterval[],
-  of: (one: TrafficInterval) => { y: number; low: number; high: number },
+  values: Omit<Channels<TrafficInterval>, "x">,
 ): Readable {
-  const read = intervals.map(of);
-  return {
-    word: "",
-    x: intervals.map((one) => from(one).getTime()),
-    y: read.map((one) => one.y),
-    low: read.map((one) => one.low),
-    high: read.map((one) => one.high),
-    way: "steps",
-  };
+  return readRows(intervals, { x: (one) => from(one).getTime(), ...values }, "steps");
 }
 
 function dayAxis({ intervals }: ScanTraffic) {
@@ -50,6 +42,8 @@ function dayAxis({ intervals }: ScanTraffic) {
   const domain = first && last ? { domain: [from(first), until(last)] } : {};
   return { type: "utc", label: say("flows-axis-time"), ...domain } as const;
 }
+
+const FLOW = ["begins_at", "watched_s", "vehicles", "flow_per_hour", "flow_low", "flow_high"] as const;
 
 export function FlowFigure({ scan, minutes }: { scan: ScanTraffic; minutes: number }) {
   const most = scan.intervals.reduce((found, one) => (one.flow_per_hour > found.flow_per_hour ? one : found));
@@ -85,25 +79,18 @@ export function FlowFigure({ scan, minutes }: { scan: ScanTraffic; minutes: numb
               stroke: "var(--ink)",
               strokeWidth: 2.5,
             }),
-            overIntervals(scan.intervals, (one) => ({
-              y: one.flow_per_hour,
-              low: one.flow_low,
-              high: one.flow_high,
-            })),
+            overIntervals(scan.intervals, {
+              y: (one) => one.flow_per_hour,
+              low: (one) => one.flow_low,
+              high: (one) => one.flow_high,
+            }),
           ),
         ],
       })}
       place={clock}
       table={() => ({
-        columns: ["begins_at", "watched_s", "vehicles", "flow_per_hour", "flow_low", "flow_high"],
-        rows: scan.intervals.map((one) => [
-          one.begins_at,
-          one.watched_s,
-          one.vehicles,
-          one.flow_per_hour,
-          one.flow_low,
-          one.flow_high,
-        ]),
+        columns: FLOW,
+        rows: scan.intervals.map((one) => FLOW.map((name) => one[name])),
       })}
     />
   );
@@ -140,11 +127,7 @@ export function SpeedFigure({ scan }: { scan: ScanTraffic }) {
           }),
           readable(
             plot.ruleY(seen, { y: mean, x1: from, x2: until, stroke: "var(--ink)", strokeWidth: 2.5 }),
-            overIntervals(seen, (one) => ({
-              y: mean(one),
-              low: percentile(15)(one),
-              high: percentile(85)(one),
-            })),
+            overIntervals(seen, { y: mean, low: percentile(15), high: percentile(85) }),
           ),
         ],
       })}
@@ -238,7 +221,7 @@ export function FundamentalFigure({ scan, against }: { scan: ScanTraffic; agains
               states.filter((one) => !one.partial),
               { ...dots, fill: "var(--ink)" },
             ),
-            { word: "", x: states.map(axes.x), y: states.map(axes.y), way: "points" },
+            readRows(states, axes, "points"),
           ),
         ],
       })}

@@ -1,5 +1,14 @@
 /** The chosen vehicle: its numbers, what is known of it, profile, match, budget, history, and the verdict. */
-import { Button, type Fact, Facts, Loading, Notice, OptionalField, StateMark } from "../../components";
+import {
+  Button,
+  type Fact,
+  Facts,
+  Loading,
+  Notice,
+  Notices,
+  OptionalField,
+  StateMark,
+} from "../../components";
 import { Said } from "../../components/Said";
 import { hint } from "../../core/commands";
 import { say, sentenceOf } from "../../core/messages";
@@ -66,13 +75,7 @@ export function VehiclePanel({ model }: { model: ScanModel }) {
   );
 }
 
-interface NumbersProps {
-  m: ScanMotion;
-  vehicle: ScanVehicle;
-  lanes: readonly RigLane[];
-}
-
-function Numbers({ m, vehicle, lanes }: NumbersProps) {
+function Numbers({ m, vehicle, lanes }: { m: ScanMotion; vehicle: ScanVehicle; lanes: readonly RigLane[] }) {
   return (
     <section class="stack stack--tight" aria-label={say("scan-motion")}>
       {m.status === "ok" ? (
@@ -84,11 +87,7 @@ function Numbers({ m, vehicle, lanes }: NumbersProps) {
           {sentenceOf(m.reason)}
         </Notice>
       )}
-      {m.warnings.map(sentenceOf).map((one) => (
-        <Notice key={one} kind="warning">
-          {one}
-        </Notice>
-      ))}
+      <Notices of={m.warnings} kind="warning" />
       {m.older && <Notice>{say("scan-older")}</Notice>}
       <Facts
         small
@@ -155,14 +154,8 @@ function gapFacts(gap: ScanVehicle["gap"]): Fact[] {
   ];
 }
 
-interface ChooseLaneProps {
-  model: ScanModel;
-  m: ScanMotion;
-  lanes: readonly RigLane[];
-}
-
 /** The program proposes; what a person says stays. */
-function ChooseLane({ model, m, lanes }: ChooseLaneProps) {
+function ChooseLane({ model, m, lanes }: { model: ScanModel; m: ScanMotion; lanes: readonly RigLane[] }) {
   return (
     <OptionalField
       says="scan-lane-choose"
@@ -196,7 +189,6 @@ function DistanceGap({ gap }: { gap: NonNullable<ScanVehicle["gap"]> }) {
     <Said
       what="scan-distance-gap-paper"
       values={{ gap: words ?? "", paper_gap: formatLength(gap.paper_distance_gap_m, 2) }}
-      parts={{ muted: (text) => <span class="muted">{text}</span> }}
     />
   );
 }

@@ -126,7 +126,6 @@ export function History({ detail }: { detail: ScanVehicleDetail }) {
                 length: formatLength(one.length_m),
                 cause: causeWords(one),
               }}
-              parts={{ muted: (text) => <span class="muted">{text}</span> }}
             />
             <br />
             <span class="muted">{whoWords(one, reviews.get(one.revision))}</span>

@@ -41,7 +41,7 @@ const WAITS: LineHeight["review"] = {
   lot_id: null,
 };
 
-const NO_FIGURES: Pick<LineHeight, Figure | "budget"> = {
+const NO_FIGURES = {
   status: "not_measurable",
   reason: null,
   distance_m: null,
@@ -51,17 +51,7 @@ const NO_FIGURES: Pick<LineHeight, Figure | "budget"> = {
   U95_height_m: null,
   budget: [],
   flags: [],
-};
-
-type Figure =
-  | "status"
-  | "reason"
-  | "distance_m"
-  | "U95_distance_m"
-  | "height_m"
-  | "u_height_m"
-  | "U95_height_m"
-  | "flags";
+} satisfies Partial<LineHeight>;
 
 const NOT_YET = {
   ...NO_FIGURES,

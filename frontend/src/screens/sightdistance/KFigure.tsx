@@ -1,7 +1,7 @@
 import { say } from "../../core/messages";
 import { lengthScale, speedScale } from "../../core/units";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
-import { readable } from "../../parts/figures/reading";
+import { readable, readRows } from "../../parts/figures/reading";
 import { CASE_WORDS, type Case, type Sight } from "./model";
 
 const DASHES: Record<string, string | undefined> = { standard: "6 4", survey: undefined, mix: "2 3" };
@@ -12,6 +12,13 @@ interface Row {
   low: number | null;
   high: number | null;
 }
+
+const AT = {
+  x: (row: Row) => row.speed,
+  y: (row: Row) => row.k,
+  low: (row: Row) => row.low,
+  high: (row: Row) => row.high,
+};
 
 /** K of a crest against design speed, by case. */
 export function KFigure({ sight }: { sight: Sight }) {
@@ -38,38 +45,19 @@ export function KFigure({ sight }: { sight: Sight }) {
           y: { label: say("sight-figure-y", { unit: long }), zero: true, nice: true },
           marks: shown.flatMap((one) => {
             const points = rows.get(one.name) ?? [];
+            const ink = one.name === "standard" ? "var(--ink-3)" : "var(--ink)";
             const banded = points.filter((point) => point.low !== null);
             return [
-              plot.areaY(banded, {
-                x: "speed",
-                y1: "low",
-                y2: "high",
-                fill: "var(--ink)",
-                fillOpacity: 0.14,
-              }),
+              plot.areaY(banded, { x: AT.x, y1: AT.low, y2: AT.high, fill: "var(--ink)", fillOpacity: 0.14 }),
               readable(
                 plot.line(points, {
-                  x: "speed",
-                  y: "k",
-                  stroke: one.name === "standard" ? "var(--ink-3)" : "var(--ink)",
+                  ...{ x: AT.x, y: AT.y, stroke: ink },
                   strokeWidth: one.name === "standard" ? 3 : 1.8,
                   strokeDasharray: DASHES[one.name],
                 }),
-                {
-                  word: CASE_WORDS[one.name],
-                  x: points.map((point) => point.speed),
-                  y: points.map((point) => point.k),
-                  low: points.map((point) => point.low),
-                  high: points.map((point) => point.high),
-                  way: "line",
-                },
+                readRows(points, AT, "line", CASE_WORDS[one.name]),
               ),
-              plot.dot(points, {
-                x: "speed",
-                y: "k",
-                r: 2.5,
-                fill: one.name === "standard" ? "var(--ink-3)" : "var(--ink)",
-              }),
+              plot.dot(points, { x: AT.x, y: AT.y, r: 2.5, fill: ink }),
             ];
           }),
         };

@@ -1,4 +1,4 @@
-import { Button, SelectField } from "../../components";
+import { Button, choices, OptionalField, SelectField } from "../../components";
 import { CommitField, LengthField } from "../../components/CommitField";
 import { navigate, query, setQuery } from "../../core/address";
 import { say } from "../../core/messages";
@@ -95,10 +95,7 @@ function SurveyRule() {
         says="sight-object-target"
         value={at.get("object_target") ?? usualObject(kind)}
         options={[
-          { value: "taillight", label: HEIGHT_WORDS.taillight },
-          { value: "headlight", label: HEIGHT_WORDS.headlight },
-          { value: "driver_eye", label: HEIGHT_WORDS.driver_eye },
-          { value: "roof", label: HEIGHT_WORDS.roof },
+          ...choices<string>(HEIGHT_WORDS, ["taillight", "headlight", "driver_eye", "roof"]),
           { value: STANDARDS_OBJECT, label: say("sight-object-standard") },
         ]}
         onInput={(value) => setQuery({ object_target: value })}
@@ -111,23 +108,19 @@ function SurveyRule() {
         above={0}
         below={100}
       />
-      <SelectField
+      <OptionalField
         says="statistics-filter-state"
-        value={at.get("state") ?? ""}
-        options={[
-          { value: "", label: STATE_WORDS.accepted },
-          { value: "all", label: say("statistics-filter-state-all") },
-        ]}
-        onInput={(value) => setQuery({ state: value || null })}
+        value={at.get("state")}
+        none={STATE_WORDS.accepted}
+        options={[{ value: "all", label: say("statistics-filter-state-all") }]}
+        onInput={(state) => setQuery({ state })}
       />
-      <SelectField
+      <OptionalField
         says="statistics-filter-lighting"
-        value={at.get("lighting") ?? ""}
-        options={[
-          { value: "", label: say("statistics-filter-any") },
-          ...Object.entries(LIGHTING_WORDS).map(([value, label]) => ({ value, label })),
-        ]}
-        onInput={(value) => setQuery({ lighting: value || null })}
+        value={at.get("lighting")}
+        none={say("statistics-filter-any")}
+        options={choices<string>(LIGHTING_WORDS)}
+        onInput={(lighting) => setQuery({ lighting })}
       />
       <ClassChoice
         classSets={at.getAll("class_set")}
@@ -149,7 +142,7 @@ function Road() {
       <SelectField<Kind>
         says="sight-kind"
         value={(at.get("kind") ?? "stopping") as Kind}
-        options={Object.entries(KIND_WORDS).map(([value, label]) => ({ value: value as Kind, label }))}
+        options={choices(KIND_WORDS)}
         onInput={(value) => setQuery({ kind: value === "stopping" ? null : value })}
       />
       <CommitField

@@ -79,13 +79,8 @@ function counts(list: readonly Drawn<{ n: number }>[]): string {
     .join(", ");
 }
 
-interface ShareProps {
-  errors: Errors;
-  of: "absolute" | "relative";
-}
-
 /** Which share of the errors is no larger, by size or by their part of the height. */
-function ShareFigure({ errors, of }: ShareProps) {
+function ShareFigure({ errors, of }: { errors: Errors; of: "absolute" | "relative" }) {
   const list = drawn<Ecdf>(errors[of]);
   const groups = counts(list);
   return (

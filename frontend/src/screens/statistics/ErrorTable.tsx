@@ -49,14 +49,13 @@ export function ErrorTable({ errors }: { errors: Errors }) {
       says="statistics-errors-title"
       aside={
         <Button
+          says="file-csv"
           small
           icon="download"
           class="stat-noprint"
           onClick={() => save(errors)}
           title={say("statistics-errors-save")}
-        >
-          {say("file-csv")}
-        </Button>
+        />
       }
     >
       <Table

@@ -180,30 +180,29 @@ function Nothing({ found, surveyId }: { found: Statistics; surveyId: string | nu
   const waiting = (found.counted.left_out["to_review"] ?? 0) + (found.counted.left_out["reopened"] ?? 0);
   const filtered = narrowed(query.value);
   return (
-    <section class="panel">
-      <Empty
-        title={say(waiting > 0 ? "statistics-none-accepted-title" : "statistics-none-title")}
-        actions={
-          <>
-            {surveyId && waiting > 0 && (
-              <Button says="statistics-to-review" kind="primary" href={`/surveys/${surveyId}/review`} />
-            )}
-            {waiting > 0 && (
-              <Button says="statistics-show-to-review" onClick={() => setFilter({ state: "to_review" })} />
-            )}
-            {filtered && <Button says="action-clear-filter" onClick={() => setFilter(WIDE)} />}
-            {surveyId && waiting === 0 && !filtered && (
-              <Button says="statistics-to-measure" href={`/surveys/${surveyId}/measure`} />
-            )}
-          </>
-        }
-      >
-        <p>
-          {waiting > 0
-            ? say("statistics-none-accepted", { count: waiting })
-            : say(filtered ? "statistics-none-filtered" : "statistics-none")}
-        </p>
-      </Empty>
-    </section>
+    <Empty
+      panel
+      says={waiting > 0 ? "statistics-none-accepted-title" : "statistics-none-title"}
+      actions={
+        <>
+          {surveyId && waiting > 0 && (
+            <Button says="statistics-to-review" kind="primary" href={`/surveys/${surveyId}/review`} />
+          )}
+          {waiting > 0 && (
+            <Button says="statistics-show-to-review" onClick={() => setFilter({ state: "to_review" })} />
+          )}
+          {filtered && <Button says="action-clear-filter" onClick={() => setFilter(WIDE)} />}
+          {surveyId && waiting === 0 && !filtered && (
+            <Button says="statistics-to-measure" href={`/surveys/${surveyId}/measure`} />
+          )}
+        </>
+      }
+    >
+      <p>
+        {waiting > 0
+          ? say("statistics-none-accepted", { count: waiting })
+          : say(filtered ? "statistics-none-filtered" : "statistics-none")}
+      </p>
+    </Empty>
   );
 }

@@ -171,7 +171,6 @@ function Shares({ target, standards }: Props) {
               below: one.below,
               n: one.n,
             }}
-            parts={{ muted: (text) => <span class="muted">{text}</span> }}
           />
         </li>
       ))}
@@ -232,14 +231,13 @@ function Percentiles({ target }: { target: OfTarget }) {
           <NoIntervals rows={shown} />
         </div>
         <Button
+          says="file-csv"
           small
           icon="download"
           class="stat-noprint"
           onClick={() => save(target)}
           title={say("statistics-percentiles-save")}
-        >
-          {say("file-csv")}
-        </Button>
+        />
       </div>
     </div>
   );

@@ -2,23 +2,24 @@ import { say, sentenceOf } from "../../core/messages";
 import { lengthScale, smallScale } from "../../core/units";
 import { NONE, range, scaled } from "../../parts/figures/numbers";
 import { type LegendEntry, PlotFigure } from "../../parts/figures/PlotFigure";
-import { readable } from "../../parts/figures/reading";
+import { readable, readRows } from "../../parts/figures/reading";
 import { type Errors, GROUP_WORDS, isThere, type Trend } from "./model";
 
 const SYMBOLS = { daytime: "circle", low_light: "triangle", unknown: "square" } as const;
+type Lit = keyof typeof SYMBOLS;
+const LIT = Object.keys(SYMBOLS) as Lit[];
+type Row = { height: number; error: number; lighting: Lit };
 
 /** Signed error over the true height, points told apart by shape, the regression with its band. */
 export function TrendFigure({ errors }: { errors: Errors }) {
   const { points } = errors;
-  const rows = points.reference_m.map((height, i) => ({
+  const rows: Row[] = points.reference_m.map((height, i) => ({
     height,
     error: points.error_m[i] as number,
-    lighting: points.lighting[i] as keyof typeof SYMBOLS,
+    lighting: points.lighting[i] as Lit,
   }));
   const line = isThere<Trend>(errors.trend) ? errors.trend : null;
-  const present = (Object.keys(SYMBOLS) as (keyof typeof SYMBOLS)[]).filter((one) =>
-    rows.some((row) => row.lighting === one),
-  );
+  const present = LIT.filter((one) => rows.some((row) => row.lighting === one));
   const legend: LegendEntry[] = present.map((one) => ({ word: GROUP_WORDS[one] ?? one, dot: SYMBOLS[one] }));
   if (line) legend.push({ word: say("statistics-trend-legend") });
   return (
@@ -33,35 +34,28 @@ export function TrendFigure({ errors }: { errors: Errors }) {
       options={(plot, unit) => {
         const [perX, long] = lengthScale(unit);
         const [perY, small] = smallScale(unit);
-        const fit = line?.at.map((at, i) => ({
-          x: at * perX,
-          y: (line.value[i] ?? 0) * perY,
-          low: (line.low[i] ?? 0) * perY,
-          high: (line.high[i] ?? 0) * perY,
-        }));
+        const fit = {
+          x: (i: number) => (line?.at[i] ?? 0) * perX,
+          y: (i: number) => (line?.value[i] ?? 0) * perY,
+          low: (i: number) => (line?.low[i] ?? 0) * perY,
+          high: (i: number) => (line?.high[i] ?? 0) * perY,
+        };
+        const along = line ? [...line.at.keys()] : [];
+        const where = { x: (row: Row) => row.height * perX, y: (row: Row) => row.error * perY };
         return {
           x: { label: say("statistics-trend-x", { unit: long }), nice: true, inset: 4 },
           y: { label: say("statistics-signed-error", { unit: small }), nice: true, inset: 4 },
-          symbol: { domain: Object.keys(SYMBOLS), range: Object.values(SYMBOLS), legend: false },
+          symbol: { domain: LIT, range: Object.values(SYMBOLS), legend: false },
           marks: [
             plot.ruleY([0], { stroke: "var(--line-strong)" }),
-            ...(fit
-              ? [
-                  plot.areaY(fit, { x: "x", y1: "low", y2: "high", fill: "var(--ink)", fillOpacity: 0.09 }),
-                  readable(plot.line(fit, { x: "x", y: "y", stroke: "var(--ink)", strokeWidth: 2 }), {
-                    word: say("statistics-trend-legend"),
-                    x: fit.map((one) => one.x),
-                    y: fit.map((one) => one.y),
-                    low: fit.map((one) => one.low),
-                    high: fit.map((one) => one.high),
-                    way: "line",
-                  }),
-                ]
-              : []),
+            plot.areaY(along, { x: fit.x, y1: fit.low, y2: fit.high, fill: "var(--ink)", fillOpacity: 0.09 }),
+            readable(
+              plot.line(along, { x: fit.x, y: fit.y, stroke: "var(--ink)", strokeWidth: 2 }),
+              readRows(along, fit, "line", say("statistics-trend-legend")),
+            ),
             readable(
               plot.dot(rows, {
-                x: (row: (typeof rows)[number]) => row.height * perX,
-                y: (row: (typeof rows)[number]) => row.error * perY,
+                ...where,
                 symbol: "lighting",
                 r: rows.length > 300 ? 2.5 : 4,
                 fill: "var(--surface)",
@@ -70,12 +64,10 @@ export function TrendFigure({ errors }: { errors: Errors }) {
                 strokeOpacity: rows.length > 300 ? 0.6 : 1,
                 strokeWidth: 1.25,
               }),
-              ...present.map((lighting) => ({
-                word: GROUP_WORDS[lighting] ?? lighting,
-                x: rows.map((row) => row.height * perX),
-                y: rows.map((row) => (row.lighting === lighting ? row.error * perY : null)),
-                way: "points" as const,
-              })),
+              ...present.map((lighting) => {
+                const y = (row: Row) => (row.lighting === lighting ? where.y(row) : null);
+                return readRows(rows, { ...where, y }, "points", GROUP_WORDS[lighting]);
+              }),
             ),
           ],
         };

@@ -24,11 +24,7 @@ export default function StudiesScreen() {
       </PageHead>
       <Loaded of={studies} what={say("studies-loading")} />
       {studies.data?.length === 0 && (
-        <section class="panel">
-          <Empty title={say("studies-none-title")} actions={make || undefined}>
-            <p>{say("studies-none")}</p>
-          </Empty>
-        </section>
+        <Empty panel says="studies-none-title" why="studies-none" actions={make || undefined} />
       )}
       {studies.data && studies.data.length > 0 && <List studies={studies.data} />}
       {making && <NewStudy close={() => setMaking(false)} />}

@@ -5,11 +5,12 @@ import { HEIGHT_WORDS } from "../../core/words";
 import { marginOf, standardMarks, standardTiers } from "../../parts/figures/curves";
 import { hueOf } from "../../parts/figures/hues";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
-import { readable } from "../../parts/figures/reading";
+import { readable, readRows } from "../../parts/figures/reading";
 import type { Standard } from "../../parts/figures/types";
 
 type Found = StudyResult["found"];
 type Curve = Found["curves"][number];
+type Point = Curve["points"][number];
 
 const TRUE_HEIGHTS = {};
 const RAW = { dash: "6 4", faint: true };
@@ -18,13 +19,14 @@ const REACH_M = 0.15;
 /** A target's distribution: percentiles of true heights with their total intervals as a band. */
 export function CurveFigure({ curve, rules }: { curve: Curve; rules: Found["rules"] }) {
   const title = HEIGHT_WORDS[curve.target];
-  const first = curve.points[0]?.value_m ?? 0;
-  const last = curve.points.at(-1)?.value_m ?? 0;
+  const { points } = curve;
+  const first = points[0]?.value_m ?? 0;
+  const last = points.at(-1)?.value_m ?? 0;
   const standards = rules
     .filter((one) => one.target === curve.target)
     .filter((one) => one.standard_m > first - REACH_M && one.standard_m < last + REACH_M)
     .map((one) => ({ name: one.standard, code: one.standard_code, height_m: one.standard_m }) as Standard);
-  const known = curve.points.filter((one) => one.low_m !== null && one.high_m !== null);
+  const known = points.filter((one) => one.low_m !== null && one.high_m !== null);
   return (
     <PlotFigure
       name={`study-${curve.target}`}
@@ -36,16 +38,9 @@ export function CurveFigure({ curve, rules }: { curve: Curve; rules: Found["rule
       options={(plot, unit) => {
         const [perX, long] = lengthScale(unit);
         const tiers = standardTiers(standards, perX, long, (first + last) / 2);
-        const band = known.map((one) => ({
-          y: one.percent,
-          low: (one.low_m ?? 0) * perX,
-          high: (one.high_m ?? 0) * perX,
-        }));
-        const points = curve.points.map((one) => ({
-          y: one.percent,
-          x: one.value_m * perX,
-          raw: one.raw_m * perX,
-        }));
+        const y = (one: Point) => one.percent;
+        const ofRaw = { x: (one: Point) => one.raw_m * perX, y };
+        const ofTrue = { x: (one: Point) => one.value_m * perX, y };
         return {
           marginTop: marginOf(tiers),
           height: 296 + marginOf(tiers),
@@ -53,34 +48,32 @@ export function CurveFigure({ curve, rules }: { curve: Curve; rules: Found["rule
           y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
           marks: [
             ...standardMarks(plot, tiers),
-            plot.areaX(band, { y: "y", x1: "low", x2: "high", fill: hueOf(TRUE_HEIGHTS), fillOpacity: 0.13 }),
+            plot.areaX(known, {
+              y,
+              x1: (one) => (one.low_m ?? 0) * perX,
+              x2: (one) => (one.high_m ?? 0) * perX,
+              fill: hueOf(TRUE_HEIGHTS),
+              fillOpacity: 0.13,
+            }),
             readable(
               plot.line(points, {
-                x: "raw",
-                y: "y",
+                ...ofRaw,
                 stroke: hueOf(RAW),
                 strokeWidth: 1.5,
                 strokeDasharray: RAW.dash,
               }),
-              {
-                word: say("study-curve-raw"),
-                x: points.map((one) => one.raw),
-                y: points.map((one) => one.y),
-                way: "line",
-              },
+              readRows(points, ofRaw, "line", say("study-curve-raw")),
             ),
-            readable(plot.line(points, { x: "x", y: "y", stroke: hueOf(TRUE_HEIGHTS), strokeWidth: 2 }), {
-              word: say("study-curve-true"),
-              x: points.map((one) => one.x),
-              y: points.map((one) => one.y),
-              way: "line",
-            }),
+            readable(
+              plot.line(points, { ...ofTrue, stroke: hueOf(TRUE_HEIGHTS), strokeWidth: 2 }),
+              readRows(points, ofTrue, "line", say("study-curve-true")),
+            ),
           ],
         };
       }}
       table={() => ({
         columns: ["percent", "true_height_m", "total95_low_m", "total95_high_m", "random_error_left_in_m"],
-        rows: curve.points.map((one) => [one.percent, one.value_m, one.low_m, one.high_m, one.raw_m]),
+        rows: points.map((one) => [one.percent, one.value_m, one.low_m, one.high_m, one.raw_m]),
       })}
     />
   );

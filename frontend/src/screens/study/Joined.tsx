@@ -19,16 +19,8 @@ export function Joined({ study, result, edit, remove }: Props) {
       says="study-joined"
       aside={
         <div class="row">
-          {remove && (
-            <Button small kind="quiet" icon="trash" onClick={remove}>
-              {say("study-remove")}
-            </Button>
-          )}
-          {edit && (
-            <Button small onClick={edit}>
-              {say("study-edit")}
-            </Button>
-          )}
+          {remove && <Button says="study-remove" small kind="quiet" icon="trash" onClick={remove} />}
+          {edit && <Button says="study-edit" small onClick={edit} />}
         </div>
       }
       data-testid="study-joined"

@@ -1,4 +1,4 @@
-import { Button, Check, named, OptionalField, Panel, Problem } from "../../components";
+import { Check, IconButton, named, OptionalField, Panel, Problem } from "../../components";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
@@ -33,9 +33,7 @@ export function Members({ studyId }: { studyId: number }) {
             <li key={one.id}>
               {one.name}
               {may("operator") && (
-                <Button
-                  small
-                  kind="quiet"
+                <IconButton
                   icon="close"
                   label={say("study-members-remove", { name: one.name })}
                   onClick={() =>

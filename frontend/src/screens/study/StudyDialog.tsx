@@ -1,17 +1,11 @@
 import { useId, useState } from "preact/hooks";
-import { Button, FormDialog, named, OptionalField, Problem, TextField } from "../../components";
+import { FormDialog, IconButton, named, OptionalField, Problem, TextField } from "../../components";
 import { api } from "../../core/api";
 import { fieldsOf, useForm } from "../../core/form";
 import { say } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import type { Study } from "../../core/types";
 import { parseNumber } from "../../core/units";
-
-interface Props {
-  study: Study;
-  close: () => void;
-  saved: () => void;
-}
 
 interface Row {
   survey_id: number;
@@ -22,7 +16,7 @@ interface Row {
 }
 
 /** What a study joins and how it weighs: sent as a whole, refused in one sentence where it does not hold together. */
-export function StudyDialog({ study, close, saved }: Props) {
+export function StudyDialog({ study, close, saved }: { study: Study; close: () => void; saved: () => void }) {
   const { values, field } = useForm(() => {
     const { name, description, fleet_csv, sites_csv } = study;
     return { name, description, fleet_csv, sites_csv, goal: String(1000 * study.goal_m) };
@@ -90,9 +84,7 @@ function Surveys({ rows, change }: { rows: readonly Row[]; change: (rows: readon
           <TextField says="study-site" {...field(one)("site")} />
           <TextField says="study-stratum" {...field(one)("stratum")} />
           <TextField says="study-year" {...field(one)("year")} numeric />
-          <Button
-            small
-            kind="quiet"
+          <IconButton
             icon="close"
             label={say("study-take-out", { name: one.name })}
             onClick={() => change(rows.filter((other) => other !== one))}

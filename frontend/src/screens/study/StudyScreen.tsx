@@ -63,11 +63,7 @@ function Page({ page, reload }: { page: StudyPage; reload: () => Promise<void> }
     <>
       <Head page={page} running={underWay} compute={() => void compute()} />
       {study.simulated && <Notice kind="warning">{say("study-simulated-note")}</Notice>}
-      {running && (
-        <div class="panel panel__body">
-          <JobProgress job={running} onCancel={cancel} />
-        </div>
-      )}
+      {running && <JobProgress panel job={running} onCancel={cancel} />}
       {failed && <Notice kind="problem">{failed}</Notice>}
       <Problem error={problem} />
       {result && !underWay && isOld(result) && <Notice kind="warning">{oldWords(result)}</Notice>}
@@ -165,17 +161,15 @@ function oldWords(result: StudyResult): string {
 function NotComputed({ page, edit }: { page: StudyPage; edit: (() => void) | undefined }) {
   const none = page.study.surveys.length === 0;
   return (
-    <section class="panel">
-      <Empty
-        title={say(none ? "study-empty-title" : "study-not-computed-title")}
-        actions={
-          none && edit ? (
-            <Button says="study-add-surveys" kind="primary" icon="add" onClick={edit} />
-          ) : undefined
-        }
-      >
-        <p>{say(none ? "study-empty" : "study-not-computed")}</p>
-      </Empty>
-    </section>
+    <Empty
+      panel
+      says={none ? "study-empty-title" : "study-not-computed-title"}
+      why={none ? "study-empty" : "study-not-computed"}
+      actions={
+        none && edit ? (
+          <Button says="study-add-surveys" kind="primary" icon="add" onClick={edit} />
+        ) : undefined
+      }
+    />
   );
 }

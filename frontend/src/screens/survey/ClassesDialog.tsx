@@ -40,12 +40,7 @@ export function ClassesDialog({ survey, close }: { survey: Survey; close: () => 
   );
 }
 
-interface RowProps {
-  row: Typed;
-  change(part: Partial<Typed>): void;
-}
-
-function ClassRow({ row, change }: RowProps) {
+function ClassRow({ row, change }: { row: Typed; change(part: Partial<Typed>): void }) {
   const word = CATEGORY_WORDS[row.category];
   const field = fieldsOf(row, change);
   return (

@@ -134,7 +134,7 @@ function MemberTable({ members, manages, put, remove }: TableProps) {
       label={say("members-title")}
       rows={members}
       keyOf={(one) => one.person_id}
-      columns={({ col }) => [
+      columns={({ col, actions }) => [
         col(say("members-name"), (one) => (
           <>
             <strong>{one.name}</strong>
@@ -157,8 +157,8 @@ function MemberTable({ members, manages, put, remove }: TableProps) {
             {one.account_role === "admin" && <p class="field__hint">{say("members-admin")}</p>}
           </>
         )),
-        col(
-          <span class="visually-hidden">{say("members-remove")}</span>,
+        actions(
+          say("members-remove"),
           (one) =>
             manages && <Button says="members-remove" small kind="quiet" onClick={() => void remove(one)} />,
           "num",

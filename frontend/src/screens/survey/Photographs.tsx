@@ -1,5 +1,5 @@
 import { useEffect, useState } from "preact/hooks";
-import { Button, DropFiles, Icon, Problem } from "../../components";
+import { DropFiles, Icon, IconButton, Problem } from "../../components";
 import { api, explain } from "../../core/api";
 import { say } from "../../core/messages";
 import { useAsked } from "../../core/resource";
@@ -97,29 +97,19 @@ function Card({ one, mayChange, earlier, later, caption, remove }: CardProps) {
             <span class="clip small muted grow" title={one.name}>
               {one.name}
             </span>
-            <Button
-              small
-              kind="quiet"
+            <IconButton
               icon="left"
               label={say("photographs-left", { photograph })}
               disabled={!earlier}
               onClick={() => earlier?.()}
             />
-            <Button
-              small
-              kind="quiet"
+            <IconButton
               icon="right"
               label={say("photographs-right", { photograph })}
               disabled={!later}
               onClick={() => later?.()}
             />
-            <Button
-              small
-              kind="quiet"
-              icon="close"
-              label={say("photographs-remove", { photograph })}
-              onClick={remove}
-            />
+            <IconButton icon="close" label={say("photographs-remove", { photograph })} onClick={remove} />
           </div>
         </>
       ) : (
@@ -139,11 +129,7 @@ function usePhotographs(
   const [waiting, setWaiting] = useState(0);
   const [refused, setRefused] = useState<string[]>([]);
   const run = async (work: () => Promise<unknown>) => {
-    try {
-      await work();
-    } catch (error) {
-      toastProblem(error);
-    }
+    await work().catch(toastProblem);
     await reload();
   };
   const add = async (files: File[]) => {

@@ -1,8 +1,8 @@
 /** What is set for a survey, a part each with the button that changes it. */
 import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
-import { Button, Loading } from "../../components";
-import { say } from "../../core/messages";
+import { Button, Loading, PageHead, Panel } from "../../components";
+import { type PlainKey, say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { may } from "../../core/session";
 import { survey as openSurvey } from "../../core/survey";
@@ -28,13 +28,8 @@ export default function SettingsScreen({ surveyId }: ScreenProps) {
   const edit = may("operator") ? () => setChanging("survey") : null;
   return (
     <div class="page">
-      <header class="page__head">
-        <div>
-          <h1>{say("page-settings")}</h1>
-          <p class="page__lead">{say("settings-lead")}</p>
-        </div>
-      </header>
-      <Part title={say("settings-site")} change={edit} action={say("survey-edit")}>
+      <PageHead says="page-settings" lead={say("settings-lead")} />
+      <Part says="settings-site" change={edit} action="survey-edit">
         <p>{[survey.name, survey.site, survey.description].filter(Boolean).join("  ·  ")}</p>
         <p class="muted">{placeWords(survey.place)}</p>
         <p>{trafficWords(survey.traffic) || say("settings-traffic-unsaid")}</p>
@@ -47,24 +42,20 @@ export default function SettingsScreen({ surveyId }: ScreenProps) {
         survey={survey}
         edit={() => setChanging("sample")}
       />
-      <Part
-        title={say("settings-members")}
-        change={() => setChanging("members")}
-        action={say("members-open")}
-      >
+      <Part says="settings-members" change={() => setChanging("members")} action="members-open">
         <p>{say("settings-members-lead")}</p>
       </Part>
       <Part
-        title={say("settings-classes")}
+        says="settings-classes"
         change={may("operator") ? () => setChanging("classes") : null}
-        action={say("classes-open")}
+        action="classes-open"
       >
         <p>{say("settings-classes-lead")}</p>
       </Part>
       <Part
-        title={say("statistics-standards-title")}
+        says="statistics-standards-title"
         href={`/statistics?survey=${survey.id}#standards`}
-        action={say("settings-standards-open")}
+        action="settings-standards-open"
       >
         <p>{say("settings-standards-lead")}</p>
       </Part>
@@ -78,32 +69,20 @@ export default function SettingsScreen({ surveyId }: ScreenProps) {
 }
 
 interface PartProps {
-  title: string;
-  action: string;
+  says: PlainKey;
+  action: PlainKey;
   /** Opens what changes it; null for who may only read. */
   change?: (() => void) | null;
   href?: string;
   children: ComponentChildren;
 }
 
-function Part({ title, action, change, href, children }: PartProps) {
+function Part({ says, action, change, href, children }: PartProps) {
+  const way = (change || href) && <Button says={action} small href={href} onClick={change ?? undefined} />;
   return (
-    <section class="panel" aria-label={title}>
-      <header class="panel__head">
-        <h2>{title}</h2>
-        {change && (
-          <Button small onClick={change}>
-            {action}
-          </Button>
-        )}
-        {href && (
-          <Button small href={href}>
-            {action}
-          </Button>
-        )}
-      </header>
+    <Panel says={says} aside={way}>
       <div class="panel__body stack">{children}</div>
-    </section>
+    </Panel>
   );
 }
 

@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
 import { Button, Icon, JobProgress, Loading, Notice, PageHead, Shape } from "../../components";
-import { Said } from "../../components/Said";
+import { linkTo, Said } from "../../components/Said";
 import { isOver } from "../../core/jobs";
 import { say, sentencesOf, wordsOf } from "../../core/messages";
 import { type ScreenProps, titleOf } from "../../core/places";
@@ -80,11 +80,7 @@ function TrafficOf({ survey, edit }: { survey: Survey; edit(): void }) {
   return (
     <Notice kind="warning">
       {say("survey-traffic-unsaid")}{" "}
-      {may("operator") && (
-        <Button small onClick={edit}>
-          {say("survey-traffic-say")}
-        </Button>
-      )}
+      {may("operator") && <Button says="survey-traffic-say" small onClick={edit} />}
     </Notice>
   );
 }
@@ -99,7 +95,7 @@ function LineScans({ survey }: { survey: Survey }) {
         <Said
           what="survey-scans-none"
           values={{ summary: sentencesOf(scans.summary) }}
-          parts={{ link: (text) => <a href={href}>{text}</a> }}
+          parts={linkTo(href)}
         />
       </p>
     );
@@ -117,10 +113,7 @@ function LineScans({ survey }: { survey: Survey }) {
           <p>{sentencesOf(scans.summary)}</p>
           {scans.accepted > 0 && (
             <p>
-              <Said
-                what="survey-scan-results"
-                parts={{ link: (text) => <a href={`${href}/results`}>{text}</a> }}
-              />
+              <Said what="survey-scan-results" parts={linkTo(`${href}/results`)} />
             </p>
           )}
         </div>
@@ -132,7 +125,7 @@ function LineScans({ survey }: { survey: Survey }) {
             [scans.accepted, say("survey-count-scanned-accepted", { count: scans.accepted })],
           ]}
         />
-        <Button href={href}>{say("survey-open")}</Button>
+        <Button says="survey-open" href={href} />
       </div>
     </section>
   );
@@ -164,10 +157,7 @@ function StepRow({ step, index, survey }: { step: Step; index: number; survey: S
         {step.key === "results" && <Outdated since={survey.since_package} />}
         {step.key === "results" && (
           <p>
-            <Said
-              what="survey-statistics"
-              parts={{ link: (text) => <a href={`/statistics?survey=${survey.id}`}>{text}</a> }}
-            />
+            <Said what="survey-statistics" parts={linkTo(`/statistics?survey=${survey.id}`)} />
           </p>
         )}
       </div>
@@ -218,12 +208,8 @@ function TourOffer() {
     <Notice
       actions={
         <>
-          <Button small onClick={() => beginTour().catch(toastProblem)}>
-            {say("tour-take")}
-          </Button>
-          <Button small kind="quiet" onClick={endTour}>
-            {say("tour-not-now")}
-          </Button>
+          <Button says="tour-take" small onClick={() => beginTour().catch(toastProblem)} />
+          <Button says="tour-not-now" small kind="quiet" onClick={endTour} />
         </>
       }
     >

@@ -1,7 +1,7 @@
 import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
 import { Button, Empty, JobProgress, Loading, Notice, PageHead, Problem, StateMark } from "../../components";
-import { Said } from "../../components/Said";
+import { linkTo, Said } from "../../components/Said";
 import { isOver } from "../../core/jobs";
 import { say, sentenceOf, sentencesOf } from "../../core/messages";
 import { useAsked, useEvery } from "../../core/resource";
@@ -75,19 +75,11 @@ function SurveyList({ surveys, lastDemo, children }: SurveyListProps) {
 }
 
 function AddSurvey({ primary, make }: { primary: boolean; make: () => void }) {
-  return (
-    <Button kind={primary ? "primary" : "plain"} icon="add" onClick={make}>
-      {say("surveys-new")}
-    </Button>
-  );
+  return <Button says="surveys-new" kind={primary ? "primary" : "plain"} icon="add" onClick={make} />;
 }
 
 function ChoosePassword() {
-  const toAccount = (
-    <Button small href="/account">
-      {say("surveys-choose-password")}
-    </Button>
-  );
+  const toAccount = <Button says="surveys-choose-password" small href="/account" />;
   return <Notice actions={toAccount}>{say("surveys-link-used")}</Notice>;
 }
 
@@ -114,7 +106,7 @@ function Simulated({ surveys }: { surveys: readonly Survey[] }) {
     <details class="panel panel__body" data-testid="simulated">
       <summary>{say("surveys-simulated", { count: surveys.length })}</summary>
       <p class="muted small">
-        <Said what="surveys-simulated-help" parts={{ link: (text) => <a href="/studies">{text}</a> }} />
+        <Said what="surveys-simulated-help" parts={linkTo("/studies")} />
       </p>
       <ul>
         {surveys.map((survey) => (
@@ -130,27 +122,24 @@ function Simulated({ surveys }: { surveys: readonly Survey[] }) {
 function NoSurvey({ make }: { make: () => void }) {
   const demoId = me.value?.demo_survey_id ?? null;
   return (
-    <div class="panel">
-      <Empty
-        title={say("surveys-none-title")}
-        actions={
-          <>
-            {demoId !== null && (
-              <Button kind="primary" href={`/surveys/${demoId}`}>
-                {say("surveys-demo-open")}
-              </Button>
-            )}
-            {may("operator") && (
-              <Button kind={demoId === null ? "primary" : "plain"} icon="add" onClick={make}>
-                {say("surveys-new")}
-              </Button>
-            )}
-          </>
-        }
-      >
-        <p>{say(may("operator") ? "surveys-none-make" : "surveys-none")}</p>
-      </Empty>
-    </div>
+    <Empty
+      panel
+      says="surveys-none-title"
+      why={may("operator") ? "surveys-none-make" : "surveys-none"}
+      actions={
+        <>
+          {demoId !== null && <Button says="surveys-demo-open" kind="primary" href={`/surveys/${demoId}`} />}
+          {may("operator") && (
+            <Button
+              says="surveys-new"
+              kind={demoId === null ? "primary" : "plain"}
+              icon="add"
+              onClick={make}
+            />
+          )}
+        </>
+      }
+    />
   );
 }
 
@@ -209,11 +198,7 @@ function Tally({ label, done, of }: { label: string; done: number; of: number })
     <div class="tally">
       <span class="tally__label">{label}</span>
       <span class="tally__figure">
-        <Said
-          what="surveys-tally"
-          values={{ done, all: of }}
-          parts={{ muted: (text) => <span class="muted">{text}</span> }}
-        />
+        <Said what="surveys-tally" values={{ done, all: of }} />
       </span>
       <span class="tally__track" aria-hidden="true">
         <span style={{ width: `${share * 100}%` }} />

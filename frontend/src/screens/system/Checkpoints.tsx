@@ -57,7 +57,7 @@ function Key({ listed }: { listed: Listed }) {
 }
 
 function List({ listed }: { listed: Listed }) {
-  if (listed.newest.length === 0) return <Empty title={say("system-checkpoints-none")} />;
+  if (listed.newest.length === 0) return <Empty says="system-checkpoints-none" />;
   return (
     <DataTable
       label={say("system-checkpoints")}

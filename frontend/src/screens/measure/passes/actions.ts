@@ -1,7 +1,7 @@
 /** Passes taken apart, put together and confirmed; each a step that can be undone. */
 import type { ChangeSet } from "../../../core/history";
 import { say } from "../../../core/messages";
-import { toast, toastProblem } from "../../../core/toasts";
+import { telling, toast } from "../../../core/toasts";
 import type { Vehicle } from "../../../core/types";
 import { lightingProposed } from "../../../parts/vehicles/passes";
 import type { MeasureModel } from "../model";
@@ -109,11 +109,9 @@ export function confirmPass(model: MeasureModel): void {
 
 /** Reads the survey's passes anew, after some were found; opens the first where none was open. */
 export async function readAgain(model: MeasureModel): Promise<void> {
-  try {
+  await telling(async () => {
     await model.reading.again();
     const first = model.list.value[0];
     if (first && model.vehicleId.value === null) model.open(first);
-  } catch (error) {
-    toastProblem(error);
-  }
+  });
 }

@@ -7,7 +7,7 @@ import { api } from "../../../core/api";
 import { Latest } from "../../../core/latest";
 import { say } from "../../../core/messages";
 import { canWork } from "../../../core/session";
-import { toastProblem } from "../../../core/toasts";
+import { telling, toastProblem } from "../../../core/toasts";
 import type { HeightAnswer, PointProposal, Target } from "../../../core/types";
 import { askHeight } from "../../../viewer/geometry";
 import { fromServer, type ImagePoint, imagePoint, samePoint, screenDistance } from "../../../viewer/points";
@@ -95,7 +95,7 @@ export class Proposals implements Tool<ImagePoint> {
   async load(recordingId: number): Promise<void> {
     this.asked += 1;
     const turn = this.asked;
-    try {
+    await telling(async () => {
       const found = await api.ask("GET /recordings/{recording_id}/proposals", { recording_id: recordingId });
       if (turn !== this.asked) return;
       const byVehicle = new Map<number, PointProposal[]>();
@@ -105,9 +105,7 @@ export class Proposals implements Tool<ImagePoint> {
       const isNew = open !== null && !this.byVehicle.peek().has(open) && byVehicle.has(open);
       this.late.value = isNew && this.hands.touched ? open : null;
       this.byVehicle.value = byVehicle;
-    } catch (error) {
-      toastProblem(error);
-    }
+    });
   }
 
   /** The frame on which something is proposed of a vehicle that is asked for; null where nothing is. */
