@@ -5,9 +5,9 @@ import { ApiError, api } from "./api";
 import { type Said, say, sentenceOf, sentencesOf } from "./messages";
 import type { Job } from "./types";
 
-/** "Camera stability check"; a kind of an earlier program is "Other job". */
+/** "Camera stability check"; a kind that the sentence does not know is "Other job". */
 export function jobName(kind: string): string {
-  return say("jobs-kind", { kind });
+  return say("jobs-kind", { kind: kind as "other" });
 }
 
 export function isOver(job: Job): boolean {

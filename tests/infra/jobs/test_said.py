@@ -9,10 +9,13 @@ from sightline.errors import BadInput, SightlineError
 from sightline.geometry.board import Board
 from sightline.geometry.calibration import calibrate
 from sightline.geometry.corners import find_board
+from sightline.infra.jobs import registry
 from sightline.infra.jobs.runner import Runner
 from sightline.infra.jobs.store import get_job
 from sightline.infra.services import Services
 from sightline.infra.web.spoken import said_by_key, spoken
+from sightline.job_handlers import MODULES
+from sightline.messages import say
 from sightline.recordings import ingest_job
 from tests.infra.jobs import handlers
 from tests.infra.jobs.test_runner import queued
@@ -75,3 +78,13 @@ def test_pictures_without_a_board_say_why_in_french_to_the_last_word() -> None:
 @pytest.mark.parametrize("said", [{"code": "gone", "values": {}}, {"code": "said", "values": {}}])
 def test_what_this_program_cannot_say_stays_as_it_was_kept(said: dict[str, object]) -> None:
     assert said_by_key(said, "It is gone.", "fr") == "It is gone."
+
+
+@pytest.mark.parametrize("language", ["en", "fr"])
+def test_every_kind_of_job_has_a_name(language: str) -> None:
+    assert MODULES  # imported: their handlers are registered
+    kinds = [name for name in registry.kinds() if not name.startswith("test_")]
+    other = say("jobs-kind", {"kind": "a kind of an earlier program"}, language)
+    named = {kind: say("jobs-kind", {"kind": kind}, language) for kind in kinds}
+    assert len(kinds) > 10 and other not in named.values(), named
+    assert len(set(named.values())) == len(kinds)

@@ -105,6 +105,11 @@ def registered(kind: str) -> Registered | None:
     return _handlers.get(kind)
 
 
+def kinds() -> list[str]:
+    """Every kind of job that somebody here does."""
+    return list(_handlers)
+
+
 def is_long(kind: str) -> bool:
     """Whether jobs of this kind keep others waiting; of a kind that nobody here knows, they may."""
     known = registered(kind)
