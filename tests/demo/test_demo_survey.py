@@ -121,7 +121,7 @@ def check_shown(admin: Client, survey_id: int) -> None:
     survey, vehicles = admin.seen(f"/surveys/{survey_id}"), admin.seen(f"/surveys/{survey_id}/vehicles")
     lighting = [one["lighting"] for one in vehicles]
     by_day, low = lighting.count("daytime"), lighting.count("low_light")
-    assert f"{by_day} vehicles in daylight and {low} in low light" in survey["description"]
+    assert f"{by_day} vehicles of invented makes in daylight, {low} in low light" in survey["description"]
     measured = sum(bool(one["measurements"]) for one in vehicles)
     assert f"{measured} are measured" in survey["description"]
     verdicts = {m["review"]["verdict"] for one in vehicles for m in one["measurements"]}

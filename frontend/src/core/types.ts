@@ -44,7 +44,11 @@ export type Place = Survey["place"];
 export type Asked = Survey["asked"];
 export type AskedTarget = Asked["daytime"][number];
 /** What may be known of a vehicle beside the height of its roof. */
-export type KnownTarget = "driver_eye" | "taillight" | "headlight" | "other";
+export type KnownTarget = keyof Vehicle extends infer K
+  ? K extends `known_${infer T}_m`
+    ? T
+    : never
+  : never;
 export type NotVisible = NonNullable<Schemas["VehicleBody"]["roof_not_visible"]>;
 /** What a survey makes of a class of vehicles: its set, and what the EU and FHWA call it. */
 export type VehicleClass = Survey["classes"][number];

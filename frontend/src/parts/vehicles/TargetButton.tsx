@@ -1,14 +1,17 @@
 /** Chooses what the next click measures. */
-import { keyMap, showChord } from "../../core/commands";
+import { type ActionId, keyMap, showChord } from "../../core/commands";
 import { canWork } from "../../core/session";
 import type { Target } from "../../core/types";
 import { TARGET_WORDS, TARGETS } from "../../core/words";
 
-const KEYS = ["target1", "target2", "target3", "target4", "target5"] as const;
+/** What chooses a target: "target1" the first of them. */
+export function targetAction(target: Target): ActionId {
+  return `target${TARGETS.indexOf(target) + 1}` as ActionId;
+}
 
 /** The key of a target, as a keycap shows it; empty if it has none. */
 export function targetKey(target: Target): string {
-  const key = keyMap.value[KEYS[TARGETS.indexOf(target)] ?? "target1"][0];
+  const key = keyMap.value[targetAction(target)]?.[0];
   return key ? showChord(key) : "";
 }
 

@@ -3,7 +3,7 @@ import { Check } from "../../components";
 import { CommitField, LengthField } from "../../components/CommitField";
 import { say } from "../../core/messages";
 import type { KnownTarget, Vehicle } from "../../core/types";
-import { TARGET_WORDS } from "../../core/words";
+import { TARGET_WORDS, TARGETS } from "../../core/words";
 import { type Changes, FIELD_WORDS } from "./fields";
 
 interface Props {
@@ -12,7 +12,7 @@ interface Props {
   edit(changes: Changes): void;
 }
 
-const KNOWN: readonly KnownTarget[] = ["driver_eye", "taillight", "headlight", "other"];
+const KNOWN = TARGETS.filter((target): target is KnownTarget => target !== "roof");
 
 export function KnownHeights({ vehicle, locked, edit }: Props) {
   const count = KNOWN.filter((target) => vehicle[`known_${target}_m`] !== null).length;

@@ -4,13 +4,14 @@ import { Empty, Loading } from "../../components";
 import { Button } from "../../components/Button";
 import type { ButtonCommand } from "../../components/CommandButton";
 import { type HistoryCommands, historyCommands, useUndoTools } from "../../components/undoTools";
-import { type ActionId, useCommands } from "../../core/commands";
+import { useCommands } from "../../core/commands";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { canWork } from "../../core/session";
 import type { Target } from "../../core/types";
 import { TARGETS } from "../../core/words";
 import { FailedPage } from "../../parts/FailedPage";
+import { targetAction } from "../../parts/vehicles/TargetButton";
 import { frameCommands } from "../../viewer/stageCommands";
 import { FramePanel } from "./FramePanel";
 import { MeasureModel } from "./model";
@@ -64,8 +65,8 @@ function NothingToMeasure({ surveyId }: { surveyId: number }) {
 }
 
 function measureCommands(model: MeasureModel): ButtonCommand[] {
-  const choose = (target: Target, index: number): ButtonCommand => ({
-    id: `target${index + 1}` as ActionId,
+  const choose = (target: Target): ButtonCommand => ({
+    id: targetAction(target),
     run: () => void (model.proposals.jump(target) || model.dispatch({ type: "choose", target })),
     enabled: mayWork,
   });

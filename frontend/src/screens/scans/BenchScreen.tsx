@@ -4,7 +4,7 @@ import { Button, Empty, JobProgress, Loading, Notice, Notices } from "../../comp
 import { type ButtonCommand, CommandButton } from "../../components/CommandButton";
 import { historyCommands, useUndoTools } from "../../components/undoTools";
 import { navigate, query } from "../../core/address";
-import { type ActionId, useCommands } from "../../core/commands";
+import { useCommands } from "../../core/commands";
 import { cancelJob } from "../../core/jobs";
 import { say, sentenceOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
@@ -15,6 +15,7 @@ import type { Scan, Target } from "../../core/types";
 import { formatCount, formatLength } from "../../core/units";
 import { TARGETS } from "../../core/words";
 import { FailedPage } from "../../parts/FailedPage";
+import { targetAction } from "../../parts/vehicles/TargetButton";
 import { pictureCommands } from "../../viewer/stageCommands";
 import { FindDialog } from "./FindDialog";
 import { ScanModel } from "./model";
@@ -194,8 +195,8 @@ function benchCommands(model: ScanModel): ButtonCommand[] {
   const pan = (share: number) => () => {
     stage.view.value = stage.view.value.pan(-share * stage.view.value.width, 0);
   };
-  const target = (at: Target, index: number): ButtonCommand => ({
-    id: `target${index + 1}` as ActionId,
+  const target = (at: Target): ButtonCommand => ({
+    id: targetAction(at),
     run: () => heights.begin(at),
     enabled: () => !model.judging.rejection.begun.value, // a digit is a reason then
   });

@@ -5,14 +5,13 @@ import { say, sayCode } from "../../../core/messages";
 import type { PointProposal } from "../../../core/types";
 import { fixed } from "../../../core/units";
 import { TARGET_WORDS, TARGETS } from "../../../core/words";
+import { targetAction } from "../../../parts/vehicles/TargetButton";
 import { heightOrReason } from "../../../viewer/geometry";
 import { PointLoupe } from "../../../viewer/PointLoupe";
 import { samePoint } from "../../../viewer/points";
 import type { MeasureModel } from "../model";
 import type { InHand } from "./placed";
 import "./proposals.css";
-
-const KEYS = ["target1", "target2", "target3", "target4", "target5"] as const;
 
 export function ProposalPanel({ model }: { model: MeasureModel }) {
   const { proposals, standing } = model;
@@ -59,7 +58,7 @@ function Card({ model, one }: { model: MeasureModel; one: InHand }) {
   const player = model.reel.player.value;
   const height = one.role === "contact" ? null : proposals.heightOf(one.role);
   const moved = !samePoint(one.at, one.proposed);
-  const id = one.role === "contact" ? "newContact" : KEYS[TARGETS.indexOf(one.role)];
+  const id = one.role === "contact" ? "newContact" : targetAction(one.role);
   const name = one.role === "contact" ? say("measure-proposed-contact") : TARGET_WORDS[one.role];
   return (
     <button
@@ -75,7 +74,7 @@ function Card({ model, one }: { model: MeasureModel; one: InHand }) {
     >
       {player && <PointLoupe player={player} at={one.at} />}
       <span class="proposed__name">
-        <kbd>{showChord(keyMap.value[id ?? "target1"][0] ?? "")}</kbd> {name}
+        <kbd>{showChord(keyMap.value[id]?.[0] ?? "")}</kbd> {name}
       </span>
       <span class="proposed__height">
         {one.role === "contact" ? " " : height === null ? "…" : heightOrReason(height)}
