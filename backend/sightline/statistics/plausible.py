@@ -7,17 +7,15 @@ feature, the wrong vehicle, or a contact beside the tyre, not a car that is a li
 from collections.abc import Mapping
 from dataclasses import dataclass
 from math import hypot
+from typing import get_args
 
 from sightline.coverage import COVERAGE_95
-from sightline.enums import Category, DoubtKind, Target
+from sightline.enums import Category, DoubtKind, StatisticsTarget, Target
 
 #: Metres between which a target of a class usually lies; estimates, see above.
-_ANY: dict[Target, tuple[float, float]] = {
-    "driver_eye": (0.8, 3.2),
-    "taillight": (0.2, 1.8),
-    "headlight": (0.3, 1.5),
-    "roof": (1.0, 4.6),
-}
+_ANY: dict[Target, tuple[float, float]] = dict(
+    zip(get_args(StatisticsTarget), ((0.8, 3.2), (0.2, 1.8), (0.3, 1.5), (1.0, 4.6)), strict=True)
+)
 _CAR: dict[Target, tuple[float, float]] = {"roof": (1.15, 1.75), "driver_eye": (0.9, 1.4)}
 _OF_CLASS: dict[Category, dict[Target, tuple[float, float]]] = {
     "hatchback": _CAR,

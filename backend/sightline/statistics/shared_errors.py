@@ -65,7 +65,7 @@ class SharedErrors:
 
     def variance_of_spread_m4(self, share: Floats | None = None) -> float:
         """Variance of what one draw of the errors adds to the spread, about `spread_m2`: of a quadratic form
-        in normal variables, twice the sum of its squared coefficients.
+        in normal variables, twice the sum of its squared coefficients. share: (N,), as there.
         """
         own, mean = self._of_spread_m2(share)
         return max(2.0 * float((own**2 - 2.0 * own * mean).sum() + mean.sum() ** 2), 0.0)

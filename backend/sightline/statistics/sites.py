@@ -152,14 +152,18 @@ def _within(sites: Sites, influence: Floats) -> float:
 def mean_variance(apart: Floats, kept: Floats) -> float:
     """The variance of heights of which `apart` (N,) are squared deviations from means that were estimated of
     them, and `kept` (N,) what is left of their mean; 0 where nothing is.
+
+    Unbiased where all vary alike (Cochran 1977, 5.3).
     """
     left = float(kept.sum())
     return float(apart.sum()) / left if left > _NOTHING else 0.0
 
 
 def variances(apart: Floats, kept: Floats, otherwise: float) -> Floats:
-    """An estimate of each height's variance (N,), unbiased where all of a mean's heights vary alike (Cochran
-    1977, 5.3); `otherwise`: of heights that stand alone and say nothing of it.
+    """An estimate of each height's variance (N,), of its squared deviation `apart` (N,) and what a mean that
+    was estimated of the heights left of that, `kept` (N,); `otherwise`: of one that stands alone.
+
+    Unbiased where all of a mean's heights vary alike (Cochran 1977, 5.3).
     """
     told = kept > _NOTHING
     return np.where(told, apart / np.where(told, kept, 1.0), otherwise)

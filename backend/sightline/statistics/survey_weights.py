@@ -60,10 +60,10 @@ def _largest_miss(weight: Floats, margins: Sequence[Margin]) -> float:
 def left_of_squares(weight: Floats, site: Ints, margins: Sequence[Margin]) -> tuple[Floats, Floats, Ints]:
     """What the means of sites and of the margins' classes, estimated of the heights themselves, leave of each
     height: of the mean of its squared deviation, (N,); of one degree of freedom, (N,); and its cell (N,), the
-    heights of its site and classes.
+    heights of its site and classes. weight, site: (N,), codes from 0.
 
     Of least squares with these weights: with H the matrix that predicts heights of variance 1, the diagonals
-    of (1 - H)(1 - H)' and of 1 - H (Bell & McCaffrey, Survey Methodology 28, 2002).
+    of (1 - H)(1 - H)' and of 1 - H (Bell & McCaffrey 2002).
     """
     codes = [site, *(one.code for one in margins)]
     groups, cell = np.unique(np.stack(codes, axis=1), axis=0, return_inverse=True)
