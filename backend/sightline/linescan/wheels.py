@@ -155,7 +155,8 @@ def _likeness(laid: Array, along: float, upwards: float) -> Array:
             cv2.filter2D(image, cv2.CV_32F, kernel, borderType=cv2.BORDER_REPLICATE), np.float32
         )
 
-    mean, square = cv2.split(correlated(cv2.merge([part, part * part]), weight))
+    both = np.stack([part, part * part], axis=-1)
+    mean, square = cv2.split(correlated(both, weight))
     found = correlated(part, ring)
     deviation = np.sqrt(np.maximum(square - mean * mean, 4.0))
     out = np.asarray(found / (spread * deviation), np.float32)
