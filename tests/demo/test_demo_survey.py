@@ -123,7 +123,7 @@ def check_shown(admin: Client, survey_id: int) -> None:
     by_day, low = lighting.count("daytime"), lighting.count("low_light")
     assert f"{by_day} vehicles of invented makes in daylight, {low} in low light" in survey["description"]
     measured = sum(bool(one["measurements"]) for one in vehicles)
-    assert f"{measured} are measured" in survey["description"]
+    assert f"{measured} of them are measured" in survey["description"]
     verdicts = {m["review"]["verdict"] for one in vehicles for m in one["measurements"]}
     assert verdicts == {"accepted", "fixed", "rejected", "to_review"}
     # one truth, heights of frames and of line scans: Overview and Review
