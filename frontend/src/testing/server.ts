@@ -109,7 +109,7 @@ export class FakeServer {
     }
     try {
       const match = known && path.match(known.path);
-      return new Response(JSON.stringify(match ? known.answer(match, body) : []), { status: 200 });
+      return new Response(JSON.stringify(match ? await known.answer(match, body) : []), { status: 200 });
     } catch (status) {
       if (typeof status !== "number") throw status;
       return new Response(JSON.stringify({ code: "refused", message: "Refused." }), { status });

@@ -47,6 +47,35 @@ describe("measuring with clicks", () => {
     expect([...server.stored.values()].every((m) => m.contact[0] === 100 && m.contact[1] === 400)).toBe(true);
   });
 
+  it("keeps what was stored while the vehicle was being read, and stores the next click of the next target", async () => {
+    model.loaded.value = true;
+    const reads: (() => void)[] = [];
+    server.on("GET", /^\/vehicles\/7$/, async () => {
+      const now = vehicle([...server.stored.values()]);
+      await new Promise<void>((answered) => reads.push(answered));
+      return now;
+    });
+    for (const point of [at(100, 400), at(101, 250)]) {
+      model.points.place(point);
+      await quiet();
+    }
+    await vi.advanceTimersByTimeAsync(300); // the vehicle is asked for, which has a roof
+    expect(reads).toHaveLength(1);
+    model.points.place(at(90, 300));
+    await quiet();
+    reads[0]?.(); // a slow answer, of before the eye was stored
+    await quiet();
+    expect(heights()).toEqual(["roof", "driver_eye"]);
+    model.points.place(at(20, 330));
+    await quiet();
+    expect([...server.stored.values()].map((m) => m.target)).toEqual(["roof", "driver_eye", "taillight"]);
+    await vi.advanceTimersByTimeAsync(300);
+    for (const answer of reads) answer();
+    await quiet();
+    expect(heights()).toEqual(["roof", "driver_eye", "taillight"]);
+    expect(model.flow.value.target).toBeNull();
+  });
+
   describe("a contact click that snaps to the tyre", () => {
     beforeEach(() =>
       server.on("POST", /^\/vehicles\/7\/frames\/40\/snap$/, () => ({

@@ -21,6 +21,8 @@ const REST_MS = 250;
 export class Reading {
   /** Vehicles of which something was stored since they were read. */
   private readonly stale = new Set<number>();
+  /** How often something of a vehicle was stored: what was asked for before the last time lacks it. */
+  private readonly stored = new Map<number, number>();
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   /** `doubted`: whether something of a vehicle was confirmed as proposed, so that a doubt about it is told. */
@@ -33,11 +35,11 @@ export class Reading {
     clearTimeout(this.timer);
   }
 
-  /** All vehicles of the survey, in place of those that were here. */
-  takeAll(vehicles: readonly Vehicle[]): void {
+  /** All vehicles of the survey, in place of those that were here; the measurements of those that are `isFresh`. */
+  takeAll(vehicles: readonly Vehicle[], isFresh: (vehicle: Vehicle) => boolean = () => true): void {
     batch(() => {
       this.desk.vehicles.takeAll(vehicles);
-      for (const vehicle of vehicles) this.desk.records.take(vehicle);
+      for (const vehicle of vehicles) if (isFresh(vehicle)) this.desk.records.take(vehicle);
     });
   }
 
@@ -47,11 +49,14 @@ export class Reading {
   }
 
   async again(): Promise<void> {
-    this.takeAll(await listVehicles(this.desk.surveyId));
+    const before = new Map(this.stored);
+    const vehicles = await listVehicles(this.desk.surveyId);
+    this.takeAll(vehicles, ({ id }) => this.stored.get(id) === before.get(id));
   }
 
   /** One vehicle again: its state and version follow from what was stored. */
   soon(vehicleId: number): void {
+    this.stored.set(vehicleId, (this.stored.get(vehicleId) ?? 0) + 1);
     this.stale.add(vehicleId);
     this.staleSoon();
   }
@@ -68,7 +73,9 @@ export class Reading {
 
   async one(vehicleId: number): Promise<void> {
     try {
+      const before = this.stored.get(vehicleId);
       const vehicle = await readVehicle(vehicleId);
+      if (this.stored.get(vehicleId) !== before) return; // it is read once more
       this.put(vehicle);
       const left = vehicleId !== this.desk.vehicleId.value && vehicle.doubts.length > 0;
       if (left && this.doubted(vehicleId))
