@@ -120,6 +120,17 @@ def test_weights_bring_the_classes_to_the_fleet(
     assert of(raked, "mean")["value_m"] == pytest.approx(mean["value_m"], abs=0.02)
 
 
+def test_a_site_that_the_fleet_has_nothing_of_counts_for_nothing(
+    four: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    fleet = "variable,class,share\nsite,site 0,0\nsite,site 1,0.3\nsite,site 2,0.3\nsite,site 3,0.4\n"
+    (tmp_path / "fleet.csv").write_text(fleet)
+    weights = ["--weights", str(tmp_path / "fleet.csv")]
+    told = [studied(capsys, *some, "-o", str(tmp_path / "study"), *weights) for some in (four, four[1:])]
+    for figure in ("mean", "P10"):
+        assert of(told[0], figure) == of(told[1], figure)
+
+
 def test_sites_of_a_known_number_narrow_the_interval(
     four: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

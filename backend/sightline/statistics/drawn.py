@@ -18,7 +18,7 @@ from sightline.messages.said import Said
 from sightline.statistics.draws import TAIL, ends_of, normal_draws, student_draws
 from sightline.statistics.figures import TotalFigure
 from sightline.statistics.shared_errors import SharedErrors
-from sightline.statistics.sites import Sites, compact, mean_variance, pooled_variance, variances
+from sightline.statistics.sites import NOTHING, Sites, compact, mean_variance, pooled_variance, variances
 from sightline.statistics.survey_design import Design
 from sightline.statistics.survey_weights import left_of_squares, residuals
 
@@ -26,7 +26,6 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 _MANY = 1e6  # degrees of freedom of a variance that is as good as known
-_NOTHING = 1e-9  # degrees of freedom
 
 
 @dataclass(frozen=True)
@@ -82,14 +81,14 @@ class _Stratum:
         """
         assert self.sites.weight is not None
         free = float(self.free.sum())
-        spread = mean_variance(apart, self.kept) if free > _NOTHING else otherwise[0]
+        spread = mean_variance(apart, self.kept) if free > NOTHING else otherwise[0]
         weight = np.square(self.sites.weight / self.sites.weight.sum())
         each = variances(apart, self.kept, spread)
         of_site = (np.bincount(self.sites.code, each) / self.sites.count)[self.sites.code]
         by_cell, freedom = np.bincount(self.cell, weight * of_site), np.bincount(self.cell, self.free)
-        told = freedom > _NOTHING
+        told = freedom > NOTHING
         squares = float(np.sum(by_cell[told] ** 2 / freedom[told]))
-        squares += float(by_cell[~told].sum()) ** 2 / max(free if free > _NOTHING else otherwise[1], 1.0)
+        squares += float(by_cell[~told].sum()) ** 2 / max(free if free > NOTHING else otherwise[1], 1.0)
         found = float(by_cell.sum()) ** 2 / squares if squares > 0.0 else max(free, 1.0)
         return float(np.sum(weight * each)), found
 
@@ -127,6 +126,8 @@ class Drawn:
                     kept=kept, free=free, cell=cell,
                 )
             )  # fmt: skip
+        self._kept = np.concatenate([one.kept for one in self._strata])
+        self._free = sum(float(one.free.sum()) for one in self._strata)
         self._of_all_m2 = sum(float(np.square(one.of_mean_m(design.weight)).sum()) for one in shared)
 
     def sampled(self, influence: Floats, smooth: Floats | None = None, *, height: bool = True) -> Sampled:
@@ -144,8 +145,7 @@ class Drawn:
             return Sampled(0.0, _MANY, 0.0)
         variance, squares, seen, inside = 0.0, 0.0, 0.0, 0.0
         apart = [one.apart(own[one.rows]) for one in self._strata]
-        kept = np.concatenate([one.kept for one in self._strata])
-        otherwise = mean_variance(np.concatenate(apart), kept), sum(float(s.free.sum()) for s in self._strata)
+        otherwise = mean_variance(np.concatenate(apart), self._kept), self._free
         for one, own_apart in zip(self._strata, apart, strict=True):
             here, freedom = one.within(own_apart, otherwise)
             within = here
@@ -165,7 +165,7 @@ class Drawn:
     @property
     def tells_spread(self) -> bool:
         """Whether its heights say how far heights lie apart: not where each is all that a mean is made of."""
-        return self.compares_sites or any(float(one.free.sum()) > _NOTHING for one in self._strata)
+        return self.compares_sites or self._free > NOTHING
 
     @property
     def compares_sites(self) -> bool:

@@ -20,7 +20,7 @@ Ints = NDArray[np.int64]
 
 _SOME = 6  # sites; from then on sampling within them is taken from all heights, not from their differences
 _MANY = 400  # sites; from then on their degrees of freedom are one less than they are
-_NOTHING = 1e-9  # of a squared deviation's mean: a height that its own site's mean is made of alone
+NOTHING = 1e-9  # of a squared deviation's mean: a height that its own site's mean is made of alone
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,8 +54,7 @@ class Sites:
     @cached_property
     def kept(self) -> Floats:
         """The mean of each squared deviation from its site's mean, (N,), of heights of variance 1."""
-        if self.weight is None:
-            return np.asarray(1.0 - 1.0 / self.count[self.code], dtype=np.float64)
+        assert self.weight is not None
         squares = np.bincount(self.code, self.weight**2) / self.total**2
         kept = 1.0 - 2.0 * self.weight / self.total[self.code] + squares[self.code]
         return np.asarray(np.maximum(kept, 0.0), dtype=np.float64)
@@ -156,7 +155,7 @@ def mean_variance(apart: Floats, kept: Floats) -> float:
     Unbiased where all vary alike (Cochran 1977, 5.3).
     """
     left = float(kept.sum())
-    return float(apart.sum()) / left if left > _NOTHING else 0.0
+    return float(apart.sum()) / left if left > NOTHING else 0.0
 
 
 def variances(apart: Floats, kept: Floats, otherwise: float) -> Floats:
@@ -165,7 +164,7 @@ def variances(apart: Floats, kept: Floats, otherwise: float) -> Floats:
 
     Unbiased where all of a mean's heights vary alike (Cochran 1977, 5.3).
     """
-    told = kept > _NOTHING
+    told = kept > NOTHING
     return np.where(told, apart / np.where(told, kept, 1.0), otherwise)
 
 

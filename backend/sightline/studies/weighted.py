@@ -55,8 +55,8 @@ class Weighted:
 
 
 def weighted(rows: Heights, places: Places, fleet: Fleet | None) -> Weighted:
-    """The heights of one target whose class is known, weighted to the fleet where there is one."""
-    rows = rows.where(_with_class(rows, fleet))
+    """The heights of one target, weighted to the fleet where there is one: those of a class that it has."""
+    rows = rows.where(_in_fleet(rows, fleet, places))
     if len(rows) < LEAST:
         return Weighted(rows, None, _too_few())
     design = design_of(rows.survey_id, places)
@@ -119,11 +119,12 @@ def _to_fleet(design: Design, rows: Heights, places: Places, fleet: Fleet) -> De
     )
 
 
-def _with_class(rows: Heights, fleet: Fleet | None) -> NDArray[np.bool_]:
+def _in_fleet(rows: Heights, fleet: Fleet | None, places: Places) -> NDArray[np.bool_]:
+    """Whether each row (N,) is of a known class that the fleet has."""
     keep = np.ones(len(rows), dtype=np.bool_)
-    for variable in fleet.margins if fleet else ():
-        if variable in ("category", "lighting"):
-            keep &= getattr(rows, variable) >= 0
+    for variable, shares in (fleet.margins if fleet else {}).items():
+        words, code = _coded(variable, rows.survey_id, rows.category, rows.lighting, places)
+        keep &= np.array([*(shares.get(word, 0.0) > 0.0 for word in words), False])[code]  # -1: not known
     return keep
 
 

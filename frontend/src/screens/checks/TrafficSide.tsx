@@ -86,8 +86,10 @@ function Verdict({ model }: { model: TrafficModel }) {
 
 function Preview({ model, preview }: { model: TrafficModel; preview: TurnedPose }) {
   const { changes } = preview;
-  const numberOf = (id: number): number | undefined =>
-    model.vehicles.value.find((one) => one.id === id)?.number;
+  const nameOf = (id: number): string => {
+    const vehicle = model.vehicles.value.find((one) => one.id === id);
+    return vehicle ? vehicleName(vehicle.number) : "–";
+  };
   return (
     <section class="traffic__pose" aria-label={say("checks-turned-pose")} data-testid="turn-preview">
       <h2>{say("checks-turned-by", { turn: formatDegrees(preview.turn_rad) })}</h2>
@@ -104,7 +106,7 @@ function Preview({ model, preview }: { model: TrafficModel; preview: TurnedPose 
           rows={changes.listed}
           keyOf={(one) => one.measurement_id}
           columns={({ col, num }) => [
-            col(say("checks-vehicle"), (one) => vehicleName(numberOf(one.vehicle_id) ?? 0)),
+            col(say("checks-vehicle"), (one) => nameOf(one.vehicle_id)),
             col(say("checks-target"), (one) => TARGET_NAMES[one.target]),
             num(say("checks-height"), (one) => formatLength(one.height_m)),
             num(say("checks-turned"), (one) => formatSmall(one.difference_m)),
