@@ -13,8 +13,8 @@ _TAKERS: dict[tuple[object, ...], list[_Taker]] = {}  # as many as there are kin
 def filled_from(kind: type[T], *records: object, **more: object) -> T:
     """A dataclass with what the records hold under its fields' names, and `more` besides.
 
-    Of two records that hold a name the first counts. Raises TypeError where none holds a field that has no
-    default.
+    Of two records that hold a name the first counts. Raises TypeError where none holds a field: defaults are
+    for those who write a record out, and a fact that is left behind here would not be missed.
     """
     key = (kind, *(type(record) for record in records), *more)
     take = _TAKERS.get(key) or _TAKERS.setdefault(key, _takers(kind, records, more))
@@ -39,6 +39,8 @@ def _takers(kind: Any, records: Iterable[Any], given: Iterable[str]) -> list[_Ta
         names = [name for name in wanted if name in held]
         wanted = [name for name in wanted if name not in held]
         takers.append((names, _values_getter(names)))
+    if wanted:
+        raise TypeError(f"{kind.__name__} is filled from records that hold no {', '.join(wanted)}")
     return takers
 
 

@@ -285,7 +285,9 @@ def _estimate(
         return Estimate(method, found)
     gone = [known[made[i].vehicle_id] for i in found.left_out]
     left_out = tuple(VehicleName(one.id, one.number) for one in gone)
-    return filled_from(Estimate, found, method=method, left_out=left_out)
+    return filled_from(
+        Estimate, found, method=method, left_out=left_out, reason=None, difference_m=None, offer=None
+    )
 
 
 def _offered(one: Estimate, name: InsetName, in_force: Inset, seen: Sightings | None) -> Estimate:
