@@ -3464,7 +3464,12 @@ statistics-rule-title = Standards: the same percentile today
 statistics-rule-standard = Standard
 statistics-rule-rule = Rule
 statistics-rule-of = { $what }: P{ $percent } of { $class }
-statistics-rule-all = all vehicles (no class is known)
+statistics-rule-whose = { $whose ->
+    [cars] passenger cars
+    [trucks] lorries and tractor units
+   *[all] all vehicles, as no class is known
+  }
+statistics-rule-read = here: { $whose }, n = { $n }
 statistics-rule-height = Standard ({ $unit })
 statistics-rule-today = Today ({ $unit })
 statistics-rule-interval = { $low } to { $high }
@@ -7696,7 +7701,6 @@ report-rules = Standards: the same percentile today. The percentile on which a s
 report-rule-column = Rule
 report-today = Today
 report-difference = Difference
-report-all-vehicles = all vehicles (no class is known)
 report-no-verdict = no verdict: { $reason }
 report-alike = undecided; lower with a probability of { $percent }
 report-lower = lower (risk of error { $risk })

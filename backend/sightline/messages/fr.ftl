@@ -3462,7 +3462,12 @@ statistics-rule-title = Normes : le même centile aujourd’hui
 statistics-rule-standard = Norme
 statistics-rule-rule = Règle
 statistics-rule-of = { $what } : P{ $percent }, { $class }
-statistics-rule-all = tous les véhicules (aucune classe connue)
+statistics-rule-whose = { $whose ->
+    [cars] voitures particulières
+    [trucks] camions et tracteurs routiers
+   *[all] tous les véhicules, faute de classe connue
+  }
+statistics-rule-read = ici : { $whose }, n = { $n }
 statistics-rule-height = Norme ({ $unit })
 statistics-rule-today = Aujourd’hui ({ $unit })
 statistics-rule-interval = { $low } à { $high }
@@ -7753,7 +7758,6 @@ report-rules = Normes : le même centile aujourd’hui. Le centile sur lequel r
 report-rule-column = Règle
 report-today = Aujourd’hui
 report-difference = Différence
-report-all-vehicles = tous les véhicules (aucune classe connue)
 report-no-verdict = pas de conclusion : { $reason }
 report-alike = indécis ; plus bas avec une probabilité de { $percent }
 report-lower = plus bas (risque d’erreur { $risk })

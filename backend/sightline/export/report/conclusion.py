@@ -53,12 +53,18 @@ def _asked(result: Statistics) -> tuple[RuleToday, ...]:
     return pair or tuple(one for one in result.rules if one.n)
 
 
+def whose_heights(one: RuleToday) -> str:
+    """Whose heights the percentile of a rule is read on, in words: the standard may name others."""
+    cars_or_trucks = "trucks" if one.standard.what == "eye_truck" else "cars"
+    return said("statistics-rule-whose", whose=cars_or_trucks if one.by_class else "all")
+
+
 def _of_rule(one: RuleToday, unit: LengthUnit) -> str:
     standard, scale = in_language(one.standard, spoken()), HEIGHT[unit]
     target = RULE_OF[standard.what][0]
     key: dict[str, str | int] = {
         "of": words.MANY[target],
-        "classes": standard.vehicle_class if one.by_class else said("report-all-vehicles"),
+        "classes": whose_heights(one),
         "percent": decimal(f"{standard.percent:g}"),
         "n": one.n,
     }

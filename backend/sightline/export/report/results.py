@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sightline.enums import LengthUnit, StatisticsTarget
 from sightline.export.report import words
-from sightline.export.report.conclusion import verdict_of
+from sightline.export.report.conclusion import verdict_of, whose_heights
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.said import said, spoken, told
@@ -40,8 +40,9 @@ def rule_values(one: RuleToday) -> Values:
             "statistics-rule-of",
             what=words.heading(words.TARGETS[RULE_OF[standard.what][0]]),
             percent=decimal(f"{standard.percent:g}"),
-            **{"class": standard.vehicle_class if one.by_class else said("report-all-vehicles")},
+            **{"class": standard.vehicle_class},
         ),
+        "read": said("statistics-rule-read", whose=whose_heights(one), n=one.n),
         "today": one,
         "verdict": verdict_of(one),
     }

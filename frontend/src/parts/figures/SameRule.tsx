@@ -39,13 +39,21 @@ export function SameRule({ rules }: { rules: readonly Rule[] }) {
         keyOf={(one) => `${one.standard.name}|${one.standard.what}`}
         columns={({ col, num, rowHead }) => [
           rowHead(say("statistics-rule-standard"), (one) => inWords(one.standard).name),
-          col(say("statistics-rule-rule"), (one) =>
-            say("statistics-rule-of", {
-              what: HEIGHT_OF[one.standard.what],
-              percent: plainPercent(one.standard.percent),
-              class: one.by_class ? inWords(one.standard).vehicle_class : say("statistics-rule-all"),
-            }),
-          ),
+          col(say("statistics-rule-rule"), (one) => (
+            <>
+              {say("statistics-rule-of", {
+                what: HEIGHT_OF[one.standard.what],
+                percent: plainPercent(one.standard.percent),
+                class: inWords(one.standard).vehicle_class,
+              })}
+              <div class="stat-ci">
+                {say("statistics-rule-read", {
+                  whose: say("statistics-rule-whose", { whose: whoseHeights(one) }),
+                  n: one.n,
+                })}
+              </div>
+            </>
+          )),
           num(say("statistics-rule-height", { unit }), (one) => plainHeight(one.standard.height_m)),
           num(say("statistics-rule-today", { unit }), (one) => (
             <>
@@ -69,6 +77,12 @@ export function SameRule({ rules }: { rules: readonly Rule[] }) {
       <p class="stat-notes small">{say("statistics-rule-note")}</p>
     </Panel>
   );
+}
+
+/** Whose heights the percentile is read on: the standard may name others. */
+function whoseHeights({ by_class, standard }: Rule): "cars" | "trucks" | "all" {
+  if (!by_class) return "all";
+  return standard.what === "eye_truck" ? "trucks" : "cars";
 }
 
 function verdict({ verdict: word, lower, risk, reason }: Rule): string {
