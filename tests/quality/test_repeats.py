@@ -97,8 +97,10 @@ def test_a_repeat_is_compared_by_what_the_clicks_alone_let_one_expect(
     assert "different frames" in last["reason"]["message"]
 
 
-def clicked_beside(client: Client, vehicle_id: int, rng: np.random.Generator, **more: Any) -> dict[str, Any]:
-    contact, point = (list(rng.normal(at, 0.5)) for at in (pixel(0.2, 0.0, 0.0), pixel(0.6, 0.0, 1.2)))
+def clicked_beside(
+    client: Client, vehicle_id: int, rng: np.random.Generator, x_m: float = 0.6, **more: Any
+) -> dict[str, Any]:
+    contact, point = (list(rng.normal(at, 0.5)) for at in (pixel(0.2, 0.0, 0.0), pixel(x_m, 0.0, 1.2)))
     return measure(client, vehicle_id, contact=contact, target_point=point, **more)
 
 
@@ -143,6 +145,20 @@ def test_figures_per_target_and_person_and_a_sigma_of_ones_own(
     assert chosen["sigma_px"] == pytest.approx(mine["sigma"]["sd"], abs=0.001)
     assert measure(operator, vehicle_id, target="taillight")["sigma_px"] == chosen["sigma_px"]
     assert reviewer.put(choice, {"own": False}).json()["sigma_px"] is None
+
+
+@pytest.mark.once
+def test_where_along_its_edge_a_roof_is_clicked_is_no_part_of_a_sigma(
+    operator: Client, ground: Ground
+) -> None:
+    rng = np.random.default_rng(10)
+    for _ in range(8):
+        vehicle_id = int(add_vehicle(operator, ground.recording_id)["id"])
+        first = clicked_beside(operator, vehicle_id, rng)
+        clicked_beside(operator, vehicle_id, rng, x_m=0.9, repeat_of=first["id"])
+    (me,) = operator.seen(f"/surveys/{ground.survey_id}/repeats")["people"]
+    assert me["target_point"]["low"] > 5.0
+    assert me["sigma"]["low"] < 0.5 < me["sigma"]["high"] < 1.5
 
 
 @pytest.mark.once

@@ -124,3 +124,12 @@ def test_budgets_are_compared_with_what_repeats_show() -> None:
     worse = uncertainty_check(common + 1.6 * rng.normal(0, 1, 600) * u, u, item)
     assert worse.ratio == pytest.approx(1.6, rel=0.1) and worse.low is not None and worse.low > 1
     assert uncertainty_check([1.0, 1.1], [0.01, 0.01], codes_of("aa")).reason
+
+
+def test_what_is_called_observed_is_the_scatter_of_the_values() -> None:
+    rng = np.random.default_rng(5)
+    sure, unsure = np.repeat([[0.001, 0.010], [0.005, 0.010]], 400, axis=1)  # claimed, real
+    item = np.repeat(np.arange(400), 2)
+    found = uncertainty_check(1.5 + rng.normal(0, 1, 800) * unsure, sure, item)
+    assert found.observed == pytest.approx(np.sqrt(np.mean(unsure**2)), rel=0.1)
+    assert found.ratio == pytest.approx(np.sqrt(np.mean((unsure / sure) ** 2)), rel=0.1)

@@ -2180,8 +2180,8 @@ repeats-sigma-from = { $count ->
 }
 repeats-sigma-use = Use { $sigma_px } px
 repeats-sigma-use-title = { $count ->
-    [one] From { $count } repeat; existing measurements keep the previous value
-   *[other] From { $count } repeats; existing measurements keep the previous value
+    [one] By the heights of { $count } repeat; existing measurements keep the previous value
+   *[other] By the heights of { $count } repeats; existing measurements keep the previous value
 }
 repeats-sigma-needs = Needs 10 own repeats
 repeats-sigma-back = Back to 1 px

@@ -2179,8 +2179,8 @@ repeats-sigma-from = { $count ->
 }
 repeats-sigma-use = Utiliser { $sigma_px } px
 repeats-sigma-use-title = { $count ->
-    [one] D’après { $count } répétition ; les mesures existantes gardent la valeur précédente
-   *[other] D’après { $count } répétitions ; les mesures existantes gardent la valeur précédente
+    [one] D’après les hauteurs de { $count } répétition ; les mesures existantes gardent la valeur précédente
+   *[other] D’après les hauteurs de { $count } répétitions ; les mesures existantes gardent la valeur précédente
 }
 repeats-sigma-needs = Il faut 10 répétitions de ses mesures
 repeats-sigma-back = Revenir à 1 px

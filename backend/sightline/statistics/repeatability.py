@@ -215,7 +215,9 @@ def _pairs_of(item: Codes, person: Codes) -> Codes:
 class UncertaintyCheck:
     """Observed scatter of repeats over the scatter that their budgets claim, with its 95 % interval.
 
-    claimed, observed: root mean squares, in the unit of the values.
+    claimed: root mean square of the claims; observed: standard deviation of the values within items, both in
+    the unit of the values. Where claims differ, `ratio` is not observed over claimed: each deviation counts
+    in its own u.
     """
 
     ratio: float | None
@@ -260,6 +262,6 @@ def uncertainty_check(values: ArrayLike, u_clicks: ArrayLike, items: Codes) -> U
         low=found.low,
         high=found.high,
         claimed=claimed,
-        observed=claimed * found.sd,
+        observed=float(np.sqrt(within_cells(y, item)[0] / freedom)),
         freedom=freedom,
     )

@@ -23,8 +23,9 @@ CLICK_SOURCES = ("click, target", "click, contact")
 class Click:
     """One pair of clicks that was repeated or repeats another; heights None where there is none.
 
-    u_clicks_m: the part of the budget that comes from the clicks; the other parts are the same for all clicks
-    on a frame. `first_contact`: of the measurement that was repeated; targets of a vehicle may share it.
+    u_clicks_m: the part of the budget that comes from the clicks, u_pixel_m: what it would be of clicks of
+    1 px; the other parts are the same for all clicks on a frame. `first_contact`: of the measurement that was
+    repeated; targets of a vehicle may share it.
     """
 
     measurement_id: int
@@ -40,6 +41,7 @@ class Click:
     target_point: Point
     height_m: float | None
     u_clicks_m: float | None
+    u_pixel_m: float | None
 
     @property
     def _inset_m(self) -> float:
@@ -120,4 +122,5 @@ def _click(session: Session, one: Measurement, first: Measurement, person: Who) 
         person=person,
         height_m=height_m,
         u_clicks_m=u_clicks_m,
+        u_pixel_m=None if u_clicks_m is None else u_clicks_m / one.values.sigma_px,
     )

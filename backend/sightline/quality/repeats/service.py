@@ -60,8 +60,9 @@ class OfTarget:
 class OfPerson:
     """Figures of one person: heights (m) and clicks (px) of their own repeats; their leaning against others.
 
-    pairs: how often they clicked again what they had clicked themselves; sigma: contact and target together,
-    each coordinate; operator_bias_m: their heights minus the others' of the same `items`, mean, None below 5.
+    pairs: how often they clicked again what they had clicked themselves; sigma: of clicks that would make
+    heights scatter as theirs do; operator_bias_m: their heights minus the others' of the same `items`, mean,
+    None below 5.
     """
 
     person: Who
@@ -69,7 +70,7 @@ class OfPerson:
     heights: Annotated[Spread, Field(description="Of their own repeats, m.")]
     contact: Annotated[Spread, Field(description="Each coordinate, px.")]
     target_point: Annotated[Spread, Field(description="Each coordinate, px.")]
-    sigma: Annotated[Spread, Field(description="Contact and target together, each coordinate, px.")]
+    sigma: Annotated[Spread, Field(description="Of clicks that make heights scatter as theirs do, px.")]
     operator_bias_m: Annotated[
         float | None, Field(description="Their heights minus the others' of the same items, mean.")
     ]
@@ -238,10 +239,16 @@ def _of_person(clicks: Sequence[Click], person: Who, chosen: ClickSigma | None) 
     pairs = points[1] // 2
     few = Said("repeats-few-own", name=person.name, pairs=pairs, least=LEAST_FREEDOM)
     enough = pairs >= LEAST_FREEDOM
-    both = (points[0] + contacts[0], points[1] + contacts[1])
-    contact, target, sigma = (
-        spread_of(*one, few) if enough else no_spread(few, one[1]) for one in (contacts, points, both)
+    contact, target = (
+        spread_of(*one, few) if enough else no_spread(few, one[1]) for one in (contacts, points)
     )
+    # A click along an edge moves no height: the sigma is what the heights show.
+    shown = uncertainty_check(
+        _floats([one.height_m for one in measured]),
+        _floats([one.u_pixel_m for one in measured]),
+        codes_of([one.item for one in measured]),
+    )
+    sigma = Spread(shown.ratio, shown.low, shown.high, shown.freedom, shown.reason)
     biases = list(_operator_bias(clicks, person))
     return OfPerson(
         person=person,
@@ -249,7 +256,7 @@ def _of_person(clicks: Sequence[Click], person: Who, chosen: ClickSigma | None) 
         heights=spread_of(*heights, few),
         contact=contact,
         target_point=target,
-        sigma=sigma,
+        sigma=sigma if enough else no_spread(few, shown.freedom),
         operator_bias_m=sum(biases) / len(biases) if len(biases) >= LEAST_FREEDOM else None,
         items=len(biases),
         chosen=chosen,
