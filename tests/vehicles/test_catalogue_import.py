@@ -221,6 +221,15 @@ def test_units_are_read_from_headers_and_columns_are_mapped(operator: Client, vi
     )
 
 
+def test_a_u_without_a_unit_has_that_of_its_size(operator: Client, viewer: Client) -> None:
+    send(
+        operator,
+        b"make,model,u_height,height (mm),wheelbase (mm),u_wheelbase\nDacia,Jogger,0.8,1632,2897,0.5\n",
+    )
+    jogger = viewer.seen("/catalogue?q=jogger")[0]
+    assert (jogger["u_height_m"], jogger["u_wheelbase_m"]) == (0.0008, 0.0005)
+
+
 def test_a_model_is_corrected_retired_and_brought_back(operator: Client, viewer: Client) -> None:
     row = {"make": "Opel", "model": "Corsa", "year_from": 2019, "height_m": 1.435, "source": "brochure"}
     made = operator.made("/catalogue", row)
@@ -257,6 +266,7 @@ def test_what_is_exported_is_imported_again(operator: Client, viewer: Client) ->
         ("make,model,height_m\n", "no line of models"),
         ("make,model,height_m,taillight_m\nKia,Rio,1.45,1.9\n", "taillight_m is 1.9 and height_m is 1.45"),
         ("make,model,length_m,wheelbase_m\nKia,Rio,4.1,4.2\n", "wheelbase_m is 4.2 and length_m is 4.1"),
+        ("make,model,height_m,u_height_m\nKia,Rio,1.45,0.8\n", "u_height_m is 0.8 m beside a size of 1.45 m"),
         ("make,model\nKia,\x00\n", "cannot be shown"),
         ("make,model,source\nKia,Rio,\x1b[31m\n", "cannot be shown"),
     ],

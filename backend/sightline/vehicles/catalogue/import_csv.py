@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from statistics import median
 from typing import Any, cast, get_args
 
@@ -287,9 +287,12 @@ def _empty(value: object) -> bool:
 
 
 def _columns(table: GivenTable, choices: Choices) -> list[ImportColumn]:
-    """What each column is taken for, by choice or by its name; doubtful where two are taken for one field."""
+    """What each column is taken for, by choice or by its name; doubtful where two are taken for one field.
+    A u that names no unit has that of its size.
+    """
     taken: dict[str, str] = {}
     found: list[ImportColumn] = []
+    unnamed: set[str] = set()
     for at, title in enumerate(table.header):
         field, unit = _field(title, choices)
         if field is not None and field in taken:
@@ -298,9 +301,14 @@ def _columns(table: GivenTable, choices: Choices) -> list[ImportColumn]:
             continue
         if field is not None:
             taken[field] = title
+            if unit is None and field.startswith("u_"):
+                unnamed.add(field)
         cells = (row.cells[at] for row in table.rows if row.problem is None)
         found.append(_column(title, field, unit, cells, choices.unit))
-    return found
+    unit_of = {f"u_{one.field}": one.unit for one in found}
+    return [
+        replace(one, unit=unit_of.get(one.field, one.unit)) if one.field in unnamed else one for one in found
+    ]
 
 
 def _missing(columns: Sequence[ImportColumn], name: str) -> Said | None:

@@ -41,7 +41,7 @@ UNIT_WORDS: dict[SizeUnit, str] = {
     "ft": "feet",
     "in": "inches",
 }
-MOST_U_M = 1.0
+MOST_U_SHARE = 0.2  # of a size; a larger u was given in another unit
 MOST_MAKE, MOST_MODEL = 100, 200  # signs
 _FIELDS = tuple(one.name for one in fields(CatalogueRow))
 # Nothing that is shown; PostgreSQL's texts hold no NUL. Sources may have lines.
@@ -136,9 +136,10 @@ def require_possible(row: CatalogueRow) -> None:
         )
     for name in SIZES:
         _require_size(name, row.size(name))
-        u = getattr(row, f"u_{name}_m")
-        if u is not None and not 0.0 <= u <= MOST_U_M:
-            raise BadInput("catalogue-u-impossible", column=f"u_{name}_m", value=f"{u:g}")
+        u, size = getattr(row, f"u_{name}_m"), row.size(name)
+        if u is not None and (size is None or not 0.0 <= u <= MOST_U_SHARE * size):
+            given = "–" if size is None else f"{size:g}"
+            raise BadInput("catalogue-u-impossible", column=f"u_{name}_m", value=f"{u:g}", size=given)
     _require_together(row)
     if row.year_from is not None and row.year_to is not None and row.year_to < row.year_from:
         raise BadInput("catalogue-years-reversed")
