@@ -27,8 +27,8 @@ _LEAST_U_RAD, _LEAST_U_M = 1e-6, 1e-6
 @dataclass(frozen=True)
 class Part:
     """One error with a name and a unit: `u` is what was stated, in that unit; `released_u` what is allowed
-    where the traffic contradicts it (None: it is kept in any case). `of_m`: of a common error, the length that
-    all of them state, where it is one.
+    where the traffic contradicts it (None: it is kept in any case). `of_m`: of a common error, the length
+    that all of them state, where it is one.
     """
 
     name: str
