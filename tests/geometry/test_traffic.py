@@ -5,8 +5,9 @@ import dataclasses
 import numpy as np
 import pytest
 
+from sightline.geometry.documents import pose_from_dict
 from sightline.geometry.gain import second_frame_gain
-from sightline.geometry.height import measure_height
+from sightline.geometry.height import measure_height, shared_covariance
 from sightline.geometry.inset_trend import (
     Sightings,
     inset_from_known_heights,
@@ -20,6 +21,7 @@ from sightline.geometry.multiframe import measure_frames
 from sightline.geometry.spread import mean_and_spread, outliers
 from sightline.geometry.traffic import heading_of_pair, turned
 from sightline.messages.said import Said
+from tests.adjustment.survey import BoardBudget, prior_covariance, told_pose, truth_at
 from tests.geometry.scenes import headings, pose_of
 from tests.geometry.simulate import Lens, Scene
 
@@ -251,6 +253,31 @@ def test_two_frame_insets_give_mean_and_spread_between_vehicles() -> None:
     assert isinstance(inset_from_solved([0.3], [0.02]), Said)
 
 
+def test_what_all_insets_of_a_pose_share_stays_in_their_mean() -> None:
+    """Lens, pose, board and the board's direction are off once for all vehicles of a survey."""
+    truth = truth_at(distance=4.0, height=1.4, board=3.5)
+    budget = BoardBudget(noise_px=0.1, lens=(*[1.6] * 2, *[2.0] * 2, *[4e-3] * 2, *[4e-4] * 2, 4e-3))
+    covariance, px, z = prior_covariance(truth, budget), 0.25, []
+    for seed in range(5):
+        rng = np.random.default_rng(seed)
+        pose = pose_from_dict(told_pose(truth, budget, covariance, rng))
+        board = np.deg2rad(1.0) * rng.normal()
+        found = []
+        for _ in range(12):
+            inset, y, turn = rng.normal(0.45, 0.03), rng.uniform(-0.3, 1.5), board + rng.normal(0, 0.003)
+            along = np.array([np.cos(turn), np.sin(turn), 0.0])
+            across = np.array([-along[1], along[0], 0.0])
+            contacts = np.array([-0.95, y, 0.0]) + np.outer([0.0, 1.7], along)
+            targets = contacts - 0.3 * along + inset * across + [0.0, 0.0, rng.normal(1.16, 0.05)]
+            clicked = [truth.see(of) + rng.normal(0, px, (2, 2)) for of in (contacts, targets)]
+            found.append(measure_frames(pose, *clicked, px))
+        insets_m, parts = [one.solved_inset_m for one in found], [one.inset_parts for one in found]
+        mean = inset_from_solved(insets_m, [one.u_own for one in parts], shared_covariance(pose, parts))
+        assert not isinstance(mean, Said)
+        z.append((mean.inset_m - 0.45) / mean.u_inset_m)
+    assert np.square(z).sum() < 20.5  # chi-square of 5, 0.1 %
+
+
 def test_mean_and_spread_by_hand() -> None:
     even = mean_and_spread([1.0, 1.0, 1.0], [0.1, 0.2, 0.2])
     assert (even.mean, even.between) == (pytest.approx(1.0), 0.0)
@@ -258,5 +285,10 @@ def test_mean_and_spread_by_hand() -> None:
     apart = mean_and_spread([0.0, 2.0, 4.0], [1e-6] * 3)
     assert apart.between == pytest.approx(2.0) and apart.u_mean == pytest.approx(2 / np.sqrt(3))
     assert mean_and_spread([3.0], [0.5]).u_mean == pytest.approx(0.5)
+    shared = mean_and_spread(
+        [1.0, 1.0], [0.1, 0.2], [[0.09, 0.06], [0.06, 0.04]]
+    )  # as 0.3 and 0.2 of one error
+    assert shared.u_own == pytest.approx((1 / 0.01 + 1 / 0.04) ** -0.5)
+    assert shared.u_mean == pytest.approx(np.hypot(shared.u_own, 0.8 * 0.3 + 0.2 * 0.2))
     assert outliers([1.0, 1.1, 0.9, 9.0]).sum() == 0 and outliers([1.0, 1.1, 0.9, 1.0, 9.0]).tolist()[-1]
     assert not outliers([1.0, 1.1, 0.9, 1.0, 9.0], [0.1, 0.1, 0.1, 0.1, 3.0]).any()

@@ -10,6 +10,7 @@ from scipy.stats import kstest
 
 from sightline.coverage import COVERAGE_95
 from sightline.geometry.followed_tracks import EXACT_PX, Following, Tracks
+from sightline.geometry.height import shared_covariance
 from sightline.geometry.multiframe import measure_frames
 from sightline.geometry.road_pose import BoardOnRoad, RoadPose
 from sightline.geometry.whole_pass import measure_pass
@@ -195,6 +196,8 @@ def test_the_budget_adds_up_and_names_what_vehicles_share() -> None:
     assert found.u_random_height_m == pytest.approx(np.sqrt(sum(entries[name] ** 2 for name in own)))
     index = found.solved_for.index("height_m")
     assert found.covariance[index][index] == pytest.approx(found.height.u_height_m**2)
+    (shared_m2,) = np.diag(shared_covariance(pose, [found.inset_parts]))
+    assert found.inset_m.u == pytest.approx(np.hypot(found.inset_parts.u_own, np.sqrt(shared_m2)))
 
 
 def test_lens_and_pose_part_equals_resolving() -> None:

@@ -27,7 +27,7 @@ from sightline.recordings.store import get_recording
 from sightline.recordings.tables import recordings
 from tests.measurements.test_second_frame import HEIGHT_M, INSET_M, exported, on_frame, rewritten
 from tests.support.app import FRAME_HEIGHT, FRAME_WIDTH, Client, error_of
-from tests.support.ground import Ground, pixel
+from tests.support.ground import Ground, add_vehicle, pixel
 from tests.support.mutations import checked
 
 pytestmark = pytest.mark.once
@@ -133,6 +133,22 @@ def test_what_is_stored_is_what_was_shown_with_all_its_points(
     kept = json.loads(stored["followed"])
     assert kept["begun_on"] == 2 and len(kept["points"]) == len(said["points"])
     assert kept["points"][0][3:5] == pytest.approx(said["points"][0]["at"], abs=1e-4)
+
+
+def test_the_inset_of_a_survey_rests_on_what_was_seen_and_not_on_the_inset_assumed(
+    operator: Client, ground: Ground, followed: list[dict[str, Any]]
+) -> None:
+    """One that was assumed would count once for every vehicle."""
+    assumed_m = INSET_M + 0.2
+    for _ in range(3):
+        vehicle = add_vehicle(operator, ground.recording_id, last_frame=11)
+        stored = store(operator, vehicle["id"], inset_m=assumed_m, u_inset_m=0.02, target="taillight")
+        assert stored["solved_inset_m"] > INSET_M + 0.05
+    check = operator.seen(f"/surveys/{ground.survey_id}/checks/insets")
+    (lamp,) = (one for one in check["targets"] if one["name"] == "taillight")
+    (found,) = (one for one in lamp["estimates"] if one["method"] == "two_frames")
+    assert found["vehicles"] == 3
+    assert found["inset_m"] == pytest.approx(INSET_M, abs=0.01)
 
 
 def test_the_same_key_again_follows_nothing_and_gives_the_same_back(

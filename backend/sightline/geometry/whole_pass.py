@@ -26,7 +26,7 @@ from sightline.geometry.followed_tracks import (
     Tracks,
     noise_parts,
 )
-from sightline.geometry.height import BudgetEntry, Height, left_out, not_measurable
+from sightline.geometry.height import BudgetEntry, Height, Parts, left_out, not_measurable
 from sightline.geometry.insets import implausible_inset
 from sightline.geometry.multiframe import LEAST_TRAVEL_M, U_HEADING_RAD
 from sightline.geometry.pass_model import (
@@ -80,7 +80,7 @@ class WholePass:
     explains the points. `u_random_height_m`: what no other vehicle shares.
 
     `chi2` with `freedom`, and the chance of a larger one; `covariance` (k, k) of `solved_for` (k names), all
-    sources together.
+    sources together. `inset_parts`: u of the inset in parts; None where something was assumed of it.
     """
 
     height: Height
@@ -97,6 +97,7 @@ class WholePass:
     dropped: tuple[Dropped, ...] = ()
     solved_for: tuple[str, ...] = ()
     covariance: tuple[tuple[float, ...], ...] = ()
+    inset_parts: Parts | None = None
 
 
 _NAMES = ("x_m", "y_m", "heading_rad", "speed_mps", "ahead_m", "inset_m", "height_m", "wheelbase_m",
@@ -402,6 +403,16 @@ def _sources(
     return own, shared
 
 
+def _inset_parts(following: Following, priors: _Priors, fit: _Fit, own: Floats) -> Parts | None:
+    """`own` (k, k): covariance of what is this vehicle's alone. None where the inset rests on a prior."""
+    if any(one.which == INSET for one in priors):
+        return None
+    row = fit.answer[INSET]
+    by_heading = sum(float(fit.covariance[INSET, one.which]) / one.u for one in priors)
+    by_row_time = float(row @ fit.at.by_row_time) * following.u_row_time_s
+    return Parts(_root(own[INSET, INSET]), -row @ fit.at.by_lens_pose, by_heading, by_row_time)
+
+
 def _reported(
     pose: RoadPose,
     tracks: Tracks,
@@ -416,7 +427,8 @@ def _reported(
     if reason is not None:
         return WholePass(not_measurable(reason), dropped=dropped)
     own, shared = _sources(pose, following, priors, fit)
-    total = np.sum([*own.values(), *shared.values()], axis=0)
+    alone = np.sum(list(own.values()), axis=0)
+    total = np.sum([alone, *shared.values()], axis=0)
     freedom = 2 * len(tracks.frame) - len(fit.free) + len(priors)
     chance = float(scipy.stats.chi2.sf(fit.cost, freedom))
     place = {name: int(i) for i, name in enumerate(fit.free)}
@@ -449,7 +461,7 @@ def _reported(
     wheelbase = solved(WHEELBASE)
     return WholePass(
         height=height,
-        u_random_height_m=of_height(np.sum(list(own.values()), axis=0)),
+        u_random_height_m=of_height(alone),
         inset_m=inset,
         heading_rad=solved(HEADING),
         speed_mps=solved(SPEED),
@@ -462,6 +474,7 @@ def _reported(
         dropped=dropped,
         solved_for=tuple(_NAMES[i] for i in fit.free),
         covariance=tuple(tuple(float(v) for v in row) for row in total),
+        inset_parts=_inset_parts(following, priors, fit, alone),
     )
 
 
