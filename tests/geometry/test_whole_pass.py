@@ -12,6 +12,7 @@ from sightline.coverage import COVERAGE_95
 from sightline.geometry.followed_tracks import EXACT_PX, Following, Tracks
 from sightline.geometry.height import shared_covariance
 from sightline.geometry.multiframe import measure_frames
+from sightline.geometry.road import road_point
 from sightline.geometry.road_pose import BoardOnRoad, RoadPose
 from sightline.geometry.whole_pass import measure_pass
 from sightline.messages.said import Said
@@ -213,6 +214,42 @@ def test_lens_and_pose_part_equals_resolving() -> None:
     moved = RoadPose(pose.camera, turn @ pose.rotation, turn @ pose.translation_m)
     before, after = (measure_pass(p, tracks, ALONE).height.height_m for p in (pose, moved))
     assert stated["lens and pose"] == pytest.approx(abs(after - before), rel=0.02)
+
+
+@pytest.mark.parametrize("way", [1, -1])
+@pytest.mark.parametrize("row_time", [0.0, 3e-5])
+def test_contact_and_wheelbase_are_those_of_the_frame_clicked_on_and_so_is_their_covariance(
+    way, row_time
+) -> None:
+    car = Drawn(speed=9.0 * way, ahead=-0.9 * way, wheelbase=-2.6 * way, acceleration=-3.0 * way)
+    tracks = tracks_of(NEAR, car, row_time=row_time, sigma=0.01)
+    begun_on = int(np.unique(tracks.frame[tracks.point == CONTACT])[-2])
+    following = Following(0.0, begun_on=begun_on, row_time_s=row_time)
+    pose, step = pose_of(NEAR), 1e-4
+    found = measure_pass(pose, tracks, following, None)
+    at = road_point(pose, tracks.points_px[(tracks.frame == begun_on) & (tracks.point == CONTACT)][0])
+    assert (found.height.x_m, found.height.y_m) == pytest.approx(tuple(at[:2]), abs=1e-6)
+    assert found.height.distance_m == pytest.approx(np.linalg.norm(pose.centre_m - at), abs=1e-6)
+    turned = np.zeros((15, 15))
+    turned[10, 10] = step**2
+    stated = measure_pass(dataclasses.replace(pose, covariance=turned), tracks, following, None)
+    where = [found.solved_for.index(name) for name in TOLD]
+    by_pose = np.subtract(stated.covariance, found.covariance)[np.ix_(where, where)]
+    c, s = np.cos(step), np.sin(step)
+    turn = np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]])
+    moved = RoadPose(pose.camera, turn @ pose.rotation, turn @ pose.translation_m)
+    change = np.subtract(told(measure_pass(moved, tracks, following, None)), told(found))
+    scale = np.outer(np.abs(change), np.abs(change))
+    assert np.abs(by_pose / scale - np.outer(change, change) / scale).max() < 0.1
+
+
+TOLD = ("x_m", "y_m", "heading_rad", "speed_mps", "inset_m", "height_m", "wheelbase_m", "acceleration_mps2")
+
+
+def told(found):
+    height = found.height
+    solved = [getattr(found, name).value for name in TOLD if name[0] not in "xy" and name != "height_m"]
+    return [height.x_m, height.y_m, *solved[:3], height.height_m, *solved[3:]]
 
 
 @pytest.mark.parametrize("passes", [60, *(pytest.param(n, marks=pytest.mark.proof) for n in (100, 200))])

@@ -19,6 +19,8 @@ from sightline.geometry.followed_tracks import CONTACT, SECOND, TARGET, Followin
 from sightline.infra.database.rows import change_row
 from sightline.infra.services import Services
 from sightline.measurements.following import service
+from sightline.measurements.height_of_clicks import SIDE_FROM_PLACE, answer
+from sightline.measurements.records import Clicks
 from sightline.measurements.store import get_measurement
 from sightline.messages.said import Said
 from sightline.quality.repeats.clicks import alone
@@ -27,7 +29,7 @@ from sightline.recordings.store import get_recording
 from sightline.recordings.tables import recordings
 from tests.measurements.test_second_frame import HEIGHT_M, INSET_M, exported, on_frame, rewritten
 from tests.support.app import FRAME_HEIGHT, FRAME_WIDTH, Client, error_of
-from tests.support.ground import Ground, add_vehicle, pixel
+from tests.support.ground import Ground, add_vehicle, pixel, pose_above_road
 from tests.support.mutations import checked
 
 pytestmark = pytest.mark.once
@@ -130,6 +132,19 @@ def test_what_is_stored_is_what_was_shown_with_all_its_points(
     stored = store(operator, vehicle_id)
     for name in ("height_m", "u_height_m", "solved_inset_m", "u_solved_inset_m", "budget", "flags"):
         assert stored[name] == said["height"][name], name
+    assert (stored["x_m"], stored["y_m"]) == pytest.approx(PLACES[CONTACT][:2], abs=1e-3)
+    by_place = Clicks(
+        **on_frame(2, 0.0),
+        target="driver_eye",
+        followed=stored["followed"],
+        sigma_px=1.0,
+        inset_m=0.45,
+        u_inset_m=0.1,
+        inset_from="usual",
+        side="near",
+        side_from="place",
+    )
+    assert SIDE_FROM_PLACE in answer(pose_above_road(), by_place).flags
     kept = json.loads(stored["followed"])
     assert kept["begun_on"] == 2 and len(kept["points"]) == len(said["points"])
     assert kept["points"][0][3:5] == pytest.approx(said["points"][0]["at"], abs=1e-4)

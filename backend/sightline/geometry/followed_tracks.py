@@ -118,6 +118,17 @@ def _of_matches(tracks: Tracks, following: Following, each: Floats, same: NDArra
     return np.asarray(out, dtype=np.float64)
 
 
+def clicked_at_s(tracks: Tracks, following: Following, middle_row: float) -> float:
+    """When the contact was where it was clicked, seconds: the time of the frame clicked on (else of the
+    nearest one that shows a contact) and of its row; a frame's time is that of `middle_row`.
+
+    Rolling shutter: CONVENTIONS.md, Whole passes. ValueError where no frame shows a contact.
+    """
+    contact = np.flatnonzero(tracks.point == CONTACT)
+    on = contact[np.argmin(np.abs(tracks.frame[contact] - _begun_on(tracks, following)))]
+    return float(tracks.time_s[on] + following.row_time_s * (tracks.points_px[on, 1] - middle_row))
+
+
 def _begun_at_s(tracks: Tracks, following: Following) -> float:
     return float(tracks.time_s[np.argmin(np.abs(tracks.frame - _begun_on(tracks, following)))])
 

@@ -7,7 +7,7 @@ Points are weighted by their full covariance (followed_tracks.py), so the estima
 (Aitken 1936) and meets the Cramer-Rao bound where the noise is as stated. No published method is known.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 import scipy
@@ -24,6 +24,7 @@ from sightline.geometry.followed_tracks import (
     TARGET,
     Following,
     Tracks,
+    clicked_at_s,
     noise_parts,
 )
 from sightline.geometry.height import BudgetEntry, Height, Parts, left_out, not_measurable
@@ -40,6 +41,7 @@ from sightline.geometry.pass_model import (
     X,
     Y,
     first_estimate,
+    middle_s,
     seen,
     since_middle,
 )
@@ -75,8 +77,9 @@ class Solved:
 
 @dataclass(frozen=True)
 class WholePass:
-    """A height from a whole pass; the solved numbers are None where there is none. `speed_mps` is positive in
-    the road's +X. `wheelbase_m` is None without a second contact, `acceleration_mps2` where a constant speed
+    """A height from a whole pass; the solved numbers are None where there is none. Contact and distance are
+    those of the frame clicked on; `speed_mps` is that of the pass's middle, positive in the road's +X.
+    `wheelbase_m` is None without a second contact, `acceleration_mps2` where a constant speed
     explains the points. `u_random_height_m`: what no other vehicle shares.
 
     `chi2` with `freedom`, and the chance of a larger one; `covariance` (k, k) of `solved_for` (k names), all
@@ -172,7 +175,9 @@ def measure_pass(
             return WholePass(not_measurable(found), dropped=tuple(dropped))
         worst = _worst(found, part)
         if worst is None:
-            return _reported(pose, part, following, priors, found, tuple(dropped))
+            middle_row = 0.5 * (pose.camera.height_px - 1)
+            since_s = clicked_at_s(tracks, following, middle_row) - middle_s(part)
+            return _reported(pose, part, following, priors, found, since_s, tuple(dropped))
         row, off_px, times = worst
         index = int(np.flatnonzero(kept)[row])
         off = Said("followed-off", off_px=round(off_px, 1), times=round(times, 1))
@@ -413,12 +418,31 @@ def _inset_parts(following: Following, priors: _Priors, fit: _Fit, own: Floats) 
     return Parts(_root(own[INSET, INSET]), -row @ fit.at.by_lens_pose, by_heading, by_row_time)
 
 
+def _as_told(fit: _Fit, since_s: float) -> tuple[Floats, Floats]:
+    """The unknowns (9,) with the contact where it was `since_s` after the middle of the pass and the
+    wheelbase without its sign; and the derivatives of the free ones by the free unknowns, (k, k).
+    """
+    heading, speed, acceleration = (float(fit.unknowns[i]) for i in (HEADING, SPEED, ACCELERATION))
+    along = np.array([np.cos(heading), np.sin(heading)])
+    way = speed * since_s + 0.5 * acceleration * since_s**2
+    facing = -1.0 if fit.unknowns[WHEELBASE] < 0 else 1.0
+    told, by = np.array(fit.unknowns), np.eye(9)
+    told[[X, Y]] += way * along
+    told[WHEELBASE] *= facing
+    by[[X, Y], HEADING] = -way * along[1], way * along[0]
+    by[[X, Y], SPEED] = since_s * along
+    by[[X, Y], ACCELERATION] = 0.5 * since_s**2 * along
+    by[WHEELBASE, WHEELBASE] = facing
+    return told, by[np.ix_(fit.free, fit.free)]
+
+
 def _reported(
     pose: RoadPose,
     tracks: Tracks,
     following: Following,
     priors: _Priors,
     fit: _Fit,
+    clicked_since_s: float,
     dropped: tuple[Dropped, ...],
 ) -> WholePass:
     if fit.unknowns[HEIGHT] <= 0:
@@ -428,7 +452,8 @@ def _reported(
         return WholePass(not_measurable(reason), dropped=dropped)
     own, shared = _sources(pose, following, priors, fit)
     alone = np.sum(list(own.values()), axis=0)
-    total = np.sum([alone, *shared.values()], axis=0)
+    told, by = _as_told(fit, clicked_since_s)
+    total = by @ np.sum([alone, *shared.values()], axis=0) @ by.T
     freedom = 2 * len(tracks.frame) - len(fit.free) + len(priors)
     chance = float(scipy.stats.chi2.sf(fit.cost, freedom))
     place = {name: int(i) for i, name in enumerate(fit.free)}
@@ -436,14 +461,14 @@ def _reported(
     def solved(which: int) -> Solved | None:
         if which not in place:
             return None
-        return Solved(float(fit.unknowns[which]), _root(total[place[which], place[which]]))
+        return Solved(float(told[which]), _root(total[place[which], place[which]]))
 
     def of_height(part: Floats) -> float:
         return _root(part[HEIGHT, HEIGHT])
 
     u_height, inset = of_height(total), solved(INSET)
     assert inset is not None  # every pass is solved for its inset
-    x, y = float(fit.unknowns[X]), float(fit.unknowns[Y])
+    x, y = float(told[X]), float(told[Y])
     height = Height(
         status="ok",
         reason=None,
@@ -458,14 +483,13 @@ def _reported(
         budget=tuple(BudgetEntry(name, of_height(part)) for name, part in {**own, **shared}.items()),
         flags=_flags(pose, inset, chance),
     )
-    wheelbase = solved(WHEELBASE)
     return WholePass(
         height=height,
         u_random_height_m=of_height(alone),
         inset_m=inset,
         heading_rad=solved(HEADING),
         speed_mps=solved(SPEED),
-        wheelbase_m=None if wheelbase is None else replace(wheelbase, value=abs(wheelbase.value)),
+        wheelbase_m=solved(WHEELBASE),
         acceleration_mps2=solved(ACCELERATION),
         chi2=fit.cost,
         freedom=freedom,
