@@ -101,7 +101,7 @@ def _by_lens_pose(pose: RoadPose, road: Floats) -> Floats:
         on_road = (by_point @ pose.rotation)[:, :, :2]
         across = np.stack([on_road[:, 1, 1], -on_road[:, 0, 1], -on_road[:, 1, 0], on_road[:, 0, 0]], axis=1)
         inverse = across.reshape(-1, 2, 2) / np.linalg.det(on_road)[:, None, None]
-        moved = (-inverse @ by).reshape(len(road), 2, 2, -1)
+        moved = (-inverse @ by).reshape(len(road), 2, 2, by.shape[2])
         step, change = road[:, 1] - road[:, 0], moved[:, 1] - moved[:, 0]
         turn = step[:, :1] * change[:, 1] - step[:, 1:] * change[:, 0]
         return np.asarray(turn / np.square(step).sum(axis=1)[:, None], dtype=np.float64)
