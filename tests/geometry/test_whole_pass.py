@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from scipy.stats import kstest
 
 from sightline.coverage import COVERAGE_95
-from sightline.geometry.followed_tracks import EXACT_PX, Following, Tracks
+from sightline.geometry.followed_tracks import EXACT_PX, Following, Tracks, u_of_rounded_times
 from sightline.geometry.height import shared_covariance
 from sightline.geometry.multiframe import measure_frames
 from sightline.geometry.road import road_point
@@ -214,6 +214,42 @@ def test_lens_and_pose_part_equals_resolving() -> None:
     moved = RoadPose(pose.camera, turn @ pose.rotation, turn @ pose.translation_m)
     before, after = (measure_pass(p, tracks, ALONE).height.height_m for p in (pose, moved))
     assert stated["lens and pose"] == pytest.approx(abs(after - before), rel=0.02)
+
+
+def test_times_in_whole_milliseconds_are_as_uncertain_as_their_rounding() -> None:
+    """A file of 29.97 frames a second whose clock ticks each millisecond: no pass disagrees with itself."""
+    rng, chances = np.random.default_rng(12), []
+    frame, point, t = frames_of(NEAR, Drawn())
+    for _ in range(8):
+        exact = t * FPS * 1.001 / 30 + rng.uniform(0, 1)
+        seen = look(NEAR, Drawn(), point, exact - exact.mean()) + rng.normal(0, 0.1, (len(t), 2))
+        told_s = np.round(exact, 3)
+        tracks = Tracks(frame, told_s, point, seen, np.full(len(t), 0.1))
+        u_s = u_of_rounded_times(told_s, 1e-3)
+        assert u_s == pytest.approx(1e-3 / np.sqrt(12))
+        found = measure_pass(pose_of(NEAR), tracks, Following(0.0, u_time_s=u_s), None)
+        assert found.height.status == "ok" and found.dropped == ()
+        assert abs(found.height.height_m - 1.16) < 4 * found.height.u_height_m
+        chances.append(found.chance)
+    assert min(chances) > 1e-3
+
+
+@pytest.mark.parametrize(
+    ("ticks", "tick_s", "of_ticks"),
+    [
+        ([0, 33, 67, 100], 1e-3, 1.0),
+        ([0, 40, 80, 160], 1e-3, 0.0),  # 25 a second, one frame lost
+        ([0, 1, 2, 4], 0.04, 0.0),  # a file that counts frames
+        ([0, 1001, 2002], 1 / 30_000, 0.0),
+        ([0, 33 * 16, 67 * 16], 1 / 16_000, 16.0),  # copied from one of milliseconds
+        ([0, 2.5, 5.0, 7.5], 1e-3, 0.0),  # no times of this clock
+        ([0], 1e-3, 0.0),
+        ([0, 33, 67], 0.0, 0.0),
+    ],
+)
+def test_whether_times_were_rounded_is_told_by_their_intervals(ticks, tick_s, of_ticks) -> None:
+    time_s = 5.0 + np.array(ticks) * (tick_s or 1e-3)
+    assert u_of_rounded_times(time_s, tick_s) == pytest.approx(of_ticks * tick_s / np.sqrt(12))
 
 
 @pytest.mark.parametrize("way", [1, -1])

@@ -7,6 +7,7 @@ The clip of these tests shows no vehicle: what the follower would find in its pi
 import csv
 import io
 import json
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 from uuid import uuid4
@@ -18,6 +19,7 @@ from sightline.geometry.follow_pass import FollowedPass, Lost
 from sightline.geometry.followed_tracks import CONTACT, SECOND, TARGET, Following, Tracks
 from sightline.infra.database.rows import change_row
 from sightline.infra.services import Services
+from sightline.measurements.followed_text import read_text, text_of
 from sightline.measurements.following import service
 from sightline.measurements.height_of_clicks import SIDE_FROM_PLACE, answer
 from sightline.measurements.records import Clicks
@@ -50,6 +52,7 @@ def followed(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
 
     def found(pose, frames, begun_on, points_px, target, inset_m, confirmed_px):
         asked.append({"frames": [one.frame for one in frames], "points": points_px, "target": target})
+        asked[-1]["tick_s"] = {one.tick_s for one in frames}
         start = next(one.time_s for one in frames if one.frame == begun_on)
         rows = [
             (one.frame, one.time_s, point, *pixel(x + SPEED_MPS * (one.time_s - start), y, z))
@@ -88,8 +91,21 @@ def store(operator: Client, vehicle_id: int, **more: Any) -> Any:
     return operator.made(f"/vehicles/{vehicle_id}/measurements", body)
 
 
+def test_a_text_keeps_how_times_were_rounded_and_one_of_an_earlier_version_says_nothing_of_it() -> None:
+    one = np.ones(1)
+    tracks = Tracks(one.astype(np.int64), one, one.astype(np.int64), np.ones((1, 2)), np.ones((1, 2)))
+    text = text_of(tracks, Following(begun_on=1, u_time_s=0.00029))
+    assert read_text(text)[1].u_time_s == 0.00029
+    earlier = {name: value for name, value in json.loads(text).items() if name != "u_time_s"}
+    assert read_text(json.dumps(earlier))[1].u_time_s == 0.0
+
+
 def test_asking_answers_points_reasons_and_the_height_and_stores_nothing(
-    operator: Client, ground: Ground, vehicle_id: int, followed: list[dict[str, Any]]
+    operator: Client,
+    services: Services,
+    ground: Ground,
+    vehicle_id: int,
+    followed: list[dict[str, Any]],
 ) -> None:
     said = operator.made(f"/vehicles/{vehicle_id}/follow", clicks(second_contact=second()))
     assert said["reason"] is None
@@ -100,6 +116,9 @@ def test_asking_answers_points_reasons_and_the_height_and_stores_nothing(
     assert said["dropped"] == [{"frame": 11, "point": "target", "reason": LEFT.body}]
     assert {one["point"] for one in said["points"]} == {"contact", "second_contact", "target"}
     assert followed[0]["frames"] == list(range(12)) and followed[0]["target"] == "driver_eye"
+    with services.reading() as session:
+        base = get_recording(session, ground.recording_id).report["time_base"]
+    assert followed[0]["tick_s"] == {float(Fraction(base))}
     assert operator.seen(f"/vehicles/{vehicle_id}")["measurements"] == []
 
 

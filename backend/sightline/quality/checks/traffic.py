@@ -227,7 +227,8 @@ def _shown(one: _Told, used: bool) -> VehicleHeading:
     if isinstance(one.found, Said):
         return filled_from(VehicleHeading, one, used=False, reason=one.found)
     reason = None if used else Said("heading-outlier")
-    return filled_from(VehicleHeading, one, one.found, used=used, reason=reason)
+    u = one.found.u_heading_rad
+    return filled_from(VehicleHeading, one, one.found, used=used, u_heading_rad=u, reason=reason)
 
 
 def _verdict(found: Headings, changes: Changes) -> tuple[Said, ...]:
