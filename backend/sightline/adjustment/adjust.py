@@ -124,7 +124,7 @@ def adjust(
     ...         roof_inset=sightline.Known(0.2, 0.05))
     >>> found = sightline.adjust(pose, [drive(number) for number in range(6)])
     >>> found.used, [one.name for one in found.moved if one.u_after < 0.5 * one.u_before]
-    (6, ['board_roll_rad', 'road_roll_rad', 'rz_rad'])
+    (6, ['board_roll_rad', 'roof_inset_common_m', 'road_roll_rad', 'rz_rad'])
     """
     usable, left_out = _usable(pose, passes)
     shared = shared_errors(pose, u_wheelbase_common_m, u_roof_common_m, shared_insets(usable))
@@ -279,7 +279,8 @@ def _moved_by(shared: SharedErrors, z: Floats, covariance: Floats) -> tuple[Move
 
 
 def _entry(name: str, value: float, u_before: float, u_after: float, of_m: float | None = None) -> Moved:
-    return Moved(name, value, u_before, u_after, abs(value) / u_before if u_before > 0.0 else None, of_m)
+    by_u = abs(value) / u_before if u_before > 0.0 else None
+    return Moved(name, value, u_before, u_after, by_u, of_m=of_m)
 
 
 def _along(by: Floats, covariance: Floats) -> float:

@@ -119,8 +119,8 @@ def _of_matches(tracks: Tracks, following: Following, each: Floats, same: NDArra
 
 
 def u_of_rounded_times(time_s: Floats, tick_s: float) -> float:
-    """Standard uncertainty of frame times (N,) that a file keeps in whole ticks, seconds: that of rounding,
-    the coarsest tick that all intervals hold over sqrt(12) (JCGM 100:2008, 4.3.7).
+    """Standard uncertainty of frame times, `time_s` (N,), that a file keeps in whole ticks, seconds: that of
+    rounding, the coarsest tick that all intervals hold over sqrt(12) (JCGM 100:2008, 4.3.7).
 
     0 where all intervals are multiples of the least one, for then nothing was rounded, and where the times
     are no multiples of `tick_s` (0: not known).
