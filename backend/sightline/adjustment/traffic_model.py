@@ -95,7 +95,7 @@ def arranged(pose: RoadPose, passes: Sequence[ObservedPass]) -> Traffic:
         start[row, : len(first)] = first
     lengths = [[_known(known) for known in one.lengths] for one in passes]
     table = np.array(lengths, dtype=np.float64).reshape(len(passes), len(LENGTHS), 2)
-    insets = {one: 2 + k for k, one in enumerate(shared_insets(passes))}
+    insets: dict[Known | None, int] = {one: 2 + k for k, one in enumerate(shared_insets(passes))}
     common = np.array([(0, 1, insets.get(one.roof_inset, -1)) for one in passes], dtype=np.intp)
     table[common[:, 2] >= 0, 2, 1] *= (1.0 - MEAN_OF_INSET) ** 0.5
     return Traffic(
