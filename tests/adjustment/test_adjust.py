@@ -78,7 +78,7 @@ def test_the_common_error_does_not_vanish_with_the_number_of_vehicles() -> None:
 def test_an_inset_that_all_roofs_assume_is_wrong_for_all_of_them() -> None:
     """Half its variance is that of its mean (DECISIONS.md, 31), which more roofs do not average out."""
     sure = BoardBudget(lean=0.001, height=0.006, noise_px=0.01, lens=(*[0.05] * 4, *[1e-4] * 4, 1e-3))
-    vans = Fleet(60, frames=1, sigma_px=0.3, roof=2.5, u_common=0.001, u_wheelbase=None, u_roof=0.005)
+    vans = Fleet(40, frames=1, sigma_px=0.3, roof=2.5, u_common=0.001, u_wheelbase=None, u_roof=0.005)
     cases = [case(vans, seed, sure) for seed in range(10)]
     u = np.array([one.after.u_height_m for one in cases])
     errors = np.array([one.after.height_m for one in cases]) - EYE_M
