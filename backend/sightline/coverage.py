@@ -1,9 +1,15 @@
-"""From standard uncertainties (k = 1) to 95 % intervals: the one factor that every U95 is made with."""
+"""From standard uncertainties (k = 1) to 95 % intervals: the one factor that every U95 is made with; and what
+part of an assumed inset's error stays, however many heights assume it.
+"""
 
 from typing import overload
 
 #: The 97.5 % point of the normal distribution.
 COVERAGE_95 = 1.959963984540054
+
+#: Of an assumed inset's variance: its mean's, which all that assume it share; the rest is each vehicle's own
+#: (estimate: no source of an inset says how much).
+MEAN_OF_INSET = 0.5
 
 
 @overload

@@ -145,6 +145,7 @@ class Fleet:
     u_roof: float | None = None
     u_common: float = 0.005
     wrong_share: float = 0.0
+    roof: float = 1.5  # mean
     lateral: tuple = (5.4, 7.4)  # of the near wheels, from the camera's foot
     board: float = 4.0
     blunder_share: float = 0.0
@@ -155,10 +156,12 @@ class Fleet:
 def passes(truth, fleet, rng):
     """Rows of passes.csv as dicts; `wrong` names the vehicles of which another model's sizes are told."""
     common = rng.normal(0, fleet.u_common, 2)
+    # of an assumed inset half the variance is that of its mean (DECISIONS.md, 31)
+    mean_inset = 0.3 + 0.5**0.5 * rng.spawn(1)[0].normal(0, 0.1)
     rows, wrong = [], []
     for index in range(fleet.vehicles):
-        wheelbase, roof = rng.normal(2.65, 0.15), rng.normal(1.5, 0.08)
-        inset, ahead = rng.normal(0.3, 0.1), rng.uniform(0.3, 0.6) * wheelbase
+        wheelbase, roof = rng.normal(2.65, 0.15), rng.normal(fleet.roof, 0.08)
+        inset, ahead = rng.normal(mean_inset, 0.5**0.5 * 0.1), rng.uniform(0.3, 0.6) * wheelbase
         way = rng.choice([-1.0, 1.0])
         heading = rng.normal(0, 0.005)
         across = rng.uniform(*fleet.lateral) - fleet.board

@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sightline.adjustment.adjust import adjust
-from sightline.adjustment.observed import REAR, Known, ObservedPass
+from sightline.adjustment.observed import REAR, Known, ObservedPass, shared_insets
 from sightline.adjustment.shared_errors import covariance_at, moved_pose, shared_errors
 from sightline.adjustment.traffic_model import arranged, linearise
 from sightline.errors import BadInput
@@ -73,6 +73,29 @@ def test_the_common_error_does_not_vanish_with_the_number_of_vehicles() -> None:
     assert u[0] is not None and u[1] is not None
     assert u[0] < 0.0012
     assert u[1] > 0.002
+
+
+def test_an_inset_that_all_roofs_assume_is_wrong_for_all_of_them() -> None:
+    """Half its variance is that of its mean (DECISIONS.md, 31), which more roofs do not average out."""
+    sure = BoardBudget(lean=0.001, height=0.006, noise_px=0.01, lens=(*[0.05] * 4, *[1e-4] * 4, 1e-3))
+    vans = Fleet(40, frames=1, sigma_px=0.3, roof=2.5, u_common=0.001, u_wheelbase=None, u_roof=0.005)
+    cases = [case(vans, seed, sure) for seed in range(10)]
+    u = np.array([one.after.u_height_m for one in cases])
+    errors = np.array([one.after.height_m for one in cases]) - EYE_M
+    assert np.square(errors / u).sum() < 29.6  # chi-square of 10, 0.1 %
+    (common,) = (one for one in cases[0].adjustment.moved if one.name == "roof_inset_common_m")
+    assert common.of_m == 0.3 and common.u_before == pytest.approx(0.5**0.5 * 0.1)
+
+
+def test_only_roofs_that_assume_the_same_inset_share_its_error() -> None:
+    pose, traffic, _ = draw(replace(SMALL, vehicles=5), 2)
+    insets = (0.3, 0.2, 0.3, 0.2, 0.25)  # the last one is some vehicle's own
+    odd = [replace(one, roof_inset=Known(inset_m, 0.1)) for one, inset_m in zip(traffic, insets, strict=True)]
+    found = [one.of_m for one in adjust(pose, odd).moved if one.name == "roof_inset_common_m"]
+    assert found == [0.2, 0.3]
+    table = arranged(pose, odd)
+    assert table.common[:, 2].tolist() == [3, 2, 3, 2, -1]
+    assert table.u_m[:, 2] == pytest.approx([0.5**0.5 * 0.1] * 4 + [0.1])
 
 
 def test_everything_is_in_the_covariance_of_the_adjusted_pose() -> None:
@@ -170,7 +193,7 @@ def test_the_order_of_passes_and_rows_does_not_matter(seed, order) -> None:  # t
 @settings(max_examples=10, deadline=None)
 def test_derivatives_are_those_of_the_residuals(seed) -> None:  # type: ignore[no-untyped-def]
     pose, traffic, _ = draw(replace(SMALL, vehicles=2), seed)
-    shared = shared_errors(pose, 0.005, 0.005)
+    shared = shared_errors(pose, 0.005, 0.005, shared_insets(traffic))
     table = arranged(pose, traffic)
     rng = np.random.default_rng(seed)
     z, unknown = rng.normal(0, 1, shared.size), table.start + rng.normal(0, 0.01, table.start.shape)

@@ -36,9 +36,7 @@ def pose_of(scene: Scene, **more: object) -> RoadPose:
 def headings(pose: RoadPose, first_px: np.ndarray, second_px: np.ndarray, sigma_px: float) -> Headings | str:
     """The traffic's direction from both tyre contacts (N, 2) of N vehicles, as the checks put it together."""
     pairs = headings_of_pairs(pose, first_px, second_px, sigma_px)
-    heading = [np.nan if isinstance(pair, Said) else pair.heading_rad for pair in pairs]
-    u = [np.nan if isinstance(pair, Said) else pair.u_heading_rad for pair in pairs]
-    return summary_of_headings(heading, u)
+    return summary_of_headings(pose, [pair for pair in pairs if not isinstance(pair, Said)])
 
 
 def shared(*parts: str) -> Path:

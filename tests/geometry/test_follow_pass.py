@@ -62,6 +62,15 @@ def test_points_are_followed_to_where_they_are(drawn, found) -> None:
     assert np.median(np.abs(off)) < 0.15 and np.percentile(np.abs(off), 90) < 0.7
 
 
+def test_times_that_a_file_rounded_are_said_to_be_uncertain(drawn) -> None:
+    _, first, frames = drawn
+    near = [one for one in frames if abs(one.frame - first.frame) < 6]
+    rounded = [replace(one, time_s=round(one.time_s * SCENE.fps / 29.97, 3), tick_s=1e-3) for one in near]
+    got = follow_pass(POSE, rounded, first.frame, points_of(first), "driver_eye", 0.5, 0.0)
+    assert not isinstance(got, Said), got
+    assert got.following.u_time_s == pytest.approx(1e-3 / np.sqrt(12.0))
+
+
 def test_the_height_of_the_whole_pass_is_true(drawn, found) -> None:
     true, _, _ = drawn
     fit = measure_pass(POSE, found.tracks, found.following)

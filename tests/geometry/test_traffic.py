@@ -5,8 +5,10 @@ import dataclasses
 import numpy as np
 import pytest
 
+from sightline.adjustment.shared_errors import moved_pose
+from sightline.geometry.documents import pose_from_dict
 from sightline.geometry.gain import second_frame_gain
-from sightline.geometry.height import measure_height
+from sightline.geometry.height import measure_height, shared_covariance
 from sightline.geometry.inset_trend import (
     Sightings,
     inset_from_known_heights,
@@ -18,8 +20,9 @@ from sightline.geometry.inset_trend import (
 from sightline.geometry.insets import bias_m
 from sightline.geometry.multiframe import measure_frames
 from sightline.geometry.spread import mean_and_spread, outliers
-from sightline.geometry.traffic import heading_of_pair, turned
+from sightline.geometry.traffic import heading_of_pair, headings_of_pairs, turned
 from sightline.messages.said import Said
+from tests.adjustment.survey import BoardBudget, prior_covariance, told_pose, truth_at
 from tests.geometry.scenes import headings, pose_of
 from tests.geometry.simulate import Lens, Scene
 
@@ -94,6 +97,37 @@ def test_mean_heading_covers_the_truth_and_its_own_uncertainty_is_right() -> Non
     assert abs(np.mean(off)) < 3 * np.std(off) / np.sqrt(len(off))
     one = [heading_of_pair(pose, p, q, 1.0) for p, q in zip(a, b, strict=True)]
     assert all(not isinstance(h, Said) and 0.001 < h.u_heading_rad < 0.02 for h in one)
+
+
+def test_a_board_that_is_off_does_not_pass_for_a_turned_road() -> None:
+    """A roll of 5 mrad at 4 m turns all directions by 0.8 degrees, those of many vehicles too."""
+    truth, budget = truth_at(distance=4.0, height=1.4), BoardBudget(lens=(0.1,) * 4 + (1e-4,) * 5)
+    covariance, px, z, proposed = prior_covariance(truth, budget), 0.5, [], 0
+    for seed in range(40):
+        rng = np.random.default_rng(seed)
+        pose = pose_from_dict(told_pose(truth, budget, covariance, rng))
+        rear = np.column_stack([rng.uniform(-1.3, -0.9, 15), rng.uniform(-0.5, 1.0, 15), np.zeros(15)])
+        turn = rng.normal(0, 0.003, 15)
+        front = rear + 2.5 * np.column_stack([np.cos(turn), np.sin(turn), np.zeros(15)])
+        clicked = [truth.see(of) + rng.normal(0, px, (15, 2)) for of in (rear, front)]
+        found = headings(pose, *clicked, px)
+        assert not isinstance(found, Said)
+        z.append(found.mean_rad / found.u_mean_rad)
+        proposed += found.proposed
+    assert 0.6 < np.sqrt(np.mean(np.square(z))) < 1.38  # chi-square of 40, 0.1 % on either side
+    assert proposed <= 7  # of 2 expected; 8 and more have a chance of 0.001
+
+
+def test_a_direction_follows_lens_and_pose_as_it_is_told_to() -> None:
+    pose, a, b = wheels(0.02, np.random.default_rng(4), 3)
+    found = headings_of_pairs(pose, a, b)
+    for k, step in ((1, 1e-3), (4, 1e-6), (9, 1e-6), (10, 1e-6), (11, 1e-6), (13, 1e-6)):
+        increments = np.zeros(15)
+        increments[k] = step
+        moved = [headings_of_pairs(moved_pose(pose, s * increments), a, b) for s in (1, -1)]
+        for one, up, down in zip(found, *moved, strict=True):
+            slope = (up.heading_rad - down.heading_rad) / (2 * step)
+            assert one.parts.by_lens_pose[k] == pytest.approx(slope, rel=1e-4, abs=1e-7)
 
 
 def test_a_pair_that_is_none_says_why() -> None:
@@ -251,6 +285,31 @@ def test_two_frame_insets_give_mean_and_spread_between_vehicles() -> None:
     assert isinstance(inset_from_solved([0.3], [0.02]), Said)
 
 
+def test_what_all_insets_of_a_pose_share_stays_in_their_mean() -> None:
+    """Lens, pose, board and the board's direction are off once for all vehicles of a survey."""
+    truth = truth_at(distance=4.0, height=1.4, board=3.5)
+    budget = BoardBudget(noise_px=0.1, lens=(*[1.6] * 2, *[2.0] * 2, *[4e-3] * 2, *[4e-4] * 2, 4e-3))
+    covariance, px, z = prior_covariance(truth, budget), 0.25, []
+    for seed in range(5):
+        rng = np.random.default_rng(seed)
+        pose = pose_from_dict(told_pose(truth, budget, covariance, rng))
+        board = np.deg2rad(1.0) * rng.normal()
+        found = []
+        for _ in range(12):
+            inset, y, turn = rng.normal(0.45, 0.03), rng.uniform(-0.3, 1.5), board + rng.normal(0, 0.003)
+            along = np.array([np.cos(turn), np.sin(turn), 0.0])
+            across = np.array([-along[1], along[0], 0.0])
+            contacts = np.array([-0.95, y, 0.0]) + np.outer([0.0, 1.7], along)
+            targets = contacts - 0.3 * along + inset * across + [0.0, 0.0, rng.normal(1.16, 0.05)]
+            clicked = [truth.see(of) + rng.normal(0, px, (2, 2)) for of in (contacts, targets)]
+            found.append(measure_frames(pose, *clicked, px))
+        insets_m, parts = [one.solved_inset_m for one in found], [one.inset_parts for one in found]
+        mean = inset_from_solved(insets_m, [one.u_own for one in parts], shared_covariance(pose, parts))
+        assert not isinstance(mean, Said)
+        z.append((mean.inset_m - 0.45) / mean.u_inset_m)
+    assert np.square(z).sum() < 20.5  # chi-square of 5, 0.1 %
+
+
 def test_mean_and_spread_by_hand() -> None:
     even = mean_and_spread([1.0, 1.0, 1.0], [0.1, 0.2, 0.2])
     assert (even.mean, even.between) == (pytest.approx(1.0), 0.0)
@@ -258,5 +317,10 @@ def test_mean_and_spread_by_hand() -> None:
     apart = mean_and_spread([0.0, 2.0, 4.0], [1e-6] * 3)
     assert apart.between == pytest.approx(2.0) and apart.u_mean == pytest.approx(2 / np.sqrt(3))
     assert mean_and_spread([3.0], [0.5]).u_mean == pytest.approx(0.5)
+    shared = mean_and_spread(
+        [1.0, 1.0], [0.1, 0.2], [[0.09, 0.06], [0.06, 0.04]]
+    )  # as 0.3 and 0.2 of one error
+    assert shared.u_own == pytest.approx((1 / 0.01 + 1 / 0.04) ** -0.5)
+    assert shared.u_mean == pytest.approx(np.hypot(shared.u_own, 0.8 * 0.3 + 0.2 * 0.2))
     assert outliers([1.0, 1.1, 0.9, 9.0]).sum() == 0 and outliers([1.0, 1.1, 0.9, 1.0, 9.0]).tolist()[-1]
     assert not outliers([1.0, 1.1, 0.9, 1.0, 9.0], [0.1, 0.1, 0.1, 0.1, 3.0]).any()

@@ -9,8 +9,10 @@ from hypothesis import strategies as st
 from scipy.stats import kstest
 
 from sightline.coverage import COVERAGE_95
-from sightline.geometry.followed_tracks import EXACT_PX, Following, Tracks
+from sightline.geometry.followed_tracks import EXACT_PX, Following, Tracks, u_of_rounded_times
+from sightline.geometry.height import shared_covariance
 from sightline.geometry.multiframe import measure_frames
+from sightline.geometry.road import road_point
 from sightline.geometry.road_pose import BoardOnRoad, RoadPose
 from sightline.geometry.whole_pass import measure_pass
 from sightline.messages.said import Said
@@ -195,6 +197,8 @@ def test_the_budget_adds_up_and_names_what_vehicles_share() -> None:
     assert found.u_random_height_m == pytest.approx(np.sqrt(sum(entries[name] ** 2 for name in own)))
     index = found.solved_for.index("height_m")
     assert found.covariance[index][index] == pytest.approx(found.height.u_height_m**2)
+    (shared_m2,) = np.diag(shared_covariance(pose, [found.inset_parts]))
+    assert found.inset_m.u == pytest.approx(np.hypot(found.inset_parts.u_own, np.sqrt(shared_m2)))
 
 
 def test_lens_and_pose_part_equals_resolving() -> None:
@@ -210,6 +214,78 @@ def test_lens_and_pose_part_equals_resolving() -> None:
     moved = RoadPose(pose.camera, turn @ pose.rotation, turn @ pose.translation_m)
     before, after = (measure_pass(p, tracks, ALONE).height.height_m for p in (pose, moved))
     assert stated["lens and pose"] == pytest.approx(abs(after - before), rel=0.02)
+
+
+def test_times_in_whole_milliseconds_are_as_uncertain_as_their_rounding() -> None:
+    """A file of 29.97 frames a second whose clock ticks each millisecond: no pass disagrees with itself."""
+    rng, chances = np.random.default_rng(12), []
+    frame, point, t = frames_of(NEAR, Drawn())
+    for _ in range(8):
+        exact = t * FPS * 1.001 / 30 + rng.uniform(0, 1)
+        seen = look(NEAR, Drawn(), point, exact - exact.mean()) + rng.normal(0, 0.1, (len(t), 2))
+        told_s = np.round(exact, 3)
+        tracks = Tracks(frame, told_s, point, seen, np.full(len(t), 0.1))
+        u_s = u_of_rounded_times(told_s, 1e-3)
+        assert u_s == pytest.approx(1e-3 / np.sqrt(12))
+        found = measure_pass(pose_of(NEAR), tracks, Following(0.0, u_time_s=u_s), None)
+        assert found.height.status == "ok" and found.dropped == ()
+        assert abs(found.height.height_m - 1.16) < 4 * found.height.u_height_m
+        chances.append(found.chance)
+    assert min(chances) > 1e-3
+
+
+@pytest.mark.parametrize(
+    ("ticks", "tick_s", "of_ticks"),
+    [
+        ([0, 33, 67, 100], 1e-3, 1.0),
+        ([0, 40, 80, 160], 1e-3, 0.0),  # 25 a second, one frame lost
+        ([0, 1, 2, 4], 0.04, 0.0),  # a file that counts frames
+        ([0, 1001, 2002], 1 / 30_000, 0.0),
+        ([0, 33 * 16, 67 * 16], 1 / 16_000, 16.0),  # copied from one of milliseconds
+        ([0, 2.5, 5.0, 7.5], 1e-3, 0.0),  # no times of this clock
+        ([0], 1e-3, 0.0),
+        ([0, 33, 67], 0.0, 0.0),
+    ],
+)
+def test_whether_times_were_rounded_is_told_by_their_intervals(ticks, tick_s, of_ticks) -> None:
+    time_s = 5.0 + np.array(ticks) * (tick_s or 1e-3)
+    assert u_of_rounded_times(time_s, tick_s) == pytest.approx(of_ticks * tick_s / np.sqrt(12))
+
+
+@pytest.mark.parametrize("way", [1, -1])
+@pytest.mark.parametrize("row_time", [0.0, 3e-5])
+def test_contact_and_wheelbase_are_those_of_the_frame_clicked_on_and_so_is_their_covariance(
+    way, row_time
+) -> None:
+    car = Drawn(speed=9.0 * way, ahead=-0.9 * way, wheelbase=-2.6 * way, acceleration=-3.0 * way)
+    tracks = tracks_of(NEAR, car, row_time=row_time, sigma=0.01)
+    begun_on = int(np.unique(tracks.frame[tracks.point == CONTACT])[-2])
+    following = Following(0.0, begun_on=begun_on, row_time_s=row_time)
+    pose, step = pose_of(NEAR), 1e-4
+    found = measure_pass(pose, tracks, following, None)
+    at = road_point(pose, tracks.points_px[(tracks.frame == begun_on) & (tracks.point == CONTACT)][0])
+    assert (found.height.x_m, found.height.y_m) == pytest.approx(tuple(at[:2]), abs=1e-6)
+    assert found.height.distance_m == pytest.approx(np.linalg.norm(pose.centre_m - at), abs=1e-6)
+    turned = np.zeros((15, 15))
+    turned[10, 10] = step**2
+    stated = measure_pass(dataclasses.replace(pose, covariance=turned), tracks, following, None)
+    where = [found.solved_for.index(name) for name in TOLD]
+    by_pose = np.subtract(stated.covariance, found.covariance)[np.ix_(where, where)]
+    c, s = np.cos(step), np.sin(step)
+    turn = np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]])
+    moved = RoadPose(pose.camera, turn @ pose.rotation, turn @ pose.translation_m)
+    change = np.subtract(told(measure_pass(moved, tracks, following, None)), told(found))
+    scale = np.outer(np.abs(change), np.abs(change))
+    assert np.abs(by_pose / scale - np.outer(change, change) / scale).max() < 0.1
+
+
+TOLD = ("x_m", "y_m", "heading_rad", "speed_mps", "inset_m", "height_m", "wheelbase_m", "acceleration_mps2")
+
+
+def told(found):
+    height = found.height
+    solved = [getattr(found, name).value for name in TOLD if name[0] not in "xy" and name != "height_m"]
+    return [height.x_m, height.y_m, *solved[:3], height.height_m, *solved[3:]]
 
 
 @pytest.mark.parametrize("passes", [60, *(pytest.param(n, marks=pytest.mark.proof) for n in (100, 200))])

@@ -7,6 +7,7 @@ The clip of these tests shows no vehicle: what the follower would find in its pi
 import csv
 import io
 import json
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 from uuid import uuid4
@@ -18,7 +19,10 @@ from sightline.geometry.follow_pass import FollowedPass, Lost
 from sightline.geometry.followed_tracks import CONTACT, SECOND, TARGET, Following, Tracks
 from sightline.infra.database.rows import change_row
 from sightline.infra.services import Services
+from sightline.measurements.followed_text import read_text, text_of
 from sightline.measurements.following import service
+from sightline.measurements.height_of_clicks import SIDE_FROM_PLACE, answer
+from sightline.measurements.records import Clicks
 from sightline.measurements.store import get_measurement
 from sightline.messages.said import Said
 from sightline.quality.repeats.clicks import alone
@@ -27,7 +31,7 @@ from sightline.recordings.store import get_recording
 from sightline.recordings.tables import recordings
 from tests.measurements.test_second_frame import HEIGHT_M, INSET_M, exported, on_frame, rewritten
 from tests.support.app import FRAME_HEIGHT, FRAME_WIDTH, Client, error_of
-from tests.support.ground import Ground, pixel
+from tests.support.ground import Ground, add_vehicle, pixel, pose_above_road
 from tests.support.mutations import checked
 
 pytestmark = pytest.mark.once
@@ -48,6 +52,7 @@ def followed(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
 
     def found(pose, frames, begun_on, points_px, target, inset_m, confirmed_px):
         asked.append({"frames": [one.frame for one in frames], "points": points_px, "target": target})
+        asked[-1]["tick_s"] = {one.tick_s for one in frames}
         start = next(one.time_s for one in frames if one.frame == begun_on)
         rows = [
             (one.frame, one.time_s, point, *pixel(x + SPEED_MPS * (one.time_s - start), y, z))
@@ -86,8 +91,21 @@ def store(operator: Client, vehicle_id: int, **more: Any) -> Any:
     return operator.made(f"/vehicles/{vehicle_id}/measurements", body)
 
 
+def test_a_text_keeps_how_times_were_rounded_and_one_of_an_earlier_version_says_nothing_of_it() -> None:
+    one = np.ones(1)
+    tracks = Tracks(one.astype(np.int64), one, one.astype(np.int64), np.ones((1, 2)), np.ones((1, 2)))
+    text = text_of(tracks, Following(begun_on=1, u_time_s=0.00029))
+    assert read_text(text)[1].u_time_s == 0.00029
+    earlier = {name: value for name, value in json.loads(text).items() if name != "u_time_s"}
+    assert read_text(json.dumps(earlier))[1].u_time_s == 0.0
+
+
 def test_asking_answers_points_reasons_and_the_height_and_stores_nothing(
-    operator: Client, ground: Ground, vehicle_id: int, followed: list[dict[str, Any]]
+    operator: Client,
+    services: Services,
+    ground: Ground,
+    vehicle_id: int,
+    followed: list[dict[str, Any]],
 ) -> None:
     said = operator.made(f"/vehicles/{vehicle_id}/follow", clicks(second_contact=second()))
     assert said["reason"] is None
@@ -98,6 +116,9 @@ def test_asking_answers_points_reasons_and_the_height_and_stores_nothing(
     assert said["dropped"] == [{"frame": 11, "point": "target", "reason": LEFT.body}]
     assert {one["point"] for one in said["points"]} == {"contact", "second_contact", "target"}
     assert followed[0]["frames"] == list(range(12)) and followed[0]["target"] == "driver_eye"
+    with services.reading() as session:
+        base = get_recording(session, ground.recording_id).report["time_base"]
+    assert followed[0]["tick_s"] == {float(Fraction(base))}
     assert operator.seen(f"/vehicles/{vehicle_id}")["measurements"] == []
 
 
@@ -130,9 +151,38 @@ def test_what_is_stored_is_what_was_shown_with_all_its_points(
     stored = store(operator, vehicle_id)
     for name in ("height_m", "u_height_m", "solved_inset_m", "u_solved_inset_m", "budget", "flags"):
         assert stored[name] == said["height"][name], name
+    assert (stored["x_m"], stored["y_m"]) == pytest.approx(PLACES[CONTACT][:2], abs=1e-3)
+    by_place = Clicks(
+        **on_frame(2, 0.0),
+        target="driver_eye",
+        followed=stored["followed"],
+        sigma_px=1.0,
+        inset_m=0.45,
+        u_inset_m=0.1,
+        inset_from="usual",
+        side="near",
+        side_from="place",
+    )
+    assert SIDE_FROM_PLACE in answer(pose_above_road(), by_place).flags
     kept = json.loads(stored["followed"])
     assert kept["begun_on"] == 2 and len(kept["points"]) == len(said["points"])
     assert kept["points"][0][3:5] == pytest.approx(said["points"][0]["at"], abs=1e-4)
+
+
+def test_the_inset_of_a_survey_rests_on_what_was_seen_and_not_on_the_inset_assumed(
+    operator: Client, ground: Ground, followed: list[dict[str, Any]]
+) -> None:
+    """One that was assumed would count once for every vehicle."""
+    assumed_m = INSET_M + 0.2
+    for _ in range(3):
+        vehicle = add_vehicle(operator, ground.recording_id, last_frame=11)
+        stored = store(operator, vehicle["id"], inset_m=assumed_m, u_inset_m=0.02, target="taillight")
+        assert stored["solved_inset_m"] > INSET_M + 0.05
+    check = operator.seen(f"/surveys/{ground.survey_id}/checks/insets")
+    (lamp,) = (one for one in check["targets"] if one["name"] == "taillight")
+    (found,) = (one for one in lamp["estimates"] if one["method"] == "two_frames")
+    assert found["vehicles"] == 3
+    assert found["inset_m"] == pytest.approx(INSET_M, abs=0.01)
 
 
 def test_the_same_key_again_follows_nothing_and_gives_the_same_back(

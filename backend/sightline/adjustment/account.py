@@ -20,6 +20,7 @@ def adjustment_to_dict(found: Adjustment, unread: Sequence[LeftOut] = ()) -> dic
         "chi2_limit": found.chi2_limit,
         "moved": [
             {"name": one.name, "value": one.value, "u_before": one.u_before, "u_after": one.u_after}
+            | ({} if one.of_m is None else {"of_m": one.of_m})
             for one in found.moved
         ],
         "heading_rad": found.heading_rad,

@@ -7,7 +7,15 @@ import numpy as np
 import scipy
 
 from sightline.adjustment.local_tests import FAILED, Cleaned, cleaned
-from sightline.adjustment.observed import DEFAULT_U_COMMON_M, LENGTHS, POINTS, ROOF, ObservedPass, unusable
+from sightline.adjustment.observed import (
+    DEFAULT_U_COMMON_M,
+    LENGTHS,
+    POINTS,
+    ROOF,
+    ObservedPass,
+    shared_insets,
+    unusable,
+)
 from sightline.adjustment.shared_errors import Part, SharedErrors, covariance_at, moved_pose, shared_errors
 from sightline.adjustment.traffic_model import HEADING, Traffic, arranged, on_road
 from sightline.errors import BadInput
@@ -40,6 +48,7 @@ class DroppedPoint:
 class Moved:
     """One shared error: what it was found to be (new minus old), and its standard uncertainty before and
     after, in the unit that its name ends in. `by_u`: how many u_before it moved by; None of what could not.
+    `of_m`: the inset that it is the common error of.
     """
 
     name: str
@@ -47,6 +56,7 @@ class Moved:
     u_before: float
     u_after: float
     by_u: float | None
+    of_m: float | None = None
 
 
 @dataclass(frozen=True)
@@ -114,12 +124,12 @@ def adjust(
     ...         roof_inset=sightline.Known(0.2, 0.05))
     >>> found = sightline.adjust(pose, [drive(number) for number in range(6)])
     >>> found.used, [one.name for one in found.moved if one.u_after < 0.5 * one.u_before]
-    (6, ['board_roll_rad', 'road_roll_rad', 'rz_rad'])
+    (6, ['board_roll_rad', 'roof_inset_common_m', 'road_roll_rad', 'rz_rad'])
     """
-    shared = shared_errors(pose, u_wheelbase_common_m, u_roof_common_m)
+    usable, left_out = _usable(pose, passes)
+    shared = shared_errors(pose, u_wheelbase_common_m, u_roof_common_m, shared_insets(usable))
     if not shared.root.any():
         raise BadInput("adjustment-nothing-uncertain")
-    usable, left_out = _usable(pose, passes)
     if not usable:
         return _unchanged(shared, len(passes), left_out)
     traffic = arranged(pose, usable)
@@ -247,7 +257,7 @@ def _moved(shared: SharedErrors, found: Cleaned) -> tuple[Moved, ...]:
 def _moved_by(shared: SharedErrors, z: Floats, covariance: Floats) -> tuple[Moved, ...]:
     first, u = shared.first_part, np.sqrt(np.diag(covariance))
     out = [
-        _entry(part.name, part.u * float(z[first + i]), part.u, part.u * float(u[first + i]))
+        _entry(part.name, part.u * float(z[first + i]), part.u, part.u * float(u[first + i]), part.of_m)
         for i, part in enumerate(shared.parts)
     ]
     increments = shared.root @ z
@@ -268,8 +278,9 @@ def _moved_by(shared: SharedErrors, z: Floats, covariance: Floats) -> tuple[Move
     return tuple(out)
 
 
-def _entry(name: str, value: float, u_before: float, u_after: float) -> Moved:
-    return Moved(name, value, u_before, u_after, abs(value) / u_before if u_before > 0.0 else None)
+def _entry(name: str, value: float, u_before: float, u_after: float, of_m: float | None = None) -> Moved:
+    by_u = abs(value) / u_before if u_before > 0.0 else None
+    return Moved(name, value, u_before, u_after, by_u, of_m=of_m)
 
 
 def _along(by: Floats, covariance: Floats) -> float:
@@ -283,7 +294,7 @@ def _notes(
     for index in found.released:
         part, (u, unit) = shared.parts[index], _stated(shared.parts[index])
         notes.append(Said("adjustment-part-excluded", part=part.name, u=u, unit=unit))
-    for index in (-2, -1):
+    for index in range(-shared.commons, 0):
         if abs(float(np.nan_to_num(found.tests.parts[index]))) > FAILED:
             part, (u, unit) = shared.parts[index], _stated(shared.parts[index])
             notes.append(Said("adjustment-common-far-off", part=part.name, u=u, unit=unit))

@@ -1,5 +1,7 @@
 """What was seen of the traffic: points followed through passes, and what is known of the vehicles."""
 
+from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -47,6 +49,16 @@ class ObservedPass:
     def lengths(self) -> tuple[Known | None, ...]:
         """In the order of LENGTHS."""
         return self.wheelbase, self.roof, self.roof_inset
+
+
+def shared_insets(passes: Sequence[ObservedPass]) -> tuple[Known, ...]:
+    """Roof insets that more than one pass states, in the order of their values: whoever states the same one
+    with the same u assumes it, and shares what it is off by on average. Own reading.
+    """
+    stated = Counter(one.roof_inset for one in passes if one.roof_inset is not None)
+    return tuple(
+        sorted((one for one, times in stated.items() if times > 1), key=lambda one: (one.value_m, one.u_m))
+    )
 
 
 def unusable(observed: ObservedPass) -> Said | None:

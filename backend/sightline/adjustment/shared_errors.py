@@ -5,13 +5,16 @@ Lens and pose are off by x = L z, z of mean 0 and variance 1 (times what a part 
 of L are a root of the pose's covariance and the increments that one standard uncertainty of each part of the
 board causes (geometry/board_errors.py). So a covariance without full rank, a parameter taken as exact and a
 board without a stated bow need no case of their own. Two more z are the common errors of all known wheelbases
-and of all known roofs.
+and of all known roofs, and one each that of an inset which several roofs assume.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
+from sightline.adjustment.observed import Known
+from sightline.coverage import MEAN_OF_INSET
 from sightline.geometry.arrays import Floats, exp_rotation, nearest_rotation, skew
 from sightline.geometry.board_errors import board_parts
 from sightline.geometry.camera import Camera
@@ -24,21 +27,26 @@ _LEAST_U_RAD, _LEAST_U_M = 1e-6, 1e-6
 @dataclass(frozen=True)
 class Part:
     """One error with a name and a unit: `u` is what was stated, in that unit; `released_u` what is allowed
-    where the traffic contradicts it (None: it is kept in any case).
+    where the traffic contradicts it (None: it is kept in any case). `of_m`: of a common error, the length
+    that all of them state, where it is one.
     """
 
     name: str
     u: float
     released_u: float | None
+    of_m: float | None = None
 
 
 @dataclass(frozen=True, eq=False)
 class SharedErrors:
-    """`root` (n + 6, m): lens and pose by z; the last `len(parts)` of the m numbers are the parts."""
+    """`root` (n + 6, m): lens and pose by z; the last `len(parts)` of the m numbers are the parts. Of these
+    the last `commons` are errors of known lengths: of wheelbases, of roofs, of each inset that is shared.
+    """
 
     pose: RoadPose
     root: Floats
     parts: tuple[Part, ...]
+    commons: int
 
     @property
     def size(self) -> int:
@@ -50,11 +58,20 @@ class SharedErrors:
         """Index of the first z that is a part with a name."""
         return self.size - len(self.parts)
 
+    @property
+    def common(self) -> tuple[Part, ...]:
+        """The parts that are errors of known lengths."""
+        return self.parts[-self.commons :]
 
-def shared_errors(pose: RoadPose, u_wheelbase_common_m: float, u_roof_common_m: float) -> SharedErrors:
-    """The errors of `pose` that its traffic may correct; the last two parts are the common ones, metres.
 
-    The prior of each is what was stated: JCGM 102:2011, 5.4.1, with the pose as the quantity measured.
+def shared_errors(
+    pose: RoadPose, u_wheelbase_common_m: float, u_roof_common_m: float, insets: Sequence[Known] = ()
+) -> SharedErrors:
+    """The errors of `pose` that its traffic may correct; the last parts are the common ones, metres, that of
+    each of the shared `insets` among them.
+
+    The prior of each is what was stated: JCGM 102:2011, 5.4.1, with the pose as the quantity measured. Of an
+    inset it is the part of its variance that is its mean's, as in the statistics of heights.
     """
     columns = [_root_of(pose.covariance, len(pose.parameters))]
     parts: list[Part] = []
@@ -63,12 +80,13 @@ def shared_errors(pose: RoadPose, u_wheelbase_common_m: float, u_roof_common_m: 
         for names, increments in zip(_names(pose.board), board_parts(tested).values(), strict=False):
             columns.append(np.concatenate([np.zeros((len(pose.camera.parameters), len(names))), increments]))
             parts += names
-    columns.append(np.zeros((len(pose.parameters), 2)))
-    parts += [
+    common = [
         Part("wheelbase_common_m", u_wheelbase_common_m, None),
         Part("roof_common_m", u_roof_common_m, None),
+        *(Part("roof_inset_common_m", MEAN_OF_INSET**0.5 * one.u_m, None, one.value_m) for one in insets),
     ]
-    return SharedErrors(pose, np.concatenate(columns, axis=1), tuple(parts))
+    columns.append(np.zeros((len(pose.parameters), len(common))))
+    return SharedErrors(pose, np.concatenate(columns, axis=1), (*parts, *common), len(common))
 
 
 def _names(board: BoardOnRoad) -> list[list[Part]]:

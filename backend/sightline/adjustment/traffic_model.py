@@ -19,8 +19,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sightline.adjustment.observed import FRONT, LENGTHS, REAR, ROOF, Known, ObservedPass
+from sightline.adjustment.observed import FRONT, LENGTHS, REAR, ROOF, Known, ObservedPass, shared_insets
 from sightline.adjustment.shared_errors import SharedErrors, moved_pose
+from sightline.coverage import MEAN_OF_INSET
 from sightline.geometry.arrays import Floats, skew
 from sightline.geometry.camera import project_with_jacobians, undistort
 from sightline.geometry.road_pose import RoadPose
@@ -37,8 +38,9 @@ _LEAST_U_M = 1e-5  # a length stated as exact; a micrometre would spoil the arit
 class Traffic:
     """P passes as arrays. Points (N): `owner` their pass, `slot` their place within it, `place` the index
     of their frame's s among the pass's unknowns, `kind`, `points_px` (N, 2), `sigma_px`. Lengths (P, 3), in
-    the order of LENGTHS: `known_m`, `u_m` (infinite: unknown). `facing` (P,): +1 where the front is towards
-    X. `start` (P, K) unknowns; `middle_m` (P,): X_0.
+    the order of LENGTHS: `known_m`, `u_m` (infinite: unknown) beside what it shares with others, which is
+    `common` of SharedErrors.common (-1: nothing). `facing` (P,): +1 where the front is towards X. `start`
+    (P, K) unknowns; `middle_m` (P,): X_0.
     """
 
     owner: NDArray[np.intp]
@@ -49,6 +51,7 @@ class Traffic:
     sigma_px: Floats
     known_m: Floats
     u_m: Floats
+    common: NDArray[np.intp]
     facing: Floats
     middle_m: Floats
     start: Floats
@@ -92,6 +95,9 @@ def arranged(pose: RoadPose, passes: Sequence[ObservedPass]) -> Traffic:
         start[row, : len(first)] = first
     lengths = [[_known(known) for known in one.lengths] for one in passes]
     table = np.array(lengths, dtype=np.float64).reshape(len(passes), len(LENGTHS), 2)
+    insets: dict[Known | None, int] = {one: 2 + k for k, one in enumerate(shared_insets(passes))}
+    common = np.array([(0, 1, insets.get(one.roof_inset, -1)) for one in passes], dtype=np.intp)
+    table[common[:, 2] >= 0, 2, 1] *= (1.0 - MEAN_OF_INSET) ** 0.5
     return Traffic(
         owner=np.repeat(np.arange(len(passes)), [len(one.frame) for one in passes]),
         slot=np.concatenate([np.arange(len(one.frame)) for one in passes]),
@@ -101,6 +107,7 @@ def arranged(pose: RoadPose, passes: Sequence[ObservedPass]) -> Traffic:
         sigma_px=np.concatenate([one.sigma_px for one in passes]),
         known_m=table[:, :, 0],
         u_m=table[:, :, 1],
+        common=common,
         facing=facing,
         middle_m=middle,
         start=start,
@@ -268,13 +275,14 @@ def _add_lengths(
     residual, own, of_z = into
     scale = length_weight / traffic.u_m
     first = residual.shape[1] - len(LENGTHS)
-    common = (shared.parts[-2].u, shared.parts[-1].u, 0.0)
-    columns = (shared.size - 2, shared.size - 1, 0)
+    common_m = np.array([*(part.u for part in shared.common), 0.0])[traffic.common]
+    columns = shared.size - shared.commons + traffic.common
     solved = (traffic.facing * unknown[:, WHEELBASE], unknown[:, HEIGHT], unknown[:, INSET])
     by = (traffic.facing, 1.0, 1.0)
     for k, index in enumerate((WHEELBASE, HEIGHT, INSET)):
         row = first + k
-        residual[:, row] = scale[:, k] * (traffic.known_m[:, k] - solved[k] - common[k] * z[columns[k]])
+        residual[:, row] = scale[:, k] * (
+            traffic.known_m[:, k] - solved[k] - common_m[:, k] * z[columns[:, k]]
+        )
         own[:, row, index] = scale[:, k] * by[k]
-        if common[k]:
-            of_z[:, row, columns[k]] = scale[:, k] * common[k]
+        of_z[np.arange(traffic.passes), row, columns[:, k]] = scale[:, k] * common_m[:, k]

@@ -63,7 +63,9 @@ def _text(found: Adjustment, unread: list[LeftOut], output: Path) -> str:
     lines += [f"left out {one.name}: {one.reason}" for one in (*unread, *found.left_out)]
     lines += [f"left out of {one.name}: {one.point} on frame {one.frame}" for one in found.dropped_points]
     lines += [
-        f"{one.name}: {one.value:+.6f}, u = {one.u_before:.6f} -> {one.u_after:.6f}" for one in found.moved
+        f"{one.name}{'' if one.of_m is None else f' of {one.of_m:g} m'}: {one.value:+.6f}, "
+        f"u = {one.u_before:.6f} -> {one.u_after:.6f}"
+        for one in found.moved
     ]
     lines += expected_lines(expected_u(found.pose))
     return "\n".join([*lines, *(f"note: {note}" for note in found.notes)])

@@ -18,7 +18,15 @@ from sightline.enums import FollowedPoint, Target
 from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import project
 from sightline.geometry.follow import Gray, textured
-from sightline.geometry.followed_tracks import CONTACT, POINT_NAMES, SECOND, TARGET, Following, Tracks
+from sightline.geometry.followed_tracks import (
+    CONTACT,
+    POINT_NAMES,
+    SECOND,
+    TARGET,
+    Following,
+    Tracks,
+    u_of_rounded_times,
+)
 from sightline.geometry.patch_shift import (
     FLOOR_GREY,
     Patch,
@@ -65,11 +73,14 @@ _LEAST_FRAMES, _LEAST_TRIPLES = 3, 4
 
 @dataclass(frozen=True, eq=False)
 class PassFrame:
-    """A frame of the pass: number, time, seconds, and luminance (H, W)."""
+    """A frame of the pass: number, time, seconds, and luminance (H, W); `tick_s`: what its file counts time
+    in, 0 where that is not known.
+    """
 
     frame: int
     time_s: float
     gray: Gray
+    tick_s: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -136,6 +147,7 @@ def follow_pass(
     following = Following(
         confirmed_px=float(confirmed_px),
         begun_on=begun_on,
+        u_time_s=u_of_rounded_times(np.array([one.time_s for one in frames]), frames[start].tick_s),
         u_depth_share=U_DEPTH_M[target] / _depth_m(pose, placed[TARGET]),
         view_px=_VIEW_PX,
         matched=True,

@@ -118,6 +118,34 @@ def _of_matches(tracks: Tracks, following: Following, each: Floats, same: NDArra
     return np.asarray(out, dtype=np.float64)
 
 
+def u_of_rounded_times(time_s: Floats, tick_s: float) -> float:
+    """Standard uncertainty of frame times, `time_s` (N,), that a file keeps in whole ticks, seconds: that of
+    rounding, the coarsest tick that all intervals hold over sqrt(12) (JCGM 100:2008, 4.3.7).
+
+    0 where all intervals are multiples of the least one, for then nothing was rounded, and where the times
+    are no multiples of `tick_s` (0: not known).
+    """
+    intervals = np.diff(np.unique(time_s))
+    if len(intervals) == 0 or not tick_s > 0:
+        return 0.0
+    ticks = np.rint(intervals / tick_s).astype(np.int64)
+    if np.abs(intervals / tick_s - ticks).max() > 0.01:
+        return 0.0
+    common = int(np.gcd.reduce(ticks))
+    return 0.0 if common == ticks.min() else float(common * tick_s / np.sqrt(12.0))
+
+
+def clicked_at_s(tracks: Tracks, following: Following, middle_row: float) -> float:
+    """When the contact was where it was clicked, seconds: the time of the frame clicked on (else of the
+    nearest one that shows a contact) and of its row; a frame's time is that of `middle_row`.
+
+    Rolling shutter: CONVENTIONS.md, Whole passes. ValueError where no frame shows a contact.
+    """
+    contact = np.flatnonzero(tracks.point == CONTACT)
+    on = contact[np.argmin(np.abs(tracks.frame[contact] - _begun_on(tracks, following)))]
+    return float(tracks.time_s[on] + following.row_time_s * (tracks.points_px[on, 1] - middle_row))
+
+
 def _begun_at_s(tracks: Tracks, following: Following) -> float:
     return float(tracks.time_s[np.argmin(np.abs(tracks.frame - _begun_on(tracks, following)))])
 

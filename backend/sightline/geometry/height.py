@@ -1,5 +1,6 @@
 """Heights with their uncertainty: one click pair with its budget, or a million."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -131,6 +132,32 @@ def systematic_covariance(pose: RoadPose) -> Floats:
     out = np.zeros((n, n)) if pose.covariance is None else np.array(pose.covariance)
     out[-6:, -6:] += board_covariance(pose)
     return out
+
+
+@dataclass(frozen=True, eq=False)
+class Parts:
+    """What a number that was solved for is uncertain by: `u_own` of its vehicle alone, and what the vehicles
+    of a pose share: `by_lens_pose` (n + 6,), its derivative by lens and pose, `by_heading` and `by_row_time`,
+    what one standard uncertainty of the heading assumed and of the row time does to it.
+    """
+
+    u_own: float
+    by_lens_pose: Floats
+    by_heading: float = 0.0
+    by_row_time: float = 0.0
+
+
+def shared_covariance(pose: RoadPose, parts: Sequence[Parts]) -> Floats:
+    """Covariance (N, N) of N numbers solved for under one pose, of what they share: lens, pose, board,
+    heading and row time, in the square of the numbers' unit.
+
+    JCGM 100:2008, 5.2.2, with S of `systematic_covariance`.
+    """
+    if not parts:
+        return np.zeros((0, 0))
+    by = np.stack([one.by_lens_pose for one in parts])
+    others = np.array([(one.by_heading, one.by_row_time) for one in parts])
+    return np.asarray(by @ systematic_covariance(pose) @ by.T + others @ others.T, dtype=np.float64)
 
 
 def left_out(pose: RoadPose) -> list[Said]:

@@ -243,18 +243,22 @@ def _why_silent(rows: Sightings, height_m: float) -> Said:
     return Said("inset-trend-few")
 
 
-def inset_from_solved(solved_m: ArrayLike, u_solved_m: ArrayLike) -> InsetEstimate | Said:
-    """Mean of insets solved for on two frames, `solved_m`, `u_solved_m` (N,), metres, and the spread between
-    vehicles, or the reason why there is none.
+def inset_from_solved(
+    solved_m: ArrayLike, u_own_m: ArrayLike, shared_m2: ArrayLike = 0.0
+) -> InsetEstimate | Said:
+    """Mean of insets solved for on several frames, `solved_m` (N,), metres, and the spread between vehicles,
+    or the reason why there is none; `u_own_m` (N,): each vehicle's own part of u, `shared_m2` (N, N):
+    covariance of what they share (`shared_covariance`).
 
     By `mean_and_spread` (Paule and Mandel 1982), vehicles far from the others left out (`outliers`).
     """
     values = np.asarray(solved_m, dtype=np.float64).ravel()
-    u = np.asarray(u_solved_m, dtype=np.float64).ravel()
+    u = np.asarray(u_own_m, dtype=np.float64).ravel()
+    shared = np.broadcast_to(np.asarray(shared_m2, dtype=np.float64), (len(values), len(values)))
     if len(values) < LEAST_KNOWN:
         return Said("inset-few-solved", least=LEAST_KNOWN, count=len(values))
     gone = outliers(values, u)
-    found = mean_and_spread(values[~gone], u[~gone])
+    found = mean_and_spread(values[~gone], u[~gone], shared[np.ix_(~gone, ~gone)])
     spread = found.between if found.count >= LEAST_FOR_SPREAD else None
     left_out = tuple(int(i) for i in np.flatnonzero(gone))
     caution = Said("inset-solved-close-frames") if found.u_mean > _WIDE_U_M else None

@@ -17,7 +17,7 @@ from sightline.coverage import COVERAGE_95
 from sightline.geometry.arrays import Floats, skew
 from sightline.geometry.board_errors import board_parts
 from sightline.geometry.camera import project_with_jacobians, undistort
-from sightline.geometry.height import BudgetEntry, Height, left_out, not_measurable
+from sightline.geometry.height import BudgetEntry, Height, Parts, left_out, not_measurable
 from sightline.geometry.insets import implausible_inset
 from sightline.geometry.ray_intersection import (
     BAD_SIGMA,
@@ -46,6 +46,7 @@ class MultiHeight:
 
     `heading_rad`: direction of travel against the road's X axis; `travel_m`: between the two frames that lie
     furthest apart. The frames may come in any order; the contact point is that of the first given.
+    `inset_parts`, `heading_parts`: their u in parts.
     """
 
     height: Height
@@ -55,6 +56,8 @@ class MultiHeight:
     u_heading_rad: float | None = None
     travel_m: float | None = None
     frames: int = 0
+    inset_parts: Parts | None = None
+    heading_parts: Parts | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -261,9 +264,9 @@ def _cost(at: _Linear, theta: Floats, prior: Floats, sigma: float) -> float:
 
 def _budget(
     pose: RoadPose, at: _Linear, sigma: float, u_heading: float | None
-) -> tuple[dict[str, Floats], Floats] | None:
-    """Effect of each source on theta: variances (F + 5,) by source; and the covariance of clicks and
-    heading.
+) -> tuple[dict[str, Floats], Floats, Floats] | None:
+    """Effect of each source on theta: variances (F + 5,) by source; its derivatives by lens and pose
+    (F + 5, n + 6); what one u of the assumed heading does to it (F + 5,).
     """
     frames = at.jacobian.shape[1] - 5
     prior = _prior(frames, u_heading)
@@ -276,14 +279,15 @@ def _budget(
     answer = -covariance @ at.jacobian.T / sigma**2
     # a variance of 0 may come out of rounding as less
     out = {"clicks": np.maximum(np.diag(covariance @ information @ covariance), 0.0)}
+    turned = covariance[:, frames + 1] * np.sqrt(prior[frames + 1])
     if u_heading is not None:
-        out["heading"] = np.maximum(np.diag(covariance @ np.diag(prior) @ covariance), 0.0)
+        out["heading"] = np.square(turned)
     moved = answer @ at.by_lens_pose
     if pose.covariance is not None:
         out["lens and pose"] = np.maximum(np.einsum("ij,jk,ik->i", moved, pose.covariance, moved), 0.0)
     for source, part in board_parts(pose).items():
         out[source] = np.square(moved[:, -6:] @ part).sum(axis=1)
-    return out, np.asarray(covariance, dtype=np.float64)
+    return out, np.asarray(moved, dtype=np.float64), np.asarray(turned, dtype=np.float64)
 
 
 def _reported(
@@ -305,7 +309,8 @@ def _reported(
     reason = implausible_inset(inset)
     if reason is not None:
         return MultiHeight(not_measurable(reason))
-    variances = np.sum(list(found[0].values()), axis=0)
+    sources, moved, turned = found
+    variances = np.sum(list(sources.values()), axis=0)
     u_heading_out, _, u_inset, u_height = (float(v) for v in np.sqrt(variances[frames + 1 :]))
     x, y = float(theta[0]), float(theta[1])
     result = Height(
@@ -319,9 +324,13 @@ def _reported(
         distance_m=float(np.linalg.norm(pose.centre_m - [x, y, 0.0])),
         inset_m=inset,
         u_inset_m=u_inset,
-        budget=tuple(BudgetEntry(name, float(np.sqrt(v[-1]))) for name, v in found[0].items()),
+        budget=tuple(BudgetEntry(name, float(np.sqrt(v[-1]))) for name, v in sources.items()),
         flags=_flags(pose, at, theta, sigma, u_inset),
     )
+
+    def parts(which: int) -> Parts:
+        return Parts(float(np.sqrt(sources["clicks"][which])), moved[which], float(turned[which]))
+
     return MultiHeight(
         height=result,
         solved_inset_m=inset,
@@ -330,6 +339,8 @@ def _reported(
         u_heading_rad=u_heading_out,
         travel_m=_span(theta, frames),
         frames=frames,
+        inset_parts=parts(frames + 3),
+        heading_parts=parts(frames + 1),
     )
 
 

@@ -39,9 +39,14 @@ class Seen:
     speed_px_s: Floats
 
 
+def middle_s(tracks: Tracks) -> float:
+    """The middle of the first and the last of the times, seconds (CONVENTIONS.md, Whole passes)."""
+    return float(0.5 * (tracks.time_s.min() + tracks.time_s.max()))
+
+
 def since_middle(tracks: Tracks) -> Floats:
-    """Times (N,), seconds, from the middle of the first and the last (CONVENTIONS.md, Whole passes)."""
-    return np.asarray(tracks.time_s - 0.5 * (tracks.time_s.min() + tracks.time_s.max()), dtype=np.float64)
+    """Times (N,), seconds, from `middle_s` (CONVENTIONS.md, Whole passes)."""
+    return np.asarray(tracks.time_s - middle_s(tracks), dtype=np.float64)
 
 
 def seen(pose: RoadPose, tracks: Tracks, t_s: Floats, row_time_s: float, unknowns: Floats) -> Seen:

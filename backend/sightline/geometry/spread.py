@@ -14,20 +14,24 @@ _FAR = 4.0
 
 @dataclass(frozen=True)
 class Spread:
-    """Weighted mean, its standard uncertainty, and the standard deviation between the things themselves."""
+    """Weighted mean, its standard uncertainty, the standard deviation between the things themselves, their
+    number, and what of the mean's uncertainty falls with it.
+    """
 
     mean: float
     u_mean: float
     between: float
     count: int
+    u_own: float
 
 
-def mean_and_spread(values: ArrayLike, u: ArrayLike) -> Spread:
-    """Mean of N >= 1 `values` (N,) with standard uncertainties `u` (N,), any one unit, each thing having a
-    value of its own.
+def mean_and_spread(values: ArrayLike, u: ArrayLike, shared: ArrayLike = 0.0) -> Spread:
+    """Mean of N >= 1 `values` (N,) with standard uncertainties `u` (N,) of their own, any one unit, each
+    thing having a value of its own; `shared` (N, N): covariance of what they have in common beside.
 
     The spread between things is that which makes the weighted squares come out as N - 1 (Paule and Mandel
-    1982), 0 where the uncertainties explain all scatter. One value tells nothing of a spread.
+    1982), 0 where the uncertainties explain all scatter. One value tells nothing of a spread. What they share
+    is in the mean whole, however many they are (JCGM 100:2008, 5.2.2).
     """
     x = np.asarray(values, dtype=np.float64).ravel()
     variance = np.maximum(np.asarray(u, dtype=np.float64).ravel(), _LEAST_U) ** 2
@@ -42,7 +46,16 @@ def mean_and_spread(values: ArrayLike, u: ArrayLike) -> Spread:
         high = float(np.square(x - x.mean()).sum()) + float(variance.max())
         between2 = float(scipy.optimize.brentq(excess, 0.0, high)) if excess(high) < 0.0 else high
     w = 1.0 / (variance + between2)
-    return Spread(float(w @ x / w.sum()), float(w.sum() ** -0.5), float(np.sqrt(between2)), len(x))
+    own2, share = 1.0 / float(w.sum()), w / w.sum()
+    common = np.broadcast_to(np.asarray(shared, dtype=np.float64), (len(x), len(x)))
+    common2 = max(float(share @ common @ share), 0.0)
+    return Spread(
+        float(share @ x),
+        float(np.sqrt(own2 + common2)),
+        float(np.sqrt(between2)),
+        len(x),
+        float(np.sqrt(own2)),
+    )
 
 
 def outliers(

@@ -1,13 +1,15 @@
 """What the traffic itself says of a pose: the direction of travel from both tyre contacts of vehicles."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy
 from numpy.typing import ArrayLike
 
-from sightline.geometry.arrays import Bools, Floats, frozen
-from sightline.geometry.camera import undistort
+from sightline.geometry.arrays import Bools, Floats, frozen, skew
+from sightline.geometry.camera import project_with_jacobians, undistort
+from sightline.geometry.height import Parts, shared_covariance
 from sightline.geometry.ray_intersection import MIN_DEPRESSION
 from sightline.geometry.road import road_point
 from sightline.geometry.road_pose import RoadPose
@@ -24,18 +26,24 @@ _LEAST_SCALE_RAD = float(np.deg2rad(0.1))  # vehicles keep no straighter course 
 @dataclass(frozen=True)
 class Heading:
     """A vehicle's direction of travel against the road's X axis, whichever way it goes; and from how far
-    apart its contacts are. `u_base_m`: that of the clicks on both tyres; None of a travel between frames.
+    apart its contacts are. `u_heading_rad`: that of the clicks; `parts` tells what vehicles share beside.
+    `u_base_m`: that of the clicks on both tyres; None of a travel between frames.
     """
 
     heading_rad: float
-    u_heading_rad: float
+    parts: Parts
     base_m: float
     u_base_m: float | None = None
+
+    @property
+    def u_heading_rad(self) -> float:
+        """Of the vehicle's own clicks."""
+        return self.parts.u_own
 
 
 @dataclass(frozen=True, eq=False)
 class Headings:
-    """Headings of N vehicles (NaN where there is none), which were used, and their summary.
+    """Headings of N vehicles, which were used, and their summary.
 
     `spread_rad`: standard deviation between vehicles beyond what clicks explain. `proposed`: whether the mean
     differs from 0 by more than the 95 % interval of Student's t; turning the road by `mean_rad` about Z
@@ -56,8 +64,8 @@ def headings_of_pairs(
     """Direction of travel from both tyre contacts of N vehicles, `first_px`, `second_px` (N, 2), radians
     against X, or the reason why there is none.
 
-    CONVENTIONS.md, Direction of travel. u is that of the clicks alone, by central differences of the road
-    points (JCGM 100:2008, 5.1.3).
+    CONVENTIONS.md, Direction of travel. u is that of the clicks, by central differences of the road points
+    (JCGM 100:2008, 5.1.3); the derivative by lens and pose is that of where the clicks' rays meet the road.
     """
     clicks = np.stack([np.asarray(c, dtype=np.float64).reshape(-1, 2) for c in (first_px, second_px)], axis=1)
     moves = np.zeros((9, 2, 2))
@@ -73,10 +81,30 @@ def headings_of_pairs(
         sigma_px * np.linalg.norm((of[:, 2::2] - of[:, 1::2]) / (2.0 * _STEP_PX), axis=1)
         for of in (angle, lengths)
     )
+    by = _by_lens_pose(pose, road[:, 0])
     return [
-        _why_none(pose, pair, float(b), float(w)) or Heading(float(a), float(w), float(b), float(ub))
-        for pair, a, w, b, ub in zip(clicks, angle[:, 0], u, base, u_base, strict=True)
+        _why_none(pose, pair, float(b), float(w))
+        or Heading(float(a), Parts(float(w), g), float(b), float(ub))
+        for pair, a, w, g, b, ub in zip(clicks, angle[:, 0], u, by, base, u_base, strict=True)
     ]
+
+
+def _by_lens_pose(pose: RoadPose, road: Floats) -> Floats:
+    """Derivatives (N, n + 6) by lens and pose of the directions between pairs of road points (N, 2, 2) that
+    are seen in the same places: dXY = -(dp/dXY)^-1 dp/dk (implicit function).
+    """
+    points = np.concatenate([road, np.zeros((len(road), 2, 1))], axis=2).reshape(-1, 3)
+    at_cam = pose.to_camera(points)
+    with np.errstate(all="ignore"):
+        _, by_point, by_lens = project_with_jacobians(pose.camera, at_cam)
+        by = np.concatenate([by_lens, by_point @ -skew(at_cam), by_point], axis=2)
+        on_road = (by_point @ pose.rotation)[:, :, :2]
+        across = np.stack([on_road[:, 1, 1], -on_road[:, 0, 1], -on_road[:, 1, 0], on_road[:, 0, 0]], axis=1)
+        inverse = across.reshape(-1, 2, 2) / np.linalg.det(on_road)[:, None, None]
+        moved = (-inverse @ by).reshape(len(road), 2, 2, by.shape[2])
+        step, change = road[:, 1] - road[:, 0], moved[:, 1] - moved[:, 0]
+        turn = step[:, :1] * change[:, 1] - step[:, 1:] * change[:, 0]
+        return np.asarray(turn / np.square(step).sum(axis=1)[:, None], dtype=np.float64)
 
 
 def heading_of_pair(
@@ -115,23 +143,25 @@ def _why_none(pose: RoadPose, pair: Floats, base_m: float, u_rad: float) -> Said
     return None
 
 
-def summary_of_headings(heading_rad: ArrayLike, u_rad: ArrayLike) -> Headings | Said:
-    """Mean of headings, `heading_rad` (N,), with their own uncertainties, `u_rad` (N,), NaN where there is
-    none; or the reason why there is none.
+def summary_of_headings(pose: RoadPose, headings: Sequence[Heading]) -> Headings | Said:
+    """Mean of the headings of N vehicles, all of `pose`; or the reason why there is none.
 
     Vehicles that stray from the others beyond four times their own u and the robust scatter (a click on
     another vehicle's tyre, a change of lane) are left out. CONVENTIONS.md, Direction of travel: the mean of
-    Paule and Mandel 1982; a turn is proposed where it differs from 0 by Student's t at 95 %.
+    Paule and Mandel 1982, what lens, pose and board turn all of them by whole in it; a turn is proposed where
+    it differs from 0 by Student's t at 95 %, degrees of freedom by Welch and Satterthwaite (JCGM 100:2008,
+    G.4.1).
     """
-    values, u = np.asarray(heading_rad, dtype=np.float64), np.asarray(u_rad, dtype=np.float64)
-    used = np.isfinite(values) & np.isfinite(u)
-    if used.any():
-        used[used] = ~outliers(values[used], u[used], least=_LEAST_SCALE_RAD)
+    values = np.array([one.heading_rad for one in headings], dtype=np.float64)
+    u = np.array([one.u_heading_rad for one in headings], dtype=np.float64)
+    used = ~outliers(values, u, least=_LEAST_SCALE_RAD) if len(values) else np.zeros(0, dtype=np.bool_)
     if used.sum() < LEAST_VEHICLES:
         return Said("traffic-few-vehicles", least=LEAST_VEHICLES, usable=int(used.sum()))
-    found = mean_and_spread(values[used], u[used])
+    shared = shared_covariance(pose, [one.parts for one, good in zip(headings, used, strict=True) if good])
+    found = mean_and_spread(values[used], u[used], shared)
     away = abs(found.mean) / found.u_mean
-    proposed = bool(away > scipy.stats.t.ppf(0.975, found.count - 1))
+    freedom = (found.count - 1) * (found.u_mean / found.u_own) ** 4
+    proposed = bool(away > scipy.stats.t.ppf(0.975, freedom))
     return Headings(
         heading_rad=frozen(values),
         used=used,

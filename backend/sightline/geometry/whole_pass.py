@@ -7,7 +7,7 @@ Points are weighted by their full covariance (followed_tracks.py), so the estima
 (Aitken 1936) and meets the Cramer-Rao bound where the noise is as stated. No published method is known.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 import scipy
@@ -24,9 +24,10 @@ from sightline.geometry.followed_tracks import (
     TARGET,
     Following,
     Tracks,
+    clicked_at_s,
     noise_parts,
 )
-from sightline.geometry.height import BudgetEntry, Height, left_out, not_measurable
+from sightline.geometry.height import BudgetEntry, Height, Parts, left_out, not_measurable
 from sightline.geometry.insets import implausible_inset
 from sightline.geometry.multiframe import LEAST_TRAVEL_M, U_HEADING_RAD
 from sightline.geometry.pass_model import (
@@ -40,6 +41,7 @@ from sightline.geometry.pass_model import (
     X,
     Y,
     first_estimate,
+    middle_s,
     seen,
     since_middle,
 )
@@ -75,12 +77,13 @@ class Solved:
 
 @dataclass(frozen=True)
 class WholePass:
-    """A height from a whole pass; the solved numbers are None where there is none. `speed_mps` is positive in
-    the road's +X. `wheelbase_m` is None without a second contact, `acceleration_mps2` where a constant speed
+    """A height from a whole pass; the solved numbers are None where there is none. Contact and distance are
+    those of the frame clicked on; `speed_mps` is that of the pass's middle, positive in the road's +X.
+    `wheelbase_m` is None without a second contact, `acceleration_mps2` where a constant speed
     explains the points. `u_random_height_m`: what no other vehicle shares.
 
     `chi2` with `freedom`, and the chance of a larger one; `covariance` (k, k) of `solved_for` (k names), all
-    sources together.
+    sources together. `inset_parts`: u of the inset in parts; None where something was assumed of it.
     """
 
     height: Height
@@ -97,6 +100,7 @@ class WholePass:
     dropped: tuple[Dropped, ...] = ()
     solved_for: tuple[str, ...] = ()
     covariance: tuple[tuple[float, ...], ...] = ()
+    inset_parts: Parts | None = None
 
 
 _NAMES = ("x_m", "y_m", "heading_rad", "speed_mps", "ahead_m", "inset_m", "height_m", "wheelbase_m",
@@ -171,7 +175,9 @@ def measure_pass(
             return WholePass(not_measurable(found), dropped=tuple(dropped))
         worst = _worst(found, part)
         if worst is None:
-            return _reported(pose, part, following, priors, found, tuple(dropped))
+            middle_row = 0.5 * (pose.camera.height_px - 1)
+            since_s = clicked_at_s(tracks, following, middle_row) - middle_s(part)
+            return _reported(pose, part, following, priors, found, since_s, tuple(dropped))
         row, off_px, times = worst
         index = int(np.flatnonzero(kept)[row])
         off = Said("followed-off", off_px=round(off_px, 1), times=round(times, 1))
@@ -402,12 +408,41 @@ def _sources(
     return own, shared
 
 
+def _inset_parts(following: Following, priors: _Priors, fit: _Fit, own: Floats) -> Parts | None:
+    """`own` (k, k): covariance of what is this vehicle's alone. None where the inset rests on a prior."""
+    if any(one.which == INSET for one in priors):
+        return None
+    row = fit.answer[INSET]
+    by_heading = sum(float(fit.covariance[INSET, one.which]) / one.u for one in priors)
+    by_row_time = float(row @ fit.at.by_row_time) * following.u_row_time_s
+    return Parts(_root(own[INSET, INSET]), -row @ fit.at.by_lens_pose, by_heading, by_row_time)
+
+
+def _as_told(fit: _Fit, since_s: float) -> tuple[Floats, Floats]:
+    """The unknowns (9,) with the contact where it was `since_s` after the middle of the pass and the
+    wheelbase without its sign; and the derivatives of the free ones by the free unknowns, (k, k).
+    """
+    heading, speed, acceleration = (float(fit.unknowns[i]) for i in (HEADING, SPEED, ACCELERATION))
+    along = np.array([np.cos(heading), np.sin(heading)])
+    way = speed * since_s + 0.5 * acceleration * since_s**2
+    facing = -1.0 if fit.unknowns[WHEELBASE] < 0 else 1.0
+    told, by = np.array(fit.unknowns), np.eye(9)
+    told[[X, Y]] += way * along
+    told[WHEELBASE] *= facing
+    by[[X, Y], HEADING] = -way * along[1], way * along[0]
+    by[[X, Y], SPEED] = since_s * along
+    by[[X, Y], ACCELERATION] = 0.5 * since_s**2 * along
+    by[WHEELBASE, WHEELBASE] = facing
+    return told, by[np.ix_(fit.free, fit.free)]
+
+
 def _reported(
     pose: RoadPose,
     tracks: Tracks,
     following: Following,
     priors: _Priors,
     fit: _Fit,
+    clicked_since_s: float,
     dropped: tuple[Dropped, ...],
 ) -> WholePass:
     if fit.unknowns[HEIGHT] <= 0:
@@ -416,7 +451,9 @@ def _reported(
     if reason is not None:
         return WholePass(not_measurable(reason), dropped=dropped)
     own, shared = _sources(pose, following, priors, fit)
-    total = np.sum([*own.values(), *shared.values()], axis=0)
+    alone = np.sum(list(own.values()), axis=0)
+    told, by = _as_told(fit, clicked_since_s)
+    total = by @ np.sum([alone, *shared.values()], axis=0) @ by.T
     freedom = 2 * len(tracks.frame) - len(fit.free) + len(priors)
     chance = float(scipy.stats.chi2.sf(fit.cost, freedom))
     place = {name: int(i) for i, name in enumerate(fit.free)}
@@ -424,14 +461,14 @@ def _reported(
     def solved(which: int) -> Solved | None:
         if which not in place:
             return None
-        return Solved(float(fit.unknowns[which]), _root(total[place[which], place[which]]))
+        return Solved(float(told[which]), _root(total[place[which], place[which]]))
 
     def of_height(part: Floats) -> float:
         return _root(part[HEIGHT, HEIGHT])
 
     u_height, inset = of_height(total), solved(INSET)
     assert inset is not None  # every pass is solved for its inset
-    x, y = float(fit.unknowns[X]), float(fit.unknowns[Y])
+    x, y = float(told[X]), float(told[Y])
     height = Height(
         status="ok",
         reason=None,
@@ -446,14 +483,13 @@ def _reported(
         budget=tuple(BudgetEntry(name, of_height(part)) for name, part in {**own, **shared}.items()),
         flags=_flags(pose, inset, chance),
     )
-    wheelbase = solved(WHEELBASE)
     return WholePass(
         height=height,
-        u_random_height_m=of_height(np.sum(list(own.values()), axis=0)),
+        u_random_height_m=of_height(alone),
         inset_m=inset,
         heading_rad=solved(HEADING),
         speed_mps=solved(SPEED),
-        wheelbase_m=None if wheelbase is None else replace(wheelbase, value=abs(wheelbase.value)),
+        wheelbase_m=solved(WHEELBASE),
         acceleration_mps2=solved(ACCELERATION),
         chi2=fit.cost,
         freedom=freedom,
@@ -462,6 +498,7 @@ def _reported(
         dropped=dropped,
         solved_for=tuple(_NAMES[i] for i in fit.free),
         covariance=tuple(tuple(float(v) for v in row) for row in total),
+        inset_parts=_inset_parts(following, priors, fit, alone),
     )
 
 

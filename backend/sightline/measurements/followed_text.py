@@ -13,12 +13,13 @@ from sightline.geometry.followed_tracks import POINT_NAMES, Following, Tracks
 from sightline.infra.audit.hashing import canonical_json
 
 _DECIMALS = 4  # of a pixel
-_OF_FOLLOWING = ("confirmed_px", "view_px", "u_depth_share")
+_OF_FOLLOWING = ("confirmed_px", "view_px", "u_depth_share", "u_time_s")
+_LATER = {"u_time_s": 0.0}  # what texts of earlier versions lack
 
 
 def text_of(tracks: Tracks, following: Following) -> str:
-    """RFC 8785 JSON: `begun_on`, `confirmed_px`, `view_px`, `u_depth_share`, `matched` and `points`, a list
-    of frame, time (s), point, x, y and the standard uncertainty of both (px).
+    """RFC 8785 JSON: `begun_on`, `confirmed_px`, `view_px`, `u_depth_share`, `u_time_s`, `matched` and
+    `points`, a list of frame, time (s), point, x, y and the standard uncertainty of both (px).
     """
     sigma = np.broadcast_to(tracks.sigma_px.reshape(len(tracks.frame), -1), (len(tracks.frame), 2))
     points = [
@@ -41,7 +42,7 @@ def text_of(tracks: Tracks, following: Following) -> str:
 def read_text(text: str) -> tuple[Tracks, Following]:
     """What `text_of` wrote. Raises Damaged for another text."""
     try:
-        document: dict[str, Any] = json.loads(text)
+        document: dict[str, Any] = {**_LATER, **json.loads(text)}
         rows = document["points"]
         table = np.array([[row[0], row[1], *row[3:7]] for row in rows], dtype=np.float64).reshape(-1, 6)
         following = Following(

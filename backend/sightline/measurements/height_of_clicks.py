@@ -10,6 +10,7 @@ import math
 import threading
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Annotated, Any
 
 import numpy as np
@@ -21,6 +22,7 @@ from sightline.geometry.documents import pose_from_dict
 from sightline.geometry.height import (
     BudgetEntry,
     Height,
+    Parts,
     height_both,
     measure_height,
     measure_with_budgets,
@@ -40,6 +42,7 @@ DEFAULT_SIGMA_PX = 1.0
 # Insets are kept to the micrometre: that is what the CSV carries, so an export recomputes to the same figure.
 _INSET_DECIMALS = 6
 _MOST_POSES = 32
+_MOST_SOLVED = 1024
 SIDE_FROM_PLACE = Said("height-flag-side-from-place")
 
 
@@ -225,9 +228,29 @@ def measured_pass(pose: RoadPose, clicks: Clicks) -> WholePass:
     return measure_pass(pose, *read_text(clicks.followed), assumed_inset=assumed)
 
 
+@dataclass(frozen=True, slots=True)
+class SolvedInset:
+    """An inset that several frames or a whole pass tell, nothing assumed of it, metres; its u in parts."""
+
+    inset_m: float
+    parts: Parts
+
+
+@lru_cache(_MOST_SOLVED)
+def inset_alone(pose: RoadPose, clicks: Clicks) -> SolvedInset | None:
+    """None where the clicks do not tell it. A whole pass takes long to solve and never changes: kept."""
+    if clicks.followed is None:
+        of_frames = measured_frames(pose, clicks)
+        inset_m, parts = of_frames.solved_inset_m, of_frames.inset_parts
+    else:
+        of_pass = measure_pass(pose, *read_text(clicks.followed))
+        inset_m, parts = None if of_pass.inset_m is None else of_pass.inset_m.value, of_pass.inset_parts
+    return None if inset_m is None or parts is None else SolvedInset(inset_m, parts)
+
+
 def _of_whole_pass(clicks: Clicks, first: Height, uncorrected: Height, found: WholePass) -> Answer:
     out = replace(
-        _answered(clicks, found.height, uncorrected),
+        _answered(clicks, _with_flags(clicks, found.height), uncorrected),
         frames=found.frames,
         single=SingleFrame(first.height_m, first.u_height_m, first.U95_height_m),
     )

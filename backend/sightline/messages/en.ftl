@@ -1243,6 +1243,8 @@ adjust-moved-bow_along_rows_m = board bow along its rows
 adjust-moved-bow_down_columns_m = board bow along its columns
 adjust-moved-wheelbase_common_m = error common to all wheelbases
 adjust-moved-roof_common_m = error common to all roofs
+adjust-moved-roof_inset_common_m = error common to all roofs of one assumed inset
+adjust-common-of = { $what } ({ $length })
 adjust-left-title = Not used
 adjust-left-none = All observations are used.
 adjust-of-tyres = tyres
@@ -7078,6 +7080,7 @@ adjustment-common-far-off = One value is far from 0 for its stated u of { $u } {
     [bow_along_rows_m] { adjust-moved-bow_along_rows_m }
     [bow_down_columns_m] { adjust-moved-bow_down_columns_m }
     [wheelbase_common_m] { adjust-moved-wheelbase_common_m }
+    [roof_inset_common_m] { adjust-moved-roof_inset_common_m }
    *[roof_common_m] { adjust-moved-roof_common_m }
  }. Check that the known lengths refer to the points that were followed.
 adjustment-points-scatter = The points scatter { NUMBER($factor, minimumFractionDigits: 1, maximumFractionDigits: 1) } times as much as stated; their uncertainties were multiplied by this factor.

@@ -1241,6 +1241,8 @@ adjust-moved-bow_along_rows_m = flèche de la mire le long des rangées
 adjust-moved-bow_down_columns_m = flèche de la mire le long des colonnes
 adjust-moved-wheelbase_common_m = erreur commune à tous les empattements
 adjust-moved-roof_common_m = erreur commune à tous les toits
+adjust-moved-roof_inset_common_m = erreur commune à tous les toits de même retrait supposé
+adjust-common-of = { $what } ({ $length })
 adjust-left-title = Non utilisées
 adjust-left-none = Toutes les observations sont utilisées.
 adjust-of-tyres = pneus
@@ -7135,6 +7137,7 @@ adjustment-common-far-off = Une valeur est loin de 0 pour son u indiquée de { $
     [bow_along_rows_m] { adjust-moved-bow_along_rows_m }
     [bow_down_columns_m] { adjust-moved-bow_down_columns_m }
     [wheelbase_common_m] { adjust-moved-wheelbase_common_m }
+    [roof_inset_common_m] { adjust-moved-roof_inset_common_m }
    *[roof_common_m] { adjust-moved-roof_common_m }
  }. Vérifiez que les longueurs connues se rapportent aux points suivis.
 adjustment-points-scatter = Les points se dispersent { NUMBER($factor, minimumFractionDigits: 1, maximumFractionDigits: 1) } fois plus qu’indiqué ; leurs incertitudes ont été multipliées par ce facteur.

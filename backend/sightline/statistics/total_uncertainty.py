@@ -18,7 +18,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from sightline.coverage import COVERAGE_95
+from sightline.coverage import COVERAGE_95, MEAN_OF_INSET
 from sightline.enums import IntervalPart
 from sightline.messages.said import Said
 from sightline.statistics.deconvolution import SmoothDensity, noise_of, smooth_density
@@ -39,7 +39,6 @@ _SHAPE = 0.1  # of a correction for random error: what a density of another shap
 _SMOOTHED = 0.5  # spreads, on either side of a percentile: heights by which sites are compared there
 _WINDOW = 0.10  # of all heights, on either side of a percentile: those that say which groups it rests on
 _LEAST_IN_WINDOW = 25
-_MEAN_OF_INSET = 0.5  # of an assumed inset's variance: its mean's, the rest is the vehicles' own
 _LARGEST = 30.0  # of the logarithm of a variance's ratio, beyond which numbers end
 _NODES = 20_000  # at which smooth functions of more heights are computed
 
@@ -111,9 +110,9 @@ def sample_of_measurements(
     by_pose = np.sqrt(np.maximum(np.nan_to_num(u_height_m) ** 2 - clicks**2 - by_inset**2, 0.0))
     shared = (
         SharedErrors(pose, by_pose, pose_names),
-        SharedErrors(inset, by_inset * np.sqrt(_MEAN_OF_INSET)),
+        SharedErrors(inset, by_inset * np.sqrt(MEAN_OF_INSET)),
     )
-    random = np.sqrt(clicks**2 + (1.0 - _MEAN_OF_INSET) * by_inset**2)
+    random = np.sqrt(clicks**2 + (1.0 - MEAN_OF_INSET) * by_inset**2)
     return HeightSample(height_m, random, tuple(one for one in shared if np.any(one.u_m > 0.0)), site)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 
 from sightline.enums import FollowedPoint, Point
 from sightline.errors import BadInput
@@ -121,8 +122,9 @@ def _followed(
     require_clock_of_filming(opened.recording.report.get("clock_doubt"), opened.recording.name)
     first = max(min(vehicle.first_frame, clicks.frame), clicks.frame - MOST_FRAMES)
     last = min(max(vehicle.last_frame, clicks.frame), clicks.frame + MOST_FRAMES, len(opened.media) - 1)
+    tick_s = float(Fraction(opened.recording.report.get("time_base", 0)))
     frames = [
-        PassFrame(n, float(opened.time_s[n]), stills.gray(vehicle.recording_id, n))
+        PassFrame(n, float(opened.time_s[n]), stills.gray(vehicle.recording_id, n), tick_s)
         for n in range(first, last + 1)
     ]
     points = {CONTACT: clicks.contact, TARGET: clicks.target_point}

@@ -40,11 +40,11 @@ def frames_between(
             pts, base = frame_pts(frame), frame.time_base
             if pts == NO_PTS or base is None:
                 raise BadInput("video-no-times-follow", name=name)
-            out.append(PassFrame(n, float(pts * base), upright_gray(frame, layout)))
+            out.append(PassFrame(n, float(pts * base), upright_gray(frame, layout), float(base)))
         stated = stated_of(container, path)
     time_s = np.array([one.time_s for one in out])
     if filmed_hz is None:
         require_clock_of_filming(clock_doubt_of(time_s, stated), name)
         return out
     times = times_of_filming(time_s, filmed_hz, name)
-    return [replace(one, time_s=float(at)) for one, at in zip(out, times, strict=True)]
+    return [replace(one, time_s=float(at), tick_s=0.0) for one, at in zip(out, times, strict=True)]

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from typing import Annotated, get_args
 
 import numpy as np
+import scipy
 from pydantic import Field
 
 from sightline.coverage import COVERAGE_95
 from sightline.enums import InsetMethod, InsetName, InsetPlace, Target
+from sightline.geometry.height import shared_covariance
 from sightline.geometry.inset_trend import (
     InsetEstimate,
     Sightings,
@@ -22,10 +24,12 @@ from sightline.geometry.inset_trend import (
     together,
 )
 from sightline.geometry.insets import INSET_CHOICES, USUAL_INSETS, bias_m, inset_name, target_of
+from sightline.geometry.road_pose import RoadPose
 from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
+from sightline.measurements.height_of_clicks import SolvedInset, inset_alone
 from sightline.measurements.records import Measurement, VehicleSheet
-from sightline.measurements.service import road_pose
+from sightline.measurements.service import clicked_again, road_pose
 from sightline.measurements.sheets.query import list_sheets
 from sightline.measurements.store import list_measurements
 from sightline.messages.said import Said
@@ -202,7 +206,7 @@ def _inset(
     fitting = [one for one in standing if not _is_other_choice(one, in_force)]
     rows = _rows(session, fitting)
     estimates = [_from_known(rows, known)] if target == "roof" else []
-    estimates += [_from_trend(rows, known), _from_solved(fitting, known)]
+    estimates += [_from_trend(rows, known), _from_solved(session, fitting, known)]
     default = USUAL_INSETS[name][:2]
     return TargetInsets(
         name=name,
@@ -227,11 +231,9 @@ def _is_other_choice(one: Measurement, in_force: Inset) -> bool:
 def _rows(session: Session, made: Sequence[Measurement]) -> _Rows:
     """The uncorrected heights of measurements, each under the pose that it was measured with."""
     parts, kept = [], []
-    by_pose = sorted(made, key=lambda one: one.values.pose_id)
-    for pose_id, group in groupby(by_pose, key=lambda one: one.values.pose_id):
-        of_pose = list(group)
+    for pose, of_pose in _by_pose(session, made):
         seen, fine = sightings(
-            road_pose(session, pose_id),
+            pose,
             [one.values.contact for one in of_pose],
             [one.values.target_point for one in of_pose],
             [one.values.sigma_px for one in of_pose],
@@ -239,6 +241,12 @@ def _rows(session: Session, made: Sequence[Measurement]) -> _Rows:
         parts.append(seen)
         kept += [one for one, good in zip(of_pose, fine, strict=True) if good]
     return _Rows(tuple(kept), together(parts) if kept else None)
+
+
+def _by_pose(session: Session, made: Sequence[Measurement]) -> Iterator[tuple[RoadPose, list[Measurement]]]:
+    ordered = sorted(made, key=lambda one: one.values.pose_id)
+    for pose_id, group in groupby(ordered, key=lambda one: one.values.pose_id):
+        yield road_pose(session, pose_id), list(group)
 
 
 def _from_known(rows: _Rows, known: dict[int, VehicleSheet]) -> Estimate:
@@ -262,17 +270,26 @@ def _from_trend(rows: _Rows, known: dict[int, VehicleSheet]) -> Estimate:
     return _estimate("trend", inset_from_trend(rows.seen), rows.made, known)
 
 
-def _from_solved(made: Sequence[Measurement], known: dict[int, VehicleSheet]) -> Estimate:
-    solved = [
-        one
-        for one in made
-        if one.values.solved_inset_m is not None and one.values.u_solved_inset_m is not None
-    ]
+def _from_solved(session: Session, made: Sequence[Measurement], known: dict[int, VehicleSheet]) -> Estimate:
+    """Of several frames and whole passes, each solved with nothing assumed of its inset: an average of what
+    rests on the assumed one would count that once for each vehicle.
+    """
+    several = [one for one in made if one.values.more_frames or one.values.followed is not None]
+    solved: list[tuple[Measurement, SolvedInset]] = []
+    shared = [np.zeros((0, 0))]
+    for pose, group in _by_pose(session, several):
+        alone = [
+            (one, inset_alone(pose, clicked_again(one.values, *one.values.first_clicks))) for one in group
+        ]
+        good = [(one, inset) for one, inset in alone if inset is not None]
+        solved += good
+        shared.append(shared_covariance(pose, [inset.parts for _, inset in good]))
     found = inset_from_solved(
-        [one.values.solved_inset_m or 0.0 for one in solved],
-        [one.values.u_solved_inset_m or 0.0 for one in solved],
+        [inset.inset_m for _, inset in solved],
+        [inset.parts.u_own for _, inset in solved],
+        scipy.linalg.block_diag(*shared),
     )
-    return _estimate("two_frames", found, solved, known)
+    return _estimate("two_frames", found, [one for one, _ in solved], known)
 
 
 def _estimate(

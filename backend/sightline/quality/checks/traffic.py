@@ -41,7 +41,9 @@ _SAME_TURN_RAD = 1e-6
 
 @dataclass(frozen=True)
 class VehicleHeading:
-    """A vehicle's direction of travel against the road's X axis; `reason`: why it has none or is unused."""
+    """A vehicle's direction of travel against the road's X axis, with the u of its own clicks; `reason`: why
+    it has none or is unused.
+    """
 
     vehicle_id: int
     number: int
@@ -144,7 +146,7 @@ def check_pose(
         pose, [v for v in passes if v.recording_id in ids], [p for p in pairs if p.recording_id in ids]
     )
     good = [one.found for one in told if isinstance(one.found, Heading)]
-    summary = summary_of_headings([one.heading_rad for one in good], [one.u_heading_rad for one in good])
+    summary = summary_of_headings(pose, good)
     used = iter(summary.used if isinstance(summary, Headings) else [True] * len(good))
     shown = tuple(_shown(one, bool(next(used)) if isinstance(one.found, Heading) else False) for one in told)
     stored = get_pose(session, pose_id)
@@ -213,9 +215,9 @@ def _from_frames(pose: RoadPose, made: Sequence[Measurement]) -> tuple[int, Head
             continue
         values = one.values
         solved = measure_frames(pose, values.contacts, values.target_points, values.sigma_px, None)
-        if solved.heading_rad is None or solved.u_heading_rad is None or solved.travel_m is None:
+        if solved.heading_rad is None or solved.heading_parts is None or solved.travel_m is None:
             continue
-        heading = Heading(solved.heading_rad, solved.u_heading_rad, solved.travel_m)
+        heading = Heading(solved.heading_rad, solved.heading_parts, solved.travel_m)
         if best is None or heading.u_heading_rad < best[1].u_heading_rad:
             best = one.values.frame, heading
     return best
@@ -225,7 +227,8 @@ def _shown(one: _Told, used: bool) -> VehicleHeading:
     if isinstance(one.found, Said):
         return filled_from(VehicleHeading, one, used=False, reason=one.found)
     reason = None if used else Said("heading-outlier")
-    return filled_from(VehicleHeading, one, one.found, used=used, reason=reason)
+    u = one.found.u_heading_rad
+    return filled_from(VehicleHeading, one, one.found, used=used, u_heading_rad=u, reason=reason)
 
 
 def _verdict(found: Headings, changes: Changes) -> tuple[Said, ...]:

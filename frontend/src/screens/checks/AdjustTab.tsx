@@ -24,6 +24,7 @@ import {
   fixed,
   formatCount,
   formatHeight,
+  formatLength,
   formatSmall,
   lengthUnit,
   parseSmall,
@@ -206,6 +207,12 @@ function inItsUnit(name: string, value: number): string {
   return name.endsWith("_rad") ? `${fixed(value * MILLI, 2)} mrad` : formatSmall(value);
 }
 
+/** What moved; of the error common to one assumed inset, which inset. */
+function movedWords({ name, of_m }: PoseAdjustment["moved"][number]): string {
+  const what = MOVED[name] ?? "";
+  return of_m === null ? what : say("adjust-common-of", { what, length: formatLength(of_m, 2) });
+}
+
 function MovedTable({ found }: { found: PoseAdjustment }) {
   const named = found.moved.filter((one) => MOVED[one.name] && one.by_u !== null);
   return (
@@ -214,9 +221,9 @@ function MovedTable({ found }: { found: PoseAdjustment }) {
       caption={say("adjust-moved-title")}
       data-testid="moved"
       rows={named}
-      keyOf={(one) => one.name}
+      keyOf={(one) => `${one.name} ${one.of_m}`}
       columns={({ col, num }) => [
-        col(say("adjust-what"), (one) => MOVED[one.name]),
+        col(say("adjust-what"), movedWords),
         num(say("adjust-value"), (one) => inItsUnit(one.name, one.value)),
         { ...num(say("adjust-by-u"), (one) => scaled(one.by_u, 1, 1)), title: say("adjust-by-u-help") },
         num(say("adjust-u-before"), (one) => inItsUnit(one.name, one.u_before)),
