@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from datetime import timedelta
 from pathlib import Path
 
 import numpy as np
@@ -135,6 +134,40 @@ def stopped_at(wall: float) -> Clock:
     return Clock(wall=lambda: wall, steady=iter(range(10_000)).__next__)
 
 
+def kill(run: LiveRun) -> None:
+    """Leave its files as they are."""
+    left = run._segment
+    assert left is not None and left.journal is not None
+    for open_file in (left.journal, *(camera.spool for camera in left.cameras)):
+        assert open_file is not None
+        open_file.close()
+
+
+def test_what_a_killed_stream_left_has_its_places_in_the_files(
+    pair: tuple[Pixels, Pixels], clean: list[LiveVehicle], tmp_path: Path
+) -> None:
+    """Lines that were lost are not in the files, and take their time all the same."""
+    killed = live_run(lambda _: Played(pair, (Lost(1, 300, 40), Lost(2, 480, 30))), tmp_path)
+    found = killed.vehicles()
+    killed.told(next(found))
+    next(found)
+    kill(killed)
+    nothing = Played((pair[0][:0], pair[1][:0]))
+    second = next(live_run(lambda _: nothing, tmp_path).vehicles()).vehicle
+    seen, in_files = second.motion.crossings, second.columns
+    assert seen.front_line_1 == pytest.approx(clean[1].vehicle.motion.crossings.front_line_1, abs=1)
+    lost = [
+        a - b
+        for a, b in (
+            (seen.front_line_1, in_files.front_line_1),
+            (seen.rear_line_1, in_files.rear_line_1),
+            (seen.front_line_2, in_files.front_line_2),
+            (seen.rear_line_2, in_files.rear_line_2),
+        )
+    ]
+    assert lost == [40, 40, 30, 30]
+
+
 def test_line_0_came_before_the_piece_that_brought_it(
     pair: tuple[Pixels, Pixels], clean: list[LiveVehicle]
 ) -> None:
@@ -166,11 +199,7 @@ def test_a_followed_file_taken_up_an_hour_later_tells_when_its_lines_were_taken(
     monkeypatch.setattr("sightline.scans.live.run.LEAD_S", 0.3)
     killed = live_run(played, tmp_path, can_go_back=True, clock=stopped_at(1e9))
     killed.told(next(killed.vehicles()))
-    left = killed._segment
-    assert left is not None and left.journal is not None
-    for open_file in (left.journal, *(camera.spool for camera in left.cameras)):
-        assert open_file is not None
-        open_file.close()
+    kill(killed)
 
     later = stopped_at(1e9 + 3600)
     resumed = live_run(played, tmp_path, can_go_back=True, clock=later, keeper=Heard())
