@@ -48,7 +48,14 @@ class Follower:
         self._number += counted
         at, rate = passage.crossings, self._rig.line_rate_hz
         rear_s = at.rear_line_1 / rate if rear_seen(motion.reason) else None
-        return Vehicle(self._number, self._columns(at), motion, gap, at.front_line_1 / rate, rear_s)
+        return Vehicle(
+            number=self._number,
+            columns=self._columns(at),
+            motion=motion,
+            gap=gap,
+            front_s=at.front_line_1 / rate,
+            rear_s=rear_s,
+        )
 
 
 def measured(
