@@ -11,6 +11,7 @@ from tests.simulation.scan_strips import strips
 from tests.simulation.scan_traffic import Halt, ScanSite, ScanTruth, ScanVehicle, traffic, truths
 
 RIG = Rig(0.593, 4882.8)
+SLOW_RIG = Rig(0.593, 1220.7)
 SITE = ScanSite(rows=128, misalignment_px=0.4)
 Strips = tuple[np.ndarray, np.ndarray]
 
@@ -53,6 +54,18 @@ def side_by_side(against: bool) -> Strips:
 def stopping(wait_s: float) -> Strips:
     """A vehicle stops with its front 1.6 m beyond camera 1, waits and drives on."""
     return strips(SITE, (at(cars()[0], 0.9, 7.0, halt=Halt(1.6, wait_s)),))
+
+
+@lru_cache(maxsize=2)
+def standing(at_m: float) -> tuple[Strips, tuple[float, float]]:
+    """A vehicle stands for 7 s with its front so far beyond camera 1, another passes on the far lane, and the
+    next one comes 1.8 s after its rear; the seconds of that rear and of the next front. Of a slower rig.
+    """
+    stands = at(cars()[1], 1.2, 7.0, halt=Halt(at_m, 7.0))
+    rear_s = stands.clear_s(0.0)
+    behind = at(cars()[0], 7.0, 14.0, far=True)
+    site = replace(SITE, rows=64, line_rate_hz=SLOW_RIG.line_rate_hz)
+    return strips(site, (stands, behind, at(cars()[2], rear_s + 1.8, 12.0))), (rear_s, rear_s + 1.8)
 
 
 def found(pair: Strips, rig: Rig = RIG, piece: int = 1500) -> tuple[list[Passage], Finder]:

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from sightline.commands.scanned import row_of
 from sightline.errors import BadInput
 from sightline.linescan import finding
 from sightline.linescan.background import (
@@ -16,18 +17,22 @@ from sightline.linescan.background import (
     same_but_moved,
 )
 from sightline.linescan.direct import measure_direct
-from sightline.linescan.finding import CUT, NO_ROAD, STOPPED, TOO_LONG, Finder
+from sightline.linescan.finding import CUT, NO_ROAD, STOPPED, Finder
+from sightline.linescan.gaps import REAR_UNSEEN, gaps
 from sightline.linescan.methods import MEASURE
-from sightline.linescan.parts import Rig
+from sightline.linescan.parts import STOOD, TOO_LONG, Rig
+from sightline.linescan.passing import measured
 from tests.linescan.scenes import (
     RIG,
     SITE,
+    SLOW_RIG,
     cars,
     found,
     plain,
     plain_found,
     plain_truth,
     side_by_side,
+    standing,
     stopping,
     touching,
 )
@@ -130,6 +135,38 @@ def test_a_vehicle_that_stops_in_view_is_not_measured(wait_s):
         assert motions[0].reason == STOPPED
 
 
+@pytest.mark.parametrize("at_m", [0.3, 1.6])
+def test_a_vehicle_that_stands_is_in_view_until_it_has_gone(at_m):
+    """With its front between the cameras (0.3 m), or before both; then, what passes it is found too."""
+    pair, (rear_s, next_s) = standing(at_m)
+    passages, _ = found(pair, SLOW_RIG)
+    stood, beside, after = measured(passages, SLOW_RIG, "direct")
+    assert stood.motion.reason == STOPPED and stood.rear_s == pytest.approx(rear_s, abs=0.012)
+    assert after.front_s == pytest.approx(next_s, abs=0.01)
+    assert at_m < 1 or beside.front_s == pytest.approx(7.0, abs=0.05)
+    gap = gaps([(one.motion.crossings, one.motion) for one in (stood, after)], SLOW_RIG)[1]
+    assert gap.time_gap_s == pytest.approx(1.8, abs=0.012)
+
+
+def test_a_rear_that_nobody_saw_is_not_told(monkeypatch):
+    """What stands for too long is given up: how long it stood is not known, nor the next one's gap."""
+    monkeypatch.setattr(finding, "STANDS_S", 4.0)
+    pair, (_, next_s) = standing(1.6)
+    passages, _ = found(pair, SLOW_RIG)
+    (stood, *_, after) = measured(passages, SLOW_RIG, "direct")
+    assert stood.motion.reason == STOOD and stood.rear_s is None
+    assert (row_of(stood)["rear_line_1"], row_of(stood)["rear_line_2"]) == (None, None)
+    gap = gaps([(one.motion.crossings, one.motion) for one in (stood, after)], SLOW_RIG)[1]
+    assert (gap.time_gap_s, gap.distance_gap_m, gap.reason) == (None, None, REAR_UNSEEN)
+    assert gap.headway_s == pytest.approx(next_s - stood.front_s, abs=0.01)
+
+
+def test_what_stands_when_the_recording_ends_stood_until_then():
+    strips_ = tuple(strip[:9000] for strip in standing(1.6)[0])
+    passages, _ = found(strips_, SLOW_RIG)
+    assert [(one.reason, one.crossings.rear_line_1) for one in passages[:1]] == [(STOPPED, 8999.5)]
+
+
 def test_swapped_strips_are_recognised_from_the_traffic():
     first, second = plain()
     passages, finder = found((second, first))
@@ -143,6 +180,7 @@ def test_vehicles_cut_by_the_ends_of_the_recording_say_so():
     stop = int(plain_truth()[2].front_line_1 + 400)
     passages, _ = found(tuple(strip[start:stop] for strip in plain()))
     assert [passage.reason for passage in passages] == [CUT, None, CUT]
+    assert passages[0].crossings.front_line_1 == 0.0  # it is of this recording
 
 
 def test_an_empty_road_under_drifting_light_holds_no_vehicle():

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from datetime import UTC, datetime, timedelta
 from math import sqrt
+from zoneinfo import ZoneInfo
 
 import numpy as np
 import pytest
@@ -26,6 +29,11 @@ VEHICLE = st.tuples(
 )
 
 
+def clock(into_hour_s: float = 0.0) -> Callable[[float], float]:
+    """Of a place whose clocks are not put forward or back."""
+    return lambda since_s: (into_hour_s + since_s) % 3600.0
+
+
 def traffic_of(drawn: list[tuple[float, float, float, float, bool]]) -> list[Passed]:
     """Vehicles in the order of passing; those without a motion have neither speed nor length."""
     return [
@@ -39,7 +47,7 @@ def test_nothing_is_lost_and_nothing_counted_twice(
     drawn: list[tuple[float, float, float, float, bool]], into_hour: float, minutes: int
 ) -> None:
     passed = traffic_of(drawn)
-    found = intervals(passed, 7200.0, into_hour, minutes)
+    found = intervals(passed, 7200.0, clock(into_hour), minutes)
     assert sum(one.vehicles for one in found) == len(passed)
     assert sum(one.measured for one in found) == sum(one.speed_mps is not None for one in passed)
     for one in found:
@@ -59,9 +67,7 @@ def test_nothing_is_lost_and_nothing_counted_twice(
         # edges stand where the clocks of the place show whole intervals
         begins = (one.begin_s + into_hour) % (60 * minutes)
         assert one.begin_s == 0 or min(begins, 60 * minutes - begins) < 1e-6
-    assert sum(one.watched_s for one in found) == pytest.approx(
-        max([7200.0, *(one.since_s + one.occupied_s for one in passed)])
-    )
+    assert sum(one.watched_s for one in found) == pytest.approx(7200.0)
 
 
 @dataclass(frozen=True)
@@ -92,7 +98,7 @@ def test_figures_of_a_steady_stream() -> None:
         for n in range(900)
         for v in [20.0 if n % 2 else 30.0]
     ]
-    whole, *_ = intervals(passed, 3600.0, 0.0, 60)
+    whole, *_ = intervals(passed, 3600.0, clock(), 60)
     assert (whole.vehicles, whole.flow_per_hour, whole.partial) == (900, 900.0, False)
     assert whole.mean_headway_s == pytest.approx(4.0)
     assert whole.time_mean_speed_mps.value == pytest.approx(25.0)
@@ -145,7 +151,7 @@ def test_vehicles_near_an_edge_or_a_limit_are_counted() -> None:
         Passed(60.5, 30.0, 0.01),
         Passed(61.0, 0.2, 0.01, 20.0, 0.1, 4.0, 0.01),
     ]
-    first, second = intervals(passed, 120.0, 0.0, 1)
+    first, second = intervals(passed, 120.0, clock(), 1)
     assert (first.near_edge, second.near_edge) == (1, 0)
     assert [(kind.vehicles, kind.near_limit) for kind in first.classes] == [(0, 0), (1, 1), (0, 0), (0, 0)]
     # beside a standing vehicle another passes: time is occupied once, and how well is not known
@@ -154,8 +160,47 @@ def test_vehicles_near_an_edge_or_a_limit_are_counted() -> None:
     assert second.unclassed == 1
 
 
+def test_occupancy_is_not_told_where_nobody_knows_how_long_a_vehicle_stood() -> None:
+    """From its front to the next one, or to the end."""
+    passed = [Passed(10.0, 6.0), Passed(70.0, None), Passed(130.0, 3.0)]
+    shown = [one.occupancy_percent.value for one in intervals(passed, 240.0, clock(), 1)]
+    assert shown == [pytest.approx(10.0), None, None, 0.0]
+    until_end = intervals(passed[:2], 240.0, clock(), 1)
+    assert [one.occupancy_percent.value for one in until_end] == [pytest.approx(10.0), None, None, None]
+    assert "rear of a vehicle that stood here was not seen" in str(until_end[3].reasons[1])
+    assert [one.vehicles for one in until_end] == [1, 1, 0, 0]
+
+
+def test_who_is_in_view_when_the_recording_begins_or_ends_makes_no_interval_more() -> None:
+    found = intervals([Passed(-1e-4, 6.0), Passed(119.0, 3.0)], 120.0, clock(), 1)
+    assert [(one.begin_s, one.vehicles) for one in found] == [(0.0, 1), (60.0, 1)]
+    shown = [one.occupancy_percent.value for one in found]
+    assert shown == [pytest.approx(10.0, abs=1e-3), pytest.approx(100 / 60)]
+
+
+@pytest.mark.parametrize(
+    ("start", "begins"),
+    [
+        # clocks are put forward from 2:00 to 2:30, and back from 2:00 to 1:30
+        ("2026-10-03T14:45:00", ["01:15", "02:30", "03:00", "04:00"]),
+        ("2026-04-04T14:15:00", ["01:15", "01:30", "02:00", "03:00"]),
+    ],
+)
+def test_intervals_keep_to_clocks_that_are_put_forward_by_half_an_hour(start: str, begins: list[str]) -> None:
+    def shown(since_s: float) -> datetime:
+        at = datetime.fromisoformat(start).replace(tzinfo=UTC) + timedelta(seconds=since_s)
+        return at.astimezone(ZoneInfo("Australia/Lord_Howe"))
+
+    def into_hour_s(since_s: float) -> float:
+        return 60.0 * shown(since_s).minute + shown(since_s).second
+
+    found = intervals([], 9000.0, into_hour_s, 60)
+    assert [f"{shown(one.begin_s):%H:%M}" for one in found] == begins
+    assert [one.watched_s for one in found] == [2700.0, 1800.0, 3600.0, 900.0]
+
+
 def test_a_partial_interval_is_said() -> None:
-    found = intervals([Passed(5.0, 0.2)], 100.0, 30.0, 1)
+    found = intervals([Passed(5.0, 0.2)], 100.0, clock(30.0), 1)
     assert [(one.begin_s, one.watched_s, one.partial) for one in found] == [
         (0.0, 30.0, True),
         (30.0, 60.0, False),
@@ -163,4 +208,4 @@ def test_a_partial_interval_is_said() -> None:
     ]
     assert found[0].flow_per_hour == pytest.approx(120.0) and found[1].flow_per_hour == 0.0
     with pytest.raises(ValueError, match="divide an hour"):
-        intervals([], 10.0, 0.0, 7)
+        intervals([], 10.0, clock(), 7)

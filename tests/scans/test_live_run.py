@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +14,7 @@ from sightline.linescan.passing import measured
 from sightline.media.lines.source import Lost, Piece
 from sightline.media.strips.reader import open_strip
 from sightline.media.strips.sheet import Pixels
-from sightline.scans.live.records import Keeper, LiveVehicle
+from sightline.scans.live.records import Keeper, LiveHealth, LiveVehicle
 from sightline.scans.live.run import Clock, LiveRun
 from tests.simulation.scan_strips import strips
 from tests.simulation.scan_traffic import ScanSite, traffic
@@ -53,10 +53,14 @@ def _part(gap: Lost, start: int, stop: int) -> Lost | None:
     return Lost(gap.camera, begin, end - begin) if begin < end else None
 
 
+def live_run(source: Callable[[int], Played], folder: Path | None = None, **more: object) -> LiveRun:
+    options = {"folder": folder, "keeper": Keeper(), "say": print, "name": "played", **more}
+    return LiveRun(source, SITE.rows, RIG, "direct", **options)  # type: ignore[arg-type]
+
+
 def run_of(source: Played, folder: Path | None = None, **more: object) -> tuple[list[LiveVehicle], list[str]]:
     said: list[object] = []
-    options = {"folder": folder, "keeper": Keeper(), "say": said.append, "name": "played", **more}
-    run = LiveRun(lambda _: source, SITE.rows, RIG, "direct", **options)  # type: ignore[arg-type]
+    run = live_run(lambda _: source, folder, say=said.append, **more)
     told = []
     for one in run.vehicles():
         run.told(one)
@@ -124,6 +128,89 @@ def test_a_clock_that_is_set_changes_no_number_and_is_said(
     assert [one.vehicle.motion.speed_mps for one in live] == [one.vehicle.motion.speed_mps for one in clean]
     lines = last.crossings.front_line_1 - first.crossings.front_line_1
     assert (live[-1].at - live[0].at).total_seconds() == pytest.approx(lines / RIG.line_rate_hz, abs=1e-5)
+
+
+def stopped_at(wall: float) -> Clock:
+    return Clock(wall=lambda: wall, steady=iter(range(10_000)).__next__)
+
+
+def kill(run: LiveRun) -> None:
+    """Leave its files as they are."""
+    left = run._segment
+    assert left is not None and left.journal is not None
+    for open_file in (left.journal, *(camera.spool for camera in left.cameras)):
+        assert open_file is not None
+        open_file.close()
+
+
+def test_what_a_killed_stream_left_has_its_places_in_the_files(
+    pair: tuple[Pixels, Pixels], clean: list[LiveVehicle], tmp_path: Path
+) -> None:
+    """Lines that were lost are not in the files, and take their time all the same."""
+    killed = live_run(lambda _: Played(pair, (Lost(1, 300, 40), Lost(2, 480, 30))), tmp_path)
+    found = killed.vehicles()
+    killed.told(next(found))
+    next(found)
+    kill(killed)
+    nothing = Played((pair[0][:0], pair[1][:0]))
+    second = next(live_run(lambda _: nothing, tmp_path).vehicles()).vehicle
+    seen, in_files = second.motion.crossings, second.columns
+    assert seen.front_line_1 == pytest.approx(clean[1].vehicle.motion.crossings.front_line_1, abs=1)
+    lost = [
+        a - b
+        for a, b in (
+            (seen.front_line_1, in_files.front_line_1),
+            (seen.rear_line_1, in_files.rear_line_1),
+            (seen.front_line_2, in_files.front_line_2),
+            (seen.rear_line_2, in_files.rear_line_2),
+        )
+    ]
+    assert lost == [40, 40, 30, 30]
+
+
+def test_line_0_came_before_the_piece_that_brought_it(
+    pair: tuple[Pixels, Pixels], clean: list[LiveVehicle]
+) -> None:
+    source = Played(pair)
+    source.waiting_bytes = 2 * SITE.rows * 700
+    first = next(live_run(lambda _: source, clock=stopped_at(1e9)).vehicles())
+    lines = clean[0].vehicle.motion.crossings.front_line_1 - 500 - 700
+    assert first.at.timestamp() == pytest.approx(1e9 + lines / RIG.line_rate_hz, abs=1e-5)
+
+
+def test_a_followed_file_taken_up_an_hour_later_tells_when_its_lines_were_taken(
+    pair: tuple[Pixels, Pixels],
+    clean: list[LiveVehicle],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    heard: list[float] = []
+
+    class Heard(Keeper):
+        def hear(self, health: LiveHealth) -> None:
+            heard.append(health.clock_offset_s + health.lines / RIG.line_rate_hz)
+
+    begun: list[int] = []
+
+    def played(begin: int) -> Played:
+        begun.append(begin)
+        return Played((pair[0][begin:], pair[1][begin:]))
+
+    monkeypatch.setattr("sightline.scans.live.run.LEAD_S", 0.3)
+    killed = live_run(played, tmp_path, can_go_back=True, clock=stopped_at(1e9))
+    killed.told(next(killed.vehicles()))
+    kill(killed)
+
+    later = stopped_at(1e9 + 3600)
+    resumed = live_run(played, tmp_path, can_go_back=True, clock=later, keeper=Heard())
+    rest = list(resumed.vehicles())
+    assert [one.vehicle.number for one in rest] == [2, 3, 4]
+    for one, same in zip(rest, clean[1:], strict=True):
+        lines = same.vehicle.motion.crossings.front_line_1 - 500
+        assert one.at.timestamp() == pytest.approx(1e9 + lines / RIG.line_rate_hz, abs=1e-3)
+    # an hour has passed since line 500; the counting clock goes on by 1 s each time it is read
+    assert begun[1] > 0
+    assert heard[0] == pytest.approx(3600 + (500 - begun[1]) / RIG.line_rate_hz + 1, abs=2)
 
 
 def test_swapped_cameras_are_said_while_the_stream_goes_on(pair: tuple[Pixels, Pixels]) -> None:

@@ -157,10 +157,17 @@ def test_a_survey_that_is_not_there_is_named(
 def test_flow_counts_by_minutes_of_the_clock_and_says_which_were_watched_whole() -> None:
     begun = datetime(2026, 5, 4, 6, 0, 30, tzinfo=UTC)
     fronts = [begun + timedelta(seconds=s) for s in (5, 29, 30, 31, 95)]
-    flow = flow_of(fronts, begun, begun + timedelta(seconds=100))
+    flow = flow_of(fronts, [(begun, begun + timedelta(seconds=100))])
     assert [(one.begin.minute, one.vehicles, one.whole) for one in flow] == [
         (0, 2, False),
         (1, 2, True),
         (2, 1, False),
     ]
-    assert len(flow_of(fronts, begun, begun + timedelta(hours=5))) == 60
+    assert len(flow_of(fronts, [(begun, begun + timedelta(hours=5))])) == 60
+
+
+def test_minutes_of_an_outage_were_not_watched() -> None:
+    begun = datetime(2026, 5, 4, 6, 0, tzinfo=UTC)
+    at = [begun + timedelta(seconds=s) for s in (0, 150, 149, 180, 290, 600)]
+    flow = flow_of([], [(at[4], at[5]), (at[0], at[1]), (at[2], at[3])])
+    assert [one.begin.minute for one in flow if not one.whole] == [3, 4, 10]

@@ -99,6 +99,21 @@ def test_who_stands_occupies_every_interval_and_the_next_day(tmp_path: Path) -> 
     assert [rows[at]["vehicles"] for at in ("04T23:55", "05T00:00", "05T00:05")] == [1, 0, 1]
 
 
+def test_occupancy_is_empty_from_a_rear_that_nobody_saw_to_the_next_front(tmp_path: Path) -> None:
+    unseen = replace(standing_passing(1, 100.0, 100.0), rear_s=None, rear_line_1=None, length_m=None)
+    cars = (unseen, standing_passing(2, 700.0, 706.0))
+    add_recorded(tmp_path, Recorded("one", "ab" * 32, 1200.0, cars, ()), stood("2026-05-04T12:00"))
+    with ArchiveTables(tmp_path) as tables:
+        rows = list(tables.intervals(Asked(minutes=5, limits_m=(6.0,))))
+    shown = {
+        name: [row["occupancy_ratio"] for row in rows if row["class"] == name] for name in (ALL, NO_LENGTH)
+    }
+    assert shown == {ALL: [None, None, None, 0.0], NO_LENGTH: [None, None, None, 0.0]}
+    short = [row["occupancy_ratio"] for row in rows if row["class"] == "under 6 m"]
+    assert short == [0.0, 0.0, pytest.approx(6 / 300), 0.0]
+    assert "the rear of a vehicle that stood was not seen" in rows[0]["reason"]
+
+
 def test_u_of_the_means_is_none_too_small_for_the_space_mean(tmp_path: Path) -> None:
     slow, fast = (
         replace(standing_passing(n, 60.0 * n, 60.5 * n), speed_mps=v, u_speed_mps=0.3)

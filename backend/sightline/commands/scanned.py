@@ -195,6 +195,8 @@ def row_of(vehicle: Vehicle) -> dict[str, Any]:
     """The columns of vehicles.csv, by name."""
     motion, gap = vehicle.motion, vehicle.gap
     held = {**asdict(vehicle.columns), "id": vehicle.number}
+    if vehicle.rear_s is None:
+        held |= {"rear_line_1": None, "rear_line_2": None}
     held |= {"time_gap_s": gap.time_gap_s, "distance_gap_m": gap.distance_gap_m}
     held |= {"direction": motion.crossings.direction, "axles": len(motion.axle_lines or ()) or None}
     held |= {"lane": motion.lane}

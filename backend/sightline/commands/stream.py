@@ -129,7 +129,8 @@ def said_of(one: LiveVehicle, line_rate_hz: float) -> dict[str, Any]:
     Lines are those of its segment's files; `front_s` and `rear_s` count from the beginning of the stream.
     """
     begun_s = one.begin / line_rate_hz
-    vehicle = replace(one.vehicle, front_s=one.vehicle.front_s + begun_s, rear_s=one.vehicle.rear_s + begun_s)
+    rear_s = None if one.vehicle.rear_s is None else one.vehicle.rear_s + begun_s
+    vehicle = replace(one.vehicle, front_s=one.vehicle.front_s + begun_s, rear_s=rear_s)
     return {**object_of(vehicle), "segment": one.segment, "front_at": one.at.isoformat()}
 
 

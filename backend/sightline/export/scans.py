@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict
-from typing import cast, get_args
+from typing import Any, cast, get_args
 
 from sightline.enums import (
     KnownLength,
@@ -29,6 +29,7 @@ from sightline.export.statistics_rows import (
 from sightline.infra.csv_package.columns import integer, metres, number, text
 from sightline.infra.csv_package.files import Files, read_columns, read_rows, unsafe
 from sightline.infra.csv_package.files import number as figure_of
+from sightline.linescan.parts import Rig
 from sightline.linescan.rig import rig_from
 from sightline.results.csv import selection_in
 from sightline.scans.heights.csv import LINE_HEIGHTS
@@ -226,10 +227,12 @@ def scanned_motions(files: Files) -> Iterator[VehicleMotion]:
             direction=cast(ScanDirection, row["direction"]) if row["direction"] else None,
             lane=unsafe(row["lane"]) or None,
             axles=int(row["axles"]) if row["axles"] else None,
-            **(
-                {} if rig is None else when_passed(rig, float(row["front_line_1"]), float(row["rear_line_1"]))
-            ),
+            **({} if rig is None else _when_passed(rig, row)),
         )
+
+
+def _when_passed(rig: Rig, row: Mapping[str, str]) -> dict[str, Any]:
+    return when_passed(rig, float(row["front_line_1"]), float(row["rear_line_1"]), reason_in(row))
 
 
 def _standing(files: Files) -> dict[str, list[ReferenceValues]]:

@@ -14,7 +14,7 @@ from sightline.linescan.background import MOST_UNREST, Grid, enough_lines
 from sightline.linescan.boundaries import refined
 from sightline.linescan.depth import brightest_of, depth_of, in_8_bits
 from sightline.linescan.lanes import lane_of
-from sightline.linescan.parts import Crossings, Passage, Pixels, Rig
+from sightline.linescan.parts import STOOD, TOO_LONG, Crossings, Passage, Pixels, Rig
 from sightline.linescan.rig import at_lane
 from sightline.linescan.watching import Event, Spans, Watcher, present
 from sightline.messages.said import Said
@@ -23,6 +23,8 @@ BANDS = 64
 STEPS_HZ = 1220.0
 BLOCK_S = 0.2
 BEGIN_S = 1.0
+# what stands for longer is given up: it may be no vehicle, but a road that changed for good
+STANDS_S = 60.0
 TILE = 1024
 KEPT_BYTES = 48 << 20
 # what a vehicle may be: from a motorcycle to a road train, from walking pace to 300 km/h
@@ -30,7 +32,6 @@ LENGTHS_M = (1.0, 32.0)
 SPEEDS_MPS = (1.0, 85.0)
 
 STOPPED = Said("scan-motion-stopped")
-TOO_LONG = Said("scan-motion-too-long-in-view")
 CUT = Said("scan-motion-cut")
 NO_ROAD = Said("scan-motion-no-road")
 TWO_AT_ONCE = Said("scan-motion-two-at-once")
@@ -89,6 +90,7 @@ class Finder:
             guard=round(0.05 * rate),
             still=round(1.0 * rate),
             stuck=round(3.0 * rate),
+            stands=round(STANDS_S * rate),
             longest=KEPT_BYTES // rows,
             road=enough_lines(rate),
         )
@@ -170,7 +172,7 @@ class Finder:
 
     def _forget(self) -> None:
         for reel, watcher, waiting in zip(self._buffers, self.watchers, self._waiting, strict=True):
-            needed = min([watcher.busy_since, *(event.front for event in waiting)])
+            needed = min([watcher.needed_since, *(event.front for event in waiting)])
             reel.forget(max(int(needed) - 2 * self.margin, reel.stop - self.spans.longest * 5 // 4))
 
     def _paired(self, last: bool) -> list[Passage]:
@@ -244,12 +246,12 @@ class Finder:
     def _reason(self, one: Event, two: Event) -> Said | None:
         if max(one.road.unrest, two.road.unrest) > MOST_UNREST:
             return NO_ROAD
+        stop = min(reel.stop for reel in self._buffers)
+        given_up = any(event.cut and stop - event.rear >= 2 * self.margin for event in (one, two))
         if one.still or two.still:
-            return STOPPED
+            return STOOD if given_up else STOPPED
         if one.cut or two.cut:
-            ended = min(reel.stop for reel in self._buffers) - max(one.rear, two.rear) < 2 * self.margin
-            started = min(one.front, two.front) < self.margin
-            return CUT if ended or started else TOO_LONG
+            return TOO_LONG if given_up else CUT
         shift = self._shift(one, two)
         if shift <= 2 * self.grid.step:
             return too_few_lines(shift)
@@ -263,7 +265,7 @@ class Finder:
         cuts = []
         for event, reel in zip((one, two), self._buffers, strict=True):
             stop = int(event.rear) + self.margin + 1
-            if reason in (STOPPED, TOO_LONG):
+            if reason in (STOPPED, STOOD, TOO_LONG):
                 stop = min(stop, int(event.front) + self.spans.longest // 4)
             cuts.append(reel.cut(int(event.front) - self.margin, stop))
         (first, start_1), (second, start_2) = cuts

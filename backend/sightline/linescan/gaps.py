@@ -15,12 +15,13 @@ from math import hypot, sqrt
 
 from sightline.enums import ScanDirection
 from sightline.linescan.boundaries import SAME_END, U_LINE_LINES
-from sightline.linescan.parts import Crossings, Gap, Motion, Rig
+from sightline.linescan.parts import Crossings, Gap, Motion, Rig, rear_seen
 from sightline.messages.said import Said
 
 NONE_BEFORE = Said("scan-gap-none-before")
 LANE_UNKNOWN = Said("scan-gap-lane-unknown")
 BEFORE_UNKNOWN = Said("scan-gap-before-unknown")
+REAR_UNSEEN = Said("scan-gap-rear-unseen")
 
 
 class Leaders:
@@ -66,6 +67,8 @@ def _gap(before: tuple[Crossings, Motion], this: tuple[Crossings, Motion], rig: 
     headway_s = (behind.front_line_1 - ahead.front_line_1) / rate
     if time_s <= 0 or headway_s <= 0:
         return Gap(None, None, None, reason=Said("scan-gap-overlap"))
+    if not rear_seen(leader.reason):
+        return Gap(None, None, headway_s, reason=REAR_UNSEEN)
     known = Gap(time_s, None, headway_s)
     if leader.speed_mps is None or leader.acceleration_mps2 is None:
         return replace(known, reason=Said("scan-gap-leader-unmeasured"))

@@ -130,6 +130,18 @@ class Profile:
     used: NDArray[np.bool_]
 
 
+#: Why there is no motion of a vehicle that was given up while it was in view.
+STOOD = Said("scan-motion-stood")
+TOO_LONG = Said("scan-motion-too-long-in-view")
+
+
+def rear_seen(reason: Said | None) -> bool:
+    """Whether a vehicle's rear was seen, by the reason why it has no motion. Where it was not, its rear's
+    lines are those at which it was given up: nothing is computed from them.
+    """
+    return reason not in (STOOD, TOO_LONG)
+
+
 @dataclass(frozen=True, eq=False)
 class Motion:
     """A vehicle's motion, or the reason why there is none (then every number is None)."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from sightline.enums import ScanMethod
 from sightline.linescan.gaps import Leaders
 from sightline.linescan.methods import MEASURE
-from sightline.linescan.parts import Crossings, Gap, Motion, Passage, Rig
+from sightline.linescan.parts import Crossings, Gap, Motion, Passage, Rig, rear_seen
 
 Columns = Callable[[Crossings], Crossings]
 
@@ -17,6 +17,7 @@ class Vehicle:
     direction and lane.
 
     `front_s`, `rear_s`: when they reached camera 1, from line 0 on; lines that were lost take their time.
+    `rear_s` None: nobody saw its rear.
     """
 
     number: int
@@ -24,7 +25,7 @@ class Vehicle:
     motion: Motion
     gap: Gap
     front_s: float
-    rear_s: float
+    rear_s: float | None
 
 
 class Follower:
@@ -45,9 +46,16 @@ class Follower:
         motion = MEASURE[self._method](passage, self._rig)
         gap = self._leaders.next(passage.crossings, replace(motion, profile=None))
         self._number += counted
-        at = passage.crossings
-        seconds = at.front_line_1 / self._rig.line_rate_hz, at.rear_line_1 / self._rig.line_rate_hz
-        return Vehicle(self._number, self._columns(at), motion, gap, *seconds)
+        at, rate = passage.crossings, self._rig.line_rate_hz
+        rear_s = at.rear_line_1 / rate if rear_seen(motion.reason) else None
+        return Vehicle(
+            number=self._number,
+            columns=self._columns(at),
+            motion=motion,
+            gap=gap,
+            front_s=at.front_line_1 / rate,
+            rear_s=rear_s,
+        )
 
 
 def measured(

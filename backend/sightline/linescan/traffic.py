@@ -7,7 +7,8 @@ Every vehicle that was found counts for flow and occupancy, also one that could 
 motion was rejected; speeds and lengths are of those whose motion counts. The mean of the speeds at camera 1
 is the time mean speed; their harmonic mean is the space mean speed, as a stretch of road shows it (Wardrop
 1952). Flow over space mean speed is the density. Occupancy is the share of the time that some vehicle stood
-before camera 1; vehicles beside each other are counted once.
+before camera 1; vehicles beside each other are counted once. Where one stood of which nobody knows how long,
+it is not told from there to the next front.
 
 Uncertainties (k = 1) are those of measuring. A count has none of its own; `near_edge` says how many vehicles
 passed so near to an edge that the clock leaves it open on which side (95 %). `flow_low` and `flow_high` are
@@ -15,7 +16,7 @@ the exact 95 % interval of the rate of a Poisson process that such a count comes
 expect of as long a time again, where vehicles come independently of each other.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
@@ -38,12 +39,15 @@ LENGTH_LIMITS_M = (5.2, 6.6, 11.6)
 MANY_AXLES = 5
 _HOUR_S = 3600.0
 _TAIL = 0.025
+#: Clocks are never put forward or back by so little, nor told that badly.
+_CLOCK_STEP_S = 1.0
 _NO_SPEED = Said("scan-flow-no-speed")
+_REAR_UNSEEN = Said("scan-flow-rear-unseen")
 
 
 @dataclass(frozen=True, slots=True)
 class Passed:
-    """A vehicle that passed camera 1, `since_s` after line 0 and for `occupied_s`.
+    """A vehicle that passed camera 1, `since_s` after line 0 and for `occupied_s` (None: not known).
 
     `u_since_s`: of its time of day, None where unknown. The rest is None where no motion of it counts.
     `rig_ratio`: the share of `u_speed_mps` that the rig gives to all vehicles alike, over the speed.
@@ -51,7 +55,7 @@ class Passed:
     """
 
     since_s: float
-    occupied_s: float
+    occupied_s: float | None
     u_since_s: float | None = None
     speed_mps: float | None = None
     u_speed_mps: float | None = None
@@ -156,22 +160,26 @@ class Interval:
 def intervals(
     passed: Sequence[Passed],
     watched_s: float,
-    into_hour_s: float,
+    into_hour_s: Callable[[float], float],
     minutes: int,
     limits_m: Sequence[float] = LENGTH_LIMITS_M,
 ) -> tuple[Interval, ...]:
     """The intervals of `minutes` that a recording of `watched_s` touches, in order.
 
-    `passed`: rising by `since_s`. `into_hour_s`: what clocks of the place showed beyond an hour at line 0.
-    `limits_m`: rising. Raises ValueError for minutes that do not divide an hour.
+    `passed`: rising by `since_s`. `into_hour_s`: what clocks of the place show beyond an hour, so many
+    seconds after line 0. `limits_m`: rising. Who is still in view at the end counts until then. Raises
+    ValueError for minutes that do not divide an hour.
     """
     if minutes < 1 or 60 % minutes:
         raise ValueError("Minutes of an interval must divide an hour.")
     long_s = 60.0 * minutes
-    end_s = max([watched_s, *(one.since_s + one.occupied_s for one in passed)])
-    fronts_s = [one.since_s for one in passed]
+    fronts_s = [max(one.since_s, 0.0) for one in passed]
+    end_s = max([watched_s, *fronts_s])
     headways = headways_s(fronts_s)
     covered, spans = _covered(passed), _spans(into_hour_s, long_s, end_s)
+    open_until = np.array([*fronts_s[1:], end_s])
+    unknown = [one.occupied_s is None for one in passed]
+    unsure = np.stack([np.array(fronts_s), open_until[: len(passed)]], 1)[unknown]
     begins, stops = np.searchsorted(np.array(fronts_s), np.array(spans).reshape(-1, 2).T).tolist()
     out = []
     for begin, before_stop, (begin_s, stop_s) in zip(begins, stops, spans, strict=True):
@@ -180,7 +188,7 @@ def intervals(
             _interval(
                 passed[begin:stop],
                 [gap for gap in headways[begin:stop] if gap is not None],
-                _overlap(covered, begin_s, stop_s),
+                None if _overlap(unsure, begin_s, stop_s) else _overlap(covered, begin_s, stop_s),
                 (begin_s, stop_s),
                 stop_s - begin_s < long_s,
                 limits_m,
@@ -189,19 +197,23 @@ def intervals(
     return tuple(out)
 
 
-def _spans(into_hour_s: float, long_s: float, end_s: float) -> list[tuple[float, float]]:
-    """Where the intervals begin and stop, seconds after line 0."""
-    out, number = list[tuple[float, float]](), int(into_hour_s // long_s)
-    while (at := number * long_s - into_hour_s) < end_s:
-        out.append((max(at, 0.0), min(at + long_s, end_s)))
-        number += 1
+def _spans(into_hour_s: Callable[[float], float], long_s: float, end_s: float) -> list[tuple[float, float]]:
+    """Where the intervals begin and stop, seconds after line 0. Clocks that are put forward or back by less
+    than an hour (Lord Howe Island: half of one) make one of them shorter.
+    """
+    out, at = list[tuple[float, float]](), -(into_hour_s(0.0) % long_s)
+    while at < end_s:
+        into_s = (into_hour_s(at) + _CLOCK_STEP_S) % long_s if at > 0 else 0.0
+        stop = at + long_s - (into_s - _CLOCK_STEP_S if into_s > 2 * _CLOCK_STEP_S else 0.0)
+        out.append((max(at, 0.0), min(stop, end_s)))
+        at = stop
     return out
 
 
 def _interval(
     inside: Sequence[Passed],
     headways: Sequence[float],
-    occupied_s: float,
+    occupied_s: float | None,
     span: tuple[float, float],
     partial: bool,
     limits_m: Sequence[float],
@@ -211,9 +223,13 @@ def _interval(
     flow = _HOUR_S * len(inside) / watched_s
     low, high = poisson_interval(len(inside))
     time_mean, space_mean = mean_speeds(moving)
-    occupancy = Figure(100 * occupied_s / watched_s, _u_occupancy(inside, watched_s))
+    occupancy = Figure()
+    if occupied_s is not None:
+        occupancy = Figure(100 * occupied_s / watched_s, _u_occupancy(inside, watched_s))
     reasons = [] if moving else [_NO_SPEED]
-    if occupancy.u is None:
+    if occupancy.value is None:
+        reasons.append(_REAR_UNSEEN)
+    elif occupancy.u is None:
         reasons.append(Said("scan-flow-no-u-occupancy", count=len(inside) - len(moving)))
     lengths = [one for one in inside if one.length_m is not None]
     return Interval(
@@ -325,7 +341,7 @@ def _covered(passed: Sequence[Passed]) -> NDArray[np.float64]:
     """Stretches (n, 2) of time in which some vehicle stood before camera 1, apart from each other."""
     out: list[tuple[float, float]] = []
     for one in passed:
-        begin, end = one.since_s, one.since_s + one.occupied_s
+        begin, end = one.since_s, one.since_s + (one.occupied_s or 0.0)
         if out and begin <= out[-1][1]:
             out[-1] = (out[-1][0], max(out[-1][1], end))
         else:

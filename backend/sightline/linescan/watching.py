@@ -25,8 +25,8 @@ STILL_PART = 0.9
 
 @dataclass(frozen=True)
 class Spans:
-    """Lengths in lines: a hole that is bridged, the shortest vehicle, standing still; `road`: those that show
-    the empty road.
+    """Lengths in lines: a hole that is bridged, the shortest vehicle, standing still; `stands`: after which
+    what stands is given up; `road`: those that show the empty road.
     """
 
     close: int
@@ -34,6 +34,7 @@ class Spans:
     guard: int
     still: int
     stuck: int
+    stands: int
     longest: int
     road: int
 
@@ -56,6 +57,10 @@ class _Open:
     road: Road
     still: bool = False
 
+    def event(self, rear: int, cut: bool) -> Event:
+        """Between the lines of road and of vehicle; none comes before line 0."""
+        return Event(max(self.front - 0.5, 0.0), rear - 0.5, self.road, self.still, cut)
+
 
 def present(cells: NDArray[np.float32], road: Road, upper_part: float) -> NDArray[np.bool_]:
     """(steps,) whether enough cells, `cells` (steps, bands), of the upper part differ from the road under the
@@ -75,7 +80,12 @@ def present(cells: NDArray[np.float32], road: Road, upper_part: float) -> NDArra
 
 @dataclass(eq=False)
 class Watcher:
-    """One camera's state between blocks; `see` takes blocks in order and returns the events that ended."""
+    """One camera's state between blocks; `see` takes blocks in order and returns the events that ended, in
+    the order of their fronts.
+
+    What stands in view becomes the background, before which others pass; its event goes on until the road is
+    seen again, and theirs wait for it.
+    """
 
     grid: Grid
     spans: Spans
@@ -86,6 +96,8 @@ class Watcher:
     lines: int = 0
     saturated_lines: float = 0.0
     _open: _Open | None = None
+    _standing: _Open | None = None
+    _waiting: list[Event] = field(default_factory=list)
     _still: int = 0
     _mean: NDArray[np.float32] | None = None
     _before: NDArray[np.float32] | None = None
@@ -93,8 +105,14 @@ class Watcher:
 
     @property
     def busy_since(self) -> float:
-        """First line that is still needed for an event under way."""
-        return self._open.front if self._open else self.lines
+        """No event that is still to be returned begins before this line."""
+        return self._standing.front if self._standing else self.needed_since
+
+    @property
+    def needed_since(self) -> float:
+        """First line that is still needed for an event under way; of what stands, none is."""
+        under_way = [one.front for one in self._waiting] + ([self._open.front] if self._open else [])
+        return min(under_way, default=self.lines)
 
     def begin(self, block: Pixels) -> None:
         """Finds the road in the recording's first part, `block` (lines, rows)."""
@@ -106,6 +124,7 @@ class Watcher:
             self.begin(block)
         assert self.road is not None
         cells = self.grid.pooled(block)
+        self._look_behind(cells)
         there = present(cells, self.road, self.grid.upper_part)
         events = self._follow(there)
         events += self._watch_stillness(cells, there, block)
@@ -116,11 +135,53 @@ class Watcher:
         top = 255 if block.dtype == np.uint8 else 65535
         self.saturated_lines += len(block) * float(np.mean(block[::32] >= top))
         self.lines += len(block)
-        return events
+        return self._in_order(events)
 
     def finish(self) -> list[Event]:
         """Ends what is still open when the recording ends."""
-        return self._end(self._open.last, cut=True) if self._open else []
+        if self._standing is not None:
+            self._stands_no_longer()
+            assert self._open is not None
+            self._open.last = self.lines
+        return self._in_order(self._end(self._open.last, cut=True) if self._open else [])
+
+    def _in_order(self, events: list[Event]) -> list[Event]:
+        """What is returned now. What stands is given up after a time, or where the lines of those that wait
+        for it can no longer be kept.
+        """
+        self._waiting += events
+        if self._standing is not None:
+            for_others = bool(self._waiting) and self.lines - self._waiting[0].front > self.spans.longest
+            if not for_others and self.lines - self._standing.front <= self.spans.stands:
+                return []
+            was, self._standing = self._standing, None
+            self._waiting.append(was.event(was.last, cut=True))
+        out, self._waiting = sorted(self._waiting, key=lambda one: one.front), []
+        return out
+
+    def _look_behind(self, cells: NDArray[np.float32]) -> None:
+        """Whether the road is seen again behind what stood there; what was taken for something before it was
+        its leaving.
+        """
+        if self._standing is None:
+            return
+        road, step = self._standing.road, self.grid.step
+        absent = ~present(cells, road, self.grid.upper_part)
+        edges = np.flatnonzero(np.diff(np.concatenate([[0], absent.astype(np.int8), [0]]))).reshape(-1, 2)
+        if not (edges @ [-step, step] > self.spans.close).any():
+            return
+        assert self._before is not None
+        before = np.flatnonzero(present(self._before, road, self.grid.upper_part))
+        seen = len(self._before) - (int(before[-1]) + 1 if len(before) else 0)
+        self._stands_no_longer()
+        assert self._open is not None
+        self._open.last = self.lines - step * seen
+
+    def _stands_no_longer(self) -> None:
+        """What stood is the event under way again, before its own road."""
+        assert self._standing is not None
+        self.road, self._open, self._standing = self._standing.road, self._standing, None
+        self._still, self._mean = 0, None
 
     def _follow(self, there: NDArray[np.bool_]) -> list[Event]:
         """Runs of presence become events; holes shorter than `close` are bridged."""
@@ -145,7 +206,7 @@ class Watcher:
         if rear - was.front < self.spans.least:
             self.blips += 1
             return []
-        return [Event(was.front - 0.5, rear - 0.5, was.road, was.still, cut)]
+        return [was.event(rear, cut)]
 
     def _watch_stillness(
         self, cells: NDArray[np.float32], there: NDArray[np.bool_], block: Pixels
@@ -163,8 +224,11 @@ class Watcher:
         self._mean = mean if calm else None
         if not self._still:
             return []
+        if self._standing is not None and same_but_for_light(mean, self._standing.road, self.grid):
+            self._stands_no_longer()
+            return self._road_again(cells, mean, block, lit=True)
         if any(same_but_for_light(mean, road, self.grid) for road in self._remembered):
-            # the rest of a vehicle that is answered for: it stopped and has gone
+            # the rest of a vehicle that was given up: it has gone
             self._take(block)
             return []
         lit = same_but_for_light(mean, self.road, self.grid)
@@ -173,10 +237,11 @@ class Watcher:
         self._open.still |= self._still >= self.spans.still
         if self._still < self.spans.stuck:
             return []
-        self._remembered = [*self._remembered[-3:], self.road]
-        events = self._end(self._open.last, cut=True)
+        if self._standing is None:
+            self._remembered = [*self._remembered[-3:], self.road]
+            self._standing = self._open
         self._take(block)
-        return events
+        return []
 
     def _road_again(
         self, cells: NDArray[np.float32], mean: NDArray[np.float32], block: Pixels, lit: bool

@@ -208,7 +208,7 @@ def _write_aside(aside: Path, recorded: Recorded, stood: Stood) -> list[Path]:
             "recording": recorded.name,
             "recording_sha256": recorded.sha256,
         }
-        row |= {"passed_at": passed, "since_midnight_s": since, "occupied_s": one.rear_s - one.front_s}
+        row |= {"passed_at": passed, "since_midnight_s": since, "occupied_s": one.occupied_s}
         vehicles.setdefault(day, []).append(row)
     watched = {
         day: [_watched(recorded, replace(stood, lane=lane), day, start) for lane in recorded.lanes_at(stood)]

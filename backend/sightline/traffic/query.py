@@ -198,6 +198,16 @@ def _intervals_sql(asked: Asked) -> str:
       FROM in_cells
     ), occupied AS (
       SELECT lane, cell, kind, sum(part_s) AS occupied_s FROM parts GROUP BY lane, cell, kind
+    ), rear_unseen AS (
+      SELECT lane, day, length_m, since_midnight_s AS from_s,
+        lead(since_midnight_s, 1, day_s) OVER (PARTITION BY lane, day ORDER BY since_midnight_s) AS until_s
+      FROM vehicles JOIN days USING (day) QUALIFY occupied_s IS NULL
+    ), unsure_cells AS (
+      SELECT *, unnest(range(floor(from_s / {step})::BIGINT, ceil(until_s / {step})::BIGINT)) AS nth
+      FROM rear_unseen
+    ), unsure AS (
+      SELECT DISTINCT lane, {begins} + nth AS cell, {_kind_sql(asked.limits_m)} AS kind, true AS unsure
+      FROM unsure_cells
     ), counted AS (
       SELECT lane, cell, kind, count(*) AS vehicles, count(speed_mps) AS n,
         avg(length_m) AS mean_length_m, median(time_gap_s) AS median_time_gap_s,
@@ -209,7 +219,7 @@ def _intervals_sql(asked: Asked) -> str:
     ), kinds AS (SELECT unnest(range({classes})) AS kind)
     SELECT * EXCLUDE (rising){"".join(map(_percentile_sql, asked.percents))}
     FROM shown CROSS JOIN kinds LEFT JOIN counted USING (lane, cell, kind)
-    LEFT JOIN occupied USING (lane, cell, kind)
+    LEFT JOIN occupied USING (lane, cell, kind) LEFT JOIN unsure USING (lane, cell, kind)
     ORDER BY lane, cell, kind
     """
 
@@ -245,7 +255,7 @@ def _told(row: dict[str, Any], site: str, asked: Asked) -> dict[str, Any]:
         "vehicles": vehicles,
         "measured": row["n"] or 0,
         "flow_per_hour": 3600 * vehicles / watched_s if enough else None,
-        "occupancy_ratio": (row["occupied_s"] or 0.0) / watched_s if enough else None,
+        "occupancy_ratio": (row["occupied_s"] or 0.0) / watched_s if enough and not row["unsure"] else None,
         "reason": _reason(row, vehicles, enough),
     }
     return {name: told[name] for name in columns_of(asked)}
@@ -260,6 +270,8 @@ def _reason(row: dict[str, Any], vehicles: int, enough: bool) -> str | None:
         said.append("no vehicle")
     elif not row["n"]:
         said.append("no speed could be measured")
+    if row["unsure"]:
+        said.append("the rear of a vehicle that stood was not seen")
     return "; ".join(said) or None
 
 

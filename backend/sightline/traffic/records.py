@@ -10,7 +10,8 @@ from sightline.enums import ScanDirection
 
 @dataclass(frozen=True, slots=True)
 class Passing:
-    """One vehicle of a recording: when its front and rear reached camera 1, and how it went.
+    """One vehicle of a recording: when its front and rear (None: nobody saw it) reached camera 1, and how it
+    went.
 
     `number`: its number in the recording; seconds count from the recording's first line, lines as in
     vehicles.csv. Numbers are None where they could not be measured, for which `reason` stands. `lane`: of a
@@ -19,9 +20,9 @@ class Passing:
 
     number: int
     front_s: float
-    rear_s: float
+    rear_s: float | None
     front_line_1: float
-    rear_line_1: float
+    rear_line_1: float | None
     speed_mps: float | None
     u_speed_mps: float | None
     acceleration_mps2: float | None
@@ -35,6 +36,11 @@ class Passing:
     lane: str | None = None
     direction: ScanDirection | None = None
     axles: int | None = None
+
+    @property
+    def occupied_s(self) -> float | None:
+        """How long it stood before camera 1."""
+        return None if self.rear_s is None else self.rear_s - self.front_s
 
 
 @dataclass(frozen=True, slots=True)

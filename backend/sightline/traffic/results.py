@@ -165,15 +165,19 @@ def _occupying(path: Path, passings: Sequence[Passing]) -> list[Passing]:
     first, last = (of(passings, key=lambda one: one.front_s) for of in (min, max))
     if last.front_s > first.front_s and last.front_line_1 > first.front_line_1:
         per_s = (last.front_line_1 - first.front_line_1) / (last.front_s - first.front_s)
-    elif first.speed_mps and first.length_m and first.rear_line_1 > first.front_line_1:
+    elif first.speed_mps and first.length_m and (first.rear_line_1 or 0.0) > first.front_line_1:
         v, a = first.speed_mps, first.acceleration_mps2 or 0.0
         # the root of length = v t + a t^2 / 2 that stays there without an acceleration
         under = max(v * v + 2 * a * first.length_m, 0.0)
+        assert first.rear_line_1 is not None
         per_s = (first.rear_line_1 - first.front_line_1) * (v + sqrt(under)) / (2 * first.length_m)
     else:
         raise BadInput("commands-flow-no-rate", path=path)
     return [
-        replace(one, rear_s=one.front_s + (one.rear_line_1 - one.front_line_1) / per_s) for one in passings
+        one
+        if one.rear_line_1 is None
+        else replace(one, rear_s=one.front_s + (one.rear_line_1 - one.front_line_1) / per_s)
+        for one in passings
     ]
 
 
@@ -183,9 +187,9 @@ def _passing(
     """A line as a vehicle of the JSON; when its rear passed is found later."""
     since_s = (at - start).total_seconds()
     said: dict[str, Any] = {name: row.get(name) or None for name in ("reason", "lane", "direction")}
-    said |= {name: table.number(line, name, row[name]) for name in ("id", "front_line_1", "rear_line_1")}
+    said |= {name: table.number(line, name, row[name]) for name in ("id", "front_line_1")}
     said |= {name: table.number(line, name, row[name]) for name in ("axles", *_NUMBERS) if row.get(name)}
-    said |= {"status": row["status"], "front_s": since_s, "rear_s": since_s}
+    said |= {"status": row["status"], "front_s": since_s}
     return passing_of(path, said, row["id"])
 
 
@@ -239,7 +243,7 @@ def _motions(
             status=one.status,
             reason=Said.read(one.reason) if one.reason else None,
             since_s=one.front_s,
-            occupied_s=one.rear_s - one.front_s,
+            occupied_s=one.occupied_s,
             u_filmed_at_s=u_passing_s(one.front_s, u_start_s, u_rate, one.speed_mps, one.u_length_m),
             rig_ratio=shared,
             direction=one.direction or "camera_1_first",

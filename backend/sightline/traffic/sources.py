@@ -22,7 +22,7 @@ _WORDS = ("status", "reason", "lane", "direction")
 _CLOSED = {"direction": get_args(ScanDirection)}
 _COUNTS = ("number", "axles")
 #: Of a vehicle always; any other may be null.
-_NEEDED = ("number", "front_s", "rear_s", "front_line_1", "rear_line_1", "status")
+_NEEDED = ("number", "front_s", "front_line_1", "status")
 
 
 def read_recorded(path: Path, duration_s: float | None) -> Recorded:
@@ -128,13 +128,14 @@ def check_passings(path: Path, passings: Sequence[Passing], duration_s: float) -
         if one.number in seen:
             raise BadInput("traffic-number-twice", path=path, vehicle=one.number)
         seen.add(one.number)
-        if not 0 <= one.front_s <= one.rear_s <= duration_s:
+        rear_s = one.front_s if one.rear_s is None else one.rear_s
+        if not 0 <= one.front_s <= rear_s <= duration_s:
             raise BadInput(
                 "traffic-outside-recording",
                 path=path,
                 vehicle=one.number,
                 front_s=round(one.front_s, 3),
-                rear_s=round(one.rear_s, 3),
+                rear_s=round(rear_s, 3),
                 duration_s=round(duration_s, 3),
             )
 

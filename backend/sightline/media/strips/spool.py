@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from sightline.errors import BadInput
 from sightline.media.strips.notes import Dropped, notes_of, with_gaps
+from sightline.media.strips.reader import rebatched
 
 _HEAD = struct.Struct("<2sHHHQ")
 _ENTRY = struct.Struct("<HHQQ")
@@ -133,14 +134,16 @@ class SpooledLines:
         self.lines, self._words_at = lines, place[1]
 
     def chunks(self, start: int) -> Iterator[NDArray[np.uint8]]:
-        """Lines from number `start` on (numbers that count the lost ones), lost ones put in as copies."""
+        """Lines from number `start` on (numbers that count the lost ones), lost ones put in as copies, in
+        blocks that are the same of both cameras.
+        """
         begin, dropped = _within_file(start, self.dropped)
         if begin >= self.lines:
             return
         pixels = np.memmap(self.path, np.uint8, "r", _PIXELS_AT, (self.lines, self.rows))
         pieces = (pixels[at : at + _CHUNK_LINES] for at in range(begin, self.lines, _CHUNK_LINES))
-        for piece in with_gaps(pieces, dropped, _CHUNK_LINES):
-            yield np.array(piece)
+        for piece in rebatched(with_gaps(pieces, dropped, _CHUNK_LINES), _CHUNK_LINES):
+            yield np.array(piece, np.uint8)
 
 
 _CHUNK_LINES = 1024

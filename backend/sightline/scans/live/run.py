@@ -8,7 +8,7 @@ import time
 from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 import numpy as np
@@ -71,6 +71,7 @@ class LiveRun:
         self._segment: Segment | None = None
         self._stream = secrets.token_hex(8)
         self._begin, self._skip, self._first_id = 0, -1.0, 1
+        self._resumed_at: datetime | None = None
         self._ticked = self._clock.steady()
         self._apart = self._clock.wall() - self._ticked
         self._began, self._number = 0.0, 0
@@ -101,7 +102,7 @@ class LiveRun:
         self.found += one.vehicle.motion.status == "ok"
 
     def _take(self, piece: Piece) -> Iterator[LiveVehicle]:
-        segment = self._segment or self._new_segment(self._clock.now(), self._begin)
+        segment = self._segment or self._first_segment(piece)
         piece = replace(piece, lost=tuple(replace(one, line=one.line - self.lines) for one in piece.lost))
         self.lines += len(piece.first)
         self._recent.append(piece)
@@ -110,13 +111,22 @@ class LiveRun:
             held -= len(self._recent.popleft().first)
         yield from segment.take(piece)
 
+    def _first_segment(self, piece: Piece) -> Segment:
+        """Its line 0 is as old as the lines that came since make it, or what a killed run wrote of it."""
+        assert self.source is not None
+        came = len(piece.first) + self.source.waiting_bytes // (2 * self.rows)
+        now, since = self._clock.now(), timedelta(seconds=came / self.rig.line_rate_hz)
+        began_at = self._resumed_at or now - since
+        return self._new_segment(began_at, self._begin, (now - began_at).total_seconds())
+
     def _next_segment(self, before: Segment) -> Iterator[LiveVehicle]:
         """Where the road is empty: another pair of files, from just before the lines not yet looked at."""
         stop = before.finder.settled_line
         start = max(0, stop - 2 * before.finder.margin)
         self._close(before, stop)
-        segment = self._new_segment(before.time_of(start), before.begin + start)
         again = before.lines - start
+        since_s = again / self.rig.line_rate_hz
+        segment = self._new_segment(before.time_of(start), before.begin + start, since_s)
         held = sum(len(one.first) for one in self._recent)
         for piece in self._recent:
             skipped = min(max(0, held - again), len(piece.first))
@@ -124,7 +134,7 @@ class LiveRun:
             if skipped < len(piece.first):
                 yield from segment.take(piece.since(skipped))
 
-    def _new_segment(self, began_at: datetime, begin: int) -> Segment:
+    def _new_segment(self, began_at: datetime, begin: int, since_s: float) -> Segment:
         number = 1 + (last_number(self.folder) if self.folder else self._number)
         self._number = number
         facts = SegmentFacts(number, self._stream, self._name, began_at)
@@ -141,7 +151,7 @@ class LiveRun:
             )
         except OSError as error:
             raise BadInput("commands-not-writable", path=self.folder, strerror=error.strerror) from None
-        self._segment, self._skip, self._began = made, -1.0, self._clock.steady()
+        self._segment, self._skip, self._began = made, -1.0, self._clock.steady() - since_s
         made.belongs_to(self._keeper.begin(facts))
         return made
 
@@ -226,6 +236,7 @@ class LiveRun:
         if self._go_back and left.source == self._name:
             lead = max(0, int(after - LEAD_S * self.rig.line_rate_hz))
             self._begin, self._skip = left.begin + lead, after - lead
+            self._resumed_at = left.began_at + timedelta(seconds=lead / self.rig.line_rate_hz)
             self._say(Said("stream-resumed", begin=left.begin + int(after), name=self._name))
         else:
             facts = SegmentFacts(left.number, left.stream, left.source, left.began_at)

@@ -197,7 +197,8 @@ class Remainder:
         self._spooled = [SpooledLines(path) for path in paths]
         self._start = max(0, int(after - LEAD_S * rig.line_rate_hz))
         self._after, self._facts, self._rig, self._begin = after, facts, rig, begin
-        self._follower = Follower(rig, method, first=first_id)
+        dropped = (self._spooled[0].dropped, self._spooled[1].dropped)
+        self._follower = Follower(rig, method, lambda crossings: columns_of(crossings, *dropped), first_id)
 
     def vehicles(self) -> Iterator[LiveVehicle]:
         """The vehicles whose front came after line `after`, the last of them cut off where the lines end."""

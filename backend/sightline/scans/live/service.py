@@ -30,10 +30,20 @@ def live_streams(session: Session, survey_id: int) -> list[LiveStream]:
     return [_stream(session, scans) for scans in list(by_stream.values())[:_STREAMS]]
 
 
-def flow_of(fronts: Sequence[datetime], since: datetime, until: datetime) -> tuple[FlowMinute, ...]:
-    """Vehicles a minute of the clock from `since` (when watching began) to `until`, the last hour of it."""
-    last = until.replace(second=0, microsecond=0)
-    begin = since.replace(second=0, microsecond=0)
+def flow_of(
+    fronts: Sequence[datetime], watched: Sequence[tuple[datetime, datetime]]
+) -> tuple[FlowMinute, ...]:
+    """Vehicles a minute of the clock, the last hour of it. `watched`: from when to when, of each of the
+    recordings.
+    """
+    stretches = list[tuple[datetime, datetime]]()
+    for since, until in sorted(watched):
+        if stretches and since <= stretches[-1][1]:
+            since, before = stretches.pop()
+            until = max(before, until)
+        stretches.append((since, until))
+    last = stretches[-1][1].replace(second=0, microsecond=0)
+    begin = stretches[0][0].replace(second=0, microsecond=0)
     first = max(begin, last - timedelta(minutes=FLOW_MINUTES - 1))
     count = int((last - first) / timedelta(minutes=1)) + 1
     counted = [0] * count
@@ -43,7 +53,11 @@ def flow_of(fronts: Sequence[datetime], since: datetime, until: datetime) -> tup
             counted[at] += 1
     minutes = [first + timedelta(minutes=k) for k in range(count)]
     return tuple(
-        FlowMinute(minute, vehicles, since <= minute and minute + timedelta(minutes=1) <= until)
+        FlowMinute(
+            minute,
+            vehicles,
+            any(since <= minute and minute + timedelta(minutes=1) <= until for since, until in stretches),
+        )
         for minute, vehicles in zip(minutes, counted, strict=True)
     )
 
@@ -54,7 +68,7 @@ def _stream(session: Session, scans: list[LiveScan]) -> LiveStream:
     recent = [one for one in scans if _until(one) > until - timedelta(minutes=FLOW_MINUTES)]
     begun = {one.scan_id: one for one in recent}
     fronts = [_time(begun[scan_id], line) for scan_id, line in fronts_of(session, list(begun))]
-    flow = flow_of(fronts, min(one.began_at for one in recent), until)
+    flow = flow_of(fronts, [(one.began_at, _until(one)) for one in recent])
     found = last_scan_vehicles(session, newest.scan_id, LAST + 1)
     references = standing_references(session, newest.scan_id)
     listed = shown(get_scan(session, newest.scan_id), found, references)[-LAST:]

@@ -14,7 +14,7 @@ scan_live = Table(
     # the recordings of one stream have the same sign
     Column("stream", String(40), nullable=False),
     Column("source", Text, nullable=False),
-    # when line 0 came, by the computer's clock
+    # when line 0 was taken, by the computer's clock
     Column("began_at", UtcDateTime, nullable=False),
     Column("heard_at", UtcDateTime, nullable=False),
     Column("ended_at", UtcDateTime),

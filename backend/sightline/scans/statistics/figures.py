@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from sightline.infra.database import Session
 from sightline.recordings.filming import FilmedWithin
 from sightline.scans.heights.store import list_scan_heights
@@ -73,7 +75,10 @@ def _seen(scan: Scan, one: ShownVehicle) -> VehicleMotion:
     vehicle = one.vehicle
     values = None if vehicle.measurement is None else vehicle.measurement.values
     gap = {name: getattr(one.gap, name) for name in GAPS} if one.gap else {}
-    where = when_passed(rig_of(values.rig), values.front_line_1, values.rear_line_1) if values else {}
+    where: dict[str, Any] = {}
+    if values:
+        ends = values.front_line_1, values.rear_line_1
+        where = when_passed(rig_of(values.rig), *ends, values.reason)
     return VehicleMotion(
         vehicle_id=vehicle.id,
         scan_id=vehicle.scan_id,

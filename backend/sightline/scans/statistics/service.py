@@ -15,7 +15,7 @@ import numpy as np
 from sightline.enums import KnownLength, ReferenceQuantity, ReferenceSource, ScanDirection, ScanVehicleState
 from sightline.infra.by_name import filled_from
 from sightline.linescan.clock import since_start_s
-from sightline.linescan.parts import Rig
+from sightline.linescan.parts import Rig, rear_seen
 from sightline.linescan.rig import RigEstimate, alone, baseline_of, baseline_ratio, speed_ratio_of
 from sightline.messages.said import Said
 from sightline.recordings.filming import FilmedWithin
@@ -57,7 +57,8 @@ class VehicleMotion:
 
     `state`: to_review, accepted, rejected, not_measurable; `measured`: it has a motion. `rig_*`: the baseline
     that this motion was computed with. None where there is no value. `known`: the maker's sizes. `since_s`,
-    `occupied_s`: when it reached camera 1 after line 0, and how long it stood before it; `filmed_at`: the
+    `occupied_s`: when it reached camera 1 after line 0, and how long it stood before it (None: its rear was
+    not seen); `filmed_at`: the
     first by the clocks of the place (ISO 8601), empty where its recording has none; `rig_ratio`: what the
     rig gives to every speed alike, a share of it (k = 1). `run_of`: the car of which it is one run;
     `references`: what stands of what something else measured. `direction`: which camera it reached first.
@@ -87,15 +88,21 @@ class VehicleMotion:
     axles: int | None = None
 
 
-def when_passed(rig: Rig, front_line_1: float, rear_line_1: float) -> dict[str, float]:
-    """When a vehicle passed, and what the rig that it was measured with gives to its motion, by name."""
+def when_passed(
+    rig: Rig, front_line_1: float, rear_line_1: float, reason: Said | None
+) -> dict[str, float | None]:
+    """When a vehicle passed, and what the rig that it was measured with gives to its motion, by name.
+
+    `reason`: why it has no motion; where its rear was not seen, it is not known how long it stood there.
+    """
+    occupied_s = (rear_line_1 - front_line_1) / rig.line_rate_hz
     baseline_m, u_baseline_m = baseline_of(rig)
     return {
         "rig_baseline_m": baseline_m,
         "rig_u_baseline_m": u_baseline_m,
         "rig_ratio": speed_ratio_of(rig),
         "since_s": since_start_s(front_line_1, rig.line_rate_hz),
-        "occupied_s": (rear_line_1 - front_line_1) / rig.line_rate_hz,
+        "occupied_s": occupied_s if rear_seen(reason) else None,
     }
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
+from functools import partial
 from typing import Annotated, Protocol
 
 import numpy as np
@@ -144,12 +145,12 @@ def _intervals(
             begins_at=clock.at(one.begin_s),
             percentiles=percentiles(np.array(one.speeds_mps, dtype=np.float64), PERCENTS),
         )
-        for one in intervals(passed, watched_s, _into_hour_s(clock), minutes)
+        for one in intervals(passed, watched_s, partial(_into_hour_s, clock), minutes)
     )
 
 
 def _passed(one: VehicleMotion, accepted_only: bool) -> Passed:
-    assert one.since_s is not None and one.occupied_s is not None
+    assert one.since_s is not None
     if not counts(one, accepted_only):
         return Passed(one.since_s, one.occupied_s, one.u_filmed_at_s, refused=not one.measured)
     return Passed(
@@ -165,6 +166,6 @@ def _passed(one: VehicleMotion, accepted_only: bool) -> Passed:
     )
 
 
-def _into_hour_s(clock: Clock) -> float:
-    at = datetime.fromisoformat(clock.at())
+def _into_hour_s(clock: Clock, since_s: float) -> float:
+    at = datetime.fromisoformat(clock.at(since_s))
     return 60.0 * at.minute + at.second + at.microsecond / 1e6

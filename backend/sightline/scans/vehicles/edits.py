@@ -68,7 +68,7 @@ def place_boundaries(
     elif back.method == chosen and _as_now(back, scan.rig, lane):
         values = replace(_own(back), cause="back", run_id=None)
     else:
-        motion = measured_at(crossings, scan.rig, chosen, readers, lane, back.u_boundaries_m)
+        motion = measured_at(crossings, scan.rig, chosen, readers, lane, back)
         values = values_of(motion, scan.rig, "back", placed_by=back.placed_by)
     if before is not None:
         values = with_people(values, before.values)
@@ -145,7 +145,7 @@ def place_lane(services: Services, vehicle_id: int, lane: str | None, version: i
     back = brought_back(same, crossings)
     if back is None:
         readers = open_strips(services, scan)
-        motion = measured_at(crossings, scan.rig, then.method, readers, lane, then.u_boundaries_m)
+        motion = measured_at(crossings, scan.rig, then.method, readers, lane, then)
         values = values_of(motion, scan.rig, "lane", placed_by=actor)
     else:
         values = replace(_own(back), cause="back", run_id=None)

@@ -120,8 +120,7 @@ def plan(
             matched.add(there.id)
             chosen = lane_by_person(there.measurement)
             if chosen is not None:
-                doubt = motion.u_boundaries_m
-                motion = measured_at(motion.crossings, rig, method, readers, chosen, doubt)
+                motion = measured_at(motion.crossings, rig, method, readers, chosen, motion)
             plans.append(Planned(there, motion, "again"))
     again = [one for one in known if not one.deleted and one.id not in matched and one.measurement]
     for count, one in enumerate(again):

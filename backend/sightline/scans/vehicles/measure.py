@@ -9,12 +9,12 @@ from sightline.enums import ScanMethod
 from sightline.linescan.by_hand import passage_at
 from sightline.linescan.faults import lines_lost
 from sightline.linescan.methods import MEASURE
-from sightline.linescan.parts import Crossings, Motion, Passage, Rig
+from sightline.linescan.parts import Crossings, Motion, Passage, Rig, rear_seen
 from sightline.linescan.rig import at_lane, lane_named
 from sightline.media.strips.notes import Dropped, lost_lines
 from sightline.media.strips.stored_reader import StripReader
 from sightline.messages.said import Said
-from sightline.scans.records import ScanMeasurement
+from sightline.scans.records import ScanMeasurement, ScanValues
 from sightline.scans.vehicles.motion import crossings_of, lane_by_person
 
 Readers = tuple[StripReader, StripReader]
@@ -31,16 +31,18 @@ def measured_at(
     method: ScanMethod,
     readers: Readers,
     lane: str | None = None,
-    u_boundaries_m: float = 0.0,
+    found: Motion | ScanValues | None = None,
 ) -> Motion:
     """The motion of the vehicle between these crossings, its pictures read from the strips.
 
-    `lane`: what a person said; a lane that the rig does not have is not believed. `u_boundaries_m`: of
-    boundaries that the machine found.
+    `lane`: what a person said; a lane that the rig does not have is not believed. `found`: what was said of
+    these boundaries before: their doubt stays, and a rear that was not seen still is not.
     """
     first, second = readers
     passage = passage_at(crossings, rig, first.rows, (first.read, second.read), first.bits)
-    passage = replace(passage, u_boundaries_m=u_boundaries_m)
+    if found is not None:
+        reason = None if rear_seen(found.reason) else found.reason
+        passage = replace(passage, u_boundaries_m=found.u_boundaries_m, reason=reason)
     if lane_named(rig, lane) is None:
         return measured(passage, rig, method, readers)
     motion = measured(passage, replace(at_lane(rig, lane), lanes=()), method, readers)
@@ -50,7 +52,7 @@ def measured_at(
 def measured_again(before: ScanMeasurement, rig: Rig, method: ScanMethod, readers: Readers) -> Motion:
     """The motion between boundaries that stand, in the lane that a person chose, if one did."""
     values, lane = before.values, lane_by_person(before)
-    return measured_at(crossings_of(values), rig, method, readers, lane, values.u_boundaries_m)
+    return measured_at(crossings_of(values), rig, method, readers, lane, values)
 
 
 def without_losses(passage: Passage, dropped: Sequence[Sequence[Dropped]]) -> Passage:
