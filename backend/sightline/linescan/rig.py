@@ -162,9 +162,16 @@ def baseline_of(rig: Rig) -> tuple[float, float]:
     )
 
 
+def common_baseline_of(rig: Rig) -> tuple[float, float]:
+    """Baseline at the vehicle, m, and the standard uncertainty of it that all vehicles share: that of baseline
+    and divergence. What a vehicle's own distance adds (`u_distance_m`: of one vehicle's) is its own.
+    """
+    return baseline_of(replace(rig, u_distance_m=0.0))
+
+
 def speed_ratio_of(rig: Rig) -> float:
     """What baseline and line rate give to every speed alike, a share of it (k = 1)."""
-    baseline_m, u_baseline_m = baseline_of(rig)
+    baseline_m, u_baseline_m = common_baseline_of(rig)
     return hypot(u_baseline_m / baseline_m, rig.u_line_rate_ratio)
 
 

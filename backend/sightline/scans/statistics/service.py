@@ -16,7 +16,7 @@ from sightline.enums import KnownLength, ReferenceQuantity, ReferenceSource, Sca
 from sightline.infra.by_name import filled_from
 from sightline.linescan.clock import since_start_s
 from sightline.linescan.parts import Rig
-from sightline.linescan.rig import RigEstimate, alone, baseline_of, baseline_ratio, speed_ratio_of
+from sightline.linescan.rig import RigEstimate, alone, baseline_ratio, common_baseline_of, speed_ratio_of
 from sightline.messages.said import Said
 from sightline.recordings.filming import FilmedWithin
 from sightline.scans.references.records import MEASURED, UNITS, ReferenceValues
@@ -56,7 +56,7 @@ class VehicleMotion:
     """A vehicle as the statistics see it: its standing motion, the gap before it, what is known of it.
 
     `state`: to_review, accepted, rejected, not_measurable; `measured`: it has a motion. `rig_*`: the baseline
-    that this motion was computed with. None where there is no value. `known`: the maker's sizes. `since_s`,
+    that this motion was computed with, and the u of it that all vehicles share. None where there is no value. `known`: the maker's sizes. `since_s`,
     `occupied_s`: when it reached camera 1 after line 0, and how long it stood before it; `filmed_at`: the
     first by the clocks of the place (ISO 8601), empty where its recording has none; `rig_ratio`: what the
     rig gives to every speed alike, a share of it (k = 1). `run_of`: the car of which it is one run;
@@ -88,8 +88,10 @@ class VehicleMotion:
 
 
 def when_passed(rig: Rig, front_line_1: float, rear_line_1: float) -> dict[str, float]:
-    """When a vehicle passed, and what the rig that it was measured with gives to its motion, by name."""
-    baseline_m, u_baseline_m = baseline_of(rig)
+    """When a vehicle passed, and what the rig that it was measured with gives to its motion and to all others
+    alike, by name.
+    """
+    baseline_m, u_baseline_m = common_baseline_of(rig)
     return {
         "rig_baseline_m": baseline_m,
         "rig_u_baseline_m": u_baseline_m,
@@ -309,11 +311,19 @@ def _cars(chosen: Sequence[VehicleMotion]) -> Iterator[CarRuns]:
 
 
 def _runs(found: Sequence[VehicleMotion], name: str) -> list[Run]:
-    """A size of each run; the baseline's part is one error for all runs with this baseline."""
+    """A size of each run; the baseline's part is one error for all runs with this baseline.
+
+    It is a share of the car's one size, here the runs' median: taken of each observed size, the smaller ones
+    would weigh more, and the mean could lie below every run (Peelle's puzzle).
+    """
+    sized = [
+        (one, value, u)
+        for one in found
+        if (value := one.values.get(name)) is not None and (u := one.values.get(f"u_{name}")) is not None
+    ]
+    middle = float(np.median([value for _, value, _ in sized])) if sized else 0.0
     out = []
-    for one in found:
-        value, u = one.values.get(name), one.values.get(f"u_{name}")
-        if value is not None and u is not None:
-            rig = one.rig_baseline_m, one.rig_u_baseline_m
-            out.append(Run(value, alone(value, u, *rig), value * rig[1] / rig[0], rig))
+    for one, value, u in sized:
+        rig = one.rig_baseline_m, one.rig_u_baseline_m
+        out.append(Run(value, alone(value, u, *rig), middle * rig[1] / rig[0], rig))
     return out
