@@ -295,8 +295,8 @@ def baseline_ratio(
 def wheelbase(motion: Motion, rig: Rig, line_a: float, line_b: float, *, u_line: float = 2.0) -> Wheelbase:
     """Distance between the axles clicked at two lines of strip 1, in either order.
 
-    u_line: standard uncertainty of a click, lines. Entries: clicks, the fitted motion (with its correlation);
-    the baseline is part of the motion's.
+    u_line: standard uncertainty of a click, lines. Entries: clicks, the motion's speed and acceleration
+    (`u_travelled_m`); the baseline is part of the motion's.
     """
     if motion.speed_mps is None or motion.acceleration_mps2 is None:
         return Wheelbase(None, None, motion.reason or Said("scan-wheelbase-no-motion"))
@@ -310,11 +310,25 @@ def wheelbase(motion: Motion, rig: Rig, line_a: float, line_b: float, *, u_line:
         return Wheelbase(None, None, Said("scan-wheelbase-at-rest"))
     first, second = np.asarray(travelled_m(speed, acceleration, seconds))
     u_clicks = float(np.hypot(*leaving)) * u_line / rig.line_rate_hz
-    of_speed = float(seconds[1] - seconds[0]) * (motion.u_speed_mps or 0.0)
-    of_acceleration = float(seconds[1] ** 2 - seconds[0] ** 2) / 2 * (motion.u_acceleration_mps2 or 0.0)
-    together = 2 * (motion.correlation or 0.0) * of_speed * of_acceleration
-    u_motion = sqrt(max(of_speed**2 + of_acceleration**2 + together, 0.0))
+    u_motion = u_travelled_m(motion, float(seconds[0]), float(seconds[1]), rig.u_line_rate_ratio)
     return Wheelbase(float(second - first), hypot(u_clicks, u_motion))
+
+
+def u_travelled_m(motion: Motion, begin_s: float, end_s: float, u_line_rate_ratio: float) -> float:
+    """Standard uncertainty, m, that a measured motion gives to the way v t + a t^2 / 2 between two lines of it,
+    `begin_s` and `end_s` after the front's: of speed and acceleration, correlated as fitted (JCGM 100:2008,
+    5.2.2), without the clock's.
+
+    A line rate that is c too high makes v and a too large by c and 2 c, and both times too short by c, so the
+    way is what it was, like a length.
+    """
+    speed, acceleration = motion.speed_mps or 0.0, motion.acceleration_mps2 or 0.0
+    by_speed, by_acceleration = end_s - begin_s, (end_s**2 - begin_s**2) / 2
+    of_speed = by_speed * (motion.u_speed_mps or 0.0)
+    of_acceleration = by_acceleration * (motion.u_acceleration_mps2 or 0.0)
+    together = 2 * (motion.correlation or 0.0) * of_speed * of_acceleration
+    of_clock = (by_speed * speed + 2 * by_acceleration * acceleration) * u_line_rate_ratio
+    return sqrt(max(of_speed**2 + of_acceleration**2 + together - of_clock**2, 0.0))
 
 
 def _require_lanes(lanes: tuple[Lane, ...]) -> None:
