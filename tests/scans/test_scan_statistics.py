@@ -88,7 +88,9 @@ def test_the_mean_of_runs_lies_among_them_whatever_the_baseline_is_off() -> None
 
 def test_where_each_run_drove_is_its_own_error() -> None:
     """The planes open by 10 mrad; a car drives 0.3 m nearer or farther each time, 0.4 % of its length."""
-    rig = Rig(0.6, 5000.0, 0.003, divergence_rad=0.01, u_divergence_rad=1e-4, distance_m=5.0, u_distance_m=0.3)
+    rig = Rig(
+        0.6, 5000.0, 0.003, divergence_rad=0.01, u_divergence_rad=1e-4, distance_m=5.0, u_distance_m=0.3
+    )
     rng, verdicts = np.random.default_rng(12), []
     for _ in range(40):
         b, q = 0.6 + rng.normal(0, 0.003), 0.01 + rng.normal(0, 1e-4)

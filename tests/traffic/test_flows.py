@@ -103,7 +103,7 @@ def test_who_stands_occupies_every_interval_and_the_next_day(tmp_path: Path) -> 
 
 
 def test_the_median_gap_is_of_measured_vehicles(tmp_path: Path) -> None:
-    """Three refused vehicles came 0.1 s after the one before, by rough fronts; those measured 2 s after it."""
+    """Three refused vehicles came 0.1 s after others, by rough fronts; those measured 2 s."""
     came = [
         replace(standing_passing(n, 10.0 * n, 10.0 * n + 1), time_gap_s=gap, speed_mps=speed)
         for n, (gap, speed) in enumerate([(2.0, 5.0), (0.1, None), (2.0, 5.0), (0.1, None), (0.1, None)], 1)

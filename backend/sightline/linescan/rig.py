@@ -163,8 +163,8 @@ def baseline_of(rig: Rig) -> tuple[float, float]:
 
 
 def common_baseline_of(rig: Rig) -> tuple[float, float]:
-    """Baseline at the vehicle, m, and the standard uncertainty of it that all vehicles share: that of baseline
-    and divergence. What a vehicle's own distance adds (`u_distance_m`: of one vehicle's) is its own.
+    """Baseline at the vehicle, m, and the standard uncertainty of it that all vehicles share: of baseline and
+    divergence. What a vehicle's own distance adds (`u_distance_m`: of one vehicle's) is its own.
     """
     return baseline_of(replace(rig, u_distance_m=0.0))
 
@@ -315,9 +315,9 @@ def wheelbase(motion: Motion, rig: Rig, line_a: float, line_b: float, *, u_line:
 
 
 def u_travelled_m(motion: Motion, begin_s: float, end_s: float, u_line_rate_ratio: float) -> float:
-    """Standard uncertainty, m, that a measured motion gives to the way v t + a t^2 / 2 between two lines of it,
-    `begin_s` and `end_s` after the front's: of speed and acceleration, correlated as fitted (JCGM 100:2008,
-    5.2.2), without the clock's.
+    """Standard uncertainty, m, that a measured motion gives to the way v t + a t^2 / 2 between two of its
+    lines, `begin_s` and `end_s` after the front's: of speed and acceleration, correlated as fitted (JCGM
+    100:2008, 5.2.2), without the clock's.
 
     A line rate that is c too high makes v and a too large by c and 2 c, and both times too short by c, so the
     way is what it was, like a length.

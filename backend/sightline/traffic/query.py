@@ -94,8 +94,8 @@ class ArchiveTables:
                 yield _told(row, site, asked)
 
     def _rows(self, query: str, site: str, asked: Asked) -> list[dict[str, Any]]:
-        """Rows of a query over one site's `vehicles` and `watched`, with those of the day before the first: who
-        stands over its midnight came then.
+        """Rows of a query over one site's `vehicles` and `watched`, with those of the day before the first:
+        who stands over its midnight came then.
         """
         first = asked.first_day
         days = first and first - timedelta(days=first > date.min), asked.last_day

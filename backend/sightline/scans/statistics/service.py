@@ -56,11 +56,12 @@ class VehicleMotion:
     """A vehicle as the statistics see it: its standing motion, the gap before it, what is known of it.
 
     `state`: to_review, accepted, rejected, not_measurable; `measured`: it has a motion. `rig_*`: the baseline
-    that this motion was computed with, and the u of it that all vehicles share. None where there is no value. `known`: the maker's sizes. `since_s`,
-    `occupied_s`: when it reached camera 1 after line 0, and how long it stood before it; `filmed_at`: the
-    first by the clocks of the place (ISO 8601), empty where its recording has none; `rig_ratio`: what the
-    rig gives to every speed alike, a share of it (k = 1). `run_of`: the car of which it is one run;
-    `references`: what stands of what something else measured. `direction`: which camera it reached first.
+    that this motion was computed with, and the u of it that all vehicles share. None where there is no value.
+    `known`: the maker's sizes. `since_s`, `occupied_s`: when it reached camera 1 after line 0, and how long
+    it stood before it; `filmed_at`: the first by the clocks of the place (ISO 8601), empty where its
+    recording has none; `rig_ratio`: what the rig gives to every speed alike, a share of it (k = 1). `run_of`:
+    the car of which it is one run; `references`: what stands of what something else measured. `direction`:
+    which camera it reached first.
     """
 
     vehicle_id: int
