@@ -24,7 +24,7 @@ def seen(number: int, state: str = "accepted", **values: float) -> VehicleMotion
         values={"speed_mps": 10.0 + number, "length_m": 4.04, "u_length_m": 0.041, **values},
         known={"length_m": 4.0, "u_length_m": 0.005},
         rig_baseline_m=0.6,
-        rig_u_baseline_m=0.006,
+        rig_errors_m=(0.006, 0.0),
     )
 
 
@@ -99,3 +99,22 @@ def test_where_each_run_drove_is_its_own_error() -> None:
         (car,) = statistics_of_seen(runs(list(lengths_m), rig, 0.004), accepted_only=True).cars
         verdicts.append(car.sizes["length"].verdict)
     assert verdicts.count("agree") >= 35
+
+
+@pytest.mark.parametrize("correlation", [0.0, -0.9])
+def test_runs_in_two_lanes_share_the_errors_of_one_rig(correlation: float) -> None:
+    """Against the covariance of b + q D at both distances, by draws of b and q."""
+    near, far = (
+        Rig(0.6, 5000.0, 0.006, 0.0, 0.01, 1e-3, distance_m, baseline_correlation=correlation)
+        for distance_m in (4.0, 8.0)
+    )
+    u_own_m = 0.02
+    seen = [*runs([4.5] * 2, near, u_own_m), *runs([4.5], far, u_own_m)]
+    (car,) = statistics_of_seen(seen, accepted_only=True).cars
+    u_b, u_q = 0.006, 1e-3
+    spread = [[u_b**2, correlation * u_b * u_q], [correlation * u_b * u_q, u_q**2]]
+    off = np.random.default_rng(3).multivariate_normal([0.0, 0.0], spread, 40_000)
+    away, own = np.array([4.0, 4.0, 8.0]), np.random.default_rng(4).normal(0, u_own_m, (40_000, 3))
+    lengths_m = 4.5 * (off[:, :1] + off[:, 1:] * away) / (0.6 + 0.01 * away) + own
+    weight = np.linalg.inv(np.cov(lengths_m.T))
+    assert car.sizes["length"].u_mean == pytest.approx(weight.sum() ** -0.5, rel=0.02)

@@ -163,10 +163,20 @@ def baseline_of(rig: Rig) -> tuple[float, float]:
 
 
 def common_baseline_of(rig: Rig) -> tuple[float, float]:
-    """Baseline at the vehicle, m, and the standard uncertainty of it that all vehicles share: of baseline and
-    divergence. What a vehicle's own distance adds (`u_distance_m`: of one vehicle's) is its own.
+    """Baseline at the vehicle, m, and the standard uncertainty of it that all vehicles there share."""
+    return baseline_of(rig)[0], hypot(*shared_errors_m(rig))
+
+
+def shared_errors_m(rig: Rig) -> tuple[float, float]:
+    """By how much two independent errors, common to all vehicles of a rig in whichever lane, move the
+    baseline at a vehicle, m (k = 1): of baseline and divergence. What a vehicle's own distance adds
+    (`u_distance_m`: of one vehicle's) is its own.
+
+    u_b + r D u_q and D u_q (1 - r^2)^1/2: their products for two lanes are the covariance of both baselines,
+    u_b^2 + r u_b u_q (D1 + D2) + D1 D2 u_q^2 (JCGM 100:2008, 5.2.2).
     """
-    return baseline_of(replace(rig, u_distance_m=0.0))
+    of_divergence, r = (rig.distance_m or 0.0) * rig.u_divergence_rad, rig.baseline_correlation
+    return rig.u_baseline_m + r * of_divergence, of_divergence * sqrt(max(1 - r * r, 0.0))
 
 
 def speed_ratio_of(rig: Rig) -> float:
