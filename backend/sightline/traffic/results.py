@@ -195,12 +195,13 @@ def _occupying(path: Path, passings: Sequence[Passing]) -> list[Passing]:
 
 def _lines_per_s(one: Passing) -> float | None:
     """How many lines a second a motion says; None without one."""
-    if not (one.speed_mps and one.length_m and one.rear_line_1 > one.front_line_1):
+    lines, length_m = one.rear_line_1 - one.front_line_1, one.length_m or 0.0
+    v, a = one.speed_mps or 0.0, one.acceleration_mps2 or 0.0
+    if not min(lines, length_m, v) > 0:
         return None
-    v, a = one.speed_mps, one.acceleration_mps2 or 0.0
     # the root of length = v t + a t^2 / 2 that stays there without an acceleration
-    under = max(v * v + 2 * a * one.length_m, 0.0)
-    return (one.rear_line_1 - one.front_line_1) * (v + sqrt(under)) / (2 * one.length_m)
+    under = max(v * v + 2 * a * length_m, 0.0)
+    return lines * (v + sqrt(under)) / (2 * length_m)
 
 
 def _passing(
