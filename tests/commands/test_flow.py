@@ -18,12 +18,14 @@ from sightline.cli import main
 from sightline.commands.scanned import about_rig, object_of
 from sightline.infra.local_time import instant_of
 from sightline.linescan.finding import Finder
-from sightline.linescan.parts import Rig
+from sightline.linescan.parts import Lane, Rig
 from sightline.linescan.passing import measured
+from sightline.linescan.rig import rig_from
 from sightline.linescan.traffic import LENGTH_LIMITS_M
 from sightline.traffic.archive import add_recorded
 from sightline.traffic.query import ArchiveTables
 from sightline.traffic.records import Asked, Stood
+from sightline.traffic.sources import read_recorded
 from tests.simulation.scan_strips import recording
 from tests.simulation.scan_traffic import ScanSite, ScanTruth, traffic, truths
 from tests.traffic.samples import recorded
@@ -169,6 +171,93 @@ def test_both_directions_and_lanes_are_apart(tmp_path: Path, capsys: pytest.Capt
     counts = {(one["direction"], one["lane"]): one["vehicles"] for one in found}
     ways = [("camera_1_first", "far"), ("camera_1_first", "near"), ("camera_2_first", "far")]
     assert counts == dict(zip(ways, ("2", "2", "1"), strict=True))
+
+
+@pytest.mark.parametrize("known", ["table", "json"])
+def test_u_of_a_lanes_mean_is_not_that_of_another_lane(
+    known: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Planes open by 10 +- 1 mrad: 0.5 permille of a speed at 5 m and 4 permille at 40 m, both common."""
+    rig = Rig(
+        *(10.0, 5000.0, 0.0, 0.0, 0.0, 1e-3),
+        lanes=(Lane("near", 5.0, 1.0, "camera_1_first"), Lane("far", 40.0, 1.0, "camera_2_first")),
+    )
+    cars = [
+        {
+            **vehicle(n, 10.0 * n, 0.2, 20.0, 4.0, 2),
+            "direction": way,
+            "lane": lane,
+            "u_speed_mps": str(20.0 * ratio),
+        }
+        for n, (way, lane, ratio) in enumerate(
+            [("camera_1_first", "near", 5e-4), ("camera_2_first", "far", 4e-3)] * 9, 1
+        )
+    ]
+    if known == "table":
+        path = written(tmp_path / "vehicles.csv", cars)
+    else:
+        words = ("status", "direction", "lane")
+        rows = [
+            {name: cell if name in words else float(cell) for name, cell in one.items() if name != "front_at"}
+            for one in cars
+            if not one.pop("reason")
+        ]
+        for row in rows:
+            row |= {end + "_s": row[end + "_line_1"] / RATE_HZ for end in ("front", "rear")}
+        path = tmp_path / "recording.json"
+        whole = {**about_rig(rig), "duration_s": 300.0, "start": LINE_0.isoformat(), "vehicles": rows}
+        path.write_text(json.dumps(whole))
+    near, far = table(flow(capsys, path, "--interval", "60"))
+    assert (near["lane"], near["vehicles"], far["vehicles"]) == ("near", "9", "9")
+    assert float(near["u_speed_mean_mps"]) == pytest.approx(20.0 * 5e-4, rel=1e-3)
+    assert float(far["u_speed_mean_mps"]) == pytest.approx(20.0 * 4e-3, rel=1e-3)
+
+
+def test_the_json_tells_the_rig_at_its_vehicles(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """0.5 permille at the cameras, with the divergence 1 permille at the vehicles, all of their u."""
+    rig = Rig(0.6, 5000.0, 3e-4, 0.0, 0.0, 1.04e-4, 5.0)
+    assert rig_from(about_rig(rig)) == rig
+    path = as_json(tmp_path / "recording.json", 680.0, **about_rig(rig))
+    second = table(flow(capsys, path, "--interval", "5"))[1]
+    assert float(second["u_speed_mean_mps"]) == pytest.approx(0.001 * 25.0, rel=1e-3)
+
+
+def test_a_resumed_stream_is_on_one_clock(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A pipe of 06:00, resumed at 09:00 after a kill: seconds begin anew, one vehicle came twice."""
+    first = {
+        **{name: None for name in ("reason", "lane", "u_speed_mps", "length_m", "u_length_m")},
+        **{"id": 1, "segment": 1, "status": "ok", "direction": "camera_1_first", "speed_mps": 20.0},
+        **{"front_s": 5.0, "rear_s": 5.2, "front_line_1": 25_000.0, "rear_line_1": 26_000.0},
+        "front_at": "2026-05-04T06:00:05+00:00",
+    }
+    later = {"front_s": 9.0, "rear_s": 9.2, "front_at": "2026-05-04T06:00:09.000001+00:00"}
+    second = {**first, "id": 2, **later}
+    third = {**first, "id": 3, "segment": 2, "front_at": "2026-05-04T09:00:05+00:00"}
+    path = tmp_path / "stream.jsonl"
+    path.write_text("\n".join(map(json.dumps, (first, second, second, third))))
+    rows = table(flow(capsys, path, "--interval", "60"))
+    hours = {one["interval_start"][11:13]: one for one in rows}
+    assert {hour: one["vehicles"] for hour, one in hours.items()} == {
+        "06": "2",
+        "07": "0",
+        "08": "0",
+        "09": "1",
+    }
+    assert float(hours["06"]["headway_mean_s"]) == pytest.approx(4.0, abs=1e-5)
+    told = read_recorded(path, 4 * 3600.0)
+    assert [one.front_s for one in told.passings] == pytest.approx([5.0, 9.0, 3 * 3600 + 5.0], abs=1e-5)
+    assert told.passings[2].rear_s == pytest.approx(3 * 3600 + 5.2)
+
+
+def test_lost_lines_and_whole_ms_leave_the_time_before_the_camera(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """2 vehicles within a second, 1500 of 2000 lines between them lost."""
+    rows = [vehicle(n, at, 0.2, 20.0, 4.0, 2) for n, at in ((1, 8.0), (2, 8.4004))]
+    rows[1] |= {name: str(float(rows[1][name]) - 1500) for name in ("front_line_1", "rear_line_1")}
+    cars = tmp_path / "cars.csv"
+    flow(capsys, written(tmp_path / "vehicles.csv", rows), "-o", tmp_path / "out.csv", "--vehicles", cars)
+    assert [float(one["occupied_s"]) for one in table(cars.read_text())] == pytest.approx([0.2, 0.2])
 
 
 def test_a_folder_is_read_file_by_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

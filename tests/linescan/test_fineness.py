@@ -38,6 +38,19 @@ def test_lines_close_enough_are_measured_and_slow_ones_refused_with_what_to_do()
                 assert told_mm == pytest.approx(line_mm, rel=0.05)
 
 
+def test_planes_that_open_are_as_far_apart_as_at_the_vehicles() -> None:
+    """A rig of 0.393 m at the cameras that is 0.593 m at 5 m finds, bounds and refuses as one of 0.593 m."""
+    opening = replace(RIG, baseline_m=RIG.baseline_m - 5.0 * 0.04, divergence_rad=0.04, distance_m=5.0)
+    again = found(plain(), opening)[0]
+    for one, same in zip(plain_found()[0], again, strict=True):
+        assert vars(same.crossings) == pytest.approx(vars(one.crossings), abs=1e-6)
+        assert same.u_boundaries_m == pytest.approx(one.u_boundaries_m, rel=1e-6)
+    rig, slow = (replace(one, line_rate_hz=RIG.line_rate_hz / 32) for one in (RIG, opening))
+    (passage, *_) = found(every(32), rig)[0]
+    said = too_coarse(passage, rig)
+    assert said is not None and too_coarse(passage, slow) == said
+
+
 def test_boundaries_that_are_a_line_off_change_neither_the_distance_of_lines_nor_the_rate_to_ask_for() -> (
     None
 ):

@@ -3,10 +3,12 @@
 import numpy as np
 import pytest
 
+from sightline.linescan.equations import travelled_m
 from sightline.linescan.finding import STOPPED
 from sightline.linescan.matching import match_blocks
 from sightline.linescan.paper import measure_paper
 from sightline.linescan.parts import Crossings, Motion, Passage, Rig
+from sightline.linescan.rig import u_travelled_m
 from tests.simulation.scan_strips import strips
 from tests.simulation.scan_traffic import ScanSite, ScanTruth, traffic, truths
 
@@ -99,6 +101,21 @@ def test_profile_and_budget_say_what_was_used(measured: list[tuple[ScanTruth, Mo
     assert np.hypot.reduce([entry.u_speed_mps for entry in one.budget]) == pytest.approx(one.u_speed_mps)
     assert one.budget[0].u_speed_mps == pytest.approx(one.speed_mps * 0.001 / 0.593)
     assert 0 < one.fit_error_percent < 3
+
+
+def test_baseline_and_clock_carry_a_gap_on_as_they_scale_the_motion() -> None:
+    """A baseline of 5 % makes any way 5 % uncertain beside the fit, a clock of 5 % none."""
+    site = ScanSite(rows=96)
+    cars = traffic(5, 1, speeds_mps=(16.0, 34.0))
+    (truth,) = truths(site, cars)
+    passage = passage_of(truth, *strips(site, cars))
+    rigs = [Rig(site.baseline_m, site.line_rate_hz, *u) for u in ((0.0, 0.0), (0.05 * site.baseline_m, 0.05))]
+    exact, loose = (measure_paper(passage, rig) for rig in rigs)
+    begin_s, end_s = 0.3, 0.8
+    way_m = np.diff(travelled_m(exact.speed_mps, exact.acceleration_mps2, np.array([begin_s, end_s])))[0]
+    u_m = [u_travelled_m(one, begin_s, end_s, clock) for one, clock in ((exact, 0.0), (loose, 0.05))]
+    assert u_m[1] == pytest.approx(np.hypot(u_m[0], 0.05 * way_m), rel=1e-6)
+    assert u_m[0] < 0.05 * way_m
 
 
 def test_what_cannot_be_measured_has_a_reason(measured: list[tuple[ScanTruth, Motion]]) -> None:

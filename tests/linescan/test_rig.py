@@ -8,6 +8,7 @@ import pytest
 
 from sightline.errors import BadInput
 from sightline.linescan.finding import STOPPED
+from sightline.linescan.gaps import gaps
 from sightline.linescan.parts import Crossings, Motion, Rig
 from sightline.linescan.rig import baseline_ratio, gain, misalignment, require_rig, wheelbase
 
@@ -69,6 +70,33 @@ def test_a_wheelbase_is_what_the_motion_covers_between_the_hubs() -> None:
     clicks = np.sort(seconds + rng.normal(0, 2 / RIG.line_rate_hz, (4000, 2)))
     way = drawn[:, :1] * clicks + drawn[:, 1:] / 2 * clicks**2
     assert found.u_wheelbase_m == pytest.approx(np.std(way[:, 1] - way[:, 0]), rel=0.05)
+
+
+@pytest.mark.parametrize("clock", [0.0, 0.01])
+def test_the_clock_moves_no_wheelbase_and_no_gap(clock: float) -> None:
+    """1 % of line rate: speed and both times err together, so the way between two lines does not."""
+    v, a, rig = 20.0, 1.5, replace(RIG, u_line_rate_ratio=clock)
+    fitted = np.array([[1e-4, -0.9e-3], [-0.9e-3, 1e-2]])
+    spread = fitted + clock**2 * np.outer([v, 2 * a], [v, 2 * a])
+    u_v, u_a = np.sqrt(np.diag(spread))
+    moving = motion(
+        speed_mps=v,
+        u_speed_mps=u_v,
+        acceleration_mps2=a,
+        u_acceleration_mps2=u_a,
+        correlation=spread[0, 1] / (u_v * u_a),
+        length_m=4.2,
+    )
+    found = wheelbase(moving, rig, 1300.0, 1900.0, u_line=0.0)
+    begin_s, end_s = 300.0 / rig.line_rate_hz, 900.0 / rig.line_rate_hz
+    gradient = np.array([end_s - begin_s, (end_s**2 - begin_s**2) / 2])
+    assert found.u_wheelbase_m == pytest.approx((gradient @ fitted @ gradient) ** 0.5, rel=1e-6)
+    unmeasured = Motion("direct", Crossings(6000, 7000, 6200, 7200), "not_measurable", STOPPED)
+    gap = gaps([(moving.crossings, moving), (unmeasured.crossings, unmeasured)], rig)[1]
+    begin_s, end_s = 1000.0 / rig.line_rate_hz, 5000.0 / rig.line_rate_hz
+    gradient = np.array([end_s - begin_s, (end_s**2 - begin_s**2) / 2])
+    # its rear's place, to 0.06 lines at 20 m/s, is 0.3 mm
+    assert gap.u_distance_gap_m == pytest.approx((gradient @ fitted @ gradient) ** 0.5, rel=1e-3)
 
 
 def test_clicks_that_give_no_wheelbase_have_a_reason() -> None:

@@ -1,8 +1,13 @@
 """Statistics of scanned vehicles: what counts, and errors without what is common to all."""
 
+from math import hypot
+
+import numpy as np
 import pytest
 
-from sightline.scans.statistics.service import VehicleMotion, statistics_of_seen
+from sightline.linescan.parts import Rig
+from sightline.linescan.rig import baseline_of
+from sightline.scans.statistics.service import VehicleMotion, statistics_of_seen, when_passed
 
 pytestmark = pytest.mark.once
 
@@ -19,7 +24,7 @@ def seen(number: int, state: str = "accepted", **values: float) -> VehicleMotion
         values={"speed_mps": 10.0 + number, "length_m": 4.04, "u_length_m": 0.041, **values},
         known={"length_m": 4.0, "u_length_m": 0.005},
         rig_baseline_m=0.6,
-        rig_u_baseline_m=0.006,
+        rig_errors_m=(0.006, 0.0),
     )
 
 
@@ -49,3 +54,67 @@ def test_a_baseline_is_judged_without_its_own_uncertainty() -> None:
     alone = ((0.041**2 - 0.0404**2 + 1e-6 + (1.01 * 0.005) ** 2) ** 0.5) / 4.0
     assert ratio.value == pytest.approx(1.01) and ratio.u == pytest.approx(alone / 7**0.5, rel=1e-6)
     assert ratio.warning is not None and "1.00 % longer" in str(ratio.warning)
+
+
+def runs(lengths_m: list[float], rig: Rig, u_own_m: float) -> list[VehicleMotion]:
+    """Runs of one car, each with its budget's u: its own and that of its baseline."""
+    ratio = np.divide(*reversed(baseline_of(rig)))
+    given = when_passed(rig, 0.0, 1000.0)
+    return [
+        VehicleMotion(
+            **given,
+            vehicle_id=number,
+            scan_id=1,
+            number=number,
+            state="accepted",
+            measured=True,
+            lighting="daytime",
+            values={"speed_mps": 20.0, "length_m": one, "u_length_m": hypot(u_own_m, one * ratio)},
+            run_of="ours",
+        )
+        for number, one in enumerate(lengths_m)
+    ]
+
+
+def test_the_mean_of_runs_lies_among_them_whatever_the_baseline_is_off() -> None:
+    lengths_m = np.linspace(4.49, 4.51, 10)
+    rig = Rig(0.6, 5000.0, u_baseline_m=0.03)
+    (car,) = statistics_of_seen(runs(list(lengths_m), rig, 0.006), accepted_only=True).cars
+    told = car.sizes["length"]
+    assert told.mean == pytest.approx(4.5, abs=1e-6)
+    # the baseline's 5 % of the car, which all runs have in common
+    assert told.u_mean == pytest.approx(0.05 * 4.5, rel=1e-3)
+
+
+def test_where_each_run_drove_is_its_own_error() -> None:
+    """The planes open by 10 mrad; a car drives 0.3 m nearer or farther each time, 0.4 % of its length."""
+    rig = Rig(
+        0.6, 5000.0, 0.003, divergence_rad=0.01, u_divergence_rad=1e-4, distance_m=5.0, u_distance_m=0.3
+    )
+    rng, verdicts = np.random.default_rng(12), []
+    for _ in range(40):
+        b, q = 0.6 + rng.normal(0, 0.003), 0.01 + rng.normal(0, 1e-4)
+        true = b + q * (5.0 + rng.normal(0, 0.3, 10))
+        lengths_m = 4.5 * baseline_of(rig)[0] / true + rng.normal(0, 0.004, 10)
+        (car,) = statistics_of_seen(runs(list(lengths_m), rig, 0.004), accepted_only=True).cars
+        verdicts.append(car.sizes["length"].verdict)
+    assert verdicts.count("agree") >= 35
+
+
+@pytest.mark.parametrize("correlation", [0.0, -0.9])
+def test_runs_in_two_lanes_share_the_errors_of_one_rig(correlation: float) -> None:
+    """Against the covariance of b + q D at both distances, by draws of b and q."""
+    near, far = (
+        Rig(0.6, 5000.0, 0.006, 0.0, 0.01, 1e-3, distance_m, baseline_correlation=correlation)
+        for distance_m in (4.0, 8.0)
+    )
+    u_own_m = 0.02
+    seen = [*runs([4.5] * 2, near, u_own_m), *runs([4.5], far, u_own_m)]
+    (car,) = statistics_of_seen(seen, accepted_only=True).cars
+    u_b, u_q = 0.006, 1e-3
+    spread = [[u_b**2, correlation * u_b * u_q], [correlation * u_b * u_q, u_q**2]]
+    off = np.random.default_rng(3).multivariate_normal([0.0, 0.0], spread, 40_000)
+    away, own = np.array([4.0, 4.0, 8.0]), np.random.default_rng(4).normal(0, u_own_m, (40_000, 3))
+    lengths_m = 4.5 * (off[:, :1] + off[:, 1:] * away) / (0.6 + 0.01 * away) + own
+    weight = np.linalg.inv(np.cov(lengths_m.T))
+    assert car.sizes["length"].u_mean == pytest.approx(weight.sum() ** -0.5, rel=0.02)

@@ -21,12 +21,12 @@ def test_runs_without_anything_shared_have_the_weighted_mean() -> None:
 
 
 def test_an_error_that_all_runs_share_moves_the_mean_and_spreads_nothing() -> None:
-    apart = [Run(4.63, 0.01, 0.05, "rig"), Run(4.64, 0.01, 0.05, "rig")]
+    apart = [Run(4.63, 0.01, (0.05,), "rig"), Run(4.64, 0.01, (0.05,), "rig")]
     together, alone = runs_together(apart), runs_together([Run(one.value, one.u_own) for one in apart])
     assert together is not None and alone is not None
     assert together.chi_square == pytest.approx(alone.chi_square) == pytest.approx(0.5)
     assert together.u_mean == pytest.approx(sqrt(0.05**2 + 0.01**2 / 2))
-    other = runs_together([Run(4.63, 0.01, 0.05, "rig"), Run(4.64, 0.01, 0.05, "another")])
+    other = runs_together([Run(4.63, 0.01, (0.05,), "rig"), Run(4.64, 0.01, (0.05,), "another")])
     assert other is not None and other.chi_square == pytest.approx(1e-4 / (2 * (0.01**2 + 0.05**2)))
 
 
@@ -47,7 +47,7 @@ def test_one_in_twenty_is_called_so_by_chance_and_wrong_uncertainties_are_found(
     found = dict.fromkeys((0.3, 3.0), "")
     for _ in range(4000):
         rigs = rng.normal(0.0, 0.02, 2)
-        runs = [Run(4.39 + rigs[k % 2] + rng.normal(0, 0.008), 0.008, 0.02, k % 2) for k in range(6)]
+        runs = [Run(4.39 + rigs[k % 2] + rng.normal(0, 0.008), 0.008, (0.02,), k % 2) for k in range(6)]
         told = runs_together(runs)
         assert told is not None
         verdicts[told.verdict] += 1

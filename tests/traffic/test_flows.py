@@ -97,6 +97,21 @@ def test_who_stands_occupies_every_interval_and_the_next_day(tmp_path: Path) -> 
     assert rows["05T00:05"]["occupancy_ratio"] == pytest.approx((50 + 5) / 300)
     assert rows["05T00:10"]["occupancy_ratio"] == 0.0
     assert [rows[at]["vehicles"] for at in ("04T23:55", "05T00:00", "05T00:05")] == [1, 0, 1]
+    with ArchiveTables(tmp_path) as tables:
+        later = list(tables.intervals(Asked(first_day=date(2026, 5, 5), minutes=5)))
+    assert later == [row for row in rows.values() if row["from"] >= "2026-05-05"]
+
+
+def test_the_median_gap_is_of_measured_vehicles(tmp_path: Path) -> None:
+    """Three refused vehicles came 0.1 s after others, by rough fronts; those measured 2 s."""
+    came = [
+        replace(standing_passing(n, 10.0 * n, 10.0 * n + 1), time_gap_s=gap, speed_mps=speed)
+        for n, (gap, speed) in enumerate([(2.0, 5.0), (0.1, None), (2.0, 5.0), (0.1, None), (0.1, None)], 1)
+    ]
+    add_recorded(tmp_path, Recorded("gaps", "ab" * 32, 300.0, tuple(came), ()), stood("2026-05-04T12:00"))
+    with ArchiveTables(tmp_path) as tables:
+        (row,) = tables.intervals(Asked(minutes=5))
+    assert row["median_time_gap_s"] == 2.0
 
 
 def test_occupancy_is_empty_from_a_rear_that_nobody_saw_to_the_next_front(tmp_path: Path) -> None:

@@ -237,13 +237,8 @@ def left_out(rig: Rig, measured: int, start: Start | None = None) -> list[str]:
 
 
 def about_rig(rig: Rig) -> dict[str, Any]:
-    """What was said of the rig, by name."""
-    names = ("baseline_m", "u_baseline_m", "line_rate_hz", "u_line_rate_ratio")
-    said = {name: getattr(rig, name) for name in names}
-    if rig.lanes:
-        more = ("divergence_rad", "u_divergence_rad", "baseline_correlation")
-        said |= {name: getattr(rig, name) for name in more} | {"lanes": [asdict(one) for one in rig.lanes]}
-    return said
+    """All that was said of the rig, by name: `rig_from` makes it again."""
+    return asdict(rig)
 
 
 def cell_of(value: Any) -> str:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from sightline.linescan.outline import BEFORE_M, DOUBT_M, TOLD_M, Bands, Edge, Seen, foremost
 from sightline.linescan.parts import USUAL_SHADOW_SHARE, Crossings, Passage, Pixels, Rig
+from sightline.linescan.rig import baseline_of
 
 Array = NDArray[np.float64]
 BANDS = 48
@@ -65,7 +66,7 @@ def refined(passage: Passage, rig: Rig) -> tuple[Crossings, float]:
     """
     rough = passage.crossings
     delay = (rough.front_line_2 - rough.front_line_1 + rough.rear_line_2 - rough.rear_line_1) / 2
-    per_m = max(abs(delay), 1.0) / rig.baseline_m
+    per_m = max(abs(delay), 1.0) / baseline_of(rig)[0]
     lines, u_m = [], []
     for line, rear, second in (
         (rough.front_line_1, False, False),

@@ -90,8 +90,6 @@ def budget_of(
         float(np.sqrt(sum(getattr(e, name) ** 2 for e in entries)))
         for name in ("u_speed_mps", "u_acceleration_mps2", "u_length_m")
     ]
-    together = float((spread + due)[0, 1]) + v * a * ratio**2 + 2 * v * a * clock_ratio**2
-    correlation = float(np.clip(together / (u[0] * u[1]), -1.0, 1.0)) if u[0] * u[1] > 0 else 0.0
     return Budget(
         length_m=length,
         u_speed_mps=u[0],
@@ -99,8 +97,23 @@ def budget_of(
         u_length_m=u[2],
         entries=entries,
         apart_m=max(map(abs, apart)),
-        correlation=correlation,
+        correlation=correlation_of(float((spread + due)[0, 1]), (v, a), (u[0], u[1]), (ratio, clock_ratio)),
     )
+
+
+def correlation_of(
+    fitted: float, motion: tuple[float, float], u: tuple[float, float], ratios: tuple[float, float]
+) -> float:
+    """Correlation of the errors of speed and acceleration over a whole budget; 0 where either has none.
+
+    `fitted`: covariance of both by what was fitted, m^2/s^3; `motion`, `u`: speed, m/s, and acceleration,
+    m/s^2, and the u of each; `ratios`: relative u of baseline and clock. A longer baseline scales both alike,
+    a faster clock the acceleration twice as much (JCGM 100:2008, 5.2.2).
+    """
+    if not u[0] * u[1] > 0:
+        return 0.0
+    together = fitted + motion[0] * motion[1] * (ratios[0] ** 2 + 2 * ratios[1] ** 2)
+    return float(np.clip(together / (u[0] * u[1]), -1.0, 1.0))
 
 
 def _answer_to_shift(fit: Fit) -> Array:

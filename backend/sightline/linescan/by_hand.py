@@ -76,7 +76,7 @@ def seen_by_camera_2(
     Raises LookupError where nothing in strip 2 looks like it.
     """
     finder = Finder(rows, rig)
-    pace = rig.baseline_m * rig.line_rate_hz
+    pace = finder.baseline_m * rig.line_rate_hz
     nearest = int(pace / SPEEDS_MPS[1])
     farthest = int(min(pace / SPEEDS_MPS[0], SEARCH_S * rig.line_rate_hz)) + 2
     start, stop = max(0, int(front_1)), int(rear_1) + 1

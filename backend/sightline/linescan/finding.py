@@ -15,7 +15,7 @@ from sightline.linescan.boundaries import refined
 from sightline.linescan.depth import brightest_of, depth_of, in_8_bits
 from sightline.linescan.lanes import lane_of
 from sightline.linescan.parts import STOOD, TOO_LONG, Crossings, Passage, Pixels, Rig
-from sightline.linescan.rig import at_lane
+from sightline.linescan.rig import at_lane, baseline_of
 from sightline.linescan.watching import Event, Spans, Watcher, present
 from sightline.messages.said import Said
 
@@ -69,7 +69,8 @@ class Finder:
     """Vehicles of a pair of strips, pushed in pieces of any size; `notes` tells what else was seen.
 
     rows: height of both strips; rig: baseline and line rate tell how far apart the crossings may be; bits: of
-    the cameras, as the whole strips tell, or else the brightest pixel so far.
+    the cameras, as the whole strips tell, or else the brightest pixel so far. `baseline_m`: at the vehicles,
+    in the middle of the rig's lanes.
     """
 
     def __init__(self, rows: int, rig: Rig, bits: int = 8) -> None:
@@ -78,6 +79,7 @@ class Finder:
         rate = rig.line_rate_hz
         step = max(1, round(rate / STEPS_HZ))
         self.rig, self.rows = rig, rows
+        self.baseline_m, _ = baseline_of(at_lane(rig, None))
         self.grid = Grid(rows, step, max(1, rows // BANDS), 1.0 - rig.shadow_share)
         lines = max(16 * step, round(BLOCK_S * rate))
         # whole tiles of the stored form where that comes near
@@ -193,7 +195,7 @@ class Finder:
         return out
 
     def _drop_late(self) -> None:
-        slowest = self.rig.baseline_m / SPEEDS_MPS[0] * self.rig.line_rate_hz
+        slowest = self.baseline_m / SPEEDS_MPS[0] * self.rig.line_rate_hz
         for waiting, other in ((self._waiting[0], 1), (self._waiting[1], 0)):
             while waiting and not self._waiting[other]:
                 if self.watchers[other].busy_since < waiting[0].rear + slowest + self.margin:
@@ -211,7 +213,7 @@ class Finder:
             overlap = min(one.rear, two.rear) - max(one.front, two.front)
             return 1 if overlap > -self.spans.guard else None
         shift = self._shift(one, two)
-        lines = self.rig.baseline_m * self.rig.line_rate_hz
+        lines = self.baseline_m * self.rig.line_rate_hz
         # a step of uncertainty in the delay matters where it is only a few steps long
         most_mps = lines / max(shift - 2 * self.grid.step, 0.5)
         least_mps = lines / (shift + 2 * self.grid.step)
@@ -238,9 +240,9 @@ class Finder:
         """That it is longer than any vehicle, whatever its ends' rough lines may be off by."""
         lines = (one.rear - one.front + two.rear - two.front) / 2
         shift = self._shift(one, two)
-        if lines * self.rig.baseline_m / (shift + 2 * self.grid.step) <= LENGTHS_M[1]:
+        if lines * self.baseline_m / (shift + 2 * self.grid.step) <= LENGTHS_M[1]:
             return None
-        length_m = lines * self.rig.baseline_m / shift
+        length_m = lines * self.baseline_m / shift
         return Said("scan-motion-too-long", length_m=round(length_m), most_m=LENGTHS_M[1])
 
     def _reason(self, one: Event, two: Event) -> Said | None:

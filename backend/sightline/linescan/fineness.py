@@ -8,6 +8,7 @@ is read between them is a guess whose error no scatter tells.
 import numpy as np
 
 from sightline.linescan.parts import Passage, Pixels, Rig
+from sightline.linescan.rig import baseline_of
 from sightline.messages.said import Said
 
 # Below this correlation of one line's change with the next, a vehicle is refused. On 40 simulated vehicles
@@ -46,9 +47,10 @@ def too_coarse(passage: Passage, rig: Rig) -> Said | None:
         return None
     apart = lines_apart(passage, delay, 1.0 - rig.shadow_share)
     lines, sure = (delay, _SURE_BY_BOUNDARIES) if apart is None else (apart, _SURE_BY_PICTURES)
-    line_m = rig.baseline_m / lines
+    baseline_m, _ = baseline_of(rig)
+    line_m = baseline_m / lines
     # the rate does for the fastest that so many lines allow
-    most_m = rig.baseline_m / max(lines - sure, 1.0)
+    most_m = baseline_m / max(lines - sure, 1.0)
     rate_hz = rig.line_rate_hz * max(most_m / GOOD_LINE_M, 2.0)
     return Said(
         "scan-motion-too-coarse", line_mm=round(1000 * line_m), rate_hz=round(float(f"{rate_hz:.2g}"))

@@ -16,6 +16,7 @@ from math import hypot, sqrt
 from sightline.enums import ScanDirection
 from sightline.linescan.boundaries import SAME_END, U_LINE_LINES
 from sightline.linescan.parts import Crossings, Gap, Motion, Rig, rear_seen
+from sightline.linescan.rig import u_travelled_m
 from sightline.messages.said import Said
 
 NONE_BEFORE = Said("scan-gap-none-before")
@@ -85,7 +86,8 @@ def _gap(before: tuple[Crossings, Motion], this: tuple[Crossings, Motion], rig: 
     if now_mps <= 0:
         return replace(known, paper_distance_gap_m=paper_m, reason=Said("scan-gap-leader-stopped"))
     distance_m = (leaving_mps + now_mps) / 2 * time_s
-    u_m = hypot(_u_motion_m(leader, headway_s, since_front_s), now_mps * u_rear_s)
+    u_motion_m = u_travelled_m(leader, since_front_s, headway_s, rig.u_line_rate_ratio)
+    u_m = hypot(u_motion_m, now_mps * u_rear_s)
     if follower.speed_mps is not None:
         u_m = hypot(u_m, now_mps * _u_crossing_s(follower, follower.speed_mps, rate))
     return replace(known, distance_gap_m=distance_m, paper_distance_gap_m=paper_m, u_distance_gap_m=u_m)
@@ -102,11 +104,3 @@ def _u_crossing_s(motion: Motion, speed_mps: float, line_rate_hz: float) -> floa
     one_m = sqrt(max(both_m**2 - lines_m**2, 0.0) / (1 + SAME_END))
     one_m = hypot(one_m, of_length.get("front and rear", 0.0) / sqrt(2))
     return hypot(one_m / speed_mps, U_LINE_LINES / line_rate_hz)
-
-
-def _u_motion_m(leader: Motion, headway_s: float, since_front_s: float) -> float:
-    """What the leader's speed and acceleration, correlated as fitted, bring to v D + a (t2^2 - t1^2) / 2."""
-    of_speed = (headway_s - since_front_s) * (leader.u_speed_mps or 0.0)
-    of_acceleration = (headway_s**2 - since_front_s**2) / 2 * (leader.u_acceleration_mps2 or 0.0)
-    together = 2 * (leader.correlation or 0.0) * of_speed * of_acceleration
-    return sqrt(max(of_speed**2 + of_acceleration**2 + together, 0.0))

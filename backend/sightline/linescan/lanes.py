@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 from sightline.linescan.either_way import exact_at_camera_1
 from sightline.linescan.parts import Lane, Motion, Passage, Rig
-from sightline.linescan.rig import at_lane
+from sightline.linescan.rig import at_lane, baseline_of
 from sightline.linescan.wheels import tyres_row
 from sightline.messages.said import Said
 
@@ -69,7 +69,8 @@ def in_its_lane(measure: Callable[[Passage, Rig], Motion]) -> Callable[[Passage,
 def _tyres_px(passage: Passage, rig: Rig) -> float | None:
     """By the motion that the boundaries alone give: wheels are looked for in a picture laid out in metres."""
     try:
-        rough = exact_at_camera_1(passage.crossings, rig.baseline_m, rig.line_rate_hz)
+        baseline_m, _ = baseline_of(at_lane(rig, None, passage.crossings.direction))
+        rough = exact_at_camera_1(passage.crossings, baseline_m, rig.line_rate_hz)
     except (ValueError, ArithmeticError):
         return None
     motion = Motion(

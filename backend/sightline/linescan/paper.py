@@ -12,6 +12,7 @@ from math import hypot
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.linescan.budget import correlation_of
 from sightline.linescan.direct import NO_ORDER
 from sightline.linescan.equations import solve_crossings, travelled_m
 from sightline.linescan.matching import BLOCK_LINES, STEP_LINES, Matches, match_blocks
@@ -119,7 +120,12 @@ def _regression(
         fit_error_percent=100 * float(np.std(residuals)) / float(np.mean(speeds[used])),
         budget=budget,
         profile=Profile(matches.middle, speeds, speed + acceleration * seconds, used),
-        correlation=float(covariance[0, 1] / np.sqrt(covariance[0, 0] * covariance[1, 1])),
+        correlation=correlation_of(
+            float(covariance[0, 1]),
+            (float(speed), float(acceleration)),
+            (u_speed, u_acceleration),
+            (baseline_of(rig)[1] / baseline_m, rig.u_line_rate_ratio),
+        ),
     )
 
 

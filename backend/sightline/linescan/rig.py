@@ -162,9 +162,26 @@ def baseline_of(rig: Rig) -> tuple[float, float]:
     )
 
 
+def common_baseline_of(rig: Rig) -> tuple[float, float]:
+    """Baseline at the vehicle, m, and the standard uncertainty of it that all vehicles there share."""
+    return baseline_of(rig)[0], hypot(*shared_errors_m(rig))
+
+
+def shared_errors_m(rig: Rig) -> tuple[float, float]:
+    """By how much two independent errors, common to all vehicles of a rig in whichever lane, move the
+    baseline at a vehicle, m (k = 1): of baseline and divergence. What a vehicle's own distance adds
+    (`u_distance_m`: of one vehicle's) is its own.
+
+    u_b + r D u_q and D u_q (1 - r^2)^1/2: their products for two lanes are the covariance of both baselines,
+    u_b^2 + r u_b u_q (D1 + D2) + D1 D2 u_q^2 (JCGM 100:2008, 5.2.2).
+    """
+    of_divergence, r = (rig.distance_m or 0.0) * rig.u_divergence_rad, rig.baseline_correlation
+    return rig.u_baseline_m + r * of_divergence, of_divergence * sqrt(max(1 - r * r, 0.0))
+
+
 def speed_ratio_of(rig: Rig) -> float:
     """What baseline and line rate give to every speed alike, a share of it (k = 1)."""
-    baseline_m, u_baseline_m = baseline_of(rig)
+    baseline_m, u_baseline_m = common_baseline_of(rig)
     return hypot(u_baseline_m / baseline_m, rig.u_line_rate_ratio)
 
 
@@ -288,8 +305,8 @@ def baseline_ratio(
 def wheelbase(motion: Motion, rig: Rig, line_a: float, line_b: float, *, u_line: float = 2.0) -> Wheelbase:
     """Distance between the axles clicked at two lines of strip 1, in either order.
 
-    u_line: standard uncertainty of a click, lines. Entries: clicks, the fitted motion (with its correlation);
-    the baseline is part of the motion's.
+    u_line: standard uncertainty of a click, lines. Entries: clicks, the motion's speed and acceleration
+    (`u_travelled_m`); the baseline is part of the motion's.
     """
     if motion.speed_mps is None or motion.acceleration_mps2 is None:
         return Wheelbase(None, None, motion.reason or Said("scan-wheelbase-no-motion"))
@@ -303,11 +320,25 @@ def wheelbase(motion: Motion, rig: Rig, line_a: float, line_b: float, *, u_line:
         return Wheelbase(None, None, Said("scan-wheelbase-at-rest"))
     first, second = np.asarray(travelled_m(speed, acceleration, seconds))
     u_clicks = float(np.hypot(*leaving)) * u_line / rig.line_rate_hz
-    of_speed = float(seconds[1] - seconds[0]) * (motion.u_speed_mps or 0.0)
-    of_acceleration = float(seconds[1] ** 2 - seconds[0] ** 2) / 2 * (motion.u_acceleration_mps2 or 0.0)
-    together = 2 * (motion.correlation or 0.0) * of_speed * of_acceleration
-    u_motion = sqrt(max(of_speed**2 + of_acceleration**2 + together, 0.0))
+    u_motion = u_travelled_m(motion, float(seconds[0]), float(seconds[1]), rig.u_line_rate_ratio)
     return Wheelbase(float(second - first), hypot(u_clicks, u_motion))
+
+
+def u_travelled_m(motion: Motion, begin_s: float, end_s: float, u_line_rate_ratio: float) -> float:
+    """Standard uncertainty, m, that a measured motion gives to the way v t + a t^2 / 2 between two of its
+    lines, `begin_s` and `end_s` after the front's: of speed and acceleration, correlated as fitted (JCGM
+    100:2008, 5.2.2), without the clock's.
+
+    A line rate that is c too high makes v and a too large by c and 2 c, and both times too short by c, so the
+    way is what it was, like a length.
+    """
+    speed, acceleration = motion.speed_mps or 0.0, motion.acceleration_mps2 or 0.0
+    by_speed, by_acceleration = end_s - begin_s, (end_s**2 - begin_s**2) / 2
+    of_speed = by_speed * (motion.u_speed_mps or 0.0)
+    of_acceleration = by_acceleration * (motion.u_acceleration_mps2 or 0.0)
+    together = 2 * (motion.correlation or 0.0) * of_speed * of_acceleration
+    of_clock = (by_speed * speed + 2 * by_acceleration * acceleration) * u_line_rate_ratio
+    return sqrt(max(of_speed**2 + of_acceleration**2 + together - of_clock**2, 0.0))
 
 
 def _require_lanes(lanes: tuple[Lane, ...]) -> None:

@@ -19,13 +19,13 @@ LEVEL = 0.05
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """One run's value: `u_own` is what no other run shares; `u_shared` what all runs of one `rig` share, one
-    error for all of them (k = 1).
+    """One run's value: `u_own` is what no other run shares; `u_shared` what each of the errors that all runs
+    of one `rig` share makes of it (k = 1), as many for every run and in the same order.
     """
 
     value: float
     u_own: float
-    u_shared: float = 0.0
+    u_shared: tuple[float, ...] = (0.0,)
     rig: object = None
 
 
@@ -53,7 +53,7 @@ def runs_together(runs: Sequence[Run]) -> RunsTogether | None:
     """Generalised least squares for one value behind all runs (Aitken 1936): mean 1'C^-1 y / 1'C^-1 1, its u
     (1'C^-1 1)^-1/2, chi-square (y - mean)'C^-1 (y - mean) with n - 1 degrees. None for no run.
 
-    C holds each run's own u^2, and for two runs with one rig the product of what they share: an error that
+    C holds each run's own u^2, and for two runs with one rig the products of what they share: an error that
     is the same in every run moves the mean and spreads nothing.
     """
     if not runs:
@@ -84,7 +84,7 @@ def _covariance(runs: Sequence[Run]) -> NDArray[np.float64]:
     shared = np.array([one.u_shared for one in runs])
     same = np.array([[a.rig == b.rig for b in runs] for a in runs])
     own = np.diag(np.array([one.u_own**2 for one in runs]))
-    return np.asarray(own + np.outer(shared, shared) * same, dtype=np.float64)
+    return np.asarray(own + shared @ shared.T * same, dtype=np.float64)
 
 
 def _verdict(p: float | None) -> RunsVerdict:

@@ -12,7 +12,7 @@ vehicles share: the mean of their own u, or that of u / v squared times the squa
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from datetime import datetime, timedelta
+from datetime import date, datetime, timedelta
 from functools import lru_cache
 from itertools import pairwise
 from pathlib import Path
@@ -94,8 +94,11 @@ class ArchiveTables:
                 yield _told(row, site, asked)
 
     def _rows(self, query: str, site: str, asked: Asked) -> list[dict[str, Any]]:
-        """Rows of a query over one site's `vehicles` and `watched`."""
-        days = asked.first_day, asked.last_day
+        """Rows of a query over one site's `vehicles` and `watched`, with those of the day before the first:
+        who stands over its midnight came then.
+        """
+        first = asked.first_day
+        days = first and first - timedelta(days=first > date.min), asked.last_day
         watched = files_of(self._folder, WATCHED, site, *days)
         if not watched:
             return []
@@ -168,6 +171,7 @@ def _intervals_sql(asked: Asked) -> str:
     return f"""
     WITH cut AS (
       SELECT *, unnest(range(floor(from_s / {step})::BIGINT, ceil(to_s / {step})::BIGINT)) AS nth FROM watched
+      WHERE day >= DATE '{asked.first_day or date.min}'
     ), shown AS (
       SELECT lane, {begins} + nth AS cell, any_value(nth) AS nth,
         any_value(least({step}.0, day_s - nth * {step})) AS length_s,
@@ -210,7 +214,8 @@ def _intervals_sql(asked: Asked) -> str:
       FROM unsure_cells
     ), counted AS (
       SELECT lane, cell, kind, count(*) AS vehicles, count(speed_mps) AS n,
-        avg(length_m) AS mean_length_m, median(time_gap_s) AS median_time_gap_s,
+        avg(length_m) AS mean_length_m,
+        median(time_gap_s) FILTER (WHERE speed_mps IS NOT NULL) AS median_time_gap_s,
         avg(speed_mps) AS time_mean_speed_mps, 1 / avg(1 / speed_mps) AS space_mean_speed_mps,
         greatest(avg(u_speed_mps), avg(u_speed_mps / speed_mps**2) / avg(1 / speed_mps)**2)
           AS u_mean_speed_mps,

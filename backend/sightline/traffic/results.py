@@ -3,7 +3,7 @@
 Each recording has a clock of its own. A table and the lines of `stream` do not say how long was recorded:
 their intervals count as watched whole, from that of the first front to that of the last vehicle. The share of
 the speeds' u that the rig gives to all alike is known from JSON alone; elsewhere the smallest relative u of
-the recording's vehicles stands for it, which it cannot exceed.
+the recording's vehicles of that direction and lane stands for it, which it cannot exceed.
 """
 
 from __future__ import annotations
@@ -11,20 +11,32 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from datetime import datetime, timedelta
-from math import ceil, hypot, sqrt
+from itertools import pairwise
+from math import ceil, sqrt
 from pathlib import Path
+from statistics import median
 from typing import Any
 
 from sightline.errors import BadInput
 from sightline.infra.given_csv import GivenTable, read_table
 from sightline.linescan.clock import u_passing_s
+from sightline.linescan.parts import Rig
+from sightline.linescan.rig import at_lane, require_rig, rig_from, speed_ratio_of
+from sightline.linescan.traffic import Stream
 from sightline.messages.said import Said
 from sightline.recordings.filming import Filming
 from sightline.scans.statistics.service import VehicleMotion
 from sightline.scans.statistics.traffic import Clock, ScanTraffic, Watched, traffic_of_seen
 from sightline.traffic.archive import WATCHED, files_of, require_archive, sites_of, watched_rows
 from sightline.traffic.records import Passing
-from sightline.traffic.sources import bytes_of, check_passings, is_number, passing_of, vehicles_in
+from sightline.traffic.sources import (
+    bytes_of,
+    check_passings,
+    instant_told,
+    is_number,
+    passing_of,
+    vehicles_in,
+)
 
 ENDINGS = (".csv", ".json", ".jsonl")
 #: A table that spans more is of several recordings, or has a wrong date.
@@ -110,18 +122,22 @@ def _of_data(path: Path, data: bytes) -> Results:
         passings,
         u_start_s=_number(whole, "u_start_s"),
         u_rate=_number(whole, "u_line_rate_ratio"),
-        rig_ratio=_rig_ratio(whole),
+        rig=_rig_told(whole),
     )
     clock = StatedClock(_start(path, whole.get("start")))
     return Results(path.name, clock, float(whole["duration_s"]), found)
 
 
-def _rig_ratio(whole: Mapping[str, Any]) -> float | None:
-    """What the rig gives to every speed alike; not told of lanes, each with its distance."""
-    baseline_m = _number(whole, "baseline_m")
-    if whole.get("lanes") or not baseline_m:
+def _rig_told(whole: Mapping[str, Any]) -> Rig | None:
+    """The rig that a recording's JSON tells of; None where it does not tell all that belongs to one."""
+    if not all(one.name in whole for one in fields(Rig)):
         return None
-    return hypot(_number(whole, "u_baseline_m") / baseline_m, _number(whole, "u_line_rate_ratio"))
+    try:
+        rig = rig_from({one.name: whole[one.name] for one in fields(Rig)})
+        require_rig(rig)
+    except (AttributeError, TypeError, BadInput):
+        return None
+    return rig
 
 
 def _number(whole: Mapping[str, Any], name: str) -> float:
@@ -130,11 +146,8 @@ def _number(whole: Mapping[str, Any], name: str) -> float:
 
 
 def _start(path: Path, said: object) -> datetime:
-    try:
-        at = datetime.fromisoformat(said) if isinstance(said, str) else None
-    except ValueError:
-        at = None
-    if at is None or at.tzinfo is None or not _FIRST_YEAR <= at.year < _LAST_YEAR:
+    at = instant_told(said)
+    if at is None or not _FIRST_YEAR <= at.year < _LAST_YEAR:
         raise BadInput("commands-flow-no-start", path=path)
     return at
 
@@ -159,26 +172,41 @@ def _of_table(path: Path, table: GivenTable) -> Results:
 
 
 def _occupying(path: Path, passings: Sequence[Passing]) -> list[Passing]:
-    """With the time of each rear: lines are as many a second as between the first front and the last, or of a
-    single vehicle as its motion says. Raises BadInput for a single one without a motion.
+    """With the time of each rear: lines are as many a second as the motions say, in the median, or without
+    any the fronts of neighbours. Raises BadInput for a single vehicle without a motion.
+
+    A measured vehicle lost no line; between two of them lines may be lost, and fronts are told to whole ms.
     """
-    first, last = (of(passings, key=lambda one: one.front_s) for of in (min, max))
-    if last.front_s > first.front_s and last.front_line_1 > first.front_line_1:
-        per_s = (last.front_line_1 - first.front_line_1) / (last.front_s - first.front_s)
-    elif first.speed_mps and first.length_m and (first.rear_line_1 or 0.0) > first.front_line_1:
-        v, a = first.speed_mps, first.acceleration_mps2 or 0.0
-        # the root of length = v t + a t^2 / 2 that stays there without an acceleration
-        under = max(v * v + 2 * a * first.length_m, 0.0)
-        assert first.rear_line_1 is not None
-        per_s = (first.rear_line_1 - first.front_line_1) * (v + sqrt(under)) / (2 * first.length_m)
-    else:
+    in_time = sorted(passings, key=lambda one: one.front_s)
+    between = (
+        (one.front_line_1 - before.front_line_1, one.front_s - before.front_s)
+        for before, one in pairwise(in_time)
+    )
+    rates = [rate for one in passings if (rate := _lines_per_s(one)) is not None] or [
+        lines / seconds for lines, seconds in between if lines > 0 and seconds > 0
+    ]
+    if not rates:
         raise BadInput("commands-flow-no-rate", path=path)
+    per_s = median(rates)
     return [
         one
         if one.rear_line_1 is None
         else replace(one, rear_s=one.front_s + (one.rear_line_1 - one.front_line_1) / per_s)
         for one in passings
     ]
+
+
+def _lines_per_s(one: Passing) -> float | None:
+    """How many lines a second a motion says; None without one."""
+    if one.rear_line_1 is None:
+        return None
+    lines, length_m = one.rear_line_1 - one.front_line_1, one.length_m or 0.0
+    v, a = one.speed_mps or 0.0, one.acceleration_mps2 or 0.0
+    if not min(lines, length_m, v) > 0:
+        return None
+    # the root of length = v t + a t^2 / 2 that stays there without an acceleration
+    under = max(v * v + 2 * a * length_m, 0.0)
+    return lines * (v + sqrt(under)) / (2 * length_m)
 
 
 def _passing(
@@ -227,10 +255,13 @@ def _motions(
     *,
     u_start_s: float = 0.0,
     u_rate: float = 0.0,
-    rig_ratio: float | None = None,
+    rig: Rig | None = None,
 ) -> tuple[VehicleMotion, ...]:
-    relative = [one.u_speed_mps / one.speed_mps for one in passings if one.speed_mps and one.u_speed_mps]
-    shared = rig_ratio if rig_ratio is not None else min(relative, default=0.0)
+    least = dict[Stream, float]()
+    for one in passings:
+        if one.speed_mps and one.u_speed_mps:
+            ratio, stream = one.u_speed_mps / one.speed_mps, _stream_of(one)
+            least[stream] = min(ratio, least.get(stream, ratio))
     return tuple(
         VehicleMotion(
             vehicle_id=one.number,
@@ -245,10 +276,19 @@ def _motions(
             since_s=one.front_s,
             occupied_s=one.occupied_s,
             u_filmed_at_s=u_passing_s(one.front_s, u_start_s, u_rate, one.speed_mps, one.u_length_m),
-            rig_ratio=shared,
-            direction=one.direction or "camera_1_first",
+            rig_ratio=(
+                least.get(_stream_of(one), 0.0)
+                if rig is None
+                else speed_ratio_of(at_lane(rig, one.lane, _stream_of(one)[0]))
+            ),
+            direction=_stream_of(one)[0],
             lane=one.lane,
             axles=one.axles,
         )
         for one in passings
     )
+
+
+def _stream_of(one: Passing) -> Stream:
+    """A vehicle's direction and lane."""
+    return one.direction or "camera_1_first", one.lane

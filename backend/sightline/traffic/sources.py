@@ -8,6 +8,7 @@ import math
 import os
 from collections.abc import Sequence
 from dataclasses import fields
+from datetime import datetime, timedelta
 from pathlib import Path
 from typing import Any, TypeGuard, get_args
 
@@ -50,7 +51,7 @@ def vehicles_in(path: Path, data: bytes) -> tuple[dict[str, Any] | None, list[An
     """What is said of a whole recording, None in lines of `stream`, and its vehicles. Raises BadInput."""
     whole = _object_of(data)
     if whole is None or "vehicles" not in whole:
-        return None, _lines_of(path, data)
+        return None, _on_one_clock(_lines_of(path, data))
     if not is_number(whole.get("duration_s")):
         raise BadInput("traffic-no-duration-inside", path=path)
     if not isinstance(whole["vehicles"], list):
@@ -101,6 +102,43 @@ def _lines_of(path: Path, data: bytes) -> list[Any]:
     if not all(isinstance(one, dict) and "front_line_1" in one for one in found):
         raise BadInput("traffic-no-recording", path=path)
     return found
+
+
+def _on_one_clock(rows: list[Any]) -> list[Any]:
+    """Lines of `stream`, whose seconds begin anew where it was resumed: all from line 0 of the first run, as
+    `front_at` tells them, and every vehicle once.
+
+    One may be printed again after a stop: two of one number that were before camera 1 at one time are one.
+    Lines that do not tell their time of day stay as they are.
+    """
+    known = [
+        (at, row)
+        for row in rows
+        if (at := instant_told(row.get("front_at")))
+        and is_number(row["front_s"])
+        and is_number(row["rear_s"])
+    ]
+    if not rows or len(known) < len(rows):
+        return rows
+    begun = [at - timedelta(seconds=row["front_s"]) for at, row in known]
+    out, spans = [], dict[Any, list[tuple[float, float]]]()
+    for row, own in zip(rows, begun, strict=True):
+        late_s = (own - min(begun)).total_seconds()
+        front_s, rear_s = row["front_s"] + late_s, row["rear_s"] + late_s
+        before = spans.setdefault(row.get("id"), [])
+        if not any(front_s <= rear and front <= rear_s for front, rear in before):
+            before.append((front_s, rear_s))
+            out.append({**row, "front_s": front_s, "rear_s": rear_s})
+    return out
+
+
+def instant_told(said: object) -> datetime | None:
+    """A time of day with its offset from UTC; None for anything else."""
+    try:
+        at = datetime.fromisoformat(said) if isinstance(said, str) else None
+    except ValueError:
+        return None
+    return at if at is not None and at.tzinfo is not None else None
 
 
 def passing_of(path: Path, said: Any, at: int | str) -> Passing:

@@ -16,6 +16,7 @@ from sightline.linescan.rig import (
     at_lane,
     baseline_of,
     baseline_ratio,
+    common_baseline_of,
     gain,
     misalignment,
 )
@@ -90,7 +91,7 @@ def _implied(scan: Scan, vehicles: Sequence[ScanVehicle], of: KnownLength) -> Im
         size, true = getattr(values, f"{of}_m"), getattr(one, f"true_{of}_m")
         if size is None or true is None:
             continue
-        baseline_m, u_baseline_m = baseline_of(rig_of(values.rig))
+        baseline_m, u_baseline_m = common_baseline_of(rig_of(values.rig))
         u = alone(size, getattr(values, f"u_{of}_m"), baseline_m, u_baseline_m)
         scale = baseline_of(at_lane(scan.rig, values.lane, values.direction))[0] / baseline_m
         rows.append((scale * size, scale * u, true, getattr(one, f"u_true_{of}_m") or 0.0))

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import get_args
+from math import hypot
+from typing import Any, get_args
 
 import numpy as np
 
@@ -16,7 +17,14 @@ from sightline.enums import KnownLength, ReferenceQuantity, ReferenceSource, Sca
 from sightline.infra.by_name import filled_from
 from sightline.linescan.clock import since_start_s
 from sightline.linescan.parts import Rig, rear_seen
-from sightline.linescan.rig import RigEstimate, alone, baseline_of, baseline_ratio, speed_ratio_of
+from sightline.linescan.rig import (
+    RigEstimate,
+    alone,
+    baseline_of,
+    baseline_ratio,
+    shared_errors_m,
+    speed_ratio_of,
+)
 from sightline.messages.said import Said
 from sightline.recordings.filming import FilmedWithin
 from sightline.scans.references.records import MEASURED, UNITS, ReferenceValues
@@ -55,13 +63,14 @@ QUANTITIES = {"speed": "m/s", "length": "m", "time_gap": "s", "distance_gap": "m
 class VehicleMotion:
     """A vehicle as the statistics see it: its standing motion, the gap before it, what is known of it.
 
-    `state`: to_review, accepted, rejected, not_measurable; `measured`: it has a motion. `rig_*`: the baseline
-    that this motion was computed with. None where there is no value. `known`: the maker's sizes. `since_s`,
-    `occupied_s`: when it reached camera 1 after line 0, and how long it stood before it (None: its rear was
-    not seen); `filmed_at`: the
-    first by the clocks of the place (ISO 8601), empty where its recording has none; `rig_ratio`: what the
-    rig gives to every speed alike, a share of it (k = 1). `run_of`: the car of which it is one run;
-    `references`: what stands of what something else measured. `direction`: which camera it reached first.
+    `state`: to_review, accepted, rejected, not_measurable; `measured`: it has a motion. `rig`: the planes
+    that this motion was computed with; `rig_baseline_m`: their distance at the vehicle; `rig_errors_m`: what
+    of it all vehicles share (`shared_errors_m`). None where there is no value. `known`: the maker's sizes.
+    `since_s`, `occupied_s`: when it reached camera 1 after line 0, and how long it stood before it (None: its
+    rear was not seen); `filmed_at`: the first by the clocks of the place (ISO 8601), empty where its
+    recording has none; `rig_ratio`: what the rig gives to every speed alike, a share of it (k = 1). `run_of`:
+    the car of which it is one run; `references`: what stands of what something else measured. `direction`:
+    which camera it reached first.
     """
 
     vehicle_id: int
@@ -72,8 +81,9 @@ class VehicleMotion:
     lighting: str
     values: dict[str, float | None] = field(default_factory=dict)
     known: dict[str, float | None] = field(default_factory=dict)
+    rig: tuple[float, ...] = ()
     rig_baseline_m: float = 1.0
-    rig_u_baseline_m: float = 0.0
+    rig_errors_m: tuple[float, float] = (0.0, 0.0)
     status: str = "ok"
     reason: Said | None = None
     since_s: float | None = None
@@ -87,19 +97,24 @@ class VehicleMotion:
     lane: str | None = None
     axles: int | None = None
 
+    def u_alone_m(self, name: str) -> float:
+        """The u of a size of it without what the rig gives to all vehicles alike."""
+        size_m, u_baseline_m = self.values.get(name) or 0.0, hypot(*self.rig_errors_m)
+        return alone(size_m, self.values.get(f"u_{name}"), self.rig_baseline_m, u_baseline_m)
 
-def when_passed(
-    rig: Rig, front_line_1: float, rear_line_1: float, reason: Said | None
-) -> dict[str, float | None]:
-    """When a vehicle passed, and what the rig that it was measured with gives to its motion, by name.
+
+def when_passed(rig: Rig, front_line_1: float, rear_line_1: float, reason: Said | None) -> dict[str, Any]:
+    """When a vehicle passed, and what the rig that it was measured with gives to its motion and to all others
+    alike, by name.
 
     `reason`: why it has no motion; where its rear was not seen, it is not known how long it stood there.
     """
     occupied_s = (rear_line_1 - front_line_1) / rig.line_rate_hz
-    baseline_m, u_baseline_m = baseline_of(rig)
+    of_rig = rig.baseline_m, rig.u_baseline_m, rig.divergence_rad, rig.u_divergence_rad
     return {
-        "rig_baseline_m": baseline_m,
-        "rig_u_baseline_m": u_baseline_m,
+        "rig": (*of_rig, rig.baseline_correlation),
+        "rig_baseline_m": baseline_of(rig)[0],
+        "rig_errors_m": shared_errors_m(rig),
         "rig_ratio": speed_ratio_of(rig),
         "since_s": since_start_s(front_line_1, rig.line_rate_hz),
         "occupied_s": occupied_s if rear_seen(reason) else None,
@@ -259,14 +274,9 @@ def _ratio(chosen: Sequence[VehicleMotion], of: KnownLength) -> RigEstimate:
     """Measured over true, which tells of a wrong baseline; u of a measured one without the baseline's, which
     is common.
     """
-    name, u_name = f"{of}_m", f"u_{of}_m"
+    name = f"{of}_m"
     rows = [
-        (
-            value,
-            alone(value, one.values.get(u_name), one.rig_baseline_m, one.rig_u_baseline_m),
-            true,
-            one.known.get(u_name) or 0.0,
-        )
+        (value, one.u_alone_m(name), true, one.known.get(f"u_{name}") or 0.0)
         for one, value, true in _pairs(chosen, name)
     ]
     return baseline_ratio(of, *([row[k] for row in rows] for k in range(4)))
@@ -316,11 +326,20 @@ def _cars(chosen: Sequence[VehicleMotion]) -> Iterator[CarRuns]:
 
 
 def _runs(found: Sequence[VehicleMotion], name: str) -> list[Run]:
-    """A size of each run; the baseline's part is one error for all runs with this baseline."""
+    """A size of each run; the errors of baseline and divergence are those of all runs with this rig, in
+    whichever lane.
+
+    They are a share of the car's one size, here the runs' median: taken of each observed size, the smaller
+    ones would weigh more, and the mean could lie below every run (Peelle's puzzle).
+    """
+    sized = [
+        (one, value)
+        for one in found
+        if (value := one.values.get(name)) is not None and one.values.get(f"u_{name}") is not None
+    ]
+    middle = float(np.median([value for _, value in sized])) if sized else 0.0
     out = []
-    for one in found:
-        value, u = one.values.get(name), one.values.get(f"u_{name}")
-        if value is not None and u is not None:
-            rig = one.rig_baseline_m, one.rig_u_baseline_m
-            out.append(Run(value, alone(value, u, *rig), value * rig[1] / rig[0], rig))
+    for one, value in sized:
+        shared = tuple(middle * error / one.rig_baseline_m for error in one.rig_errors_m)
+        out.append(Run(value, one.u_alone_m(name), shared, one.rig))
     return out
