@@ -254,7 +254,9 @@ def test_traffic_of_a_package_of_one_class_or_lighting_is_that_of_all_vehicles(
     line_rate_hz = float(rows(package, "line_scans")[0]["line_rate_hz"])
     many = []
     for k in range(9):
-        since = {name: str(float(first[name]) + 2.0 * k * line_rate_hz) for name in ("front_line_1", "rear_line_1")}
+        since = {
+            name: str(float(first[name]) + 2.0 * k * line_rate_hz) for name in ("front_line_1", "rear_line_1")
+        }
         many.append({**first, **since, "id": str(k + 1), "category": "van" if k % 3 else "saloon"})
     rewrite(package, "scan_vehicles.csv", many)
     files = FolderFiles(package)
@@ -265,6 +267,7 @@ def test_traffic_of_a_package_of_one_class_or_lighting_is_that_of_all_vehicles(
     assert scans_in(files).counted["vehicles"] == (3 if chosen[0] == "category" else 0)
     assert main(["flow", str(package), "--interval", "60", "--json"]) == 0
     assert len(json.loads(capsys.readouterr().out)["vehicles"]) == 9
+
 
 TAMPERED = {
     "a reference": ("scan_references.csv", "19.4,0.1", "19.3,0.1", "value of row 2 differs"),
