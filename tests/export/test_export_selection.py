@@ -11,6 +11,8 @@ import pytest
 
 from sightline.cli import main
 from sightline.export import page
+from sightline.export.measured import statistics_of
+from sightline.export.report.package_facts import report_facts
 from sightline.export.verify.package import verify_package
 from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.jobs.records import Job
@@ -120,6 +122,30 @@ def test_a_package_is_of_the_vehicles_chosen(
     shown = viewer.seen(f"/statistics?survey={fleet.survey_id}&{query}")
     assert shown["counted"]["measurements"] == len(kept)
     assert limits_on_the_page(place) == said
+    counts_are_of_the_heights_in_the_results(place, {vehicles[k] for k in kept})
+
+
+def counts_are_of_the_heights_in_the_results(place: Path, kept: set[str]) -> None:
+    """What other vehicles lack is not told; nor what check targets lack, nor rejected heights."""
+    files = FolderFiles(place)
+    made = statistics_of(files)
+
+    def told() -> tuple[int, int, int]:
+        facts = report_facts(files, made, {})
+        return facts.out_of_date, facts.not_visible, facts.verdicts.individual
+
+    assert told() == (0, 0, len(kept))
+    edit(place, "measurements.csv", lambda row: row["vehicle_id"] not in kept, out_of_date="inset")
+    edit(place, "vehicles.csv", lambda row: row["id"] not in kept, driver_eye_not_visible="glare")
+    assert told() == (0, 0, len(kept))
+    edit(place, "measurements.csv", lambda row: True, out_of_date="inset")
+    edit(place, "vehicles.csv", lambda row: True, driver_eye_not_visible="glare")
+    assert told() == (len(kept),) * 3
+    checked, rejected = sorted(kept)[:2]
+    edit(place, "vehicles.csv", lambda row: row["id"] == checked, check_target="true")
+    assert told() == (len(kept) - 1,) * 3
+    edit(place, "measurements.csv", lambda row: row["vehicle_id"] == rejected, verdict="rejected")
+    assert told() == (len(kept) - 2, len(kept) - 1, len(kept) - 2)
 
 
 def _query(chosen: dict[str, object]) -> list[str]:

@@ -73,6 +73,8 @@ def test_errors_are_told_by_target_and_check_targets_count_nowhere_else(
     assert bias_mm(traffic, "saloon") == bias_mm(traffic)
     assert bias_mm(check) == pytest.approx(180.0, abs=0.01)
     assert traffic["inside"]["n"] == 1  # of the other nobody said how sure it is
+    raw = viewer.seen(f"/statistics?survey={compared.survey_id}&correction=none")["known_errors"]
+    assert "n" not in of(raw, "taillight", check=False)["inside"]  # U95 is of the corrected height
     # the heights of the traffic: no row of the check target
     lamps = next(one for one in page["targets"] if one["target"] == "taillight")
     assert lamps["corrected"]["n"] == 3 and page["counted"]["vehicles"] == 3

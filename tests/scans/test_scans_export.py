@@ -2,6 +2,7 @@
 
 import csv
 import io
+import json
 import shutil
 from dataclasses import replace
 from datetime import UTC, datetime
@@ -9,11 +10,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from pytest import approx
 
 from sightline.cli import main
 from sightline.errors import Damaged
 from sightline.export.build import build
+from sightline.export.scans import scans_in
 from sightline.export.seal import read_seal
+from sightline.export.traffic import traffic_in
 from sightline.export.verify.chain import walk
 from sightline.export.verify.derived import check_statistics
 from sightline.export.verify.described import read_description
@@ -32,7 +36,7 @@ from sightline.scans.vehicles.store import change_scan_vehicle
 from sightline.scans.verify import check_scans
 from tests.export.report.pdf_text import words
 from tests.support import samples, scans_samples
-from tests.support.packages import table_file
+from tests.support.packages import rewrite, table_file
 from tests.support.samples import Sample
 
 
@@ -239,6 +243,30 @@ def test_traffic_is_counted_and_computed_again(package: Path, capsys: pytest.Cap
     table.write_text(text.replace(",1.2,", ",1.3,", 1), encoding="utf-8")
     with pytest.raises(Damaged, match=r"traffic_intervals\.csv, line .*: flow_per_hour states 1.3"):
         check_statistics(FolderFiles(package), same_program=True)
+
+
+@pytest.mark.parametrize("chosen", [("category", "saloon"), ("lighting", "low_light")])
+def test_traffic_of_a_package_of_one_class_or_lighting_is_that_of_all_vehicles(
+    package: Path, capsys: pytest.CaptureFixture[str], chosen: tuple[str, str]
+) -> None:
+    """Nine vehicles two seconds apart by day, each third a saloon: the road is as full whoever is chosen."""
+    (first,) = rows(package, "scan_vehicles")
+    line_rate_hz = float(rows(package, "line_scans")[0]["line_rate_hz"])
+    many = []
+    for k in range(9):
+        since = {
+            name: str(float(first[name]) + 2.0 * k * line_rate_hz) for name in ("front_line_1", "rear_line_1")
+        }
+        many.append({**first, **since, "id": str(k + 1), "category": "van" if k % 3 else "saloon"})
+    rewrite(package, "scan_vehicles.csv", many)
+    files = FolderFiles(package)
+    whole = traffic_in(files, (60,))
+    assert (whole[0].intervals[0].vehicles, whole[0].intervals[0].mean_headway_s) == (9, approx(2.0))
+    (package / "tables" / "selection.csv").write_text(f"by,word\r\n{','.join(chosen)}\r\n")
+    assert [vars(one) for one in traffic_in(files, (60,))] == [vars(one) for one in whole]
+    assert scans_in(files).counted["vehicles"] == (3 if chosen[0] == "category" else 0)
+    assert main(["flow", str(package), "--interval", "60", "--json"]) == 0
+    assert len(json.loads(capsys.readouterr().out)["vehicles"]) == 9
 
 
 TAMPERED = {

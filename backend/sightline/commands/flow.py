@@ -42,9 +42,10 @@ def flow(
 ) -> None:
     """Compute the traffic of scanned vehicles in intervals: flow, speeds, headways, occupancy, classes.
 
-    PLACE is a package (accepted vehicles of the selection), a vehicles.csv or JSON of `sightline linescan
-    --start`, the output of `stream`, a folder of these, or an archive of `sightline traffic`. Every vehicle
-    counts for flow and occupancy, measured or not; speeds and classes cover the measured ones.
+    PLACE is a package (only days and hours of its selection limit it), a vehicles.csv or JSON of `sightline
+    linescan --start`, the output of `stream`, a folder of these, or an archive of `sightline traffic`. Every
+    vehicle counts for flow and occupancy, measured or not; speeds and classes cover the measured ones (in a
+    package the accepted ones).
     """
     minutes = _minutes(lengths)
     rows, vehicles, notes = list[dict[str, Any]](), list[dict[str, Any]](), list[str]()

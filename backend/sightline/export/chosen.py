@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from sightline.infra.csv_package.files import Files, read_columns
+from sightline.measurements.sheets.csv import counting_in
 from sightline.results.csv import selection_in
 from sightline.surveys.csv import class_sets_in
 
@@ -31,6 +32,12 @@ def chosen_scanned(files: Files) -> ChosenVehicles:
     """The vehicles of the line scans, likewise."""
     names = ("id", "scan_id", "lighting", "category", "filmed_at")
     return _chosen(files, "line_scans.csv", read_columns(files, "scan_vehicles.csv", names))
+
+
+def counting_vehicles(files: Files) -> frozenset[str]:
+    """Those of `chosen_vehicles` whose heights count in results: of the traffic, and in the sample."""
+    counts = counting_in(files)
+    return frozenset(id_ for id_ in chosen_vehicles(files).of if counts[id_])
 
 
 def _chosen(files: Files, filmed: str, vehicles: Iterable[Sequence[str]]) -> ChosenVehicles:

@@ -168,8 +168,9 @@ TABLES = (ERRORS, BASELINES, QUANTITIES, PERCENTILES, ECDF, HEIGHTS, REFERENCES,
 
 def scans_in(files: Files) -> ScanStatistics:
     """Statistics of the accepted vehicles of all line scans that a package is of, from its tables."""
-    filmed = selection_in(files)
-    return statistics_of_seen(list(scanned_motions(files)), accepted_only=True, filmed=filmed)
+    filmed, of_kind = selection_in(files), chosen_scanned(files).of_kind
+    seen = [one for one in scanned_motions(files) if str(one.vehicle_id) in of_kind]
+    return statistics_of_seen(seen, accepted_only=True, filmed=filmed)
 
 
 def scan_heights_in(files: Files) -> tuple[ScannedHeights, ...]:
@@ -189,17 +190,14 @@ def scan_heights_in(files: Files) -> tuple[ScannedHeights, ...]:
 
 
 def scanned_motions(files: Files) -> Iterator[VehicleMotion]:
-    """The vehicles of the line scans that a package is of, whenever they were filmed, as its tables say."""
+    """All vehicles of a package's line scans, whatever it is of, as its tables say."""
     lighting = dict(read_columns(files, "line_scans.csv", ("id", "lighting")))
     rigs = {
         id_: rig_from({name: figure_of(value) for name, value in zip(_RIG, values, strict=True)})
         for id_, *values in read_columns(files, "scan_measurements.csv", ("id", *_RIG))
     }
-    chosen = chosen_scanned(files).of_kind
     references = _standing(files)
     for row in read_rows(files, "scan_vehicles.csv"):
-        if row["id"] not in chosen:
-            continue
         rig = rigs.get(row["measurement_id"])
         yield VehicleMotion(
             vehicle_id=int(row["id"]),

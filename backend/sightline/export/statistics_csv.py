@@ -31,10 +31,10 @@ from sightline.statistics.known_errors import KnownErrors
 from sightline.statistics.summary import Distribution, Errors
 
 _PAPER = "as_in_the_paper"
+_INSET = "inset: heights corrected by each measurement's inset"
 _HEIGHTS = text(
     "heights",
-    "inset: heights corrected by each measurement's inset; as_in_the_paper: with an inset of 0, both heights "
-    "of an error to whole centimetres",
+    f"{_INSET}; as_in_the_paper: with an inset of 0, both heights of an error to whole centimetres",
     required=True,
     enum=("inset", _PAPER),
 )
@@ -75,8 +75,8 @@ ERRORS_BY_TARGET = statistics_table(
     "Errors (measured minus known height) of accepted heights by target, of the traffic and of check "
     "targets, not rounded, of all and by lighting and class. Intervals are total: the column holds says what "
     "each holds. inside_u95: the share of differences that are not larger than their own U95; about 0.95 "
-    "should be.",
-    _HEIGHTS,
+    "should be. It is stated of heights corrected by their inset alone, as their U95 is.",
+    replace(_HEIGHTS, meaning=f"{_INSET}; as_in_the_paper: with an inset of 0"),
     _TARGET,
     flag("check_target", "true: of check targets, which count nowhere else", required=True),
     _GROUPING,

@@ -69,7 +69,7 @@ INTERVALS = statistics_table(
     "Traffic past camera 1 of each line scan with a confirmed start, by direction and lane, in intervals of "
     "1, 5, 15 and 60 minutes by the clocks of the place. Every vehicle that was found counts for flow, "
     "headways and occupancy, also one without a motion or with a rejected one; speeds are of the accepted "
-    "ones.",
+    "ones. Only days and hours of selection.csv limit it: vehicles of every lighting and class count.",
     _SCAN,
     _MINUTES,
     _BEGINS,
@@ -106,7 +106,8 @@ INTERVALS = statistics_table(
 )
 CLASSES = statistics_table(
     "traffic_classes",
-    "The vehicles of the same intervals by the length that was measured; an empty interval has no rows.",
+    "The vehicles of the same intervals, of every lighting and class, by the length that was measured; an "
+    "empty interval has no rows.",
     _SCAN,
     _MINUTES,
     _BEGINS,
@@ -132,8 +133,11 @@ _FIGURES = [name for name, kind in get_type_hints(Interval).items() if kind is F
 
 
 def traffic_in(files: Files, lengths: Sequence[int] = MINUTES) -> tuple[ScanTraffic, ...]:
-    """The traffic of the vehicles that a package is of, from its tables; intervals of the first length first,
-    of `lengths` in minutes.
+    """The traffic of a package's line scans, from its tables; intervals of the first length first, of
+    `lengths` in minutes.
+
+    Its days and hours alone limit it: without vehicles of other classes, flows and headways would be of an
+    emptier road.
     """
     watched, found, filmed = scans_in(files), list(scanned_motions(files)), selection_in(files)
     return tuple(

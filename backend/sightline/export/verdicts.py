@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from sightline.export.chosen import chosen_vehicles
+from sightline.export.chosen import counting_vehicles
 from sightline.infra.csv_package.files import Files, read_columns
 from sightline.statistics.acceptance import Outgoing, outgoing_of_lots
 
@@ -20,13 +20,13 @@ class VerdictCounts:
 
 
 def verdicts_in(files: Files) -> VerdictCounts:
-    """Of the vehicles that a package is of; lots are told whole."""
-    chosen = chosen_vehicles(files).of
+    """Of the vehicles whose heights count; lots are told whole."""
+    counting = counting_vehicles(files)
     names = ("vehicle_id", "withdrawn", "verdict", "verdict_by")
     found = [
         basis
         for vehicle, withdrawn, verdict, basis in read_columns(files, "measurements.csv", names)
-        if vehicle in chosen and withdrawn == "false" and verdict in ("accepted", "fixed")
+        if vehicle in counting and withdrawn == "false" and verdict in ("accepted", "fixed")
     ]
     accepted = [
         (int(judged) + int(rest), int(judged), int(bad))

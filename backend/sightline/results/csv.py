@@ -57,7 +57,8 @@ SELECTION: Table[Chosen] = Table(
     "selection",
     "The vehicles that statistics, figures and report of this package are of: of the lighting named, of any "
     "set or class named, and filmed on those days and at those hours; what is not named is not limited, and "
-    "where time is, what has no time of filming is left out. The other tables are of the whole survey.",
+    "where time is, what has no time of filming is left out. Traffic in intervals is limited by days and "
+    "hours alone. The other tables are of the whole survey.",
     (
         text("by", "what is chosen by", itemgetter(0), required=True, enum=(*_WORDS, *FILMED)),
         text(

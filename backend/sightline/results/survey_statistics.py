@@ -34,6 +34,7 @@ from sightline.errors import BadInput, NotFound
 from sightline.infra.audit import trail
 from sightline.infra.database import Session
 from sightline.infra.web.person import Seen
+from sightline.messages.said import Said
 from sightline.people.store import list_people
 from sightline.results.measured_columns_query import (
     CATEGORIES,
@@ -462,6 +463,9 @@ def _lighting_words(rows: Measured) -> NDArray[np.str_]:
     return np.array([*LIGHTING, ""])[np.where(rows.lighting == NONE, len(LIGHTING), rows.lighting)]
 
 
+_U_IS_CORRECTED = Said("stat-known-u-is-corrected")
+
+
 def _known_errors(
     both: tuple[tuple[Measured, Grouping | None], tuple[Measured, Grouping | None]],
     choices: StatisticsOptions,
@@ -475,7 +479,8 @@ def _known_errors(
             compared = _compared(measured, measured.target == code, sites, choices)
             if len(compared.known_m) == 0:
                 continue
-            found.append(known_errors(target, of_checks, compared))
+            errors = known_errors(target, of_checks, compared)
+            found.append(errors if choices.correction == "inset" else replace(errors, inside=_U_IS_CORRECTED))
     return tuple(found)
 
 

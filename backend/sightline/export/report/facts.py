@@ -49,8 +49,8 @@ class ReportFacts:
     many there are, where `exclusions` holds only the first; None: all are there. `checksums`: SHA-256 by path
     of the other files of the package. `selection`: the vehicles it is of, in words; None: all. `language`:
     that of the report, in which its words are already. `as_in_the_paper`: the statistics with insets of 0 and
-    whole centimetres. `not_visible`: targets that could not be seen; `out_of_date`: heights whose facts have
-    changed.
+    whole centimetres. `not_visible`: targets of the vehicles that count that could not be seen;
+    `out_of_date`: heights in the results whose facts have changed.
     """
 
     survey: str

@@ -10,7 +10,7 @@ from itertools import islice
 from typing import Any
 
 from sightline.cameras.calibrations.csv import CALIBRATIONS
-from sightline.export.chosen import chosen_scanned
+from sightline.export.chosen import chosen_scanned, counting_vehicles
 from sightline.export.exclusions import EXCLUSIONS
 from sightline.export.measured import AS_PAPER, PackageStatistics
 from sightline.export.report.facts import ReportFacts, Row, ScanFacts
@@ -29,6 +29,7 @@ from sightline.recordings.csv import RECORDINGS
 from sightline.results.csv import selection_in
 from sightline.results.survey_statistics import StatisticsOptions
 from sightline.scans.csv import LINE_SCANS
+from sightline.scans.heights.csv import LINE_HEIGHTS
 from sightline.scans.statistics.service import ScanStatistics
 from sightline.surveys.csv import INSETS, place_in, sampling_in
 from sightline.surveys.photographs.csv import photos_in
@@ -99,16 +100,21 @@ def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Wr
 
 
 def _not_visible(files: Files) -> int:
-    """How many targets were answered by a reason why they cannot be seen."""
-    return sum(
-        sum(map(bool, row)) for row in read_columns(files, "vehicles.csv", tuple(NOT_VISIBLE.values()))
-    )
+    """How many targets of the vehicles that count were answered by a reason why they cannot be seen."""
+    counting = counting_vehicles(files)
+    rows = read_columns(files, "vehicles.csv", ("id", *NOT_VISIBLE.values()))
+    return sum(sum(map(bool, reasons)) for id_, *reasons in rows if id_ in counting)
 
 
 def _out_of_date(files: Files) -> int:
-    """Heights that follow from facts that hold no longer."""
-    tables = ("measurements.csv", "line_heights.csv")
-    return sum(bool(cell) for path in tables for (cell,) in read_columns(files, path, ("out_of_date",)))
+    """Heights in the results that follow from facts that hold no longer."""
+    tables = (("measurements.csv", counting_vehicles(files)), (LINE_HEIGHTS.key, chosen_scanned(files).of))
+    names = ("vehicle_id", "withdrawn", "verdict", "out_of_date")  # of an earlier revision it is empty
+    return sum(
+        vehicle in counting and withdrawn == "false" and verdict in ("accepted", "fixed") and stale != ""
+        for path, counting in tables
+        for vehicle, withdrawn, verdict, stale in read_columns(files, path, names)
+    )
 
 
 def _timeless(count: int) -> tuple[tuple[str, int], ...]:

@@ -41,7 +41,7 @@ FRAMES: Table[ClickedFrame] = Table(
         key("recording_id", "recording"),
         integer("frame", "the n-th decoded frame, from 0", required=True, minimum=0),
         integer("pts", "presentation time stamp in the stream's time base"),
-        number("time_s", "time from the start of the stream", "s"),
+        number("time_s", "time since the first frame; of filming, where the recording states filmed_hz", "s"),
         integer("crc32", "CRC-32 of the decoded luma", required=True),
     ),
     primary=("recording_id", "frame"),
