@@ -272,8 +272,8 @@ known are measured with errors that all heights of a site share and with random 
 Made by `python tests/bench/bench_coverage.py SAMPLES --full --write`; do not edit by hand.
 
 One engine gives the figures of a survey and of a study (a survey is a study of one stratum in which all
-heights weigh alike). Values and ends of percentiles are put in order (monotone rearrangement), so that
-none runs backwards. A percentile that has fewer heights than an interval of order statistics needs has no
+heights weigh alike). Values and ends of percentiles are put in order from the median outwards, so that none
+runs backwards. A percentile that has fewer heights than an interval of order statistics needs has no
 value; the cell says how many it needs.
 
 """.strip("\n").splitlines()

@@ -269,6 +269,21 @@ def test_percentiles_and_their_ends_never_run_backwards(seeds: int) -> None:
     assert backwards > 0  # else nothing was put in order
 
 
+def test_a_percentile_between_two_kinds_of_vehicles_has_an_interval_and_moves_no_other() -> None:
+    site = np.arange(100) % 20
+    for seed in range(12):
+        rng = np.random.default_rng(seed)
+        height_m = np.where(np.arange(100) < 5, rng.normal(2.3, 0.12, 100), rng.normal(1.14, 0.05, 100))
+        height_m += 0.015 * rng.normal(size=20)[site]
+        shared = (SharedErrors(site, np.full(100, 0.015)),)
+        found = TotalUncertainty(HeightSample(height_m, np.zeros(100), shared, site))
+        low, high = found.percentile(5.0), found.percentile(95.0)
+        assert low.U95_low is not None and high.U95_low is not None and high.U95_high is not None
+        assert low.U95_low > 0.9 and 1.1 < high.U95_low < 1.3 and 2.0 < high.U95_high < 8.0
+        outermost_car_m, first_lorry_m = np.sort(height_m)[94:96]
+        assert high.value is not None and outermost_car_m - 0.03 < high.value < first_lorry_m + 0.03
+
+
 def test_the_same_design_said_as_weights_gives_the_same_digits() -> None:
     heights = sample(300, 3, sites=6, shared_m=0.01, random_m=0.015)
     assert heights.site is not None

@@ -99,12 +99,15 @@ class SmoothDensity:
         """What is to be added to the share of measured heights below a limit for that of the true ones."""
         return float(_below(self.edge_m, limit_m) @ (self.true - self.measured))
 
-    def correction_influence_m(self, p: float) -> Floats:
-        """Influence (M,) of one height in each cell on `correction_m`; its mean is about 0."""
+    def correction_influence_m(self, p: float, least: float = 0.0) -> Floats:
+        """Influence (M,) of one height in each cell on `correction_m`; its mean is about 0.
+
+        least: no density, 1/m, is taken for smaller.
+        """
         true_at, measured_at = (float(_quantile(of, p)) for of in (self._true_below, self._measured_below))
-        of_true = _below(self.edge_m, true_at) @ self.true_slope / self.true_density(true_at)
+        of_true = _below(self.edge_m, true_at) @ self.true_slope / max(self.true_density(true_at), least)
         below = _below(self.edge_m, measured_at)
-        of_measured = below @ self.measured_slope / self.measured_density(measured_at)
+        of_measured = below @ self.measured_slope / max(self.measured_density(measured_at), least)
         return np.asarray(self.influence @ (of_measured - of_true), dtype=np.float64)
 
 

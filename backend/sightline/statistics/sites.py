@@ -124,8 +124,8 @@ def pooled_variance(
     expected, freedom = _moments(weight, emphasis, (inner_smooth + alike) / count + apart)
     total = float(weight**2 @ ((inner + alike) / count + apart))
     variance = observed * total / expected
-    if len(count) >= _SOME:
-        more = float(weight**2 @ ((inner - inner_smooth) / count))
+    more = float(weight**2 @ ((inner - inner_smooth) / count))
+    if len(count) >= _SOME and more > 0.0:  # taken away it could leave nothing, or less
         seen = observed * (total - more) / expected
         variance = seen + more
         freedom *= (variance / max(seen, 1e-30)) ** 2

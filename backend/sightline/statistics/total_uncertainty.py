@@ -118,12 +118,12 @@ def sample_of_measurements(
 
 @dataclass(frozen=True, eq=False)
 class _Confidence:
-    """What is known of a percentile: its value and its error's draws (D,), ascending, metres, and the design
-    effect.
+    """What is known of a percentile: its value and draws (D,) of what it may be, ascending, metres, and the
+    design effect.
     """
 
     value_m: float
-    error_m: Floats
+    possible_m: Floats
     effect: float
 
 
@@ -212,8 +212,8 @@ class TotalUncertainty:
         The value is the sample's (Hyndman & Fan 1996, type 8) with the correction of `deconvolution`. Its
         interval without sites is that of order statistics (David & Nagaraja 2003, 7.1), read between ranks;
         with sites it is Student's, as much longer on one side as that of order statistics is. Percentiles
-        never run backwards: values and intervals are put in order (Chernozhukov, Fernández-Val & Galichon,
-        Biometrika 96, 2009). Without support there is a count in place of a value.
+        never run backwards: values and intervals are put in order from the median outwards, so that what is
+        little known moves nothing that is known better. Without support there is a count in place of a value.
         """
         raw = float(self._quantile(percent / 100.0, 0.5, -1.0))
         needs = vehicles_for_interval(percent)
@@ -223,7 +223,7 @@ class TotalUncertainty:
             return TotalPercentile(
                 percent=percent, value=value, U95_low=None, U95_high=None, raw=raw, needs=needs, reason=found
             )
-        low, high = (found.value_m + end for end in ends_of(found.error_m))
+        low, high = ends_of(found.possible_m)
         return TotalPercentile(
             percent=percent,
             value=found.value_m,
@@ -241,21 +241,21 @@ class TotalUncertainty:
         The same as `percentile`'s.
         """
         found = self._known(percent)
-        return found if isinstance(found, Said) else (found.value_m, found.error_m)
+        return found if isinstance(found, Said) else (found.value_m, found.possible_m - found.value_m)
 
     @cached_property
     def _in_order(self) -> dict[float, _Confidence]:
         """Those of `PERCENTILES` that have support, none below one of a smaller percent: the distributions of
-        what is known of each, put in order at every level (monotone rearrangement).
+        what is known of each, put in order at every level.
         """
         there = [one for one in PERCENTILES if self._supported(one)]
         found = [self._confidence(one / 100.0) for one in there]
         if not found:
             return {}
-        values = np.sort([one.value_m for one in found])
-        possible = np.sort(np.array([one.value_m + one.error_m for one in found]), axis=0)
+        values = _outwards(there, np.array([one.value_m for one in found]))
+        possible = _outwards(there, np.array([one.possible_m for one in found]))
         return {
-            percent: _Confidence(float(value), draws - value, one.effect)
+            percent: _Confidence(float(value), draws, one.effect)
             for percent, value, draws, one in zip(there, values, possible, found, strict=True)
         }
 
@@ -269,32 +269,33 @@ class TotalUncertainty:
         if percent in self._in_order:
             return self._in_order[percent]
         own = self._confidence(percent / 100.0)
-        possible, value = own.value_m + own.error_m, own.value_m
+        possible, value = own.possible_m, own.value_m
         for other, one in self._in_order.items():  # between its neighbours
             keep = np.minimum if other > percent else np.maximum
-            possible = keep(possible, one.value_m + one.error_m)
+            possible = keep(possible, one.possible_m)
             value = float(keep(value, one.value_m))
-        return _Confidence(value, possible - value, own.effect)
+        return _Confidence(value, possible, own.effect)
 
     def _supported(self, percent: float) -> bool:
         return vehicles_for_interval(percent) <= int(self._n + 1e-9)
 
     def _confidence(self, p: float) -> _Confidence:
         assert self._density is not None
-        at, slope = self._at(p), self._density.measured_density(self._at(p))
+        at = self._at(p)
+        slope = max(self._density.measured_density(at), self._least_density(p))
         own = np.asarray((p - (self._height_m <= at)) / slope, dtype=np.float64)
         # Between ranks the share below is one of few numbers and its variance not quite p (1 - p).
         own *= np.sqrt(p * (1.0 - p)) / slope / max(self._deviation(own), 1e-12)
-        of_correction = self._density.correction_influence_m(p)[self._cell]
-        smooth = self._smooth_influence(at, self._density) + of_correction
+        of_correction = self._density.correction_influence_m(p, self._least_density(p))[self._cell]
+        smooth = self._smooth_influence(p, self._density) + of_correction
         found = self._drawn.sampled(own + of_correction, smooth)
         plain_m2 = p * (1.0 - p) / slope**2
-        correction = self._density.correction_m(p)
+        correction = self._correction_m(p, self._density)
         u_m2 = self._unseen(found, self._near(p)) + (_SHAPE * correction) ** 2
         u_m2 += (correction * self._u_spread_m2 / max(self._noise_m2, 1e-12)) ** 2
         draws = self._draws(found, self._order_statistics(p, self._density) - at, plain_m2)
         error = np.sort(draws + np.sqrt(u_m2) * normal_draws())
-        return _Confidence(at + correction, error, found.variance * self.n / plain_m2)
+        return _Confidence(at + correction, at + correction + error, found.variance * self.n / plain_m2)
 
     def _draws(self, found: Sampled, sampled: Floats, plain_m2: float) -> Floats:
         """Draws (D,) of a percentile's error by its design: those of order statistics, `sampled` (D,), as
@@ -331,8 +332,10 @@ class TotalUncertainty:
         if self._density is None or not self._supported(percent):
             return None
         at = self._at(p)
-        smooth = self._smooth_influence(at, self._density)
-        sampling = float(np.sqrt(p * (1.0 - p))) / self._density.measured_density(at)
+        smooth = self._smooth_influence(p, self._density)
+        sampling = float(np.sqrt(p * (1.0 - p))) / max(
+            self._density.measured_density(at), self._least_density(p)
+        )
         found = self._drawn.sampled(smooth, smooth)
         return Components(sampling, self._drawn.between(smooth), float(np.sqrt(found.unseen)))
 
@@ -449,13 +452,31 @@ class TotalUncertainty:
         at[high] = heights[-1] + (middle - density.measured_quantile_m((1.0 - LEVELS[high]) ** (1.0 / n)))
         return np.asarray(at, dtype=np.float64)
 
-    def _smooth_influence(self, at: float, density: SmoothDensity) -> Floats:
-        """Influence (N,) of each height on the percentile of heights smoothed by half their spread."""
+    def _correction_m(self, p: float, density: SmoothDensity) -> float:
+        """What is to be added for random errors at p, metres, no more than if all spread were theirs: by
+        a gap between two kinds of vehicles smooth densities may find p on either side.
+        """
+        most = max(abs(float(scipy.special.ndtri(p))), 1.0) * float(np.sqrt(self._noise_m2))
+        return float(np.clip(density.correction_m(p), -most, most))
+
+    def _least_density(self, p: float) -> float:
+        """Half the density that heights within a standard error of p's rank show, 1/m: between two kinds of
+        vehicles a smooth one may be next to nothing (Siddiqui 1960).
+        """
+        assert self._density is not None
+        half = float(np.sqrt(p * (1.0 - p) / self._n))
+        low, high = np.interp([p - half, p + half], self._middle, self._height_m)
+        return half / max(float(high - low), 2.5 * half * self._density.spread_m)
+
+    def _smooth_influence(self, p: float, density: SmoothDensity) -> Floats:
+        """Influence (N,) of each height on percentile p of heights smoothed by half their spread."""
+        at = self._at(p)
         nodes_m, node, share = self._smooth_parts
         width = _SMOOTHED * density.spread_m
         away = (at - nodes_m) / width
         below = scipy.special.ndtr(away)
         slope = float(share @ np.exp(-0.5 * away**2)) / (width * np.sqrt(2.0 * np.pi))
+        slope = max(slope, self._least_density(p))
         return np.asarray(((share @ below - below) / slope)[node], dtype=np.float64)
 
     def _near(self, p: float) -> Ints:
@@ -463,6 +484,14 @@ class TotalUncertainty:
         half = max(_WINDOW, _LEAST_IN_WINDOW / self._n)
         first, last = np.searchsorted(self._middle, [p - half - 1e-12, p + half + 1e-12])
         return np.arange(first, last)
+
+
+def _outwards(percents: Sequence[float], rows: Floats) -> Floats:
+    """Rows (K, ...) of ascending percents put in order from the median outwards: none turns back."""
+    middle = int(np.argmin(np.abs(np.asarray(percents) - 50.0)))
+    above, below = rows[middle:], rows[: middle + 1][::-1]
+    upper, lower = np.maximum.accumulate(above, axis=0), np.minimum.accumulate(below, axis=0)
+    return np.concatenate([lower[:0:-1], upper])
 
 
 def _one_stratum(sample: HeightSample) -> Design:
