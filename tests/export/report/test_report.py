@@ -78,7 +78,8 @@ def test_the_report_says_what_was_found(example: ReportFacts, pdf: bytes) -> Non
         f"{1000 * mae:.1f} (",
         f"P50 {true}",
         str(total.words),
-        f"Driver’s eye: P10 of {rule.standard.vehicle_class} {rule.standard.height_m:.3f} {rule.value_m:.3f}",
+        f"Driver’s eye: P10 of {rule.standard.vehicle_class} here: passenger cars, n = {rule.n} "
+        f"{rule.standard.height_m:.3f} {rule.value_m:.3f}",
         f"{rule.verdict} (risk of error",
         "fx px",
         "lane-1-dusk.mkv",
