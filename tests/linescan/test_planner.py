@@ -10,6 +10,7 @@ from sightline.coverage import COVERAGE_95
 from sightline.demo.scan import RIG as DEMO_RIG
 from sightline.errors import BadInput
 from sightline.linescan.exposure import LineCamera, plan_exposure
+from sightline.linescan.gaps import gaps
 from sightline.linescan.methods import MEASURE
 from sightline.linescan.parts import Rig
 from sightline.linescan.planner import COARSE_LINE_M, LinePlan, plan_lines
@@ -33,20 +34,28 @@ SITES = (
 def missed(
     seed: int, rate_hz: float, speeds_mps: tuple[float, float], baseline_m: float, n: int
 ) -> np.ndarray:
-    """Errors of speed and length of n simulated vehicles over the standard uncertainties planned: (n, 2)."""
+    """Errors of speed and length of n simulated vehicles over the standard uncertainties planned, and what is
+    planned of the gap before each over what is stated: (n, 3), NaN of the first gap.
+    """
     site = ScanSite(rows=256, line_rate_hz=rate_hz, misalignment_px=0.4, seed=seed, baseline_m=baseline_m)
     cars = traffic(seed, n, speeds_mps=speeds_mps, gaps_s=(0.4, 0.6))
     rig = Rig(baseline_m, rate_hz)
     passages = found(strips(site, cars), rig)[0]
     assert len(passages) == n
+    motions = [MEASURE["direct"](passage, rig) for passage in passages]
+    before = gaps([(one.crossings, motion) for one, motion in zip(passages, motions, strict=True)], rig)
     out = []
-    for passage, car in zip(passages, cars, strict=True):
-        motion = MEASURE["direct"](passage, rig)
+    for motion, car, gap in zip(motions, cars, before, strict=True):
         assert motion.speed_mps is not None and motion.length_m is not None
-        plan = plan_lines(car.speed_mps, baseline_m, 0.01, rate_hz, length_m=car.length_m)
-        speed, length = plan.values[:2]
+        told_s = {} if gap.time_gap_s is None else {"time_gap_s": gap.time_gap_s}
+        plan = plan_lines(car.speed_mps, baseline_m, 0.01, rate_hz, length_m=car.length_m, **told_s)
+        speed, length, _, distance_gap = plan.values
         out.append(
-            [(motion.speed_mps - car.speed_mps) / speed.u, (motion.length_m - car.length_m) / length.u]
+            [
+                (motion.speed_mps - car.speed_mps) / speed.u,
+                (motion.length_m - car.length_m) / length.u,
+                distance_gap.u / (gap.u_distance_gap_m or np.nan),
+            ]
         )
     return np.array(out)
 
@@ -56,7 +65,9 @@ def test_the_demonstrations_own_rig_is_planned_as_it_measures(vehicles: int) -> 
     """Fast vehicles, within what chance allows so few (chi-square, 0.1 % on either side). To whole lines the
     plan would be off by the tenfold.
     """
-    speed, length = np.sum(np.square(missed(*SITES[0], n=vehicles)), axis=0)
+    each = missed(*SITES[0], n=vehicles)
+    speed, length, _ = np.sum(np.square(each), axis=0)
+    assert np.all((each[1:, 2] > 0.4) & (each[1:, 2] < 2.5))
     least, most = chi2.ppf((0.001, 0.999), vehicles)
     assert least < speed < most and least < length < most
 
@@ -65,7 +76,7 @@ def test_the_demonstrations_own_rig_is_planned_as_it_measures(vehicles: int) -> 
 def test_the_expected_uncertainty_is_what_simulated_vehicles_leave() -> None:
     """Lines 2 to 15 mm apart, baselines of 0.3 to 1.2 m: neither too small nor idle."""
     each = np.concatenate([missed(*site, n=8) for site in SITES])
-    speed, length = np.abs(each).T
+    speed, length = np.abs(each).T[:2]
     assert np.mean(speed <= COVERAGE_95) >= 0.9 and 0.6 < np.sqrt(np.mean(speed**2)) < 1.1
     # few lengths err by a contrast that is missing at one end; of those a vehicle's own u tells
     assert np.mean(length <= COVERAGE_95) >= 0.85 and 0.4 < np.median(length) / 0.6745 < 1.2

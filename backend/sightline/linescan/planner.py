@@ -200,7 +200,7 @@ class _Rig:
             self._speed(),
             self._length(length_m),
             self._time_gap(time_gap_s),
-            self._distance_gap(time_gap_s),
+            self._distance_gap(length_m, time_gap_s),
         )
 
     def _speed(self) -> PlannedValue:
@@ -221,10 +221,15 @@ class _Rig:
         lines, edges = sqrt(2) * U_LINE_LINES / self.line_rate_hz, sqrt(2) * U_EDGE_M / self.speed_mps
         return self._planned("time_gap", seconds, lines, 0.0, edges)
 
-    def _distance_gap(self, seconds: float) -> PlannedValue:
-        """The time gap times the speed of the vehicle before, which is known on its own."""
+    def _distance_gap(self, length_m: float, seconds: float) -> PlannedValue:
+        """The vehicle before, as long as this one, is carried on from its rear by its own motion: a straight
+        line in time, known twice as well midway along the vehicle as at its end, and the less the farther on.
+        """
         gap_m, time = self.speed_mps * seconds, self._time_gap(seconds)
-        strips = hypot(self.speed_mps * time.u_strips, gap_m * self._of_speed)
+        seen_s, u_mps = (length_m + self.baseline_m) / self.speed_mps, self._speed().u_strips
+        u_midway_mps2 = sqrt(3) * u_mps / seen_s
+        carried_m = seconds * hypot(u_mps / 2, u_midway_mps2 * (seconds + seen_s) / 2)
+        strips = hypot(self.speed_mps * time.u_strips, carried_m)
         return self._planned("distance_gap", gap_m, strips, gap_m * self._ratio, sqrt(2) * U_EDGE_M)
 
     @property
