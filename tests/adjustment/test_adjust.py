@@ -31,6 +31,9 @@ def test_what_all_heights_share_shrinks_and_the_rest_is_as_large_as_said() -> No
     assert all(one.before.u_height_m > 0.015 for one in cases)
     assert u.max() < 0.003
     assert 1.0 < np.square(errors / u).sum() < 26.1  # chi-square of 8, 0.1 % on either side
+    # vehicles keep to the road: what their mean direction is off by is the pose's, however many they are
+    turned = [one.adjustment.heading_rad / one.adjustment.u_heading_rad for one in cases]
+    assert 1.0 < np.square(turned).sum() < 26.1
     for one in cases:
         told = one.adjustment
         assert told.used == 50 and not told.left_out

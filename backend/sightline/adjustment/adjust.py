@@ -216,10 +216,16 @@ def _freedom(traffic: Traffic, found: Cleaned, used: Bools) -> int:
 
 
 def _heading(found: Cleaned, used: Bools) -> tuple[float, float]:
-    """The passes' mean direction against the road's X, and what the adjustment says of its uncertainty."""
-    weight = 1.0 / (found.solution.pass_covariance[used, HEADING, HEADING] + np.deg2rad(0.3) ** 2)
-    mean = float((weight * found.solution.unknown[used, HEADING]).sum() / weight.sum())
-    return mean, float(weight.sum() ** -0.5)
+    """The passes' mean direction against the road's X, and what the adjustment says of its uncertainty: what
+    is each pass's own, and what the shared errors turn all by.
+    """
+    solution = found.solution
+    weight = 1.0 / (solution.pass_covariance[used, HEADING, HEADING] + np.deg2rad(0.3) ** 2)
+    mean = float((weight * solution.unknown[used, HEADING]).sum() / weight.sum())
+    cross = np.swapaxes(solution.at.own, 1, 2) @ solution.at.shared
+    turned = (solution.pass_covariance @ cross)[used, HEADING, :]
+    common = weight @ turned / weight.sum()
+    return mean, float(np.sqrt(1.0 / weight.sum() + common @ solution.covariance @ common))
 
 
 def _adjusted(shared: SharedErrors, found: Cleaned) -> RoadPose:
