@@ -63,9 +63,10 @@ def test_it_always_has_words(one: Said) -> None:
 
 
 def test_words_in_the_language_of_the_reader() -> None:
-    assert "(height error up to 14 mm); compute" in str(MOVED)
+    assert "(height error up to 14 mm on the nearest road in the picture, more beyond); compute" in str(MOVED)
     french = MOVED.sentence("fr")
-    assert "bougé de 2,5 px après le calcul de la pose (erreur de hauteur jusqu’à 14 mm)" in french
+    near = "sur la route la plus proche dans l’image, davantage au-delà"
+    assert f"bougé de 2,5 px après le calcul de la pose (erreur de hauteur jusqu’à 14 mm {near})" in french
     within = Said("height-of-frame", frame=2, frames=3, reason=HORIZON)
     assert str(within) == f"Frame 2 of 3: {HORIZON}"
     assert HORIZON.sentence("fr") in within.sentence("fr")
@@ -105,7 +106,8 @@ def test_a_verdict_on_a_camera_has_its_words() -> None:
     check: DriftCheck = {"state": "moved", "spans": [span], "bumps": []}  # type: ignore[typeddict-item]
     (drifted,) = words_of_check(check, float)
     assert str(drifted) == (
-        "The camera drifted at 0:03.0 (frame 3) by 2.5 px (height error up to 10 mm), frames 3 to 9."
+        "The camera drifted at 0:03.0 (frame 3) by 2.5 px (height error up to 10 mm on the nearest road in "
+        "the picture, more beyond), frames 3 to 9."
     )
     check["bumps"] = [{"after": 1, "frame": 3, "time_s": 0.1, "by_px": 2.5}]
     assert str(words_of_check(check, float)[0]).startswith("The camera moved at 0:03.0")

@@ -59,7 +59,7 @@ def test_a_baseline_is_judged_without_its_own_uncertainty() -> None:
 def runs(lengths_m: list[float], rig: Rig, u_own_m: float) -> list[VehicleMotion]:
     """Runs of one car, each with its budget's u: its own and that of its baseline."""
     ratio = np.divide(*reversed(baseline_of(rig)))
-    given = when_passed(rig, 0.0, 1000.0)
+    given = when_passed(rig, 0.0, 1000.0, None)
     return [
         VehicleMotion(
             **given,

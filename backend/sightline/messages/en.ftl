@@ -1607,7 +1607,7 @@ measure-vehicle-done = Done. Keys 1 to 5 measure again.
 measure-next-pass = Next pass
 measure-choose-target = Choose a target: 1 to 5.
 measure-drift = Camera moved { $moved_px } px after the pose was computed. <link>Compute a new pose or decide</link>
-measure-drift-off = Camera moved { $moved_px } px after the pose was computed. Height error here: up to { $off }. <link>Compute a new pose or decide</link>
+measure-drift-off = Camera moved { $moved_px } px after the pose was computed. Height error: up to { $off } on the nearest road in the picture, more beyond. <link>Compute a new pose or decide</link>
 measure-proposal-looking = Searching for the wheel…
 measure-proposal-take = { $proposal }. Press Enter or click it to accept.
 measure-proposal-no-pass = Choose a pass first. Then a contact can be suggested.
@@ -4703,7 +4703,7 @@ height-flag-inset-weak = The frames are too close together to determine the inse
 height-flag-pass-misfit = The followed points deviate from straight, level travel by more than their uncertainty.
 height-flag-side-from-place = The pass has no direction; the driver’s side follows from the camera’s place in the median, past which all traffic runs one way.
 height-flag-camera-moved = The camera moved { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px after the pose was computed; compute a new pose for this part, or decide to keep the old one.
-height-flag-camera-moved-by = The camera moved { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px after the pose was computed (height error up to { SMALL($error_m, digits: 0) }); compute a new pose for this part, or decide to keep the old one.
+height-flag-camera-moved-by = The camera moved { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px after the pose was computed (height error up to { SMALL($error_m, digits: 0) } on the nearest road in the picture, more beyond); compute a new pose for this part, or decide to keep the old one.
 height-flag-inset-zero = inset taken as 0
 height-flag-u-inset-zero = uncertainty of the inset taken as 0
 height-flag-usual-inset = usual inset of { $target }
@@ -4760,7 +4760,7 @@ drift-moved-height = { $how ->
     [bumped] The camera moved
     [before] The camera had already moved
    *[drifted] The camera drifted
- } at { $clock } (frame { $frame }) by { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (height error up to { SMALL($error_m, digits: 0) }), frames { $first } to { $last }.
+ } at { $clock } (frame { $frame }) by { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (height error up to { SMALL($error_m, digits: 0) } on the nearest road in the picture, more beyond), frames { $first } to { $last }.
 drift-more = { $count ->
     [one] { $count } more movement.
    *[other] { $count } more movements.
@@ -6462,7 +6462,7 @@ column-recordings-pose-id = current camera pose
 column-recordings-drift-state = whether the camera moved since that pose
 column-recordings-drift-floor-px = detection limit of camera movement
 column-recordings-drift-moved-px = largest motion found, where it moved
-column-recordings-drift-height-m = largest error of heights that results from it
+column-recordings-drift-height-m = largest error that it gives a height of 1.2 m on the nearest road in the picture, 3 m away or more; more beyond
 column-recordings-drift-checked-at = when this was checked (ISO 8601, UTC)
 column-recordings-drift-decision = reason for keeping the pose although the camera moved
 column-recordings-drift-decided-by-id = who decided that

@@ -1606,7 +1606,7 @@ measure-vehicle-done = Terminé. Touches 1 à 5 : mesurer à nouveau.
 measure-next-pass = Passage suivant
 measure-choose-target = Choisissez une cible : 1 à 5.
 measure-drift = La caméra a bougé de { $moved_px } px après le calcul de la pose. <link>Calculez une nouvelle pose ou décidez</link>
-measure-drift-off = La caméra a bougé de { $moved_px } px après le calcul de la pose. Erreur de hauteur ici : jusqu’à { $off }. <link>Calculez une nouvelle pose ou décidez</link>
+measure-drift-off = La caméra a bougé de { $moved_px } px après le calcul de la pose. Erreur de hauteur : jusqu’à { $off } sur la route la plus proche dans l’image, davantage au-delà. <link>Calculez une nouvelle pose ou décidez</link>
 measure-proposal-looking = Recherche de la roue…
 measure-proposal-take = { $proposal }. Entrée ou un clic pour l’accepter.
 measure-proposal-no-pass = Choisissez d’abord un passage ; un contact pourra alors être proposé.
@@ -4695,7 +4695,7 @@ height-flag-inset-weak = Les images sont trop rapprochées pour bien déterminer
 height-flag-pass-misfit = Les points suivis s’écartent d’une trajectoire droite et horizontale de plus que leur incertitude.
 height-flag-side-from-place = Le passage n’a pas de sens ; le côté du conducteur se déduit de la position de la caméra sur le terre-plein central, le long duquel tous vont dans le même sens.
 height-flag-camera-moved = La caméra a bougé de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px après le calcul de la pose ; calculez une nouvelle pose pour cette partie, ou décidez de conserver l’ancienne.
-height-flag-camera-moved-by = La caméra a bougé de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px après le calcul de la pose (erreur de hauteur jusqu’à { SMALL($error_m, digits: 0) }) ; calculez une nouvelle pose pour cette partie, ou décidez de conserver l’ancienne.
+height-flag-camera-moved-by = La caméra a bougé de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px après le calcul de la pose (erreur de hauteur jusqu’à { SMALL($error_m, digits: 0) } sur la route la plus proche dans l’image, davantage au-delà) ; calculez une nouvelle pose pour cette partie, ou décidez de conserver l’ancienne.
 height-flag-inset-zero = retrait pris égal à 0
 height-flag-u-inset-zero = incertitude du retrait prise égale à 0
 height-flag-usual-inset = retrait usuel de { $target }
@@ -4752,7 +4752,7 @@ drift-moved-height = { $how ->
     [bumped] La caméra a bougé
     [before] La caméra avait déjà bougé
    *[drifted] La caméra a dérivé
- } à { $clock } (image { $frame }) de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (erreur de hauteur jusqu’à { SMALL($error_m, digits: 0) }), images { $first } à { $last }.
+ } à { $clock } (image { $frame }) de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (erreur de hauteur jusqu’à { SMALL($error_m, digits: 0) } sur la route la plus proche dans l’image, davantage au-delà), images { $first } à { $last }.
 drift-more = { $count ->
     [one] { $count } autre mouvement.
    *[other] { $count } autres mouvements.
@@ -6517,7 +6517,7 @@ column-recordings-pose-id = pose de la caméra en vigueur
 column-recordings-drift-state = si la caméra a bougé depuis cette pose
 column-recordings-drift-floor-px = limite de détection du mouvement de la caméra
 column-recordings-drift-moved-px = plus grand mouvement trouvé, si elle a bougé
-column-recordings-drift-height-m = erreur maximale qui en résulte sur les hauteurs
+column-recordings-drift-height-m = plus grande erreur qui en résulte pour une hauteur de 1,2 m sur la route la plus proche dans l’image, à 3 m ou plus ; davantage au-delà
 column-recordings-drift-checked-at = quand cela a été contrôlé (ISO 8601, UTC)
 column-recordings-drift-decision = pourquoi la pose a été gardée bien que la caméra ait bougé
 column-recordings-drift-decided-by-id = qui en a décidé

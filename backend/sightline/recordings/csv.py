@@ -82,7 +82,12 @@ _DRIFT: tuple[Column[Drift], ...] = (
     ),
     number("drift_floor_px", "detection limit of camera movement", "px", _found("floor_px")),
     number("drift_moved_px", "largest motion found, where it moved", "px", _found("moved_px")),
-    metres("drift_height_m", "largest error of heights that results from it", _found("height_m")),
+    metres(
+        "drift_height_m",
+        "largest error that it gives a height of 1.2 m on the nearest road in the picture, 3 m away or more; "
+        "more beyond",
+        _found("height_m"),
+    ),
     Column(
         "drift_checked_at",
         "datetime",
