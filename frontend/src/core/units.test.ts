@@ -83,9 +83,9 @@ describe("numbers", () => {
 
   it("writes the small lengths of a server's sentence in the unit that is shown", async () => {
     const moved = { code: "height-flag-camera-moved-by", values: { moved_px: 2.5, error_m: 0.0254 } };
-    await vi.waitFor(() => expect(sayCode(moved)).toContain("error up to 25\u00a0mm)"));
+    await vi.waitFor(() => expect(sayCode(moved)).toContain("error up to 25\u00a0mm on the"));
     lengthUnit.value = "ft";
-    expect(sayCode(moved)).toContain("error up to 1.00\u00a0in)");
+    expect(sayCode(moved)).toContain("error up to 1.00\u00a0in on the");
   });
 
   it("rounds bytes into the next unit rather than 1000 of the last", () => {
