@@ -16,6 +16,7 @@ import pytest
 
 from sightline.cli import main
 from sightline.commands.scanned import about_rig, object_of
+from sightline.errors import BadInput
 from sightline.infra.local_time import instant_of
 from sightline.linescan.finding import Finder
 from sightline.linescan.parts import Lane, Rig
@@ -247,6 +248,17 @@ def test_a_resumed_stream_is_on_one_clock(tmp_path: Path, capsys: pytest.Capture
     told = read_recorded(path, 4 * 3600.0)
     assert [one.front_s for one in told.passings] == pytest.approx([5.0, 9.0, 3 * 3600 + 5.0], abs=1e-5)
     assert told.passings[2].rear_s == pytest.approx(3 * 3600 + 5.2)
+    unseen = {"front_s": 20.0, "rear_s": None, "rear_line_1": None, "front_at": "2026-05-04T09:00:20+00:00"}
+    path.write_text("\n".join(map(json.dumps, (first, second, third, {**third, "id": 4, **unseen}))))
+    told = read_recorded(path, 4 * 3600.0)
+    seconds = [(one.front_s, one.rear_s) for one in told.passings[2:]]
+    assert seconds == [
+        pytest.approx((3 * 3600 + 5.0, 3 * 3600 + 5.2)),
+        (pytest.approx(3 * 3600 + 20.0), None),
+    ]
+    path.write_text(json.dumps({name: value for name, value in first.items() if name != "front_s"}))
+    with pytest.raises(BadInput, match="front_s"):
+        read_recorded(path, 4 * 3600.0)
 
 
 def test_lost_lines_and_whole_ms_leave_the_time_before_the_camera(

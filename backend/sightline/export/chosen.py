@@ -40,6 +40,11 @@ def counting_vehicles(files: Files) -> frozenset[str]:
     return frozenset(id_ for id_ in chosen_vehicles(files).of if counts[id_])
 
 
+def is_accepted(withdrawn: str, verdict: str) -> bool:
+    """Whether a height stands and is accepted, by the cells of its row."""
+    return withdrawn == "false" and verdict in ("accepted", "fixed")
+
+
 def _chosen(files: Files, filmed: str, vehicles: Iterable[Sequence[str]]) -> ChosenVehicles:
     selection, sets = selection_in(files), class_sets_in(files)
     lit = dict(read_columns(files, filmed, ("id", "lighting")))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from sightline.export.chosen import counting_vehicles
+from sightline.export.chosen import counting_vehicles, is_accepted
 from sightline.infra.csv_package.files import Files, read_columns
 from sightline.statistics.acceptance import Outgoing, outgoing_of_lots
 
@@ -26,7 +26,7 @@ def verdicts_in(files: Files) -> VerdictCounts:
     found = [
         basis
         for vehicle, withdrawn, verdict, basis in read_columns(files, "measurements.csv", names)
-        if vehicle in counting and withdrawn == "false" and verdict in ("accepted", "fixed")
+        if vehicle in counting and is_accepted(withdrawn, verdict)
     ]
     accepted = [
         (int(judged) + int(rest), int(judged), int(bad))

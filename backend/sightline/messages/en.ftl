@@ -3472,7 +3472,7 @@ statistics-rule-whose = { $whose ->
     [trucks] lorries and tractor units
    *[all] all vehicles, as no class is known
   }
-statistics-rule-read = here: { $whose }, n = { $n }
+statistics-rule-read = here: { $whose }, n = { $n }
 statistics-rule-height = Standard ({ $unit })
 statistics-rule-today = Today ({ $unit })
 statistics-rule-interval = { $low } to { $high }
@@ -6066,7 +6066,7 @@ catalogue-no-rows = { $name } has a header and no line of models below it; add o
 catalogue-column-twice = The columns { $first } and { $second } are both { $field }; choose which of them counts.
 catalogue-size-impossible = { $column } is { $value }, which is not plausible for a vehicle; give it in metres, from { $low } to { $high }.
 catalogue-size-unit = { $column } is { $value }, which is not plausible in metres; in { $unit } it would be { $metres } m. Give it in metres, or state the unit.
-catalogue-u-impossible = { $column } is { $value } m beside a size of { $size } m, which is not a plausible standard uncertainty; state its unit, or give at most a fifth of the size.
+catalogue-u-impossible = { $column } is { $value } m, which is not a plausible standard uncertainty of this size; state its unit, or give metres, from 0 to { $most }.
 catalogue-unit-doubtful = { $column }: half of its values are { $middle } or more, which is not plausible in { $unit }; they look like { $other }. Nothing was saved. State the unit as { $sign }, or convert the file.
 catalogue-there-already = { $make } { $model } ({ $year }) is already in the catalogue; correct that row instead.
 catalogue-changed-meanwhile = { $make } { $model } was changed meanwhile; check it and repeat your change.

@@ -3470,7 +3470,7 @@ statistics-rule-whose = { $whose ->
     [trucks] camions et tracteurs routiers
    *[all] tous les véhicules, faute de classe connue
   }
-statistics-rule-read = ici : { $whose }, n = { $n }
+statistics-rule-read = ici : { $whose }, n = { $n }
 statistics-rule-height = Norme ({ $unit })
 statistics-rule-today = Aujourd’hui ({ $unit })
 statistics-rule-interval = { $low } à { $high }
@@ -6117,7 +6117,7 @@ catalogue-no-rows = { $name } a un en-tête et aucune ligne de modèle en dessou
 catalogue-column-twice = Les colonnes { $first } et { $second } sont toutes deux { $field } ; choisissez celle qui compte.
 catalogue-size-impossible = { $column } vaut { $value }, ce qui n’est pas plausible pour un véhicule ; indiquez-le en mètres, de { $low } à { $high }.
 catalogue-size-unit = { $column } vaut { $value }, ce qui n’est pas plausible en mètres ; en { $unit } ce serait { $metres } m. Donnez des mètres, ou indiquez l’unité.
-catalogue-u-impossible = { $column } vaut { $value } m pour une dimension de { $size } m, ce qui n’est pas une incertitude-type plausible ; indiquez son unité, ou au plus un cinquième de la dimension.
+catalogue-u-impossible = { $column } vaut { $value } m, ce qui n’est pas plausible pour l’incertitude-type de cette dimension ; indiquez son unité, ou donnez des mètres, de 0 à { $most }.
 catalogue-unit-doubtful = { $column } : la moitié de ses valeurs sont { $middle } ou plus, ce qui n’est pas plausible en { $unit } ; elles ressemblent à des { $other }. Rien n’a été enregistré. Indiquez l’unité { $sign }, ou convertissez le fichier.
 catalogue-there-already = { $make } { $model } ({ $year }) est déjà dans le catalogue ; corrigez plutôt cette ligne.
 catalogue-changed-meanwhile = { $make } { $model } a été modifié entre-temps ; contrôlez-le et refaites votre modification.

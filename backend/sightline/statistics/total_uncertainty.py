@@ -281,12 +281,13 @@ class TotalUncertainty:
 
     def _confidence(self, p: float) -> _Confidence:
         assert self._density is not None
-        at = self._at(p)
-        slope = max(self._density.measured_density(at), self._least_density(p))
+        at, slope = self._at(p), self._slope(p, self._density)
         own = np.asarray((p - (self._height_m <= at)) / slope, dtype=np.float64)
         # Between ranks the share below is one of few numbers and its variance not quite p (1 - p).
         own *= np.sqrt(p * (1.0 - p)) / slope / max(self._deviation(own), 1e-12)
-        of_correction = self._density.correction_influence_m(p, self._least_density(p))[self._cell]
+        of_correction = self._density.correction_influence_m(p, self._least_density(p, self._density))[
+            self._cell
+        ]
         smooth = self._smooth_influence(p, self._density) + of_correction
         found = self._drawn.sampled(own + of_correction, smooth)
         plain_m2 = p * (1.0 - p) / slope**2
@@ -331,11 +332,8 @@ class TotalUncertainty:
         p = percent / 100.0
         if self._density is None or not self._supported(percent):
             return None
-        at = self._at(p)
         smooth = self._smooth_influence(p, self._density)
-        sampling = float(np.sqrt(p * (1.0 - p))) / max(
-            self._density.measured_density(at), self._least_density(p)
-        )
+        sampling = float(np.sqrt(p * (1.0 - p))) / self._slope(p, self._density)
         found = self._drawn.sampled(smooth, smooth)
         return Components(sampling, self._drawn.between(smooth), float(np.sqrt(found.unseen)))
 
@@ -459,14 +457,17 @@ class TotalUncertainty:
         most = max(abs(float(scipy.special.ndtri(p))), 1.0) * float(np.sqrt(self._noise_m2))
         return float(np.clip(density.correction_m(p), -most, most))
 
-    def _least_density(self, p: float) -> float:
+    def _slope(self, p: float, density: SmoothDensity) -> float:
+        """The density of measured heights at percentile p, 1/m."""
+        return max(density.measured_density(self._at(p)), self._least_density(p, density))
+
+    def _least_density(self, p: float, density: SmoothDensity) -> float:
         """Half the density that heights within a standard error of p's rank show, 1/m: between two kinds of
         vehicles a smooth one may be next to nothing (Siddiqui 1960).
         """
-        assert self._density is not None
         half = float(np.sqrt(p * (1.0 - p) / self._n))
         low, high = np.interp([p - half, p + half], self._middle, self._height_m)
-        return half / max(float(high - low), 2.5 * half * self._density.spread_m)
+        return half / max(float(high - low), 2.5 * half * density.spread_m)
 
     def _smooth_influence(self, p: float, density: SmoothDensity) -> Floats:
         """Influence (N,) of each height on percentile p of heights smoothed by half their spread."""
@@ -476,7 +477,7 @@ class TotalUncertainty:
         away = (at - nodes_m) / width
         below = scipy.special.ndtr(away)
         slope = float(share @ np.exp(-0.5 * away**2)) / (width * np.sqrt(2.0 * np.pi))
-        slope = max(slope, self._least_density(p))
+        slope = max(slope, self._least_density(p, density))
         return np.asarray(((share @ below - below) / slope)[node], dtype=np.float64)
 
     def _near(self, p: float) -> Ints:

@@ -109,14 +109,12 @@ def _on_one_clock(rows: list[Any]) -> list[Any]:
     `front_at` tells them, and every vehicle once.
 
     One may be printed again after a stop: two of one number that were before camera 1 at one time are one.
-    Lines that do not tell their time of day stay as they are.
+    Of a rear that nobody saw the front alone tells when. Lines without their time of day stay as they are.
     """
     known = [
         (at, row)
         for row in rows
-        if (at := instant_told(row.get("front_at")))
-        and is_number(row["front_s"])
-        and is_number(row["rear_s"])
+        if (at := instant_told(row.get("front_at"))) and is_number(row.get("front_s"))
     ]
     if not rows or len(known) < len(rows):
         return rows
@@ -124,11 +122,12 @@ def _on_one_clock(rows: list[Any]) -> list[Any]:
     out, spans = [], dict[Any, list[tuple[float, float]]]()
     for row, own in zip(rows, begun, strict=True):
         late_s = (own - min(begun)).total_seconds()
-        front_s, rear_s = row["front_s"] + late_s, row["rear_s"] + late_s
+        said = {name: row[name] + late_s for name in ("front_s", "rear_s") if is_number(row.get(name))}
+        front_s, rear_s = said["front_s"], said.get("rear_s", said["front_s"])
         before = spans.setdefault(row.get("id"), [])
         if not any(front_s <= rear and front <= rear_s for front, rear in before):
             before.append((front_s, rear_s))
-            out.append({**row, "front_s": front_s, "rear_s": rear_s})
+            out.append(row | said)
     return out
 
 

@@ -10,7 +10,7 @@ from itertools import islice
 from typing import Any
 
 from sightline.cameras.calibrations.csv import CALIBRATIONS
-from sightline.export.chosen import chosen_scanned, counting_vehicles
+from sightline.export.chosen import chosen_scanned, counting_vehicles, is_accepted
 from sightline.export.exclusions import EXCLUSIONS
 from sightline.export.measured import AS_PAPER, PackageStatistics
 from sightline.export.report.facts import ReportFacts, Row, ScanFacts
@@ -111,7 +111,7 @@ def _out_of_date(files: Files) -> int:
     tables = (("measurements.csv", counting_vehicles(files)), (LINE_HEIGHTS.key, chosen_scanned(files).of))
     names = ("vehicle_id", "withdrawn", "verdict", "out_of_date")  # of an earlier revision it is empty
     return sum(
-        vehicle in counting and withdrawn == "false" and verdict in ("accepted", "fixed") and stale != ""
+        vehicle in counting and is_accepted(withdrawn, verdict) and stale != ""
         for path, counting in tables
         for vehicle, withdrawn, verdict, stale in read_columns(files, path, names)
     )

@@ -41,7 +41,7 @@ UNIT_WORDS: dict[SizeUnit, str] = {
     "ft": "feet",
     "in": "inches",
 }
-MOST_U_SHARE = 0.2  # of a size; a larger u was given in another unit
+MOST_U_M, MOST_U_SHARE = 1.0, 0.2  # of any size, and of a known one: a larger u was given in another unit
 MOST_MAKE, MOST_MODEL = 100, 200  # signs
 _FIELDS = tuple(one.name for one in fields(CatalogueRow))
 # Nothing that is shown; PostgreSQL's texts hold no NUL. Sources may have lines.
@@ -137,9 +137,11 @@ def require_possible(row: CatalogueRow) -> None:
     for name in SIZES:
         _require_size(name, row.size(name))
         u, size = getattr(row, f"u_{name}_m"), row.size(name)
-        if u is not None and (size is None or not 0.0 <= u <= MOST_U_SHARE * size):
-            given = "–" if size is None else f"{size:g}"
-            raise BadInput("catalogue-u-impossible", column=f"u_{name}_m", value=f"{u:g}", size=given)
+        most_m = MOST_U_M if size is None else min(MOST_U_M, MOST_U_SHARE * size)
+        if u is not None and not 0.0 <= u <= most_m:
+            raise BadInput(
+                "catalogue-u-impossible", column=f"u_{name}_m", value=f"{u:g}", most=f"{most_m:.3g}"
+            )
     _require_together(row)
     if row.year_from is not None and row.year_to is not None and row.year_to < row.year_from:
         raise BadInput("catalogue-years-reversed")
