@@ -1,5 +1,5 @@
 /** The words of the domain: what can be measured on a vehicle, and the states that things are in. */
-import { wordsOf } from "./messages";
+import { type PlainKey, wordsOf } from "./messages";
 import type {
   AskedTarget,
   Category,
@@ -16,23 +16,23 @@ import type {
 } from "./types";
 import { formatHeight } from "./units";
 
-export const TARGETS: readonly Target[] = ["roof", "driver_eye", "taillight", "headlight", "other"];
+export const TARGETS = ["roof", "driver_eye", "taillight", "headlight", "other"] as const satisfies Target[];
 /** What is clicked of a scanned vehicle, in this order. */
 export const REQUIRED: readonly Target[] = ["roof", "driver_eye", "taillight"];
 
-/** What a survey can ask for. */
-export const ASKABLE: readonly AskedTarget[] = ["roof", "driver_eye", "taillight", "headlight"];
+/** What a survey can ask for, and what results are of. */
+export const ASKABLE: readonly AskedTarget[] = TARGETS.filter((target) => target !== "other");
 
-export const TARGET_WORDS = wordsOf("target-", "roof", "driver_eye", "taillight", "headlight", "other");
+export const TARGET_WORDS = wordsOf("target-", ...TARGETS);
 
 /** What results are heights of: of a taillight, its lower edge. */
-export const HEIGHT_WORDS: Readonly<Record<Target, string>> = wordsOf({
-  driver_eye: "target-driver_eye",
-  taillight: "statistics-taillight",
-  headlight: "target-headlight",
-  roof: "target-roof",
-  other: "target-other",
-});
+export const HEIGHT_WORDS = targetWords({ taillight: "statistics-taillight" });
+
+/** The words of targets, some of them other ones. */
+export function targetWords(other: Partial<Record<Target, PlainKey>>): Readonly<Record<Target, string>> {
+  const keys = TARGETS.map((target) => [target, other[target] ?? `target-${target}`]);
+  return wordsOf(Object.fromEntries(keys) as Record<Target, PlainKey>);
+}
 
 const BUDGET_WORDS: Readonly<Record<string, string>> = wordsOf("budget-of-");
 

@@ -5,7 +5,7 @@ import { decimal, told } from "./language";
 import type { Again } from "./measured";
 import { again, type Opened } from "./opened";
 import { Facts, Grid, Section } from "./Section";
-import { say } from "./say";
+import { say, sayCell } from "./say";
 
 const PAGE = 50;
 
@@ -36,7 +36,7 @@ export function Measurements({ found }: { found: Opened }) {
                 <option value="">{say("opened-filter-all")}</option>
                 <option value="differs">{say("opened-filter-differs")}</option>
                 <option value="stale">{say("opened-filter-stale")}</option>
-                {["roof", "driver_eye", "taillight", "headlight", "other"].map((target) => (
+                {[...new Set(found.measurements.map((row) => row["target"] ?? ""))].map((target) => (
                   <option key={target} value={target}>
                     {targetWord(target)}
                   </option>
@@ -92,24 +92,13 @@ function matches(row: Row, filter: string): boolean {
 }
 
 function targetWord(target: string): string {
-  const words: Record<string, string> = {
-    roof: say("opened-target-roof"),
-    driver_eye: say("opened-target-driver_eye"),
-    taillight: say("opened-target-taillight"),
-    headlight: say("opened-target-headlight"),
-    other: say("opened-target-other"),
-  };
-  return words[target] ?? target;
+  return sayCell(`opened-target-${target}`, target);
 }
 
 function verdictWord(row: Row): string {
   if (row["withdrawn"] === "true") return say("opened-withdrawn");
-  const words: Record<string, string> = {
-    accepted: say("opened-verdict-accepted"),
-    fixed: say("opened-verdict-fixed"),
-    rejected: say("opened-verdict-rejected"),
-  };
-  return words[row["verdict"] ?? ""] ?? say("opened-verdict-unreviewed");
+  const verdict = row["verdict"] || "unreviewed";
+  return sayCell(`opened-verdict-${verdict}`, say("opened-verdict-unreviewed"));
 }
 
 interface ListProps {

@@ -27,3 +27,9 @@ export function say<K extends Key>(
   if (!bundle || !pattern) return key;
   return bundle.formatPattern(pattern, values as Record<string, FluentVariable> | undefined);
 }
+
+/** A word whose key is put together out of a table's cell; the cell as it is where there is none. */
+export function sayCell(key: string, cell: string): string {
+  const found = say(key as "opened-filter");
+  return found === key ? cell : found;
+}

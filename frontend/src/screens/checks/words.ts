@@ -1,11 +1,4 @@
 /** Targets as the checks call them: an eye is near or far beside it. */
-import { wordsOf } from "../../core/messages";
-import type { Target } from "../../core/types";
+import { targetWords } from "../../core/words";
 
-export const TARGET_NAMES: Readonly<Record<Target, string>> = wordsOf({
-  roof: "target-roof",
-  driver_eye: "checks-eye",
-  taillight: "target-taillight",
-  headlight: "target-headlight",
-  other: "target-other",
-});
+export const TARGET_NAMES = targetWords({ driver_eye: "checks-eye" });

@@ -2,20 +2,13 @@
 import { say } from "../../core/messages";
 import type { RepeatDifference, Target } from "../../core/types";
 import { type LengthUnit, lengthScale, lengthUnit, smallScale } from "../../core/units";
-import { TARGET_WORDS } from "../../core/words";
+import { TARGET_WORDS, TARGETS } from "../../core/words";
 import { type Dot, type Plot, PlotFigure } from "../../parts/figures/PlotFigure";
 import { readable, readRows } from "../../parts/figures/reading";
 import type { PlotOptions } from "../../parts/figures/style";
 
 /** Symbols tell the targets apart: colours belong to the road's axes. */
-const SYMBOLS: Record<Target, Dot> = {
-  roof: "triangle",
-  driver_eye: "circle",
-  taillight: "square",
-  headlight: "cross",
-  other: "diamond",
-};
-const TARGETS = Object.keys(SYMBOLS) as Target[];
+const SYMBOLS: readonly Dot[] = ["triangle", "circle", "square", "cross", "diamond"];
 
 export function DifferenceFigure({ differences }: { differences: readonly RepeatDifference[] }) {
   const unit = lengthUnit.value;
@@ -26,7 +19,7 @@ export function DifferenceFigure({ differences }: { differences: readonly Repeat
       title={say("repeats-differences-title")}
       says={say("repeats-differences-label", { small: smallScale(unit)[1], unit, count: differences.length })}
       note={say("repeats-differences-note")}
-      legend={shown.map((target) => ({ word: TARGET_WORDS[target], dot: SYMBOLS[target] }))}
+      legend={shown.map((target) => ({ word: TARGET_WORDS[target], dot: symbolOf(target) }))}
       data={differences}
       options={(plot, unit) => drawn(plot, differences, unit)}
       table={() => ({
@@ -35,6 +28,10 @@ export function DifferenceFigure({ differences }: { differences: readonly Repeat
       })}
     />
   );
+}
+
+function symbolOf(target: Target): Dot {
+  return SYMBOLS[TARGETS.indexOf(target) % SYMBOLS.length] ?? "circle";
 }
 
 function drawn(plot: Plot, differences: readonly RepeatDifference[], unit: LengthUnit): PlotOptions {
@@ -50,7 +47,7 @@ function drawn(plot: Plot, differences: readonly RepeatDifference[], unit: Lengt
     const dots = plot.dot(points, {
       x: at.x,
       y: at.y,
-      symbol: SYMBOLS[target],
+      symbol: symbolOf(target),
       r: 4,
       fill: "var(--surface)",
       stroke: "var(--ink)",

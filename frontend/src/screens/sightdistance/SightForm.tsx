@@ -3,7 +3,7 @@ import { CommitField, LengthField } from "../../components/CommitField";
 import { navigate, query, setQuery } from "../../core/address";
 import { say } from "../../core/messages";
 import { parseLength, parseNumber, speedScale } from "../../core/units";
-import { CATEGORY_WORDS, HEIGHT_WORDS, LIGHTING_WORDS, STATE_WORDS } from "../../core/words";
+import { ASKABLE, CATEGORY_WORDS, HEIGHT_WORDS, LIGHTING_WORDS, STATE_WORDS } from "../../core/words";
 import { formatLimit, inWords, STANDARD_OF, standardKey } from "../../parts/figures/standards";
 import type { Standard } from "../../parts/figures/types";
 import { ClassChoice } from "../../parts/vehicles/ClassChoice";
@@ -95,7 +95,7 @@ function SurveyRule() {
         says="sight-object-target"
         value={at.get("object_target") ?? usualObject(kind)}
         options={[
-          ...choices<string>(HEIGHT_WORDS, ["taillight", "headlight", "driver_eye", "roof"]),
+          ...choices<string>(HEIGHT_WORDS, ASKABLE),
           { value: STANDARDS_OBJECT, label: say("sight-object-standard") },
         ]}
         onInput={(value) => setQuery({ object_target: value })}

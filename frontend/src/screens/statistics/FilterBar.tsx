@@ -12,7 +12,7 @@ import {
 import { query, setQuery } from "../../core/address";
 import { say, wordsOf } from "../../core/messages";
 import { lengthUnit, parseSmall, smallScale, smallText } from "../../core/units";
-import { HEIGHT_WORDS, LIGHTING_WORDS, STATE_WORDS } from "../../core/words";
+import { ASKABLE, HEIGHT_WORDS, LIGHTING_WORDS, STATE_WORDS } from "../../core/words";
 import { fixedRange } from "../../parts/figures/numbers";
 import { FilmedFields, filmedOf } from "../../parts/filming/FilmedFields";
 import { ClassChoice } from "../../parts/vehicles/ClassChoice";
@@ -74,7 +74,7 @@ export function FilterBar({ found }: { found: Statistics | null }) {
             "target",
             say("statistics-filter-target"),
             say("statistics-filter-target-all"),
-            choices<string>(HEIGHT_WORDS, ["driver_eye", "taillight", "headlight", "roof"]),
+            choices<string>(HEIGHT_WORDS, ASKABLE),
           )}
           {choice(
             "operator",
