@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import get_args
 
+from sightline.enums import AcceptedVerdict
 from sightline.infra.csv_package.files import Files, read_columns
 from sightline.measurements.sheets.csv import counting_in
 from sightline.results.csv import selection_in
@@ -42,7 +44,7 @@ def counting_vehicles(files: Files) -> frozenset[str]:
 
 def is_accepted(withdrawn: str, verdict: str) -> bool:
     """Whether a height stands and is accepted, by the cells of its row."""
-    return withdrawn == "false" and verdict in ("accepted", "fixed")
+    return withdrawn == "false" and verdict in get_args(AcceptedVerdict)
 
 
 def _chosen(files: Files, filmed: str, vehicles: Iterable[Sequence[str]]) -> ChosenVehicles:

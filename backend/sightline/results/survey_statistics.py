@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from sightline.enums import (
+    AcceptedVerdict,
     Category,
     ClassSet,
     Correction,
@@ -63,7 +64,7 @@ from sightline.surveys.store import survey_names
 SHOWN: tuple[StatisticsTarget, ...] = get_args(StatisticsTarget)
 OUT_OF_SAMPLE = "out_of_sample"
 _STATES: dict[StatisticsState, tuple[str, ...]] = {
-    "accepted": ("accepted", "fixed"),
+    "accepted": get_args(AcceptedVerdict),
     "to_review": ("to_review", "reopened"),
     "rejected": ("rejected",),
     "all": VERDICTS,

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from sightline.enums import Point, ReviewVerdict, Verdict
+from typing import get_args
+
+from sightline.enums import AcceptedVerdict, Point, ReviewVerdict, Verdict
 from sightline.errors import BadInput
 from sightline.infra.database import Session
 from sightline.measurements.records import Measurement, MeasurementValues, ScanHeight
@@ -18,7 +20,7 @@ def require_seen_by_plan(
 
     Raises BadInput where they have not, NotAllowed for one's own work, Conflict for another revision.
     """
-    if verdict in ("accepted", "fixed"):
+    if verdict in get_args(AcceptedVerdict):
         one = require_revision(session, series_id, revision)
         if isinstance(one, Measurement):
             require_clicked_again(session, one, actor)

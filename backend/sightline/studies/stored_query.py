@@ -7,17 +7,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import fields, replace
+from typing import get_args
 
 import numpy as np
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
-from sightline.enums import StatisticsTarget
+from sightline.enums import AcceptedVerdict, StatisticsTarget
 from sightline.poses.tables import road_poses
 from sightline.results.measured_columns_query import TARGETS, VERDICTS, Heights, load_measured_columns
 from sightline.studies.records import Ints
 
-_COUNTED = tuple(VERDICTS.index(word) for word in ("accepted", "fixed"))
+_COUNTED = tuple(VERDICTS.index(word) for word in get_args(AcceptedVerdict))
 
 
 class StoredTables:

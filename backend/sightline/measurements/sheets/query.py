@@ -1,12 +1,12 @@
 """Sheets of vehicles: the facts of a record with its standing measurements. The state is never stored."""
 
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import Any, get_args
 
 from sqlalchemy import ColumnElement, func, select
 from sqlalchemy.orm import Session
 
-from sightline.enums import AskedTarget, VehicleState
+from sightline.enums import AcceptedVerdict, AskedTarget, VehicleState
 from sightline.infra.database.rows import missing
 from sightline.measurements.query import measurements_of_vehicles
 from sightline.measurements.records import Measurement, VehicleSheet
@@ -73,7 +73,7 @@ def state_of(
         return "partial" if found or unseen else "to_do"
     if not found:
         return "not_visible"
-    return "accepted" if verdicts <= {"accepted", "fixed"} else "measured"
+    return "accepted" if verdicts <= {*get_args(AcceptedVerdict)} else "measured"
 
 
 def _fetch(

@@ -2,13 +2,13 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, get_args
 
 from sqlalchemy import ColumnElement, Select, and_, case, func, select
 from sqlalchemy.orm import Session
 
 from sightline.cameras.tables import cameras
-from sightline.enums import StepKey
+from sightline.enums import AcceptedVerdict, StepKey
 from sightline.infra.web.person import Seen
 from sightline.measurements.query import is_current, is_first, verdict, waits, with_verdict
 from sightline.measurements.tables import measurement_series, measurements
@@ -142,7 +142,7 @@ def _measurement_facts(survey_ids: Sequence[int]) -> Select[Any]:
             survey_id,
             func.count().label("measurements"),
             _sum(waits).label("to_review"),
-            _sum(verdict.in_(("accepted", "fixed"))).label("accepted"),
+            _sum(verdict.in_(get_args(AcceptedVerdict))).label("accepted"),
             _sum(verdict == "rejected").label("rejected"),
         )
         .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields
-from typing import Any
+from typing import Any, get_args
 
 from sqlalchemy import ColumnElement, and_, exists, func, select
 from sqlalchemy.orm import Session
 
-from sightline.enums import LotLeaving
+from sightline.enums import AcceptedVerdict, LotLeaving
 from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import missing, names, who
@@ -245,7 +245,7 @@ def accepted_counts(session: Session, survey_id: int) -> tuple[int, int]:
         with_verdict(reviews.c.lot_id.is_not(None).label("by_lot"), func.count().label("count"))
         .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
         .where(measurement_series.c.survey_id == survey_id, vehicles.c.deleted_at.is_(None))
-        .where(is_current, is_first, ~_m.withdrawn, verdict.in_(("accepted", "fixed")))
+        .where(is_current, is_first, ~_m.withdrawn, verdict.in_(get_args(AcceptedVerdict)))
         .group_by(reviews.c.lot_id.is_not(None))
     )
     found = {bool(row.by_lot): int(row._mapping["count"]) for row in session.execute(query)}
