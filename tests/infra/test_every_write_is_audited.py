@@ -3,10 +3,12 @@
 import inspect
 import pkgutil
 import re
-from collections.abc import Callable
+from collections import defaultdict
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from importlib import import_module
-from typing import Any
+from pathlib import Path
+from typing import Any, get_args
 
 import pytest
 from sqlalchemy import event, select
@@ -22,13 +24,16 @@ from sightline.cameras.store import (
     set_detection,
     update_camera,
 )
+from sightline.enums import AuditAction, AuditEntity
 from sightline.errors import SightlineError
 from sightline.export.evidence.store import note_evidence
 from sightline.export.store import add_export
 from sightline.infra.audit import trail
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.audit.verification import verify_records
+from sightline.infra.audit.vouched import ChangedByEvents, WrittenOnce
 from sightline.infra.database.engine import SessionFactory, reading, writing
+from sightline.infra.database.types import metadata
 from sightline.infra.jobs.store import (
     claim_job,
     create_job,
@@ -98,6 +103,7 @@ from sightline.vehicles.store import create_vehicle, remove_vehicle, restore_veh
 from tests.support import samples, scans_samples
 from tests.support.samples import Sample, frame_table, values
 
+ROOT = Path(__file__).resolve().parents[2]
 pytestmark = pytest.mark.dialect
 
 Write = Callable[[Session, Sample], Any]
@@ -502,6 +508,14 @@ WRITING = re.compile(
 )
 
 
+# What events tell besides the columns of their row, as the formats say, by entity.
+_SECTION = (ROOT / "docs" / "formats.md").read_text("utf-8").split("| entity | keys | meaning |")[1]
+TOLD_BESIDE = defaultdict[str, set[str]](set)
+for _entities, _keys in re.findall(r"^\| ([^|]+) \| (`[^|]+) \|", _SECTION.split("\n\n")[0], re.M):
+    for _entity in re.findall(r"\w+", _entities):
+        TOLD_BESIDE[_entity].update(re.findall(r"\w+", _keys))
+
+
 @pytest.mark.parametrize("name", WRITES)
 def test_a_write_leaves_one_event_in_its_transaction(name: str, factory: SessionFactory) -> None:
     """Or nothing, where the transaction was rolled back."""
@@ -524,12 +538,26 @@ def test_a_write_leaves_one_event_in_its_transaction(name: str, factory: Session
         write(session, one, there)
         after = trail.head(session)
     assert after.count - before.count == 1
+    with reading(factory) as session:
+        (told,) = trail.listing(session, limit=1)
+        named = _columns()[told.entity] | TOLD_BESIDE["every"] | TOLD_BESIDE[told.entity]
+        assert {*(told.before or ()), *(told.after or ())} <= named
     # the write, the event and the anchor; what is kept in the event itself has no other write
     in_event = ("choose_standards", "choose_review_plan", "choose_free_plan", "note_evidence")
     assert changes["n"] > (1 if name in in_event else 2)
     with reading(factory) as session:
         assert trail.head(session) == after
         assert verify_records(session).ok
+
+
+def _columns() -> Mapping[str, set[str]]:
+    """The columns of the tables whose rows an entity's events make, by entity."""
+    found = defaultdict[str, set[str]](set)
+    for table in metadata.tables.values():
+        mark = table.info.get("vouched")
+        marked = isinstance(mark, WrittenOnce | ChangedByEvents)
+        found[mark.entity if marked else table.name.removesuffix("s")] |= {*table.columns.keys()}
+    return found
 
 
 def test_every_public_function_that_writes_is_in_the_list() -> None:
@@ -572,3 +600,9 @@ def _count_changes(session: Session) -> dict[str, int]:
 
     event.listen(session.connection(), "before_cursor_execute", count)
     return counted
+
+
+def test_every_word_of_events_is_said() -> None:
+    said = (ROOT / "backend" / "sightline" / "messages" / "en.ftl").read_text("utf-8")
+    assert {*re.findall(r"^audit-entity-(\w+) =", said, re.M)} == {*get_args(AuditEntity)}
+    assert {*re.findall(r"^audit-action-(\w+) =", said, re.M)} == {*get_args(AuditAction)}

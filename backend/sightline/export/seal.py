@@ -12,7 +12,7 @@ import hashlib
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Final
 
 from sightline.errors import Damaged
 from sightline.infra.csv_package.audit import AUDIT
@@ -27,7 +27,8 @@ from sightline.infra.csv_package.schema import (
     sha256_hex,
 )
 
-ENTITY, ACTION = "package", "seal"
+ENTITY: Final = "package"
+ACTION: Final = "seal"
 CHECKPOINT = "checkpoint.json"
 #: The package's page, and the chain and checkpoint for it, written after both.
 PAGE, AUDIT_SCRIPT = "index.html", "audit.js"

@@ -10,7 +10,7 @@ from sqlalchemy import Row, Select, bindparam, insert, select
 from sqlalchemy.orm import Session
 from sqlalchemy.sql.dml import ReturningInsert
 
-from sightline.enums import JsonObject
+from sightline.enums import AuditAction, JsonObject
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.audit.hashing import content_hash, plain
@@ -324,7 +324,7 @@ def append_measurement_revision(
     values: MeasurementValues,
     *,
     withdrawn: bool,
-    action: str,
+    action: AuditAction,
     actor: int | None,
 ) -> Measurement:
     """Write the revision after `before` with its audit event, and give it back.
@@ -385,7 +385,7 @@ def append_revision(
     *,
     withdrawn: bool = False,
     before: _Made | None,
-    action: str,
+    action: AuditAction,
     actor: int | None,
     verdict_of_revision: int | None = None,
     made_of: Callable[[Row[Any]], _Made],
@@ -474,7 +474,7 @@ def append_computed_again(
     computing_id: int,
     computed: Sequence[ComputedAgain],
     *,
-    action: str,
+    action: AuditAction,
     actor: int | None,
 ) -> None:
     """Write thousands of revisions of the same clicks, each with its audit event.

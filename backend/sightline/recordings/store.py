@@ -8,7 +8,7 @@ from sqlalchemy import ColumnElement, select
 from sqlalchemy.orm import Session
 
 from sightline.cameras.tables import cameras
-from sightline.enums import JsonObject, StreetLighting
+from sightline.enums import AuditAction, JsonObject, StreetLighting
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, change_row, get_row, is_held, name_of, named_table
@@ -256,7 +256,12 @@ def recording_content_in_use(session: Session, sha256: str, stream_number: int |
 
 
 def _state(
-    session: Session, recording_id: int, state: str, error: Said | None, action: str, actor: int | None
+    session: Session,
+    recording_id: int,
+    state: str,
+    error: Said | None,
+    action: AuditAction,
+    actor: int | None,
 ) -> Recording:
     before, change = _row(session, recording_id), {"state": state, "error": error}
     return _write(session, before, change, action, actor, ({"state": before["state"]}, change))
@@ -266,7 +271,7 @@ def _write(
     session: Session,
     before: Mapping[str, Any],
     change: Mapping[str, Any],
-    action: str,
+    action: AuditAction,
     actor: int | None,
     told: tuple[JsonObject, JsonObject] | None = None,
 ) -> Recording:

@@ -10,7 +10,7 @@ from sqlalchemy import ColumnElement, func, or_, select
 from sqlalchemy import update as sql_update
 from sqlalchemy.orm import Session
 
-from sightline.enums import Lighting, ScanDirection, TimeAxis
+from sightline.enums import AuditAction, Lighting, ScanDirection, TimeAxis
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.audit.changing import alter_row, change_since, make_rows, take_out_row
@@ -220,7 +220,9 @@ def rig_for(rig: Rig, lane: str | None, way: ScanDirection) -> dict[str, Any]:
     return rig_columns(at_lane(rig, lane, way))
 
 
-def _note(session: Session, scan_id: int, values: dict[str, Any], action: str, actor: int | None) -> Scan:
+def _note(
+    session: Session, scan_id: int, values: dict[str, Any], action: AuditAction, actor: int | None
+) -> Scan:
     """What became of a scan's strips."""
     before = _row(session, scan_id)
     change_row(session, scans, scan_id, values)

@@ -9,7 +9,7 @@ from typing import Any
 from sqlalchemy import Table
 from sqlalchemy.orm import Session
 
-from sightline.enums import JsonObject
+from sightline.enums import AuditAction, JsonObject
 from sightline.infra.audit import trail
 from sightline.infra.audit.vouched import entity_of
 from sightline.infra.database.rows import add_rows, change_row, last_change
@@ -40,7 +40,7 @@ def alter_row(
     table: Table,
     before: Mapping[str, Any],
     change: Mapping[str, Any],
-    action: str = "update",
+    action: AuditAction = "update",
     told: tuple[JsonObject, JsonObject] | None = None,
     *,
     actor: int | None,

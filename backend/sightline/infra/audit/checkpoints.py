@@ -5,7 +5,7 @@ the path to the root, the signature, and how each key was handed on to the next.
 """
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, Final
 
 from sqlalchemy import select
 from sqlalchemy.orm import Session
@@ -19,8 +19,10 @@ from sightline.infra.audit.signing import SigningKey, holds
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.database.types import now
 
-CHECKPOINT, SIGN = "checkpoint", "sign"
-KEY, TAKE = "signing_key", "take"
+CHECKPOINT: Final = "checkpoint"
+SIGN: Final = "sign"
+KEY: Final = "signing_key"
+TAKE: Final = "take"
 FORMAT, KEY_FORMAT = "sightline-checkpoint-1", "sightline-key-1"
 _STATEMENT = ("format", "at", "chains", "root", "key")
 _KEY_STATEMENT = ("format", "at", "key", "after")

@@ -12,6 +12,7 @@ from typing import Any
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
+from sightline.enums import AuditEntity
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.audit.tables import audit_events
@@ -25,7 +26,7 @@ MOST_ONE_IN = 100
 class Kind:
     """What is chosen: the entity of its events, and its name in them."""
 
-    entity: str
+    entity: AuditEntity
     name: str
 
 

@@ -29,7 +29,7 @@ from sqlalchemy import (
 )
 from sqlalchemy.orm import Session
 
-from sightline.enums import JsonObject
+from sightline.enums import AuditAction, AuditEntity, JsonObject
 from sightline.infra.audit.hashing import GENESIS, canonical_json, chain_hash, event_hash, plain
 from sightline.infra.audit.merkle import root_of
 from sightline.infra.audit.records import AuditEvent, AuditHead, Who, survey_chain
@@ -61,8 +61,8 @@ Change = tuple[int | None, Mapping[str, Any] | None, Mapping[str, Any] | None]
 def record(
     session: Session,
     actor: int | None,
-    action: str,
-    entity: str,
+    action: AuditAction,
+    entity: AuditEntity,
     entity_id: int | None,
     survey_id: int | None,
     before: Mapping[str, Any] | None = None,
@@ -75,8 +75,8 @@ def record(
 def record_many(
     session: Session,
     actor: int | None,
-    action: str,
-    entity: str,
+    action: AuditAction,
+    entity: AuditEntity,
     survey_id: int | None,
     changes: Sequence[Change],
 ) -> int:
@@ -114,7 +114,7 @@ def record_many(
     return ids[-1]
 
 
-def chain_of(entity: str, survey_id: int | None) -> str:
+def chain_of(entity: AuditEntity, survey_id: int | None) -> str:
     """The name of the chain that an event belongs to."""
     if survey_id is not None:
         return survey_chain(survey_id)

@@ -11,6 +11,7 @@ from typing import Any
 from sqlalchemy import Table
 from sqlalchemy.orm import Session
 
+from sightline.enums import AuditEntity
 from sightline.infra.database.types import metadata
 from sightline.infra.slices import load_every, load_tables
 
@@ -21,7 +22,7 @@ _KEY = "vouched"
 class WrittenOnce:
     """A row never changes, and the event of this entity that made it holds the hash of its content."""
 
-    entity: str
+    entity: AuditEntity
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +36,7 @@ class WrittenOnceApart:
 class ChangedByEvents:
     """Rows that people change, and delete softly: each is what its events made of it, one after the other."""
 
-    entity: str
+    entity: AuditEntity
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,7 +77,7 @@ def vouched(mark: Mark) -> dict[str, Any]:
     return {_KEY: mark}
 
 
-def entity_of(table: Table) -> str:
+def entity_of(table: Table) -> AuditEntity:
     """The entity of the events that a table's rows are made by. Raises TypeError for one that has none."""
     mark = table.info[_KEY]
     if not isinstance(mark, WrittenOnce | ChangedByEvents):

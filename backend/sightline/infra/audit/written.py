@@ -8,6 +8,7 @@ from typing import Any
 from sqlalchemy import Column, ColumnElement, Table, select
 from sqlalchemy.orm import Session
 
+from sightline.enums import AuditAction
 from sightline.infra.audit import trail
 from sightline.infra.audit.vouched import entity_of
 from sightline.infra.database.people import people
@@ -19,7 +20,7 @@ def written_once(
     session: Session,
     table: Table,
     content: Mapping[str, Any],
-    action: str,
+    action: AuditAction,
     *,
     survey_id: int | None = None,
     before: Mapping[str, Any] | None = None,

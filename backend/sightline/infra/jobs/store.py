@@ -13,7 +13,7 @@ from typing import Any, get_args
 from sqlalchemy import Column, func, or_, select, update
 from sqlalchemy.orm import Session
 
-from sightline.enums import JobState, JsonObject
+from sightline.enums import AuditAction, EndedState, JobState, JsonObject
 from sightline.errors import Conflict, SightlineError
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, change_row, get_row
@@ -227,7 +227,7 @@ def postpone_job(session: Session, job: Job) -> Job:
     return _back(session, job, change, "release")
 
 
-def _back(session: Session, job: Job, change: Mapping[str, Any], action: str) -> Job:
+def _back(session: Session, job: Job, change: Mapping[str, Any], action: AuditAction) -> Job:
     done = session.execute(update(jobs).where(*_held(job)).values(change).returning(jobs.c.id))
     if done.first() is None:
         raise JobLost("jobs-changed-meanwhile", id=job.id)
@@ -241,7 +241,7 @@ def _held(job: Job) -> tuple[Any, ...]:
     return (jobs.c.id == job.id, jobs.c.state == "running", *same)
 
 
-def _end(session: Session, job: Job, state: JobState, change: Mapping[str, Any]) -> Job:
+def _end(session: Session, job: Job, state: EndedState, change: Mapping[str, Any]) -> Job:
     values = {**change, "state": state, "finished_at": now()}
     done = session.execute(update(jobs).where(*_held(job)).values(values).returning(jobs.c.id))
     if done.first() is None:

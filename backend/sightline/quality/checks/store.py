@@ -5,7 +5,7 @@ from typing import Any
 from sqlalchemy import exists, select
 from sqlalchemy.orm import Session
 
-from sightline.enums import Point
+from sightline.enums import AuditAction, Point
 from sightline.errors import Conflict
 from sightline.infra.audit.records import name_or_somebody
 from sightline.infra.audit.written import written_once
@@ -85,7 +85,7 @@ def _append(
     vehicle: dict[str, Any],
     values: dict[str, Any],
     withdrawn: bool,
-    action: str,
+    action: AuditAction,
     actor: int | None,
 ) -> WheelPair:
     place = {"survey_id": vehicle["survey_id"], "recording_id": vehicle["recording_id"]}

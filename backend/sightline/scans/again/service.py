@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
-from sightline.enums import ComputingKind
+from sightline.enums import AuditAction, ComputingKind
 from sightline.errors import Conflict, NotFound
 from sightline.infra.database import Session
 from sightline.measurements.again.query import get_computing, made_by
@@ -118,7 +118,7 @@ def _stored(
     """The record of the computing, and after it the revisions that it made."""
     counted = [one.change for one in changes]
     made = add_computing(session, survey_id, counted, kind=kind, undoes=undoes, kept=kept, actor=actor)
-    action = "undo" if kind == "undo" else "compute_again"
+    action: AuditAction = "undo" if kind == "undo" else "compute_again"
     append_computed_again(session, survey_id, made.id, changes, action=action, actor=actor)
     return made
 
