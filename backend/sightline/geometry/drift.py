@@ -52,7 +52,7 @@ class Motion:
         return np.asarray(points_px + turned + (self.x_px, self.y_px), dtype=np.float64)
 
     def undo(self, points_px: Floats, size_px: tuple[int, int]) -> Floats:
-        """Where points (N, 2) of the moved picture lay in the pose's: `move` undone."""
+        """Where points of the moved picture, `points_px` (N, 2), lie in the pose's (N, 2): `move` undone."""
         centre, t = _centre(size_px), self.turn_rad
         away = points_px - centre - (self.x_px, self.y_px)
         back = np.linalg.solve([[self.scale, -t], [t, self.scale]], away.T).T

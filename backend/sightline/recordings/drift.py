@@ -141,7 +141,8 @@ class MovedSpan:
         """How the picture moved, as far as it is told."""
         if self.x_px is None or self.y_px is None or self.turn_rad is None or self.scale is None:
             return None
-        return Motion(self.x_px, self.y_px, self.turn_rad, self.scale, self.moved_px, 0.0, 0)
+        how = {"turn_rad": self.turn_rad, "scale": self.scale, "moved_px": self.moved_px}
+        return Motion(x_px=self.x_px, y_px=self.y_px, **how, u_px=0.0, points=0)
 
 
 def drift_check_of(drift: DriftChecks | None, pose_id: int | None) -> DriftCheck | None:
