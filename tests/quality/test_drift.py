@@ -16,7 +16,7 @@ from sightline.media.video.writer import write_mp4
 from sightline.recordings.csv import RECORDINGS, described
 from sightline.recordings.store import get_recording
 from tests.support.app import FRAME_HEIGHT, FRAME_WIDTH, Client, error_of, upload
-from tests.support.ground import Ground, add_pose, add_vehicle, flat_camera, lay_ground, measure
+from tests.support.ground import Ground, add_pose, add_vehicle, clicks, flat_camera, lay_ground, measure
 
 BUMP, COUNT = 17, 40
 
@@ -112,6 +112,9 @@ def test_a_bump_flags_what_comes_after_it_until_somebody_decides(
     assert back["decision"] is None and len(back["flagged"]) == 1
     assert len(flags(viewer, late)) == 1
     assert operator.delete(f"{path}/decision").status_code == 409
+    earlier = {**clicks(frame=BUMP - 1, target="taillight"), "revision": 1}
+    clicked_anew = operator.put(f"/measurements/{late}", earlier).json()
+    assert not [one for one in clicked_anew["flags"] if "camera-moved" in one["code"]]
 
 
 def test_withdrawing_stores_no_derived_flag_and_a_new_pose_ends_it(

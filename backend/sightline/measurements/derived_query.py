@@ -69,7 +69,7 @@ def _with(session: Session, one: Measurement, spans: list[MovedSpan], filmed: Fi
     flag = None
     if spans:
         flag = drift_flag(road_pose(session, one.values.pose_id), filled_from(Clicks, one.values), spans)
-    if flag is None and filmed is None:
+    if flag == one.drift_flag and filmed is None:
         return one
     at = None if filmed is None else filmed.at(one.values.time_s)
     return replace(one, drift_flag=flag, filmed_at=at)
