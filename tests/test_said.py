@@ -20,7 +20,7 @@ from sightline.quality.drift.drift_job import words_of as words_of_check
 from sightline.recordings.drift import DriftCheck, DriftSpan
 
 HORIZON = Said("height-contact-above-horizon")
-MOVED = Said("height-flag-camera-moved-by", moved_px=2.5, error_m=0.0142)
+MOVED = Said("height-flag-camera-moved-height", moved_px=2.5, error_m=0.0142)
 
 names = st.text("abcdefghijklmnopqrstuvwxyz_", min_size=1, max_size=6).filter(lambda name: name != "code")
 plain_values = st.one_of(
@@ -63,10 +63,11 @@ def test_it_always_has_words(one: Said) -> None:
 
 
 def test_words_in_the_language_of_the_reader() -> None:
-    assert "(height error up to 14 mm on the nearest road in the picture, more beyond); compute" in str(MOVED)
+    assert "(height error at these clicks: 14 mm); compute" in str(MOVED)
     french = MOVED.sentence("fr")
-    near = "sur la route la plus proche dans l’image, davantage au-delà"
-    assert f"bougé de 2,5 px après le calcul de la pose (erreur de hauteur jusqu’à 14 mm {near})" in french
+    assert (
+        "bougé de 2,5 px après le calcul de la pose (erreur de hauteur à ces pointés\u00a0: 14 mm)" in french
+    )
     within = Said("height-of-frame", frame=2, frames=3, reason=HORIZON)
     assert str(within) == f"Frame 2 of 3: {HORIZON}"
     assert HORIZON.sentence("fr") in within.sentence("fr")
@@ -101,17 +102,18 @@ def test_a_verdict_on_a_camera_has_its_words() -> None:
     assert still.sentence("fr").endswith("détecté, à 0,05 px près (0,4 mm de hauteur).")
     span: DriftSpan = {
         **{"first_frame": 3, "last_frame": 9, "moved": True, "moved_px": 2.52, "u_px": 0.1, "points": 9},
-        **{"x_px": 2.5, "y_px": 0.0, "turn_rad": 0.0, "scale": 1.0, "change_m": -0.0104},
+        **{"x_px": 2.5, "y_px": 0.0, "turn_rad": 0.0, "scale": 1.0, "change_m": -0.0104, "distance_m": 3.0},
     }  # type: ignore[typeddict-item]
     check: DriftCheck = {"state": "moved", "spans": [span], "bumps": []}  # type: ignore[typeddict-item]
-    (drifted,) = words_of_check(check, float)
+    drifted, near = words_of_check(check, float)
+    assert str(near) == "The height errors are those of a target 1.2 m high, 3 m across from the camera."
     assert str(drifted) == (
         "The camera drifted at 0:03.0 (frame 3) by 2.5 px (height error up to 10 mm on the nearest road in "
-        "the picture, more beyond), frames 3 to 9."
+        "the picture, different at other distances), frames 3 to 9."
     )
     check["bumps"] = [{"after": 1, "frame": 3, "time_s": 0.1, "by_px": 2.5}]
     assert str(words_of_check(check, float)[0]).startswith("The camera moved at 0:03.0")
-    check["spans"] = [{**span, "first_frame": 0, "change_m": None}] * 5
+    check["spans"] = [{**span, "first_frame": 0, "change_m": None, "distance_m": None}] * 5
     first, _, _, more = words_of_check(check, float)
     assert str(first) == "The camera had already moved at 0:00.0 (frame 0) by 2.5 px, frames 0 to 9."
     assert str(more) == "2 more movements."

@@ -19,9 +19,14 @@ from sightline.cli import main
 from sightline.export.verify.package import PackageCheck, verify_package
 from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.csv_package.schema import json_bytes, sha256_hex
+from sightline.infra.services import Services
+from sightline.messages.said import Said
+from tests.support.app import Client
 from tests.support.forgeries import WAYS, a_makers_height, roof
+from tests.support.ground import Ground, add_vehicle, measure
 from tests.support.mutations import checked, load, mutated, with_sums
 from tests.support.packages import (
+    camera_moved,
     edit,
     ground,
     package,
@@ -31,6 +36,7 @@ from tests.support.packages import (
     rewrite,
     rows,
     worked,
+    written,
 )
 
 __all__ = ["ground", "package", "worked"]
@@ -47,6 +53,36 @@ def test_what_is_forged_is_found(package: Path, forge: Callable[[Path], str]) ->
     found = check(package)
     assert not found.ok and said in str(found.problem), found.problem
     assert "\n" not in str(found.problem)
+
+
+@pytest.mark.once
+@pytest.mark.parametrize("earlier", [False, True])
+def test_what_a_camera_that_moved_does_to_a_height_is_computed_again(
+    operator: Client, services: Services, ground: Ground, tmp_path: Path, earlier: bool
+) -> None:
+    """From the motion in the events and the height's own clicks, of events that tell it."""
+    measure(operator, add_vehicle(operator, ground.recording_id)["id"])
+    camera_moved(services, ground, 2, earlier=earlier)
+    place = written(services, ground.survey_id, tmp_path / "export")
+    (recording,), (row,) = rows(place, "recordings.csv"), rows(place, "measurements.csv")
+    assert recording["drift_distance_m"] == ("" if earlier else "4.000000")
+    flags = [Said.read(one) for one in json.loads(row["flags_code"])]
+    assert flags[-1].values.get("error_m") == (None if earlier else 0.041)
+    assert check(place).ok, check(place).problem
+
+    def say(*last: Said) -> PackageCheck:
+        told = [*flags[:-1], *last]
+        codes = json.dumps([one.document for one in told], separators=(",", ":"), ensure_ascii=False)
+        for name in ("measurements.csv", "revisions.csv"):
+            edit(place, name, lambda _: True, flags="; ".join(map(str, told)), flags_code=codes)
+        rederive(place)
+        return check(place)
+
+    for forged in ((), (Said("height-flag-camera-moved-height", moved_px=2.5, error_m=0.001),)):
+        assert "the last warning is not what" in str(say(*forged).problem)
+    # what an earlier version said of the nearest road stays as it was said
+    told = say(Said("height-flag-camera-moved-by", moved_px=2.5, error_m=0.013))
+    assert ("the last warning is not what" in str(told.problem)) is not earlier
 
 
 @pytest.mark.once

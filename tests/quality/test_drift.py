@@ -16,7 +16,7 @@ from sightline.media.video.writer import write_mp4
 from sightline.recordings.csv import RECORDINGS, described
 from sightline.recordings.store import get_recording
 from tests.support.app import FRAME_HEIGHT, FRAME_WIDTH, Client, error_of, upload
-from tests.support.ground import Ground, add_pose, add_vehicle, flat_camera, lay_ground, measure
+from tests.support.ground import Ground, add_pose, add_vehicle, clicks, flat_camera, lay_ground, measure
 
 BUMP, COUNT = 17, 40
 
@@ -53,6 +53,11 @@ def ground(
     return lay_ground(services, survey_id, recording_id)
 
 
+def errors(client: Client, measurement_id: int) -> list[float]:
+    found = client.seen(f"/measurements/{measurement_id}")["flags"]
+    return [one["values"]["error_m"] for one in found if one["code"] == "height-flag-camera-moved-height"]
+
+
 def flags(client: Client, measurement_id: int) -> list[str]:
     found = [one["message"] for one in client.seen(f"/measurements/{measurement_id}")["flags"]]
     return [one for one in found if "after the pose was computed" in one]
@@ -81,6 +86,10 @@ def test_a_bump_flags_what_comes_after_it_until_somebody_decides(
     assert f"(frame {BUMP}) by 2.5 px (height error up to" in check["words"][0]["message"]
     assert check["looks"][0]["frame"] == 0 and len(check["looks"]) == 24
     assert flags(viewer, early) == [] and len(flags(viewer, late)) == 1
+    assert {one["distance_m"] for one in found["flagged"]} == {check["distance_m"]}
+    # moved 1.5 px up the picture, seen from 3 m: D = C f / y and h = C - D y / f with the motion undone
+    back_m = 1.5 - 1.5 / (75.0 + 1.5) * (15.0 + 1.5)
+    assert errors(viewer, late) == [pytest.approx(abs(1.2 - back_m), abs=0.002)]
     stored = viewer.seen(f"/measurements/{late}/history")["revisions"]
     assert len(stored) == 1, "a flag makes no revision"
 
@@ -103,6 +112,9 @@ def test_a_bump_flags_what_comes_after_it_until_somebody_decides(
     assert back["decision"] is None and len(back["flagged"]) == 1
     assert len(flags(viewer, late)) == 1
     assert operator.delete(f"{path}/decision").status_code == 409
+    earlier = {**clicks(frame=BUMP - 1, target="taillight"), "revision": 1}
+    clicked_anew = operator.put(f"/measurements/{late}", earlier).json()
+    assert not [one for one in clicked_anew["flags"] if "camera-moved" in one["code"]]
 
 
 def test_withdrawing_stores_no_derived_flag_and_a_new_pose_ends_it(

@@ -106,7 +106,7 @@ def worked(operator: Client, reviewer: Client, ground: Ground, services: Service
     kerb = {"revision": 1, "verdict": "rejected", "reason": "Kerb."}
     reviewer.made(f"/measurements/{rejected['id']}/reviews", kerb)
     operator.delete(f"/measurements/{gone['id']}?revision=1")
-    _moved(services, ground)
+    camera_moved(services, ground)
     decided = operator.put(
         f"/recordings/{ground.recording_id}/drift/decision", {"reason": "A bird sat on it."}
     )
@@ -119,21 +119,26 @@ def worked(operator: Client, reviewer: Client, ground: Ground, services: Service
     return ground
 
 
-def _moved(services: Services, ground: Ground) -> None:
-    """The camera is found to have moved, on frames that nobody clicked on."""
+def camera_moved(services: Services, ground: Ground, first_frame: int = 9, *, earlier: bool = False) -> None:
+    """The camera is found to have moved, usually on frames that nobody clicked on; `earlier`: by a version
+    that told no motion.
+    """
     span: DriftSpan = {
-        "x_px": 2.5,
-        "y_px": 0.0,
+        "x_px": 0.0,
+        "y_px": 2.5,
         "turn_rad": 0.0,
         "scale": 1.0,
         "moved_px": 2.5,
         "u_px": 0.1,
         "points": 40,
-        "first_frame": 9,
+        "first_frame": first_frame,
         "last_frame": 11,
         "moved": True,
         "change_m": -0.0125,
+        "distance_m": 4.0,
     }
+    if earlier:
+        del span["distance_m"]
     with services.writing() as session:
         recording = get_recording(session, ground.recording_id)
         assert recording.pose_id is not None

@@ -51,6 +51,13 @@ class Motion:
         turned = np.stack([s * away[:, 0] - t * away[:, 1], t * away[:, 0] + s * away[:, 1]], axis=1)
         return np.asarray(points_px + turned + (self.x_px, self.y_px), dtype=np.float64)
 
+    def undo(self, points_px: Floats, size_px: tuple[int, int]) -> Floats:
+        """Where points of the moved picture, `points_px` (N, 2), lie in the pose's (N, 2): `move` undone."""
+        centre, t = _centre(size_px), self.turn_rad
+        away = points_px - centre - (self.x_px, self.y_px)
+        back = np.linalg.solve([[self.scale, -t], [t, self.scale]], away.T).T
+        return np.asarray(centre + back, dtype=np.float64)
+
 
 @dataclass(frozen=True)
 class HeightChange:

@@ -12,8 +12,11 @@ from typing import Any
 from sqlalchemy import or_, select
 from sqlalchemy.orm import Session
 
-from sightline.measurements.records import Measurement
-from sightline.recordings.drift import MovedSpan, flag_of_frames, open_spans
+from sightline.infra.by_name import filled_from
+from sightline.measurements.moved import drift_flag
+from sightline.measurements.records import Clicks, Measurement
+from sightline.measurements.road_poses import road_pose
+from sightline.recordings.drift import MovedSpan, open_spans
 from sightline.recordings.filming import Filming, filming_of
 from sightline.recordings.tables import recordings
 
@@ -36,16 +39,19 @@ def derived(session: Session, found: tuple[Measurement, ...]) -> tuple[Measureme
     filmed = {id_: filming_of(row) for id_, row in told.items()}
     return tuple(
         [
-            _with(one, spans.get((one.recording_id, one.values.pose_id), []), filmed.get(one.recording_id))
+            _with(
+                *(session, one, spans.get((one.recording_id, one.values.pose_id), [])),
+                filmed.get(one.recording_id),
+            )
             for one in found
         ]
     )
 
 
-def derived_from(one: Measurement, row: Mapping[Any, Any]) -> Measurement:
+def derived_from(session: Session, one: Measurement, row: Mapping[Any, Any]) -> Measurement:
     """`derived` of one measurement with whose row the recording's `TELLING` was read."""
     spans = open_spans(row["drift"], row["drift_decision"], one.values.pose_id)
-    return _with(one, spans, filming_of(row))
+    return _with(session, one, spans, filming_of(row))
 
 
 def _told_by_recordings(session: Session, wanted: Iterable[int]) -> dict[int, Mapping[Any, Any]]:
@@ -59,9 +65,11 @@ def _told_by_recordings(session: Session, wanted: Iterable[int]) -> dict[int, Ma
     return {row["id"]: row for row in session.execute(query).mappings()}
 
 
-def _with(one: Measurement, spans: list[MovedSpan], filmed: Filming | None) -> Measurement:
-    flag = flag_of_frames(spans, one.values.frames) if spans else None
-    if flag is None and filmed is None:
+def _with(session: Session, one: Measurement, spans: list[MovedSpan], filmed: Filming | None) -> Measurement:
+    flag = None
+    if spans:
+        flag = drift_flag(road_pose(session, one.values.pose_id), filled_from(Clicks, one.values), spans)
+    if flag == one.drift_flag and filmed is None:
         return one
     at = None if filmed is None else filmed.at(one.values.time_s)
     return replace(one, drift_flag=flag, filmed_at=at)

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import asdict, fields, replace
 from typing import Any, cast
-from weakref import WeakKeyDictionary
 
 from sightline.enums import Made, Point, ProposedPoint, Target
 from sightline.errors import BadInput, Conflict
@@ -25,7 +24,6 @@ from sightline.measurements.click_context_query import (
 )
 from sightline.measurements.height_of_clicks import (
     Answer,
-    PoseCache,
     answer,
     filled_in,
     inset_for,
@@ -39,26 +37,17 @@ from sightline.measurements.records import (
     MeasurementValues,
     Origin,
 )
+from sightline.measurements.road_poses import road_pose
 from sightline.measurements.store import (
     add_measurement,
     get_measurement,
     is_stored_key,
     revise_measurement,
 )
-from sightline.poses.store import get_pose
 from sightline.statistics.plausible import is_of_class
 from sightline.vehicles.proposing.store import proposals_of_vehicle
 from sightline.vehicles.records import VehicleChanges
 from sightline.vehicles.store import update_vehicle
-
-# One cache a database: pose 1 of one is not pose 1 of another.
-_pose_caches: WeakKeyDictionary[Any, PoseCache] = WeakKeyDictionary()
-
-
-def road_pose(session: Session, pose_id: int) -> RoadPose:
-    """A stored road pose, parsed once. Raises NotFound."""
-    poses = _pose_caches.setdefault(session.get_bind(), PoseCache())
-    return poses.get(pose_id) or poses.put(pose_id, get_pose(session, pose_id).document)
 
 
 def height_at(

@@ -94,7 +94,7 @@ def add_measurement(
     place: dict[str, Any] = {"survey_id": ground.survey_id, "recording_id": ground.recording_id}
     place |= {"vehicle_id": vehicle_id, "repeat_of": _repeated(session, vehicle_id, repeat_of, values.target)}
     series_id = add_row(session, measurement_series, {**place, "client_key": client_key})
-    known = partial(_known, _first_revision(series_id, 0, values, place, now()), ground, actor)
+    known = partial(_known, session, _first_revision(series_id, 0, values, place, now()), ground, actor)
     return append_revision(
         session, series_id, 1, values, before=None, action="create", actor=actor, made_of=known
     )
@@ -219,7 +219,7 @@ def is_stored_key(session: Session, client_key: str) -> bool:
 
 def get_measurement(session: Session, series_id: int) -> Measurement:
     """The current revision, withdrawn or not. Raises NotFound."""
-    return _measurement_of(_current_row(session, series_id))
+    return _measurement_of(session, _current_row(session, series_id))
 
 
 @cache
@@ -255,8 +255,8 @@ def _current_row(session: Session, series_id: int) -> Row[Any]:
     return row
 
 
-def _measurement_of(row: Row[Any]) -> Measurement:
-    return derived_from(measurement_of_row(row), row._mapping)
+def _measurement_of(session: Session, row: Row[Any]) -> Measurement:
+    return derived_from(session, measurement_of_row(row), row._mapping)
 
 
 def measurement_revisions(session: Session, series_id: int) -> tuple[Measurement, ...]:
@@ -302,7 +302,7 @@ def require_measurement_revision(session: Session, series_id: int, revision: int
             vehicle_number=row.vehicle_number,
             when=when,
         )
-    current = _measurement_of(row)
+    current = _measurement_of(session, row)
     require_seen(current, revision)
     return current
 
@@ -358,7 +358,11 @@ def append_measurement_revision(
         actor=actor,
         verdict_of_revision=carried,
         # a verdict that comes with it is read
-        made_of=partial(_known, to_come, ground, actor) if carried is None else partial(_as_stored, session),
+        made_of=(
+            partial(_known, session, to_come, ground, actor)
+            if carried is None
+            else partial(_as_stored, session)
+        ),
     )
 
 
@@ -410,11 +414,13 @@ def _insert_revision() -> ReturningInsert[Any]:
     return insert(measurements).returning(measurements)
 
 
-def _known(to_come: Measurement, ground: Ground, actor: int | None, row: Row[Any]) -> Measurement:
+def _known(
+    session: Session, to_come: Measurement, ground: Ground, actor: int | None, row: Row[Any]
+) -> Measurement:
     """A revision with the number that it was given, and what the ground tells of it."""
     named = who(actor, ground.actor_name)
     made = replace(to_come, revision_id=row.id, created_at=row.created_at, created_by=named)
-    return derived_from(made, ground.telling)
+    return derived_from(session, made, ground.telling)
 
 
 # Every column of a content: what is said of frames is said of no line, and the other way round.
@@ -513,7 +519,7 @@ def _made_again(one: ComputedAgain, row_id: int) -> Measurement | ScanHeight:
 
 def _as_stored(session: Session, row: Row[Any]) -> Measurement:
     """A revision as the database gives it back."""
-    return _measurement_of(session.execute(_revision(), {"of_revision": row.id}).one())
+    return _measurement_of(session, session.execute(_revision(), {"of_revision": row.id}).one())
 
 
 def _require_alone(session: Session, before: Measurement, target: str) -> None:

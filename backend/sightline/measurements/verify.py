@@ -6,7 +6,7 @@ import hashlib
 import json
 import math
 import re
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field, fields
 from datetime import datetime
 from itertools import groupby
@@ -34,6 +34,7 @@ from sightline.measurements.csv import (
     with_frames,
 )
 from sightline.measurements.height_of_clicks import Answer, answer
+from sightline.measurements.moved import drift_flag, earlier_drift_flag
 from sightline.measurements.records import (
     ClickedFrame,
     Clicks,
@@ -46,13 +47,14 @@ from sightline.measurements.records import (
 from sightline.messages.said import Said
 from sightline.poses.csv import pose_path
 from sightline.recordings.csv import filmings_in
+from sightline.recordings.drift import MovedSpan
 from sightline.recordings.filming import Filming
 
 #: The part of the program that computes heights from clicks, by its name in datapackage.json.
 HEIGHTS = "heights"
 Row = Mapping[str, str]
-#: The flag about a camera that had moved, by recording, pose and frames; None where it had not.
-DriftFlag = Callable[[int, int, Sequence[int]], Said | None]
+#: Where the camera had moved, by recording and pose.
+OpenSpans = Callable[[int, int], list[MovedSpan]]
 # Half of the last decimal that a CSV carries, and a hair for the rounding of the last binary digit.
 _HEIGHT_TOLERANCE_M = 0.51e-6
 _FURTHER = re.compile(r"(?:contact|target)(\d+)_[xy]_px")
@@ -186,11 +188,11 @@ def check_measurements(
     files: Files,
     events: MeasurementEvents,
     is_gone: Callable[[int], bool],
-    drift_flag: DriftFlag,
+    open_spans: OpenSpans,
     heights: Recomputed,
 ) -> None:
-    """Compute the height of every revision again. `is_gone`: whether a vehicle was deleted.
-    `drift_flag`: what is added to a row's flags where the camera had moved, by recording, pose and frames.
+    """Compute the height of every revision again, and what the camera's motion in `open_spans` did to it.
+    `is_gone`: whether a vehicle was deleted.
 
     Raises Damaged.
     """
@@ -206,7 +208,8 @@ def check_measurements(
             raise Damaged("measurements-no-revisions", id=current["id"])
         for row in rows:
             heights.check(f"revisions.csv: {name}", row, row["code_version"])
-            _by_event(events, drift_flag, "revisions.csv", row, (int(name), int(row["revision"])))
+            stored = heights.without_drift(f"revisions.csv: {name}", row, open_spans)
+            _by_event(events, stored, "revisions.csv", (int(name), int(row["revision"])))
         _is_newest(current, rows[-1])
         _is_filmed(current, filmings.get(current["recording_id"]))
         budget.check(current)
@@ -224,10 +227,10 @@ def check_measurements(
 
 
 class Recomputed:
-    """Heights computed again from the poses of a package, each read once."""
+    """Heights computed again from the poses of a package, each read once; `program` wrote the package."""
 
-    def __init__(self, files: Files, recomputing: Recomputing) -> None:
-        self._files, self._recomputing = files, recomputing
+    def __init__(self, files: Files, recomputing: Recomputing, program: str) -> None:
+        self._files, self._recomputing, self._program = files, recomputing, program
         self._poses: dict[str, RoadPose] = {}
 
     def check(self, name: str, row: Row, by: str) -> None:
@@ -235,11 +238,35 @@ class Recomputed:
         with self._recomputing.of(HEIGHTS, by):
             _same(name, row, self._answer(row))
 
+    def without_drift(self, name: str, row: Row, open_spans: OpenSpans) -> dict[str, str]:
+        """The cells of a row that are not empty, its flags as they were stored.
+
+        What is added to them where the camera had moved follows from events of the recording and from the
+        row's own clicks. Raises Damaged where it is another.
+        """
+        told = {name: text for name, text in row.items() if text}
+        spans = open_spans(int(row["recording_id"]), int(row["pose_id"]))
+        clicks = clicks_of_row(row)
+        flag = drift_flag(self._pose(row), clicks, spans) if spans else None
+        if flag is None:
+            return told
+        code = f"flags{CODE}"
+        if code not in row:  # its program had no codes, and other words
+            return {**told, "flags": told.get("flags", "").partition("The camera moved ")[0].rstrip("; ")}
+        *stored, last = json.loads(told.pop(code, "[null]"))
+        if last not in [one.document for one in (flag, earlier_drift_flag(clicks, spans)) if one]:
+            with self._recomputing.of(HEIGHTS, self._program):
+                raise Damaged("measurements-drift-differs", name=name, computed=flag)
+        return {**told, code: canonical_json(stored) if stored else ""}
+
     def _answer(self, row: Row) -> Answer:
+        return answer(self._pose(row), clicks_of_row(row))
+
+    def _pose(self, row: Row) -> RoadPose:
         path = pose_path(int(row["pose_id"]))
         if path not in self._poses:
             self._poses[path] = _pose(self._files, path)
-        return answer(self._poses[path], clicks_of_row(row))
+        return self._poses[path]
 
 
 def _pose(files: Files, path: str) -> RoadPose:
@@ -254,6 +281,7 @@ def clicks_of_row(row: Row) -> Clicks:
     number = {name: float(row[name]) for name in row if name.endswith(("_px", "inset_m")) and row[name]}
     return Clicks(
         target=cast(Target, row["target"]),
+        frame=int(row["frame"]),
         contact=(number["contact_x_px"], number["contact_y_px"]),
         target_point=(number["target_x_px"], number["target_y_px"]),
         sigma_px=number["sigma_px"],
@@ -263,7 +291,7 @@ def clicks_of_row(row: Row) -> Clicks:
         side=cast(DriverSide | None, row.get("side") or None),
         side_from=cast(SideBasis | None, row.get("side_from") or None),
         followed=row.get("followed") or None,
-        more_frames=tuple(_on_further(number, k) for k in further(row)),
+        more_frames=tuple(_on_further(row, number, k) for k in further(row)),
     )
 
 
@@ -273,9 +301,9 @@ def further(row: Row) -> list[int]:
     return sorted({int(one[1]) for one in found if one})
 
 
-def _on_further(number: Mapping[str, float], k: int) -> ClickedFrame:
+def _on_further(row: Row, number: Mapping[str, float], k: int) -> ClickedFrame:
     return ClickedFrame(
-        frame=k,
+        frame=int(row[f"frame{k}"]),
         contact=(number[f"contact{k}_x_px"], number[f"contact{k}_y_px"]),
         target_point=(number[f"target{k}_x_px"], number[f"target{k}_y_px"]),
     )
@@ -385,38 +413,12 @@ class _Budget:
             raise Damaged("measurements-budget-added", next=self._next[0])
 
 
-def _by_event(
-    events: MeasurementEvents, drift_flag: DriftFlag, path: str, row: Row, key: tuple[int, int]
-) -> None:
+def _by_event(events: MeasurementEvents, stored: Mapping[str, str], path: str, key: tuple[int, int]) -> None:
     digest = events.revisions.pop(key, None)
     if digest is None:
         raise Damaged("measurements-revision-without-event", path=path, key=key[0], key_2=key[1])
-    if digest != events.of_row(REVISIONS, _without_drift(row, drift_flag)):
+    if digest != events.of_row(REVISIONS, stored):
         raise Damaged("measurements-event-differs", path=path, key=key[0])
-
-
-def _without_drift(row: Row, drift_flag: DriftFlag) -> dict[str, str]:
-    """The cells of a row that are not empty, its flags as they were stored.
-
-    What is added to them where the camera was found to have moved follows from events of the recording.
-    """
-    told = {name: text for name, text in row.items() if text}
-    numbers = [int(row["frame"]), *(int(row[f"frame{k}"]) for k in further(row))]
-    added = drift_flag(int(row["recording_id"]), int(row["pose_id"]), numbers)
-    if added is None:
-        return told
-    code = f"flags{CODE}"
-    if row.get(code):
-        *stored, last = json.loads(told.pop(code))
-        if last != added.document:
-            return {**told, code: ""}
-        return {**told, code: canonical_json(stored)} if stored else told
-    flags = told.pop("flags", "")
-    if flags.removesuffix(str(added)) == flags:
-        return {**told, "flags": ""}
-    if words := flags.removesuffix(str(added)).removesuffix("; "):
-        told["flags"] = words
-    return told
 
 
 def _nothing_left(events: MeasurementEvents, is_gone: Callable[[int], bool]) -> None:

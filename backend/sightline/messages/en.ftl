@@ -1607,7 +1607,7 @@ measure-vehicle-done = Done. Keys 1 to 5 measure again.
 measure-next-pass = Next pass
 measure-choose-target = Choose a target: 1 to 5.
 measure-drift = Camera moved { $moved_px } px after the pose was computed. <link>Compute a new pose or decide</link>
-measure-drift-off = Camera moved { $moved_px } px after the pose was computed. Height error: up to { $off } on the nearest road in the picture, more beyond. <link>Compute a new pose or decide</link>
+measure-drift-off = Camera moved { $moved_px } px after the pose was computed. Height error: up to { $off } at { $distance }, different at other distances. <link>Compute a new pose or decide</link>
 measure-proposal-looking = Searching for the wheel…
 measure-proposal-take = { $proposal }. Press Enter or click it to accept.
 measure-proposal-no-pass = Choose a pass first. Then a contact can be suggested.
@@ -4704,6 +4704,7 @@ height-flag-pass-misfit = The followed points deviate from straight, level trave
 height-flag-side-from-place = The pass has no direction; the driver’s side follows from the camera’s place in the median, past which all traffic runs one way.
 height-flag-camera-moved = The camera moved { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px after the pose was computed; compute a new pose for this part, or decide to keep the old one.
 height-flag-camera-moved-by = The camera moved { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px after the pose was computed (height error up to { SMALL($error_m, digits: 0) } on the nearest road in the picture, more beyond); compute a new pose for this part, or decide to keep the old one.
+height-flag-camera-moved-height = The camera moved { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px after the pose was computed (height error at these clicks: { SMALL($error_m, digits: 0) }); compute a new pose for this part, or decide to keep the old one.
 height-flag-inset-zero = inset taken as 0
 height-flag-u-inset-zero = uncertainty of the inset taken as 0
 height-flag-usual-inset = usual inset of { $target }
@@ -4760,11 +4761,12 @@ drift-moved-height = { $how ->
     [bumped] The camera moved
     [before] The camera had already moved
    *[drifted] The camera drifted
- } at { $clock } (frame { $frame }) by { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (height error up to { SMALL($error_m, digits: 0) } on the nearest road in the picture, more beyond), frames { $first } to { $last }.
+ } at { $clock } (frame { $frame }) by { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (height error up to { SMALL($error_m, digits: 0) } on the nearest road in the picture, different at other distances), frames { $first } to { $last }.
 drift-more = { $count ->
     [one] { $count } more movement.
    *[other] { $count } more movements.
   }
+drift-near = The height errors are those of a target { $target_m } m high, { $distance_m } m across from the camera.
 drift-few-points = Only { $count } background points were found again, or all of them in one part of the frame; it is too dark, covered, or another view.
 drift-no-frame = No frame was checked.
 drift-no-such-frame = The recording has no such frame.
@@ -5189,6 +5191,7 @@ measurements-words-differ = { $name }: { $column } does not match the code besid
 measurements-pose-file-differs = { $path }: { $id } names another pose file than its pose; it was changed.
 measurements-revision-without-event = { $path }: measurement { $key } has no audit event for revision { $key_2 }; it was added.
 measurements-event-differs = { $path }: measurement { $key } differs from its audit event; it was changed.
+measurements-drift-differs = { $name }: the last warning is not what the camera’s movement and the clicks give: { $computed }
 measurements-no-revisions = revisions.csv: measurement { $id } has no revisions; one was removed.
 measurements-pose-missing = { $path } is missing or is not a camera pose; get the complete package again.
 measurements-result-differs = { $name } states { $words } { $told }, its clicks give { $computed }; one is wrong.
@@ -6462,7 +6465,8 @@ column-recordings-pose-id = current camera pose
 column-recordings-drift-state = whether the camera moved since that pose
 column-recordings-drift-floor-px = detection limit of camera movement
 column-recordings-drift-moved-px = largest motion found, where it moved
-column-recordings-drift-height-m = largest error that it gives a height of 1.2 m on the nearest road in the picture, 3 m away or more; more beyond
+column-recordings-drift-height-m = largest error that it gives a height of 1.2 m on the nearest road in the picture, 3 m away or more; different at other distances
+column-recordings-drift-distance-m = distance across from the camera at which that error is
 column-recordings-drift-checked-at = when this was checked (ISO 8601, UTC)
 column-recordings-drift-decision = reason for keeping the pose although the camera moved
 column-recordings-drift-decided-by-id = who decided that

@@ -1606,7 +1606,7 @@ measure-vehicle-done = Terminé. Touches 1 à 5 : mesurer à nouveau.
 measure-next-pass = Passage suivant
 measure-choose-target = Choisissez une cible : 1 à 5.
 measure-drift = La caméra a bougé de { $moved_px } px après le calcul de la pose. <link>Calculez une nouvelle pose ou décidez</link>
-measure-drift-off = La caméra a bougé de { $moved_px } px après le calcul de la pose. Erreur de hauteur : jusqu’à { $off } sur la route la plus proche dans l’image, davantage au-delà. <link>Calculez une nouvelle pose ou décidez</link>
+measure-drift-off = La caméra a bougé de { $moved_px } px après le calcul de la pose. Erreur de hauteur : jusqu’à { $off } à { $distance }, différente à d’autres distances. <link>Calculez une nouvelle pose ou décidez</link>
 measure-proposal-looking = Recherche de la roue…
 measure-proposal-take = { $proposal }. Entrée ou un clic pour l’accepter.
 measure-proposal-no-pass = Choisissez d’abord un passage ; un contact pourra alors être proposé.
@@ -4696,6 +4696,7 @@ height-flag-pass-misfit = Les points suivis s’écartent d’une trajectoire dr
 height-flag-side-from-place = Le passage n’a pas de sens ; le côté du conducteur se déduit de la position de la caméra sur le terre-plein central, le long duquel tous vont dans le même sens.
 height-flag-camera-moved = La caméra a bougé de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px après le calcul de la pose ; calculez une nouvelle pose pour cette partie, ou décidez de conserver l’ancienne.
 height-flag-camera-moved-by = La caméra a bougé de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px après le calcul de la pose (erreur de hauteur jusqu’à { SMALL($error_m, digits: 0) } sur la route la plus proche dans l’image, davantage au-delà) ; calculez une nouvelle pose pour cette partie, ou décidez de conserver l’ancienne.
+height-flag-camera-moved-height = La caméra a bougé de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px après le calcul de la pose (erreur de hauteur à ces pointés : { SMALL($error_m, digits: 0) }) ; calculez une nouvelle pose pour cette partie, ou décidez de conserver l’ancienne.
 height-flag-inset-zero = retrait pris égal à 0
 height-flag-u-inset-zero = incertitude du retrait prise égale à 0
 height-flag-usual-inset = retrait usuel de { $target }
@@ -4752,11 +4753,12 @@ drift-moved-height = { $how ->
     [bumped] La caméra a bougé
     [before] La caméra avait déjà bougé
    *[drifted] La caméra a dérivé
- } à { $clock } (image { $frame }) de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (erreur de hauteur jusqu’à { SMALL($error_m, digits: 0) } sur la route la plus proche dans l’image, davantage au-delà), images { $first } à { $last }.
+ } à { $clock } (image { $frame }) de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (erreur de hauteur jusqu’à { SMALL($error_m, digits: 0) } sur la route la plus proche dans l’image, différente à d’autres distances), images { $first } à { $last }.
 drift-more = { $count ->
     [one] { $count } autre mouvement.
    *[other] { $count } autres mouvements.
   }
+drift-near = Les erreurs de hauteur sont celles d’une cible de { $target_m } m de haut, à { $distance_m } m de la caméra, perpendiculairement à la route.
 drift-few-points = Seuls { $count } points du fond sont retrouvés, ou tous dans une même partie de l’image ; elle est trop sombre, masquée, ou montre une autre vue.
 drift-no-frame = Aucune image n’a été examinée.
 drift-no-such-frame = L’enregistrement n’a pas cette image.
@@ -5220,6 +5222,7 @@ measurements-words-differ = { $name } : { $column } ne dit pas ce que dit le co
 measurements-pose-file-differs = { $path } : { $id } nomme un autre fichier de pose que sa pose ; il a été modifié.
 measurements-revision-without-event = { $path } : la mesure { $key } n’a pas d’événement d’audit pour la révision { $key_2 } ; ajout après coup.
 measurements-event-differs = { $path } : la mesure { $key } diffère de son événement d’audit ; elle a été modifiée.
+measurements-drift-differs = { $name } : le dernier avertissement n’est pas ce que donnent le mouvement de la caméra et les pointés : { $computed }
 measurements-no-revisions = revisions.csv : la mesure { $id } n’a pas de révision ; une a été retirée.
 measurements-pose-missing = { $path } manque ou n’est pas une pose de la caméra ; reprenez l’export complet.
 measurements-result-differs = { $name } indique { $words } { $told }, ses pointés donnent { $computed } ; l’un des deux est faux.
@@ -6517,7 +6520,8 @@ column-recordings-pose-id = pose de la caméra en vigueur
 column-recordings-drift-state = si la caméra a bougé depuis cette pose
 column-recordings-drift-floor-px = limite de détection du mouvement de la caméra
 column-recordings-drift-moved-px = plus grand mouvement trouvé, si elle a bougé
-column-recordings-drift-height-m = plus grande erreur qui en résulte pour une hauteur de 1,2 m sur la route la plus proche dans l’image, à 3 m ou plus ; davantage au-delà
+column-recordings-drift-height-m = plus grande erreur qui en résulte pour une hauteur de 1,2 m sur la route la plus proche dans l’image, à 3 m ou plus ; différente à d’autres distances
+column-recordings-drift-distance-m = distance de la caméra, perpendiculairement à la route, à laquelle vaut cette erreur
 column-recordings-drift-checked-at = quand cela a été contrôlé (ISO 8601, UTC)
 column-recordings-drift-decision = pourquoi la pose a été gardée bien que la caméra ait bougé
 column-recordings-drift-decided-by-id = qui en a décidé

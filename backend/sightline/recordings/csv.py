@@ -64,7 +64,7 @@ def _decided(name: str) -> Callable[[Drift], Cell]:
 
 
 def _held(document: Mapping[str, object] | None, name: str) -> Cell:
-    value = None if document is None else document[name]
+    value = None if document is None else document.get(name)
     return value if isinstance(value, str | int | float) else None
 
 
@@ -85,8 +85,11 @@ _DRIFT: tuple[Column[Drift], ...] = (
     metres(
         "drift_height_m",
         "largest error that it gives a height of 1.2 m on the nearest road in the picture, 3 m away or more; "
-        "more beyond",
+        "different at other distances",
         _found("height_m"),
+    ),
+    metres(
+        "drift_distance_m", "distance across from the camera at which that error is", _found("distance_m")
     ),
     Column(
         "drift_checked_at",

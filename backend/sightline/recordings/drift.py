@@ -1,13 +1,14 @@
 """On which frames of a recording the camera was not where its pose says, as documents and sentences."""
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
-from typing import Annotated, Required
+from collections.abc import Iterable
+from dataclasses import dataclass, fields
+from typing import Annotated, NotRequired, Required, cast
 
 from pydantic import Field
 from typing_extensions import TypedDict
 
 from sightline.enums import DriftState
+from sightline.geometry.drift import Motion
 from sightline.messages.said import Said
 
 
@@ -49,12 +50,13 @@ class DriftMotion(TypedDict):
 
 
 class DriftSpan(DriftMotion):
-    """Frames with the same motion against the pose, and what it is worth in height."""
+    """Frames with the same motion against the pose, and what it is worth in height `distance_m` across."""
 
     first_frame: int
     last_frame: int
     moved: bool
     change_m: float | None
+    distance_m: NotRequired[Annotated[float | None, Field(description="Not in checks of old versions.")]]
 
 
 class DriftCheck(TypedDict):
@@ -89,6 +91,7 @@ class DriftFigures(TypedDict):
     floor_px: float | None
     moved_px: float | None
     height_m: float | None
+    distance_m: NotRequired[float | None]
     checked_at: str
 
 
@@ -99,6 +102,11 @@ class SpanTold(TypedDict):
     last_frame: int
     moved_px: float
     change_m: float | None
+    distance_m: NotRequired[float | None]
+    x_px: NotRequired[float]
+    y_px: NotRequired[float]
+    turn_rad: NotRequired[float]
+    scale: NotRequired[float]
 
 
 class DriftDecision(TypedDict):
@@ -114,12 +122,27 @@ class DriftDecision(TypedDict):
 
 @dataclass(frozen=True, slots=True)
 class MovedSpan:
-    """Frames on which the camera had moved by `moved_px`; heights are then off by up to `change_m`."""
+    """Frames on which the camera had moved by `moved_px`. A height of 1.2 m is then off by up to `change_m`,
+    `distance_m` across from the camera. Checks of earlier versions told neither that nor the motion.
+    """
 
     first_frame: int
     last_frame: int
     moved_px: float
     change_m: float | None
+    distance_m: float | None = None
+    x_px: float | None = None
+    y_px: float | None = None
+    turn_rad: float | None = None
+    scale: float | None = None
+
+    @property
+    def motion(self) -> Motion | None:
+        """How the picture moved, as far as it is told."""
+        if self.x_px is None or self.y_px is None or self.turn_rad is None or self.scale is None:
+            return None
+        how = {"turn_rad": self.turn_rad, "scale": self.scale, "moved_px": self.moved_px}
+        return Motion(x_px=self.x_px, y_px=self.y_px, **how, u_px=0.0, points=0)
 
 
 def drift_check_of(drift: DriftChecks | None, pose_id: int | None) -> DriftCheck | None:
@@ -134,34 +157,28 @@ def drift_figures(check: DriftCheck) -> DriftFigures:
     camera moved, None where it did not.
     """
     moved = [span for span in check["spans"] if span["moved"]]
-    changes = [abs(span["change_m"]) for span in moved if span["change_m"] is not None]
+    worst = max(moved, key=lambda span: abs(span["change_m"] or 0.0), default=None)
+    change_m = None if worst is None else worst["change_m"]
     return {
         "state": check["state"],
         "floor_px": check.get("floor_px"),
         "moved_px": max((span["moved_px"] for span in moved), default=None),
-        "height_m": max(changes, default=None),
+        "height_m": None if change_m is None else abs(change_m),
+        "distance_m": None if worst is None else worst.get("distance_m"),
         "checked_at": check.get("checked_at"),
     }
 
 
 def spans_told(check: DriftCheck) -> list[SpanTold]:
-    """The moved spans of a check: measurements on them are flagged."""
+    """The moved spans of a check: measurements on them are flagged. Those of an earlier version's check as it
+    told them.
+    """
+    told = [one.name for one in fields(MovedSpan)]
     return [
-        {
-            "first_frame": one["first_frame"],
-            "last_frame": one["last_frame"],
-            "moved_px": one["moved_px"],
-            "change_m": one["change_m"],
-        }
+        cast(SpanTold, {name: one.get(name) for name in (told if "distance_m" in one else told[:4])})
         for one in check["spans"]
         if one["moved"]
     ]
-
-
-def flag_of_frames(spans: Iterable[MovedSpan], frames: Sequence[int]) -> Said | None:
-    """The flag of a measurement on these frames: the largest motion's; None where the camera stood."""
-    on = [span for span in spans if any(span.first_frame <= n <= span.last_frame for n in frames)]
-    return _flag(max(on, key=lambda span: span.moved_px)) if on else None
 
 
 def open_spans(
@@ -192,11 +209,3 @@ def _decided(span: MovedSpan, decision: DriftDecision | None, pose_id: int | Non
         and span.moved_px <= one["moved_px"] + floor_px
         for one in decision["spans"]
     )
-
-
-def _flag(span: MovedSpan) -> Said:
-    moved_px = round(span.moved_px, 1)
-    if span.change_m is None:
-        return Said("height-flag-camera-moved", moved_px=moved_px)
-    error_m = round(abs(span.change_m), 3)
-    return Said("height-flag-camera-moved-by", moved_px=moved_px, error_m=error_m)

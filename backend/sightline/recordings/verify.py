@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any
 
 from sightline.infra.csv_package.files import Files
 from sightline.infra.csv_package.replay import Replay, Told, hold_all
-from sightline.messages.said import Said
 from sightline.recordings.csv import RECORDINGS, drift_cells, drift_of, started_text
-from sightline.recordings.drift import DriftDecision, DriftFigures, SpanTold, flag_of_frames, undecided
+from sightline.recordings.drift import DriftDecision, DriftFigures, MovedSpan, SpanTold, undecided
 
 #: What no event names is in no cell either.
 _NOTHING = dict.fromkeys(RECORDINGS.header)
@@ -36,13 +34,13 @@ class DriftEvents:
             return False
         return True
 
-    def drift_flag(self, number: int, pose_id: int, frames: Sequence[int]) -> Said | None:
-        """What is said of a height on these frames where the camera had moved since the pose."""
+    def open_spans(self, number: int, pose_id: int) -> list[MovedSpan]:
+        """Where the camera had moved since the pose and nobody decided to keep it."""
         spans = self.spans.get(number, {}).get(pose_id)
         if not spans:
-            return None
+            return []
         floor_px = self.found[number][pose_id]["floor_px"]
-        return flag_of_frames(undecided(spans, self.decisions.get(number), pose_id, floor_px), frames)
+        return undecided(spans, self.decisions.get(number), pose_id, floor_px)
 
     def cells(self, told: Told) -> dict[str, Any]:
         """The cells of a recording's row."""

@@ -81,8 +81,8 @@ def check_heights(c: Checking) -> None:
     is out of date. Raises Damaged.
     """
     told = c.told
-    heights = Recomputed(c.files, c.recomputing)
-    check_measurements(c.files, told.measurements, told.is_gone, told.drift.drift_flag, heights)
+    heights = Recomputed(c.files, c.recomputing, c.described.program)
+    check_measurements(c.files, told.measurements, told.is_gone, told.drift.open_spans, heights)
     check_repeats(c.files, told.measurements, told.is_gone, heights)
     c.found.heights = c.recomputing.equal
     for path in (MEASUREMENTS.key, REPEATS.key):

@@ -19,7 +19,8 @@ from sightline.measurements.again.query import list_computings
 from sightline.measurements.again.service import ask_to_compute, ask_to_undo
 from sightline.measurements.height_of_clicks import measured_frames, measured_pass
 from sightline.measurements.records import Measurement, MeasurementValues
-from sightline.measurements.service import clicked_again, road_pose
+from sightline.measurements.road_poses import road_pose
+from sightline.measurements.service import clicked_again
 from sightline.measurements.store import list_measurements
 from sightline.messages.said import Said
 from sightline.poses.records import Pose

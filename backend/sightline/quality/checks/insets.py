@@ -29,7 +29,8 @@ from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.measurements.height_of_clicks import SolvedInset, inset_alone
 from sightline.measurements.records import Measurement, VehicleSheet
-from sightline.measurements.service import clicked_again, road_pose
+from sightline.measurements.road_poses import road_pose
+from sightline.measurements.service import clicked_again
 from sightline.measurements.sheets.query import list_sheets
 from sightline.measurements.store import list_measurements
 from sightline.messages.said import Said

@@ -23,7 +23,8 @@ from sightline.infra.database import Session
 from sightline.measurements.click_context_query import click_context
 from sightline.measurements.height_of_clicks import DEFAULT_SIGMA_PX
 from sightline.measurements.records import Measurement, VehicleSheet
-from sightline.measurements.service import pose_in_force, road_pose
+from sightline.measurements.road_poses import road_pose
+from sightline.measurements.service import pose_in_force
 from sightline.measurements.sheets.query import list_sheets
 from sightline.measurements.store import list_measurements
 from sightline.messages.said import Said

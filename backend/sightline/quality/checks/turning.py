@@ -16,7 +16,8 @@ from sightline.geometry.traffic import turned
 from sightline.infra.database import Session
 from sightline.measurements.height_of_clicks import measured_pass
 from sightline.measurements.records import Measurement
-from sightline.measurements.service import clicked_again, road_pose
+from sightline.measurements.road_poses import road_pose
+from sightline.measurements.service import clicked_again
 from sightline.messages.said import Said
 from sightline.poses.records import Pose
 from sightline.poses.service import Solved, described

@@ -10,14 +10,14 @@ import numpy as np
 
 from sightline.enums import DriftState
 from sightline.geometry.drift import TARGET_M, HeightChange, Motion, height_change
-from sightline.geometry.drift_spans import Course, Look, course
+from sightline.geometry.drift_spans import Course, Look, Span, course
 from sightline.geometry.road_pose import RoadPose
 from sightline.infra.database import Session
 from sightline.infra.database.types import now
 from sightline.infra.jobs import registry
 from sightline.infra.services import Services
 from sightline.infra.version import code_version
-from sightline.measurements.service import road_pose
+from sightline.measurements.road_poses import road_pose
 from sightline.media.video.drift import Background, background, mean_of, register
 from sightline.messages.said import Said
 from sightline.poses.records import Pose
@@ -99,16 +99,7 @@ def document_of(check: _Check) -> DriftCheck:
     """What is stored and shown: plain lists, every number with its unit."""
     found = check.found
     changes = [(look, _change(check.road, look.motion)) for look in check.looks]
-    spans: list[DriftSpan] = [
-        {
-            "first_frame": span.first_frame,
-            "last_frame": span.last_frame,
-            "moved": span.moved,
-            **_motion(span.motion),
-            "change_m": height_change(check.road, span.motion).change_m,
-        }
-        for span in found.spans
-    ]
+    spans = [_span_row(check.road, span) for span in found.spans]
     bumps: list[DriftStep] = [
         {"after": one.after, "frame": one.frame, "time_s": check.time_s(one.frame), "by_px": one.by_px}
         for one in found.bumps
@@ -135,6 +126,18 @@ def document_of(check: _Check) -> DriftCheck:
         "code_version": code_version(),
     }
     return {**document, "words": words_of(document, check.time_s)}
+
+
+def _span_row(road: RoadPose, span: Span) -> DriftSpan:
+    change = height_change(road, span.motion)
+    return {
+        "first_frame": span.first_frame,
+        "last_frame": span.last_frame,
+        "moved": span.moved,
+        **_motion(span.motion),
+        "change_m": change.change_m,
+        "distance_m": change.distance_m,
+    }
 
 
 def _motion(motion: Motion) -> DriftMotion:
@@ -175,7 +178,9 @@ def words_of(document: DriftCheck, time_s: Callable[[int], float]) -> list[Said]
     moved = [one for one in document["spans"] if one["moved"]]
     said = [_said(one, document["bumps"], time_s) for one in moved[:_MOST_SAID]]
     more = len(moved) - _MOST_SAID
-    return [*said, Said("drift-more", count=more)] if more > 0 else said
+    said += [Said("drift-more", count=more)] if more > 0 else []
+    near_m = next((at for one in moved if (at := one.get("distance_m")) is not None), None)
+    return said if near_m is None else [*said, Said("drift-near", target_m=TARGET_M, distance_m=near_m)]
 
 
 def _said(span: DriftSpan, bumps: list[DriftStep], time_s: Callable[[int], float]) -> Said:

@@ -14,7 +14,8 @@ from sightline.enums import GoalVerdict, ProposalKept, Target
 from sightline.infra.database import Session
 from sightline.measurements.height_of_clicks import answer
 from sightline.measurements.records import Measurement, MeasurementValues
-from sightline.measurements.service import clicked_again, road_pose
+from sightline.measurements.road_poses import road_pose
+from sightline.measurements.service import clicked_again
 from sightline.quality.repeats.clicks import alone
 from sightline.quality.repeats.query import measurements_with_proposals
 from sightline.statistics.anchoring import Shift, shift, verdict

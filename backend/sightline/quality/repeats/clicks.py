@@ -13,7 +13,7 @@ from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.measurements.height_of_clicks import answer
 from sightline.measurements.records import BudgetPart, Clicks, Measurement
-from sightline.measurements.service import road_pose
+from sightline.measurements.road_poses import road_pose
 from sightline.quality.repeats.query import repeats_of_survey
 
 CLICK_SOURCES = ("click, target", "click, contact")

@@ -11,7 +11,7 @@ from sightline.geometry.traffic import heading_of_pair
 from sightline.infra.database import Session
 from sightline.measurements.height_of_clicks import DEFAULT_SIGMA_PX
 from sightline.measurements.records import VehicleSheet
-from sightline.measurements.service import road_pose
+from sightline.measurements.road_poses import road_pose
 from sightline.measurements.sheets.query import get_sheet
 from sightline.messages.said import Said
 from sightline.quality.checks.store import of_vehicle

@@ -1,7 +1,7 @@
 /** One line on the frame when the camera had moved by then. */
 import { Said } from "../../../components/Said";
 import { useAsked } from "../../../core/resource";
-import { fixed, formatSmall } from "../../../core/units";
+import { fixed, formatLength, formatSmall } from "../../../core/units";
 
 export function DriftLine(props: { surveyId: number; recordingId: number; frame: number }) {
   const { recordingId, frame } = props;
@@ -10,6 +10,7 @@ export function DriftLine(props: { surveyId: number; recordingId: number; frame:
   if (!span) return null;
   const moved_px = fixed(span.moved_px, 1);
   const off = formatSmall(span.change_m === null ? null : Math.abs(span.change_m));
+  const distance = formatLength(drift?.check?.distance_m ?? null, 1);
   const page = `/surveys/${props.surveyId}/pose?recording=${recordingId}`;
   const parts = { link: (text: string) => <a href={page}>{text}</a> };
   return (
@@ -17,7 +18,7 @@ export function DriftLine(props: { surveyId: number; recordingId: number; frame:
       {span.change_m === null ? (
         <Said what="measure-drift" values={{ moved_px }} parts={parts} />
       ) : (
-        <Said what="measure-drift-off" values={{ moved_px, off }} parts={parts} />
+        <Said what="measure-drift-off" values={{ moved_px, off, distance }} parts={parts} />
       )}
     </p>
   );

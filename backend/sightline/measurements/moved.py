@@ -1,0 +1,104 @@
+"""What a camera that moved since its road pose does to a height, at the height's own clicks."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sightline.geometry.arrays import Floats
+from sightline.geometry.height import measure_heights
+from sightline.geometry.road_pose import RoadPose
+from sightline.measurements.followed_text import read_text, text_of
+from sightline.measurements.height_of_clicks import measured_frames, measured_pass
+from sightline.measurements.records import ClickedFrame, Clicks
+from sightline.messages.said import Said
+from sightline.recordings.drift import MovedSpan
+
+_MOST_KEPT = 4096
+
+
+def drift_flag(pose: RoadPose, clicks: Clicks, spans: Sequence[MovedSpan]) -> Said | None:
+    """What is said of a height where the camera had moved on a frame clicked on; None where it stood."""
+    on = _on_frames(clicks, spans)
+    if not on:
+        return None
+    moved_px = round(max(one.moved_px for one in on), 1)
+    error_m = error_of_motion(pose, clicks, tuple(spans))
+    if error_m is None:
+        return Said("height-flag-camera-moved", moved_px=moved_px)
+    return Said("height-flag-camera-moved-height", moved_px=moved_px, error_m=round(abs(error_m), 3))
+
+
+def earlier_drift_flag(clicks: Clicks, spans: Sequence[MovedSpan]) -> Said | None:
+    """What an earlier version said: the error on the nearest road in the picture, of checks that told no
+    motion.
+    """
+    worst = max(_on_frames(clicks, spans), key=lambda one: one.moved_px)
+    if worst.change_m is None or worst.motion is not None:
+        return None
+    moved_px, error_m = round(worst.moved_px, 1), round(abs(worst.change_m), 3)
+    return Said("height-flag-camera-moved-by", moved_px=moved_px, error_m=error_m)
+
+
+def _on_frames(clicks: Clicks, spans: Sequence[MovedSpan]) -> list[MovedSpan]:
+    return [one for one in spans if any(one.first_frame <= n <= one.last_frame for n in clicks.frames)]
+
+
+@lru_cache(_MOST_KEPT)
+def error_of_motion(pose: RoadPose, clicks: Clicks, spans: tuple[MovedSpan, ...]) -> float | None:
+    """How much too large a height is by the camera's motions in `spans`, metres: that of the clicks as they
+    are less that of the clicks with the motion undone. None where there is none, or a motion is not told.
+
+    A whole pass takes long to solve and never changes: kept.
+    """
+    if any(one.motion is None for one in spans):
+        return None
+    back = _undone(clicks, spans, (pose.camera.width_px, pose.camera.height_px))
+    if clicks.solves_inset:
+        moved_m, back_m = _solved_m(pose, clicks), _solved_m(pose, back)
+        return None if moved_m is None or back_m is None else moved_m - back_m
+    if clicks.inset_m is None:
+        return None
+    contacts, targets = (clicks.contact, back.contact), (clicks.target_point, back.target_point)
+    found = measure_heights(pose, contacts, targets, *clicks.assumed(), with_uncertainty=False)
+    return float(found.height_m[0] - found.height_m[1]) if found.ok.all() else None
+
+
+def _solved_m(pose: RoadPose, clicks: Clicks) -> float | None:
+    if clicks.followed is None:
+        return measured_frames(pose, clicks).height.height_m
+    return measured_pass(pose, clicks).height.height_m
+
+
+def _undone(clicks: Clicks, spans: Sequence[MovedSpan], size_px: tuple[int, int]) -> Clicks:
+    """The clicks, and what was followed from them, where they lay in the pose's picture."""
+
+    def back(frame: NDArray[np.int64], points_px: Floats) -> Floats:
+        out = np.array(points_px)
+        for one in spans:
+            on = (frame >= one.first_frame) & (frame <= one.last_frame)
+            if one.motion is not None and on.any():
+                out[on] = one.motion.undo(points_px[on], size_px)
+        return out
+
+    clicked = np.array([*clicks.contacts, *clicks.target_points], dtype=np.float64)
+    places = back(np.array(clicks.frames * 2), clicked).reshape(2, -1, 2).tolist()
+    first, *more = (
+        ClickedFrame(frame=n, contact=(x, y), target_point=(u, v))
+        for n, (x, y), (u, v) in zip(clicks.frames, *places, strict=True)
+    )
+    followed = clicks.followed
+    if followed is not None:
+        tracks, following = read_text(followed)
+        followed = text_of(replace(tracks, points_px=back(tracks.frame, tracks.points_px)), following)
+    return replace(
+        clicks,
+        contact=first.contact,
+        target_point=first.target_point,
+        more_frames=tuple(more),
+        followed=followed,
+    )
