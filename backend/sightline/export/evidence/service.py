@@ -21,6 +21,7 @@ from sightline.infra.audit.signing import SigningKey, signing_key
 from sightline.infra.database import Session
 from sightline.infra.database.types import now
 from sightline.infra.services import Services
+from sightline.linescan.gaps import leads
 from sightline.messages import SOURCE
 from sightline.people.store import get_person
 from sightline.scans.records import ScanMeasurement, ScanVehicle
@@ -88,20 +89,22 @@ def _stated(
 
 def _before(session: Session, vehicle: ScanVehicle) -> ScanVehicle | None:
     """The vehicle that a gap is measured to: the one of its direction and lane measured before this, in the
-    order of their fronts. None where that may be one whose lane is not known.
+    order of their fronts, of those beside each other the one that `leads`. None where that may be one whose
+    lane is not known.
     """
     this = _measured(vehicle).values
     lanes = bool(this.rig.get("lanes"))
-    before = None
+    before, rear = None, None
     for one in list_scan_vehicles(session, vehicle.scan_id):
         if one.id == vehicle.id:
             break
         seen = one.measurement and one.measurement.values
         if seen and seen.direction == this.direction:
             if seen.lane == this.lane:
-                before = one
+                if leads((seen.rear_line_1, seen.reason), rear):
+                    before, rear = one, (seen.rear_line_1, seen.reason)
             elif lanes and seen.lane is None:
-                before = None
+                before, rear = None, None
     return before if this.lane is not None or not lanes else None
 
 
