@@ -112,8 +112,8 @@ class LiveRun:
         yield from segment.take(piece)
 
     def _first_segment(self, piece: Piece) -> Segment:
-        """Its line 0 is as much older than the last line as the lines between make, or what a killed run wrote
-        of it.
+        """Its line 0 is older than the last line by as much as the lines since make, or what a killed run
+        wrote of it.
         """
         assert self.source is not None
         came = len(piece.first) + self.source.waiting_bytes // (2 * self.rows)
