@@ -16,7 +16,6 @@ the exact 95 % interval of the rate of a Poisson process that such a count comes
 expect of as long a time again, where vehicles come independently of each other.
 """
 
-from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -337,12 +336,14 @@ def _near_edge(one: Passed, span: tuple[float, float]) -> bool:
 def _still_there(passed: Sequence[Passed], spans: Sequence[tuple[float, float]]) -> list[list[Passed]]:
     """For each of the spans of time, rising, the vehicles that came before it and stand in it."""
     found: list[list[Passed]] = [[] for _ in spans]
-    begins_s = [begin_s for begin_s, _ in spans]
-    for one in passed:
-        since_s = max(one.since_s, 0.0)
-        own = bisect_right(begins_s, since_s)
-        for at in range(own, bisect_left(begins_s, one.since_s + (one.occupied_s or 0.0))):
-            found[at].append(one)
+    begins_s = np.array([begin_s for begin_s, _ in spans])
+    fronts_s = np.array([max(one.since_s, 0.0) for one in passed])
+    rears_s = np.array([one.since_s + (one.occupied_s or 0.0) for one in passed])
+    first = np.searchsorted(begins_s, fronts_s, side="right")
+    last = np.searchsorted(begins_s, rears_s)
+    for one in np.flatnonzero(first < last).tolist():
+        for at in range(first[one], last[one]):
+            found[at].append(passed[one])
     return found
 
 
