@@ -178,6 +178,16 @@ def test_a_rear_that_nobody_saw_is_not_told(monkeypatch):
     assert gap.headway_s == pytest.approx(next_s - stood.front_s, abs=0.01)
 
 
+def test_who_passes_one_that_is_given_up_later_is_not_in_front_of_the_next(monkeypatch):
+    """Given up at 8.6 s, after the other has passed; the next one's gap was 6.24 s, from the other."""
+    monkeypatch.setattr(finding, "STANDS_S", 7.0)
+    passages, _ = found(standing(1.6)[0], SLOW_RIG)
+    stood, beside, after = measured(passages, SLOW_RIG, "direct")
+    assert (stood.motion.reason, stood.rear_s) == (STOOD, None)
+    assert beside.gap.reason is not None and "overlap" in str(beside.gap.reason)
+    assert (after.gap.time_gap_s, after.gap.reason) == (None, REAR_UNSEEN)
+
+
 def test_what_stands_when_the_recording_ends_stood_until_then():
     strips_ = tuple(strip[:9000] for strip in standing(1.6)[0])
     passages, _ = found(strips_, SLOW_RIG)

@@ -25,14 +25,6 @@ BEFORE_UNKNOWN = Said("scan-gap-before-unknown")
 REAR_UNSEEN = Said("scan-gap-rear-unseen")
 
 
-def leads(this: tuple[float, Said | None], before: tuple[float, Said | None] | None) -> bool:
-    """Whether those to come follow this vehicle and not the one before it, each told by the line of its rear
-    at camera 1 and why it has no motion: of two beside each other they follow the one that leaves last. One
-    whose rear nobody saw is taken to have left before the next front.
-    """
-    return before is None or not (rear_seen(before[1]) and rear_seen(this[1])) or this[0] >= before[0]
-
-
 class Leaders:
     """Vehicle after vehicle in the order of their fronts at camera 1: the gap to the one before it of its
     direction and lane, of those beside each other the one whose rear left camera 1 last.
@@ -47,14 +39,17 @@ class Leaders:
         self._count = 0
 
     def next(self, crossings: Crossings, motion: Motion) -> Gap:
-        """The gap before this vehicle, which is the one before from now on unless it `leads` nobody."""
+        """The gap before this vehicle, which is the one before from now on unless that one leaves later.
+
+        One whose rear nobody saw was there at least until it was given up, and is taken to have left before
+        the next front after that.
+        """
         way, self._count = crossings.direction, self._count + 1
         if self._rig.lanes and motion.lane is None:
             self._unknown[way] = self._count
             return Gap(None, None, None, reason=LANE_UNKNOWN)
         before = self._last.get((way, motion.lane))
-        rear = crossings.rear_line_1, motion.reason
-        if leads(rear, before and (before[1].rear_line_1, before[2].reason)):
+        if before is None or crossings.rear_line_1 >= before[1].rear_line_1:
             self._last[way, motion.lane] = self._count, crossings, motion
         if self._unknown.get(way, 0) > (before[0] if before else 0):
             return Gap(None, None, None, reason=BEFORE_UNKNOWN)

@@ -158,7 +158,7 @@ class Watcher:
             if not for_others and self.lines - self._standing.front <= self.spans.stands:
                 return []
             was, self._standing = self._standing, None
-            self._waiting.append(was.event(was.last, cut=True))
+            self._waiting.append(was.event(self.lines, cut=True))
         out, self._waiting = sorted(self._waiting, key=lambda one: one.front), []
         return out
 
