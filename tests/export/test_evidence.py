@@ -98,6 +98,21 @@ def test_a_file_says_all_of_it_verifies_and_is_an_event(
         assert verify_records(session).ok
 
 
+def test_the_vehicle_before_is_the_one_whose_rear_left_last(operator: Client, scan: dict[str, Any]) -> None:
+    """The first one's rear is placed behind the second's: the third follows the first."""
+    one, two, three = vehicles(operator, scan)
+    later = {name: two["measurement"][name] + 50 for name in LINES if name.startswith("rear")}
+    lines = {**{name: one["measurement"][name] for name in LINES}, **later, "version": one["version"]}
+    assert operator.put(f"/scan-vehicles/{one['id']}/boundaries", lines).status_code == 200
+    gap = vehicles(operator, scan)[2]["gap"]
+    told = document_of(made(operator, three))
+    assert told["before"]["vehicle_id"] == one["id"]
+    assert told["gap"]["time_gap_s"] == pytest.approx(gap["time_gap_s"])
+    rate_hz = told["rig_now"]["line_rate_hz"]
+    lines_between = three["measurement"]["front_line_1"] - later["rear_line_1"]
+    assert gap["time_gap_s"] == pytest.approx(lines_between / rate_hz)
+
+
 def test_the_verdict_on_a_motion_that_was_put_back_is_told_by_its_event(
     operator: Client, reviewer: Client, scan: dict[str, Any]
 ) -> None:

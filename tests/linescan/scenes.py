@@ -56,16 +56,16 @@ def stopping(wait_s: float) -> Strips:
     return strips(SITE, (at(cars()[0], 0.9, 7.0, halt=Halt(1.6, wait_s)),))
 
 
-@lru_cache(maxsize=2)
-def standing(at_m: float) -> tuple[Strips, tuple[float, float]]:
-    """A vehicle stands for 7 s with its front so far beyond camera 1, another passes on the far lane, and the
-    next one comes 1.8 s after its rear; the seconds of that rear and of the next front. Of a slower rig.
+@lru_cache(maxsize=3)
+def standing(at_m: float, far: bool = False) -> tuple[Strips, tuple[float, float]]:
+    """A vehicle stands for 7 s with its front so far beyond camera 1, another passes on the other lane, and
+    the next one comes 1.8 s after its rear; the seconds of that rear and of the next front. Of a slower rig.
     """
-    stands = at(cars()[1], 1.2, 7.0, halt=Halt(at_m, 7.0))
+    stands = at(cars()[1], 1.2, 7.0, halt=Halt(at_m, 7.0), far=far)
     rear_s = stands.clear_s(0.0)
-    behind = at(cars()[0], 7.0, 14.0, far=True)
+    beside = at(cars()[0], 7.0, 14.0, far=not far)
     site = replace(SITE, rows=64, line_rate_hz=SLOW_RIG.line_rate_hz)
-    return strips(site, (stands, behind, at(cars()[2], rear_s + 1.8, 12.0))), (rear_s, rear_s + 1.8)
+    return strips(site, (stands, beside, at(cars()[2], rear_s + 1.8, 12.0))), (rear_s, rear_s + 1.8)
 
 
 def found(pair: Strips, rig: Rig = RIG, piece: int = 1500) -> tuple[list[Passage], Finder]:

@@ -7,8 +7,8 @@ import pytest
 from sightline.errors import BadInput
 from sightline.linescan.equations import corrected, printed, solve_crossings
 from sightline.linescan.finding import STOPPED
-from sightline.linescan.gaps import gaps
-from sightline.linescan.parts import Crossings, Entry, Motion, Rig
+from sightline.linescan.gaps import REAR_UNSEEN, gaps
+from sightline.linescan.parts import STOOD, Crossings, Entry, Motion, Rig
 from sightline.linescan.planner import line_rate_for, speed_error
 
 BASELINE_M, RATE_HZ = 0.593, 4882.8
@@ -111,6 +111,24 @@ def test_an_end_is_known_to_so_many_metres_so_a_slow_vehicles_gap_is_less_sure()
         lines_s = 0.06 / RATE_HZ
         one_m = ((0.0028**2 - (lines_s * speed) ** 2) / 1.58) ** 0.5
         assert found == pytest.approx(2**0.5 * ((one_m / speed) ** 2 + lines_s**2) ** 0.5, rel=0.01)
+
+
+def test_after_two_beside_each_other_a_gap_runs_from_the_rear_that_left_last() -> None:
+    """A lorry of 18 m is passed by a car; the next one comes 1 s after the lorry's rear."""
+    rig = Rig(BASELINE_M, RATE_HZ)
+    lorry, car = crossings(12.0, 0.0, 18.0), crossings(20.0, 0.0, 4.0, start=600.0)
+    behind = crossings(12.0, 0.0, 4.0, start=lorry.rear_line_1 + RATE_HZ)
+    vehicles = [
+        (lorry, motion(lorry, 12.0, 0.0, 18.0)),
+        (car, motion(car, 20.0, 0.0, 4.0)),
+        (behind, motion(behind, 12.0, 0.0, 4.0)),
+    ]
+    _, beside, gap = gaps(vehicles, rig)
+    assert beside.time_gap_s is None and "overlap" in str(beside.reason)
+    assert gap.time_gap_s == pytest.approx(1.0) and gap.distance_gap_m == pytest.approx(12.0)
+    assert gap.headway_s == pytest.approx(2.5)
+    unseen = gaps([(lorry, Motion("direct", lorry, "not_measurable", STOOD)), *vehicles[1:]], rig)[2]
+    assert (unseen.time_gap_s, unseen.reason, unseen.headway_s) == (None, REAR_UNSEEN, gap.headway_s)
 
 
 def test_a_gap_that_cannot_be_known_has_its_reason() -> None:

@@ -137,15 +137,32 @@ def test_a_vehicle_that_stops_in_view_is_not_measured(wait_s):
 
 @pytest.mark.parametrize("at_m", [0.3, 1.6])
 def test_a_vehicle_that_stands_is_in_view_until_it_has_gone(at_m):
-    """With its front between the cameras (0.3 m), or before both; then, what passes it is found too."""
+    """With its front between the cameras (0.3 m), or before both; what passes it is found too."""
     pair, (rear_s, next_s) = standing(at_m)
     passages, _ = found(pair, SLOW_RIG)
     stood, beside, after = measured(passages, SLOW_RIG, "direct")
     assert stood.motion.reason == STOPPED and stood.rear_s == pytest.approx(rear_s, abs=0.012)
     assert after.front_s == pytest.approx(next_s, abs=0.01)
-    assert at_m < 1 or beside.front_s == pytest.approx(7.0, abs=0.05)
-    gap = gaps([(one.motion.crossings, one.motion) for one in (stood, after)], SLOW_RIG)[1]
-    assert gap.time_gap_s == pytest.approx(1.8, abs=0.012)
+    assert beside.front_s == pytest.approx(7.0, abs=0.05)
+    assert beside.motion.speed_mps == pytest.approx(14.0, abs=0.1)
+    assert after.gap.time_gap_s == pytest.approx(1.8, abs=0.012)
+
+
+def test_what_leaves_is_no_vehicle_in_pieces():
+    """Parts of it that look as it did while it stood were two more vehicles, at 10.68 and 11.18 s."""
+    passages, finder = found(standing(1.6, far=True)[0], SLOW_RIG)
+    fronts_s = [one.crossings.front_line_1 / SLOW_RIG.line_rate_hz for one in passages]
+    assert fronts_s == pytest.approx([1.48, 7.0, 13.5], abs=0.05) and finder.alone == 0
+
+
+def test_vehicles_come_in_the_order_of_their_fronts_at_camera_1_also_beside_one_that_stands_before_camera_2():
+    (first, second), _ = standing(0.3)
+    passages, _ = found((second, first), SLOW_RIG)
+    beside, stood, after = measured(passages, SLOW_RIG, "direct")
+    assert [one.motion.reason for one in (beside, stood, after)] == [None, STOPPED, None]
+    assert beside.front_s == pytest.approx(7.0 + RIG.baseline_m / 14.0, abs=0.05)
+    assert stood.rear_s == pytest.approx(12.04, abs=0.012)  # of the other camera, when it has left both
+    assert after.gap.time_gap_s == pytest.approx(after.front_s - stood.rear_s)
 
 
 def test_a_rear_that_nobody_saw_is_not_told(monkeypatch):
@@ -159,6 +176,16 @@ def test_a_rear_that_nobody_saw_is_not_told(monkeypatch):
     gap = gaps([(one.motion.crossings, one.motion) for one in (stood, after)], SLOW_RIG)[1]
     assert (gap.time_gap_s, gap.distance_gap_m, gap.reason) == (None, None, REAR_UNSEEN)
     assert gap.headway_s == pytest.approx(next_s - stood.front_s, abs=0.01)
+
+
+def test_who_passes_one_that_is_given_up_later_is_not_in_front_of_the_next(monkeypatch):
+    """Given up at 8.6 s, after the other has passed; the next one's gap was 6.24 s, from the other."""
+    monkeypatch.setattr(finding, "STANDS_S", 7.0)
+    passages, _ = found(standing(1.6)[0], SLOW_RIG)
+    stood, beside, after = measured(passages, SLOW_RIG, "direct")
+    assert (stood.motion.reason, stood.rear_s) == (STOOD, None)
+    assert beside.gap.reason is not None and "overlap" in str(beside.gap.reason)
+    assert (after.gap.time_gap_s, after.gap.reason) == (None, REAR_UNSEEN)
 
 
 def test_what_stands_when_the_recording_ends_stood_until_then():

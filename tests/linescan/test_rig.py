@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -9,7 +10,7 @@ import pytest
 from sightline.errors import BadInput
 from sightline.linescan.finding import STOPPED
 from sightline.linescan.gaps import gaps
-from sightline.linescan.parts import Crossings, Motion, Rig
+from sightline.linescan.parts import Crossings, Lane, Motion, Rig
 from sightline.linescan.rig import baseline_ratio, gain, misalignment, require_rig, wheelbase
 
 RIG = Rig(0.593, 4882.8)
@@ -130,3 +131,19 @@ def test_values_that_no_rig_has_are_refused(field: str, value: float, says: str)
     require_rig(rig)
     with pytest.raises(BadInput, match=re.escape(says)):
         require_rig(replace(rig, **{field: value}))
+
+
+@pytest.mark.parametrize(
+    ("away", "says"),
+    [
+        ({"distance_m": 12.0}, "planes are -0.007 m apart at 12 m; at least 0.01 m are needed."),
+        ({"lanes": (Lane("near", 5.0), Lane("far", 12.0))}, "planes are -0.007 m apart at 12 m"),
+        ({"lanes": (Lane("far", 11.8), Lane("near", 5.0))}, "planes are 0.003 m apart at 11.8 m"),
+    ],
+)
+def test_planes_that_meet_before_the_vehicles_are_refused(away: dict[str, Any], says: str) -> None:
+    """0.593 m and 50 mrad towards each other: beyond 11.86 m, speeds would be negative."""
+    rig = Rig(0.593, 4882.8, divergence_rad=-0.05)
+    require_rig(replace(rig, distance_m=5.0))
+    with pytest.raises(BadInput, match=re.escape(says)):
+        require_rig(replace(rig, **away))

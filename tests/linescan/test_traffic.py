@@ -160,6 +160,20 @@ def test_vehicles_near_an_edge_or_a_limit_are_counted() -> None:
     assert second.unclassed == 1
 
 
+def test_an_occupancy_is_as_unsure_as_those_who_came_before_and_still_stand() -> None:
+    """One that came at 50 s stands until 200 s, alone in the second and third minute."""
+    for moving in (True, False):
+        motion = (5.0, 0.01, 4.0, 0.02) if moving else ()
+        found = intervals([Passed(50.0, 150.0, 0.01, *motion)], 300.0, clock(), 1)
+        told = [one.occupancy_percent for one in found]
+        values = [pytest.approx(one) for one in (100 / 6, 100.0, 100.0, 100 / 3, 0.0)]
+        assert [one.value for one in told] == values
+        u = pytest.approx(100 * 0.02 / 5.0 / 60) if moving else None
+        assert [one.u for one in told] == [u, u, u, u, 0.0]
+        said = [any("1 of the vehicles" in str(reason) for reason in one.reasons) for one in found]
+        assert said == [not moving] * 4 + [False]
+
+
 def test_occupancy_is_not_told_where_nobody_knows_how_long_a_vehicle_stood() -> None:
     """From its front to the next one, or to the end."""
     passed = [Passed(10.0, 6.0), Passed(70.0, None), Passed(130.0, 3.0)]

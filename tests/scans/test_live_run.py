@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -11,7 +12,8 @@ import pytest
 from sightline.linescan.finding import Finder
 from sightline.linescan.parts import Rig
 from sightline.linescan.passing import measured
-from sightline.media.lines.source import Lost, Piece
+from sightline.media.lines.followed import FollowedLines
+from sightline.media.lines.source import Ending, LineSource, Lost, Piece
 from sightline.media.strips.reader import open_strip
 from sightline.media.strips.sheet import Pixels
 from sightline.scans.live.records import Keeper, LiveHealth, LiveVehicle
@@ -28,7 +30,7 @@ RIG = Rig(SITE.baseline_m, SITE.line_rate_hz)
 class Played:
     """A source of strips in pieces of 500 lines; `lost`: lines that did not arrive."""
 
-    name, broken, waiting_bytes = "played", False, 0
+    name, broken, waiting_bytes, last_at = "played", False, 0, None
 
     def __init__(self, pair: tuple[Pixels, Pixels], lost: tuple[Lost, ...] = ()) -> None:
         self.notes: list[str] = []
@@ -53,7 +55,7 @@ def _part(gap: Lost, start: int, stop: int) -> Lost | None:
     return Lost(gap.camera, begin, end - begin) if begin < end else None
 
 
-def live_run(source: Callable[[int], Played], folder: Path | None = None, **more: object) -> LiveRun:
+def live_run(source: Callable[[int], LineSource], folder: Path | None = None, **more: object) -> LiveRun:
     options = {"folder": folder, "keeper": Keeper(), "say": print, "name": "played", **more}
     return LiveRun(source, SITE.rows, RIG, "direct", **options)  # type: ignore[arg-type]
 
@@ -176,6 +178,22 @@ def test_line_0_came_before_the_piece_that_brought_it(
     first = next(live_run(lambda _: source, clock=stopped_at(1e9)).vehicles())
     lines = clean[0].vehicle.motion.crossings.front_line_1 - 500 - 700
     assert first.at.timestamp() == pytest.approx(1e9 + lines / RIG.line_rate_hz, abs=1e-5)
+
+
+@pytest.mark.parametrize("ahead_s", [-7200.0, 30.0])
+def test_a_followed_file_at_rest_tells_when_it_was_written(
+    pair: tuple[Pixels, Pixels], clean: list[LiveVehicle], tmp_path: Path, ahead_s: float
+) -> None:
+    """Its last line came when it was last modified, two hours ago; never later than now."""
+    path, ending = tmp_path / "lines.raw", Ending()
+    path.write_bytes(np.stack([np.array(one, np.uint8) for one in pair], axis=1).tobytes())
+    os.utime(path, (1e9 + ahead_s, 1e9 + ahead_s))
+    source = FollowedLines(path, SITE.rows, ending, idle_s=0.1)
+    told = list(live_run(lambda _: source, clock=stopped_at(1e9)).vehicles())
+    ending.close()
+    for one, same in zip(told, clean, strict=True):
+        lines = same.vehicle.motion.crossings.front_line_1 - len(pair[0])
+        assert one.at.timestamp() == pytest.approx(1e9 + min(ahead_s, 0) + lines / RIG.line_rate_hz, abs=1e-3)
 
 
 def test_a_followed_file_taken_up_an_hour_later_tells_when_its_lines_were_taken(

@@ -15,14 +15,15 @@ from pytest import approx
 from sightline.cli import main
 from sightline.errors import Damaged
 from sightline.export.build import build
-from sightline.export.scans import scans_in
+from sightline.export.measured import statistics_of
+from sightline.export.scans import scanned_motions, scans_in
 from sightline.export.seal import read_seal
 from sightline.export.traffic import traffic_in
 from sightline.export.verify.chain import walk
 from sightline.export.verify.derived import check_statistics
 from sightline.export.verify.described import read_description
 from sightline.export.verify.package import verify_package, verify_place
-from sightline.infra.csv_package.files import FolderFiles, Staging, unsafe
+from sightline.infra.csv_package.files import FolderFiles, Staging, read_rows, unsafe
 from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.infra.services import Services
 from sightline.recordings.filming import FILMED, Filming
@@ -247,7 +248,10 @@ def test_traffic_is_counted_and_computed_again(package: Path, capsys: pytest.Cap
 
 @pytest.mark.parametrize("chosen", [("category", "saloon"), ("lighting", "low_light")])
 def test_traffic_of_a_package_of_one_class_or_lighting_is_that_of_all_vehicles(
-    package: Path, capsys: pytest.CaptureFixture[str], chosen: tuple[str, str]
+    package: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    chosen: tuple[str, str],
 ) -> None:
     """Nine vehicles two seconds apart by day, each third a saloon: the road is as full whoever is chosen."""
     (first,) = rows(package, "scan_vehicles")
@@ -260,12 +264,22 @@ def test_traffic_of_a_package_of_one_class_or_lighting_is_that_of_all_vehicles(
         many.append({**first, **since, "id": str(k + 1), "category": "van" if k % 3 else "saloon"})
     rewrite(package, "scan_vehicles.csv", many)
     files = FolderFiles(package)
-    whole = traffic_in(files, (60,))
+    cars = list(scanned_motions(files))
+    whole = traffic_in(files, cars, (60,))
     assert (whole[0].intervals[0].vehicles, whole[0].intervals[0].mean_headway_s) == (9, approx(2.0))
     (package / "tables" / "selection.csv").write_text(f"by,word\r\n{','.join(chosen)}\r\n")
-    assert [vars(one) for one in traffic_in(files, (60,))] == [vars(one) for one in whole]
-    assert scans_in(files).counted["vehicles"] == (3 if chosen[0] == "category" else 0)
+    assert [vars(one) for one in traffic_in(files, cars, (60,))] == [vars(one) for one in whole]
+    assert scans_in(files, cars).counted["vehicles"] == (3 if chosen[0] == "category" else 0)
+    read = list[str]()
+
+    def reading(of: Any, name: str) -> Any:
+        read.append(name)
+        return read_rows(of, name)
+
+    monkeypatch.setattr("sightline.export.scans.read_rows", reading)
+    statistics_of(files)
     assert main(["flow", str(package), "--interval", "60", "--json"]) == 0
+    assert read == 2 * ["scan_vehicles.csv"]  # once each
     assert len(json.loads(capsys.readouterr().out)["vehicles"]) == 9
 
 

@@ -102,6 +102,16 @@ def test_who_stands_occupies_every_interval_and_the_next_day(tmp_path: Path) -> 
     assert later == [row for row in rows.values() if row["from"] >= "2026-05-05"]
 
 
+def test_two_that_stand_beside_each_other_at_midnight_occupy_it_once(tmp_path: Path) -> None:
+    """One until 200 s after it; two others until 100 and 150 s after it."""
+    beside = replace(standing_passing(2, 1790.0, 1900.0), direction="camera_2_first")
+    cars = (standing_passing(1, 1700.0, 2000.0), beside, standing_passing(3, 1850.0, 1950.0))
+    add_recorded(tmp_path, Recorded("queue", "ab" * 32, 3600.0, cars, ()), stood("2026-05-04T23:30"))
+    with ArchiveTables(tmp_path) as tables:
+        rows = {row["from"][8:16]: row["occupancy_ratio"] for row in tables.intervals(Asked(minutes=5))}
+    assert (rows["04T23:55"], rows["05T00:00"]) == (pytest.approx(100 / 300), pytest.approx(200 / 300))
+
+
 def test_the_median_gap_is_of_measured_vehicles(tmp_path: Path) -> None:
     """Three refused vehicles came 0.1 s after others, by rough fronts; those measured 2 s."""
     came = [
@@ -127,6 +137,21 @@ def test_occupancy_is_empty_from_a_rear_that_nobody_saw_to_the_next_front(tmp_pa
     short = [row["occupancy_ratio"] for row in rows if row["class"] == "under 6 m"]
     assert short == [0.0, 0.0, pytest.approx(6 / 300), 0.0]
     assert "the rear of a vehicle that stood was not seen" in rows[0]["reason"]
+
+
+def test_a_rear_that_nobody_saw_is_of_its_recording_and_goes_over_midnight(tmp_path: Path) -> None:
+    unseen = replace(standing_passing(1, 1700.0, 1700.0), rear_s=None, rear_line_1=None, length_m=None)
+    cars = (unseen, standing_passing(2, 2200.0, 2206.0))
+    add_recorded(tmp_path, Recorded("night", "ab" * 32, 3600.0, cars, ()), stood("2026-05-04T23:30"))
+    add_recorded(tmp_path, Recorded("noon", "cd" * 32, 1800.0, (unseen,), ()), stood("2026-05-05T12:30"))
+    add_recorded(tmp_path, Recorded("later", "ef" * 32, 3600.0, (), ()), stood("2026-05-05T14:00"))
+    with ArchiveTables(tmp_path) as tables:
+        rows = {row["from"][8:16]: row["occupancy_ratio"] for row in tables.intervals(Asked(minutes=5))}
+        (hour,) = [row for row in tables.intervals(Asked()) if row["from"][8:16] == "05T14:00"]
+    night = [rows[at] for at in ("04T23:50", "04T23:55", "05T00:00", "05T00:05", "05T00:10")]
+    assert night == [0.0, None, None, None, 0.0]
+    assert [rows[at] for at in ("05T12:50", "05T12:55", "05T14:00")] == [0.0, None, 0.0]
+    assert hour["occupancy_ratio"] == 0.0 and hour["reason"] == "no vehicle"
 
 
 def test_u_of_the_means_is_none_too_small_for_the_space_mean(tmp_path: Path) -> None:

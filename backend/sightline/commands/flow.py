@@ -113,8 +113,8 @@ def _of_package(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic],
     files = open_package(place)
     if place_of(files, _SCANS) not in files.paths:
         raise BadInput("commands-flow-folder-empty", place=place)
-    found = traffic_in(files, minutes)
     cars, rows, filmed = list(scanned_motions(files)), Rows(), selection_in(files)
+    found = traffic_in(files, cars, minutes)
     for scan in scans_in(files):
         if scan.clock is not None:
             own = tuple(one for one in cars if one.scan_id == scan.scan_id and one.since_s is not None)

@@ -32,7 +32,10 @@ from sightline.scans.live.run import LiveRun
 @click.option(
     "--follow",
     type=click.Path(dir_okay=False, path_type=Path),
-    help="Read a growing file instead of standard input.",
+    help=(
+        "Read a growing file instead of standard input; its last line was taken when the file was last "
+        "modified, so a copy must keep that time."
+    ),
 )
 @click.option(
     "--until-idle",

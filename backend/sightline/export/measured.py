@@ -14,7 +14,7 @@ from typing import Any, get_args
 import numpy as np
 
 from sightline.enums import Correction, Rounding, Target
-from sightline.export.scans import scan_heights_in, scans_in
+from sightline.export.scans import scan_heights_in, scanned_motions, scans_in
 from sightline.export.traffic import traffic_in
 from sightline.geometry.documents import camera_across_m
 from sightline.infra.csv_package.files import Files, read_columns, unsafe
@@ -107,7 +107,10 @@ def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()
     for correction, rounding in wanted:
         chosen = StatisticsOptions(rounding, correction, choices.u_reference_m, choices.own_standards, table)
         found[correction, rounding] = made_of(measured, left_out, chosen, groupings, {}, {})
-    return PackageStatistics(found, scans_in(files), scan_heights_in(files), traffic_in(files))
+    scanned = list(scanned_motions(files))
+    return PackageStatistics(
+        found, scans_in(files, scanned), scan_heights_in(files), traffic_in(files, scanned)
+    )
 
 
 def measured_in(files: Files) -> Measured:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import asdict
 from typing import Any, cast, get_args
 
@@ -166,10 +166,10 @@ CARS = statistics_table(
 TABLES = (ERRORS, BASELINES, QUANTITIES, PERCENTILES, ECDF, HEIGHTS, REFERENCES, CARS)
 
 
-def scans_in(files: Files) -> ScanStatistics:
-    """Statistics of the accepted vehicles of all line scans that a package is of, from its tables."""
+def scans_in(files: Files, found: Iterable[VehicleMotion]) -> ScanStatistics:
+    """Statistics of the accepted vehicles of all line scans that a package is of, `found` all it has."""
     filmed, of_kind = selection_in(files), chosen_scanned(files).of_kind
-    seen = [one for one in scanned_motions(files) if str(one.vehicle_id) in of_kind]
+    seen = [one for one in found if str(one.vehicle_id) in of_kind]
     return statistics_of_seen(seen, accepted_only=True, filmed=filmed)
 
 

@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import get_args, get_type_hints
 
 from sightline.enums import ScanDirection
-from sightline.export.scans import scanned_motions
 from sightline.export.statistics_rows import Cells, statistics_table
 from sightline.infra.csv_package.columns import (
     CODE,
@@ -25,6 +24,7 @@ from sightline.infra.csv_package.schema import Column
 from sightline.linescan.traffic import MINUTES, Figure, Interval
 from sightline.results.csv import selection_in
 from sightline.scans.clock import clock_of
+from sightline.scans.statistics.service import VehicleMotion
 from sightline.scans.statistics.traffic import PERCENTS, ScanTraffic, ShownInterval, Watched, traffic_of_seen
 
 _WAY = text(
@@ -132,14 +132,16 @@ _PLAIN = [
 _FIGURES = [name for name, kind in get_type_hints(Interval).items() if kind is Figure]
 
 
-def traffic_in(files: Files, lengths: Sequence[int] = MINUTES) -> tuple[ScanTraffic, ...]:
-    """The traffic of a package's line scans, from its tables; intervals of the first length first, of
-    `lengths` in minutes.
+def traffic_in(
+    files: Files, found: Sequence[VehicleMotion], lengths: Sequence[int] = MINUTES
+) -> tuple[ScanTraffic, ...]:
+    """The traffic of a package's line scans, `found` all its vehicles; intervals of the first length first,
+    of `lengths` in minutes.
 
     Its days and hours alone limit it: without vehicles of other classes, flows and headways would be of an
     emptier road.
     """
-    watched, found, filmed = scans_in(files), list(scanned_motions(files)), selection_in(files)
+    watched, filmed = scans_in(files), selection_in(files)
     return tuple(
         one
         for minutes in lengths

@@ -184,9 +184,9 @@ class Finder:
         while one and two:
             way = self._direction(one[0], two[0])
             if way is None:
-                (one if one[0].rear < two[0].rear else two).popleft()
-                self.alone += 1
-                continue
+                if self._parted(last):
+                    continue
+                break
             if not last and min(reel.stop for reel in self._buffers) < self._needed_to(one[0], two[0]):
                 break
             out.append(self._passage(one.popleft(), two.popleft()))
@@ -194,14 +194,41 @@ class Finder:
         self._drop_late()
         return out
 
+    def _parted(self, last: bool) -> bool:
+        """Of first events that are not of one vehicle, the one that ends first stays alone. Where one passed
+        while another stood before one camera alone, camera 1's first event goes on with its own partner, so
+        that vehicles stay in the order of their fronts there; False until that has come.
+        """
+        one, two = self._waiting
+        stood, passed = (one[0], two[0]) if one[0].front < two[0].front else (two[0], one[0])
+        if not (stood.still or stood.cut) or stood.rear <= passed.rear:
+            self._leave_alone(0 if one[0].rear < two[0].rear else 1)
+            return True
+        partner = next((event for event in two if self._direction(one[0], event) is not None), None)
+        if partner is not None:
+            two.remove(partner)
+            two.appendleft(partner)
+            return True
+        kept = self._buffers[0].stop - passed.front <= self.spans.longest
+        if not last and kept and self._may_come(1, one[0]):
+            return False
+        self._leave_alone(0)
+        return True
+
     def _drop_late(self) -> None:
-        slowest = self.baseline_m / SPEEDS_MPS[0] * self.rig.line_rate_hz
-        for waiting, other in ((self._waiting[0], 1), (self._waiting[1], 0)):
-            while waiting and not self._waiting[other]:
-                if self.watchers[other].busy_since < waiting[0].rear + slowest + self.margin:
+        for k in (0, 1):
+            while self._waiting[k] and not self._waiting[1 - k]:
+                if self._may_come(1 - k, self._waiting[k][0]):
                     break
-                waiting.popleft()
-                self.alone += 1
+                self._leave_alone(k)
+
+    def _may_come(self, camera: int, partner: Event) -> bool:
+        """Whether camera 1 (0) or 2 (1) can still see what the other saw."""
+        slowest = self.baseline_m / SPEEDS_MPS[0] * self.rig.line_rate_hz
+        return self.watchers[camera].busy_since < partner.rear + slowest + self.margin
+
+    def _leave_alone(self, camera: int) -> None:
+        self.alone += not self._waiting[camera].popleft().leaving
 
     def _needed_to(self, one: Event, two: Event) -> float:
         return max(one.rear, two.rear) + 2 * self.margin
@@ -211,7 +238,7 @@ class Finder:
         delay = two.front - one.front
         if one.still or two.still or one.cut or two.cut:
             overlap = min(one.rear, two.rear) - max(one.front, two.front)
-            return 1 if overlap > -self.spans.guard else None
+            return 1 if overlap > -self.spans.guard and not self._overtaken(one, two) else None
         shift = self._shift(one, two)
         lines = self.baseline_m * self.rig.line_rate_hz
         # a step of uncertainty in the delay matters where it is only a few steps long
@@ -221,11 +248,21 @@ class Finder:
         if most_mps < SPEEDS_MPS[0] or least_mps > SPEEDS_MPS[1] or most_mps * duration < LENGTHS_M[0]:
             return None
         apart = min(one.rear, two.rear) <= max(one.front, two.front)
-        if not self._alike(one, two) and (apart or least_mps * duration > LENGTHS_M[1]):
+        leaving = one.leaving or two.leaving
+        if not self._alike(one, two) and (apart or leaving or least_mps * duration > LENGTHS_M[1]):
             return None
         if apart and least_mps * duration > LENGTHS_M[1]:
             return None
         return 1 if delay + two.rear - one.rear > 0 else -1
+
+    def _overtaken(self, one: Event, two: Event) -> bool:
+        """Whether one camera's event lies within the other's, so that front and rear tell opposite ways: what
+        stood before one camera, and another that passed. An event that was cut ends no earlier than that.
+        """
+        fronts, rears = two.front - one.front, two.rear - one.rear
+        rears = min(rears, 0.0) if one.cut else rears
+        rears = max(rears, 0.0) if two.cut else rears
+        return fronts * rears < 0 and min(abs(fronts), abs(rears)) > self.spans.guard
 
     def _shift(self, one: Event, two: Event) -> float:
         """Lines from camera to camera, the mean of front and rear, whichever way."""

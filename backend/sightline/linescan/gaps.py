@@ -27,7 +27,7 @@ REAR_UNSEEN = Said("scan-gap-rear-unseen")
 
 class Leaders:
     """Vehicle after vehicle in the order of their fronts at camera 1: the gap to the one before it of its
-    direction and lane.
+    direction and lane, of those beside each other the one whose rear left camera 1 last.
 
     Where a rig has lanes and a vehicle's is not known, neither its gap is, nor the next one of either lane.
     """
@@ -39,13 +39,18 @@ class Leaders:
         self._count = 0
 
     def next(self, crossings: Crossings, motion: Motion) -> Gap:
-        """The gap before this vehicle, which is the one before from now on."""
+        """The gap before this vehicle, which is the one before from now on unless that one leaves later.
+
+        One whose rear nobody saw was there at least until it was given up, and is taken to have left before
+        the next front after that.
+        """
         way, self._count = crossings.direction, self._count + 1
         if self._rig.lanes and motion.lane is None:
             self._unknown[way] = self._count
             return Gap(None, None, None, reason=LANE_UNKNOWN)
         before = self._last.get((way, motion.lane))
-        self._last[way, motion.lane] = self._count, crossings, motion
+        if before is None or crossings.rear_line_1 >= before[1].rear_line_1:
+            self._last[way, motion.lane] = self._count, crossings, motion
         if self._unknown.get(way, 0) > (before[0] if before else 0):
             return Gap(None, None, None, reason=BEFORE_UNKNOWN)
         if before is None:

@@ -173,9 +173,9 @@ class Motion:
 
 @dataclass(frozen=True)
 class Gap:
-    """From the rear of the vehicle before it of its direction and lane to this front, at camera 1; None where
-    unknown. The distance is by the leader's own fitted motion, the paper's is time gap times the mean speed;
-    the headway runs from front to front.
+    """From the rear of the vehicle before it of its direction and lane (of those beside each other the one
+    that left last) to this front, at camera 1; None where unknown. The distance is by the leader's own fitted
+    motion, the paper's is time gap times the mean speed; the headway runs from front to front.
     """
 
     time_gap_s: float | None

@@ -74,8 +74,8 @@ LIMITS: Mapping[str, Limits] = {
 
 
 def require_rig(rig: Rig, named: Mapping[str, str] | None = None) -> None:
-    """Raise BadInput for the first value that no rig has, and for a divergence without its distance;
-    `named`: what values are called instead.
+    """Raise BadInput for the first value that no rig has, for a divergence without its distance, and for
+    planes that lie too near to each other where vehicles are; `named`: what values are called instead.
     """
     for name, limits in LIMITS.items():
         value = getattr(rig, name)
@@ -85,6 +85,15 @@ def require_rig(rig: Rig, named: Mapping[str, str] | None = None) -> None:
     _require_lanes(rig.lanes)
     if (rig.divergence_rad or rig.u_divergence_rad) and rig.distance_m is None and not rig.lanes:
         raise BadInput("linescan-divergence-without-distance")
+    for distance_m in [one.distance_m for one in rig.lanes] or [rig.distance_m or 0.0]:
+        baseline_m = rig.baseline_m + rig.divergence_rad * distance_m
+        if baseline_m < BASELINE_M.least:
+            raise BadInput(
+                "linescan-planes-too-near",
+                distance_m=format(distance_m, ".7g"),
+                baseline_m=format(baseline_m, ".3g"),
+                least_m=format(BASELINE_M.least, ".7g"),
+            )
 
 
 def rig_from(document: Mapping[str, Any]) -> Rig:

@@ -181,12 +181,14 @@ def intervals(
     unknown = [one.occupied_s is None for one in passed]
     unsure = np.stack([np.array(fronts_s), open_until[: len(passed)]], 1)[unknown]
     begins, stops = np.searchsorted(np.array(fronts_s), np.array(spans).reshape(-1, 2).T).tolist()
+    still = _still_there(passed, spans)
     out = []
-    for begin, before_stop, (begin_s, stop_s) in zip(begins, stops, spans, strict=True):
+    for begin, before_stop, (begin_s, stop_s), before in zip(begins, stops, spans, still, strict=True):
         stop = len(passed) if stop_s == end_s else before_stop
         out.append(
             _interval(
                 passed[begin:stop],
+                before,
                 [gap for gap in headways[begin:stop] if gap is not None],
                 None if _overlap(unsure, begin_s, stop_s) else _overlap(covered, begin_s, stop_s),
                 (begin_s, stop_s),
@@ -212,6 +214,7 @@ def _spans(into_hour_s: Callable[[float], float], long_s: float, end_s: float) -
 
 def _interval(
     inside: Sequence[Passed],
+    before: Sequence[Passed],
     headways: Sequence[float],
     occupied_s: float | None,
     span: tuple[float, float],
@@ -225,12 +228,13 @@ def _interval(
     time_mean, space_mean = mean_speeds(moving)
     occupancy = Figure()
     if occupied_s is not None:
-        occupancy = Figure(100 * occupied_s / watched_s, _u_occupancy(inside, watched_s))
+        occupancy = Figure(100 * occupied_s / watched_s, _u_occupancy([*before, *inside], watched_s))
     reasons = [] if moving else [_NO_SPEED]
     if occupancy.value is None:
         reasons.append(_REAR_UNSEEN)
     elif occupancy.u is None:
-        reasons.append(Said("scan-flow-no-u-occupancy", count=len(inside) - len(moving)))
+        unmoved = sum(_u_standing_s(one) is None for one in (*before, *inside))
+        reasons.append(Said("scan-flow-no-u-occupancy", count=unmoved))
     lengths = [one for one in inside if one.length_m is not None]
     return Interval(
         begin_s=span[0],
@@ -329,12 +333,30 @@ def _near_edge(one: Passed, span: tuple[float, float]) -> bool:
     return any(abs(one.since_s - edge) <= reach_s for edge in span)
 
 
-def _u_occupancy(inside: Sequence[Passed], watched_s: float) -> float | None:
-    """Each vehicle's time before the camera is known at least as well as its length over its speed."""
-    if any(not one.speed_mps or one.u_length_m is None for one in inside):
-        return None
-    each_s = [(one.u_length_m or 0.0) / (one.speed_mps or 1.0) for one in inside]
-    return 100 * hypot(*each_s) / watched_s if each_s else 0.0
+def _still_there(passed: Sequence[Passed], spans: Sequence[tuple[float, float]]) -> list[list[Passed]]:
+    """For each of the spans of time, rising, the vehicles that came before it and stand in it."""
+    found: list[list[Passed]] = [[] for _ in spans]
+    begins_s = np.array([begin_s for begin_s, _ in spans])
+    fronts_s = np.array([max(one.since_s, 0.0) for one in passed])
+    rears_s = np.array([one.since_s + (one.occupied_s or 0.0) for one in passed])
+    first = np.searchsorted(begins_s, fronts_s, side="right")
+    last = np.searchsorted(begins_s, rears_s)
+    for one in np.flatnonzero(first < last).tolist():
+        for at in range(first[one], last[one]):
+            found[at].append(passed[one])
+    return found
+
+
+def _u_occupancy(standing: Sequence[Passed], watched_s: float) -> float | None:
+    """Of the vehicles that stood before the camera meanwhile; None where it is not known of one."""
+    each_s = [_u_standing_s(one) for one in standing]
+    known_s = [one for one in each_s if one is not None]
+    return 100 * hypot(*known_s) / watched_s if len(known_s) == len(each_s) else None
+
+
+def _u_standing_s(one: Passed) -> float | None:
+    """A vehicle's time before the camera is known at least as well as its length over its speed."""
+    return one.u_length_m / one.speed_mps if one.speed_mps and one.u_length_m is not None else None
 
 
 def _covered(passed: Sequence[Passed]) -> NDArray[np.float64]:

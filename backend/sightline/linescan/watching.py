@@ -1,6 +1,6 @@
 """Watches one strip: from blocks of lines to events, the spans in which something hid the road."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,13 +41,16 @@ class Spans:
 
 @dataclass(frozen=True, eq=False)
 class Event:
-    """Lines `front` to `rear` (of whole steps) in which something stood before the road."""
+    """Lines `front` to `rear` (of whole steps) in which something stood before the road; `leaving`: while
+    what had stood there left, and may be a part of that.
+    """
 
     front: float
     rear: float
     road: Road
     still: bool = False
     cut: bool = False
+    leaving: bool = False
 
 
 @dataclass(eq=False)
@@ -155,7 +158,7 @@ class Watcher:
             if not for_others and self.lines - self._standing.front <= self.spans.stands:
                 return []
             was, self._standing = self._standing, None
-            self._waiting.append(was.event(was.last, cut=True))
+            self._waiting.append(was.event(self.lines, cut=True))
         out, self._waiting = sorted(self._waiting, key=lambda one: one.front), []
         return out
 
@@ -176,6 +179,13 @@ class Watcher:
         self._stands_no_longer()
         assert self._open is not None
         self._open.last = self.lines - step * seen
+        # it has left since it last stood still
+        since: float = self._open.last
+        for at, event in reversed(list(enumerate(self._waiting))):
+            if since - event.rear >= self.spans.still:
+                break
+            since = event.front
+            self._waiting[at] = replace(event, leaving=True)
 
     def _stands_no_longer(self) -> None:
         """What stood is the event under way again, before its own road."""

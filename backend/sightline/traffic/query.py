@@ -6,7 +6,8 @@ only where at least half of the interval was watched. Time mean speed: the mean 
 speed: the harmonic mean, as a stretch of road shows it (Wardrop 1952). Percentiles: Hyndman and Fan's type 8,
 without bias of the median, as everywhere in Sightline. u of the means: what neither exceeds, whatever the
 vehicles share: the mean of their own u, or that of u / v squared times the square of the space mean speed
-(JCGM 100:2008, 5.2.2), the larger. A vehicle that stands occupies every interval in which it does.
+(JCGM 100:2008, 5.2.2), the larger. A vehicle that stands occupies every interval in which it does; where
+nobody saw its rear, occupancy is not told from its front to the next one, or to the end of its recording.
 """
 
 from __future__ import annotations
@@ -151,7 +152,8 @@ def classes_of(limits_m: Sequence[float]) -> list[str]:
 _NOBODY = """
 SELECT NULL::DATE AS day, NULL::VARCHAR AS lane, NULL::VARCHAR AS status, NULL::DOUBLE AS since_midnight_s,
   NULL::DOUBLE AS occupied_s, NULL::DOUBLE AS speed_mps, NULL::DOUBLE AS u_speed_mps,
-  NULL::DOUBLE AS length_m, NULL::DOUBLE AS time_gap_s WHERE false
+  NULL::DOUBLE AS length_m, NULL::DOUBLE AS time_gap_s,
+  NULL::VARCHAR AS recording_sha256 WHERE false
 """
 
 
@@ -182,17 +184,19 @@ def _intervals_sql(asked: Asked) -> str:
       SELECT lane, {begins} + floor(since_midnight_s / {step})::BIGINT AS cell, length_m,
         time_gap_s, speed_mps, u_speed_mps, {_kind_sql(asked.limits_m)} AS kind
       FROM vehicles
-    ), days AS (SELECT day, any_value(day_s) AS day_s FROM watched GROUP BY day
+    ), days AS (
+      SELECT day, any_value(day_s) AS day_s, epoch(any_value(midnight_at)) AS begin_s
+      FROM watched GROUP BY day
+    ), came AS (SELECT *, since_midnight_s + occupied_s AS until_s FROM vehicles JOIN days USING (day)
     ), standing AS (
-      SELECT lane, day, day_s, length_m, since_midnight_s + occupied_s AS until_s,
-        greatest(since_midnight_s, coalesce(max(since_midnight_s + occupied_s) OVER (PARTITION BY lane, day
-          ORDER BY since_midnight_s ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING), 0)) AS from_s
-      FROM vehicles JOIN days USING (day) WHERE occupied_s > 0
-    ), in_days AS (
-      SELECT lane, day, length_m, from_s, least(until_s, day_s) AS until_s FROM standing
+      SELECT lane, day, length_m, since_midnight_s AS from_s, least(until_s, day_s) AS until_s
+      FROM came WHERE occupied_s > 0
       UNION ALL
-      SELECT lane, day + 1, length_m, greatest(from_s - day_s, 0), until_s - day_s
-      FROM standing WHERE until_s > day_s
+      SELECT lane, day + 1, length_m, 0, until_s - day_s FROM came WHERE until_s > day_s
+    ), in_days AS (
+      SELECT lane, day, length_m, until_s, greatest(from_s, coalesce(max(until_s) OVER (PARTITION BY lane, day
+        ORDER BY from_s, until_s ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING), 0)) AS from_s
+      FROM standing
     ), in_cells AS (
       SELECT *, unnest(range(floor(from_s / {step})::BIGINT, ceil(until_s / {step})::BIGINT)) AS nth,
       FROM in_days WHERE from_s < until_s
@@ -202,10 +206,19 @@ def _intervals_sql(asked: Asked) -> str:
       FROM in_cells
     ), occupied AS (
       SELECT lane, cell, kind, sum(part_s) AS occupied_s FROM parts GROUP BY lane, cell, kind
+    ), ends AS (
+      SELECT recording_sha256, lane, max(begin_s + to_s) AS end_s
+      FROM watched JOIN days USING (day) GROUP BY recording_sha256, lane
+    ), stood AS (
+      SELECT lane, recording_sha256, length_m, begin_s + since_midnight_s AS since_s,
+        lead(begin_s + since_midnight_s, 1, 'inf'::DOUBLE)
+          OVER (PARTITION BY lane ORDER BY day, since_midnight_s) AS next_s
+      FROM came QUALIFY occupied_s IS NULL
     ), rear_unseen AS (
-      SELECT lane, day, length_m, since_midnight_s AS from_s,
-        lead(since_midnight_s, 1, day_s) OVER (PARTITION BY lane, day ORDER BY since_midnight_s) AS until_s
-      FROM vehicles JOIN days USING (day) QUALIFY occupied_s IS NULL
+      SELECT lane, day, length_m, greatest(since_s - begin_s, 0) AS from_s,
+        least(next_s - begin_s, end_s - begin_s, day_s) AS until_s
+      FROM stood JOIN ends USING (recording_sha256, lane)
+      JOIN days ON since_s < begin_s + day_s AND least(next_s, end_s) > begin_s
     ), unsure_cells AS (
       SELECT *, unnest(range(floor(from_s / {step})::BIGINT, ceil(until_s / {step})::BIGINT)) AS nth
       FROM rear_unseen

@@ -88,18 +88,20 @@ def _stated(
 
 def _before(session: Session, vehicle: ScanVehicle) -> ScanVehicle | None:
     """The vehicle that a gap is measured to: the one of its direction and lane measured before this, in the
-    order of their fronts. None where that may be one whose lane is not known.
+    order of their fronts, of those beside each other the one that left last (`gaps.Leaders`). None where that
+    may be one whose lane is not known.
     """
     this = _measured(vehicle).values
     lanes = bool(this.rig.get("lanes"))
-    before = None
+    before, rear_line = None, 0.0
     for one in list_scan_vehicles(session, vehicle.scan_id):
         if one.id == vehicle.id:
             break
         seen = one.measurement and one.measurement.values
         if seen and seen.direction == this.direction:
             if seen.lane == this.lane:
-                before = one
+                if before is None or seen.rear_line_1 >= rear_line:
+                    before, rear_line = one, seen.rear_line_1
             elif lanes and seen.lane is None:
                 before = None
     return before if this.lane is not None or not lanes else None

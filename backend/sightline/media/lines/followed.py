@@ -37,6 +37,11 @@ class FollowedLines:
     def waiting_bytes(self) -> int:
         return max(0, self._size() - self._at)
 
+    @property
+    def last_at(self) -> float:
+        """When the file was last written: one that grows just now, one at rest long ago."""
+        return os.fstat(self._file.fileno()).st_mtime
+
     def pieces(self) -> Iterator[Piece | None]:
         with self._file:
             pair, grown = 2 * self._rows, time.monotonic()

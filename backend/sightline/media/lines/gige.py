@@ -33,6 +33,8 @@ class GigeLines:
     Raises BadInput where Aravis or a camera is not there.
     """
 
+    last_at = None
+
     def __init__(
         self, first: str, second: str, rows: int, line_rate_hz: float, ending: Ending, frame_lines: int = 256
     ) -> None:

@@ -24,7 +24,7 @@ class PipedLines:
     the end is wished is taken still.
     """
 
-    broken = False
+    broken, last_at = False, None
 
     def __init__(self, source: int, rows: int, ending: Ending, name: str = "The input") -> None:
         self.name, self.notes = name, list[str]()

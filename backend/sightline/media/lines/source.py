@@ -47,7 +47,8 @@ class Piece:
 
 class LineSource(Protocol):
     """Both cameras' lines as they come. `notes` says in sentences what went wrong, `broken` whether that
-    ended it; `waiting_bytes` is what came and was not yet taken.
+    ended it; `waiting_bytes` is what came and was not yet taken, `last_at` when the last of it came (seconds
+    since 1970), None: just now.
     """
 
     @property
@@ -58,6 +59,8 @@ class LineSource(Protocol):
     def broken(self) -> bool: ...
     @property
     def waiting_bytes(self) -> int: ...
+    @property
+    def last_at(self) -> float | None: ...
 
     def pieces(self) -> Iterator[Piece | None]:
         """Lines until the source or the `Ending` ends them; None where none came for a while."""

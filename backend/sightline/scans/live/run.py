@@ -112,11 +112,15 @@ class LiveRun:
         yield from segment.take(piece)
 
     def _first_segment(self, piece: Piece) -> Segment:
-        """Its line 0 is as old as the lines that came since make it, or what a killed run wrote of it."""
+        """Its line 0 is older than the last line by as much as the lines since make, or what a killed run
+        wrote of it.
+        """
         assert self.source is not None
         came = len(piece.first) + self.source.waiting_bytes // (2 * self.rows)
-        now, since = self._clock.now(), timedelta(seconds=came / self.rig.line_rate_hz)
-        began_at = self._resumed_at or now - since
+        now, last_at = self._clock.now(), self.source.last_at
+        # another machine's clock may be ahead, but no line comes after now
+        last = now if last_at is None else min(now, datetime.fromtimestamp(last_at, UTC))
+        began_at = self._resumed_at or last - timedelta(seconds=came / self.rig.line_rate_hz)
         return self._new_segment(began_at, self._begin, (now - began_at).total_seconds())
 
     def _next_segment(self, before: Segment) -> Iterator[LiveVehicle]:
