@@ -5907,12 +5907,12 @@ sight-verdict-shorter = { $case ->
     [mix] With the other fleet’s heights
     [study] With the study’s heights
    *[survey] With the survey’s heights
-} (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, and K for { $distance } is { $k } instead of { $k_standard }. Crests could be { $change } shorter; on a crest built to the standard the visible distance is { $seen }.
+} (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, and K for { $distance } is { $k } instead of { $k_standard }. K could be { $change } smaller, so crests shorter; on a crest built to the standard the visible distance is { $seen }.
 sight-verdict-longer = { $case ->
     [mix] With the other fleet’s heights
     [study] With the study’s heights
    *[survey] With the survey’s heights
-} (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, and K for { $distance } is { $k } instead of { $k_standard }. Crests would have to be { $change } longer; on a crest built to the standard the visible distance is only { $seen }.
+} (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, and K for { $distance } is { $k } instead of { $k_standard }. K would have to be { $change } larger, so crests longer; on a crest built to the standard the visible distance is only { $seen }.
 sight-verdict-unknown = { $case ->
     [mix] With the other fleet’s heights
     [study] With the study’s heights

@@ -5958,12 +5958,12 @@ sight-verdict-shorter = { $case ->
     [mix] Avec les hauteurs de l’autre parc
     [study] Avec les hauteurs de l’étude
    *[survey] Avec les hauteurs du relevé
-} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, et K pour { $distance } est { $k } au lieu de { $k_standard }. Les raccordements saillants pourraient être plus courts de { $change } ; sur un angle saillant construit selon la norme, la distance de visibilité est de { $seen }.
+} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, et K pour { $distance } est { $k } au lieu de { $k_standard }. K pourrait être plus petit de { $change }, donc les raccordements saillants plus courts ; sur un angle saillant construit selon la norme, la distance de visibilité est de { $seen }.
 sight-verdict-longer = { $case ->
     [mix] Avec les hauteurs de l’autre parc
     [study] Avec les hauteurs de l’étude
    *[survey] Avec les hauteurs du relevé
-} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, et K pour { $distance } est { $k } au lieu de { $k_standard }. Les raccordements saillants devraient être plus longs de { $change } ; sur un angle saillant construit selon la norme, la distance de visibilité n’est que de { $seen }.
+} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, et K pour { $distance } est { $k } au lieu de { $k_standard }. K devrait être plus grand de { $change }, donc les raccordements saillants plus longs ; sur un angle saillant construit selon la norme, la distance de visibilité n’est que de { $seen }.
 sight-verdict-unknown = { $case ->
     [mix] Avec les hauteurs de l’autre parc
     [study] Avec les hauteurs de l’étude
