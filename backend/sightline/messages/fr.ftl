@@ -7040,7 +7040,7 @@ pose-before = La pose précédente est le numéro { $pose }.
 pose-simulated = Simulée.
 pose-board-distance = La mire était à { NUMBER($distance_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m de la caméra.
 pose-camera-height = La caméra est à { NUMBER($height_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m au-dessus de la route.
-pose-expected-heights = U95 attendue d’une hauteur de 1,2 m, pointée avec u = 1 px : { $figures }.
+pose-expected-heights = U95 attendue d’une hauteur de 1,2 m, sans la part du retrait, pointée avec u = 1 px : { $figures }.
 pose-expected-at = ±{ SMALL($U95_height_m) } à { $distance_m } m
 pose-no-road-at-distance = L’image ne montre pas la route à cette distance.
 words-comma = { $first }, { $second }
@@ -7604,7 +7604,7 @@ report-board-stood = { $n ->
 report-board-u-height = , u = { $u }
 report-board-u-lean =  ; inclinaison et roulis de la mire, u = { $u } mrad chacun
 report-poses = Poses de la caméra
-report-poses-caption = Poses de la caméra. « { $sign } » : U95 attendue d’une hauteur de 1,2 m pointée à 1 px près, selon la distance à la caméra. Résidu : erreur quadratique moyenne de reprojection des coins de la mire.
+report-poses-caption = Poses de la caméra. « { $sign } » : U95 attendue d’une hauteur de 1,2 m pointée à 1 px près, sans la part du retrait, selon la distance à la caméra. Résidu : erreur quadratique moyenne de reprojection des coins de la mire.
 report-pose-at = { $sign } à { $distance }
 report-above-road = { $unit } au-dessus de la route
 report-away = à { $unit }
