@@ -12,7 +12,12 @@ import numpy as np
 import pytest
 
 from sightline.cli import main
+from sightline.commands.geometry import expected_lines
+from sightline.coverage import expanded
 from sightline.geometry.documents import camera_to_dict, pose_to_dict
+from sightline.geometry.height import measure_height
+from sightline.geometry.insets import USUAL_INSETS
+from sightline.geometry.pose import expected_u
 from tests.geometry.scenes import camera_of, pose_of
 from tests.geometry.simulate import Lens, Scene, picture
 
@@ -78,6 +83,19 @@ def test_pose_then_height(camera_file, still, tmp_path, capsys) -> None:
     assert height["u_height_m"] == pytest.approx(np.sqrt(sum(e["u_m"] ** 2 for e in height["budget"])))
     assert height["status"] == "ok" and height["reason"] is None
     assert run(*arguments) == 0 and "m ±" in capsys.readouterr().out
+
+
+def test_what_a_pose_lets_expect_is_without_an_insets_part() -> None:
+    """Of a driver's eye 3 m away it is a good part: 20 mm where clicks and pose make 13."""
+    pose, (inset_m, u_inset_m, _) = pose_of(SCENE), USUAL_INSETS["driver_eye_near"]
+    expected = expected_u(pose)
+    ((distance_m, u_m),) = [one for one in expected if one[0] == 3.0]
+    assert u_m is not None
+    contact, eye = SCENE.look([(-0.7, -3.0 + distance_m, 0.0), (-0.7, -3.0 + distance_m + inset_m, 1.16)])
+    measured = measure_height(pose, contact, eye, 1.0, inset_m, u_inset_m)
+    assert measured.U95_height_m is not None and measured.U95_height_m > 1.2 * expanded(u_m)
+    lines = expected_lines(expected)
+    assert lines and all(line.endswith("(95 %) without the inset's part") for line in lines)
 
 
 def test_not_measurable_is_an_answer(pose_file, capsys) -> None:

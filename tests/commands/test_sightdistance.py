@@ -122,6 +122,32 @@ def test_heights_of_a_file_are_the_figures_of_distribution(
     assert "P5 needs 72; there are 60" in capsys.readouterr().err
 
 
+def test_one_pose_behind_both_files_is_one_error(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Both percentiles rest on the same poses almost alone: the root of the constant is off by their sum."""
+    heights = written(tmp_path).read_text("utf-8-sig").replace("0.011", "0.05")
+    for name, text in (("one", heights), ("two", heights), ("apart", heights.replace("pose", "camera"))):
+        (tmp_path / name).write_text(text, "utf-8")
+    eyes = ("--eye-heights", str(tmp_path / "one"), "--object-percentile", "10")
+    together = asked(capsys, *eyes, "--object-heights", str(tmp_path / "two"))
+    apart = asked(capsys, *eyes, "--object-heights", str(tmp_path / "apart"))
+    roots = [
+        math.sqrt(together[f"{name}_U95_high"]) - math.sqrt(together[name]) for name in ("eye_m", "object_m")
+    ]
+    above = [math.sqrt(found["constant_U95_high"] / 200) for found in (apart, together)]
+    middle = math.sqrt(together["constant"] / 200)
+    assert above[0] - middle == pytest.approx(math.hypot(*roots), rel=1e-9)
+    assert 0.9 * sum(roots) < above[1] - middle <= sum(roots)
+
+
+def test_a_files_percentile_has_an_interval_and_no_u(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A u of the constant by the object's alone would leave out most of what its interval holds."""
+    eyes = ("--eye-heights", str(written(tmp_path)))
+    found = asked(capsys, *eyes, "--object", "0.6", "--u-object", "0.005", "--distance", "185")
+    assert "constant_U95_low" in found and not {"u_constant", "u_crest_k_m"} & set(found)
+
+
 def test_in_words(capsys: pytest.CaptureFixture[str]) -> None:
     arguments = [
         "--eye",

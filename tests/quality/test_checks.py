@@ -147,6 +147,23 @@ def test_traffic_turns_a_pose_and_choosing_the_old_one_undoes_it(
         assert verify_records(session).ok
 
 
+def test_rejected_clicks_turn_no_road(operator: Client, reviewer: Client, ground: Ground) -> None:
+    """Three tyre pairs along the road; a fourth heading is of clicks that a reviewer rejected."""
+    for index in range(3):
+        vehicle = add_vehicle(operator, ground.recording_id)
+        operator.made(f"/vehicles/{vehicle['id']}/wheel-pair", tyres(0.0, -1.0, 0.1 * index))
+    there = {"contact": pixel(-1.0, 0.0, 0.0), "target_point": pixel(-0.6, 0.4, 1.2)}
+    then = {"frame": 7, "contact": pixel(0.8, 0.18, 0.0), "target_point": pixel(1.2, 0.58, 1.2)}
+    vehicle = add_vehicle(operator, ground.recording_id)
+    made = measure(operator, vehicle["id"], **there, more_frames=[then], inset_m=None, u_inset_m=None)
+    (pose,) = traffic(operator, ground.survey_id)["poses"]
+    assert pose["used"] == 4 and pose["mean_rad"] > 0.01
+    verdict = {"revision": 1, "verdict": "rejected", "reason": "Another vehicle's tyre."}
+    reviewer.made(f"/measurements/{made['id']}/reviews", verdict)
+    (pose,) = traffic(operator, ground.survey_id)["poses"]
+    assert pose["used"] == 3 and pose["mean_rad"] == pytest.approx(0.0, abs=1e-6)
+
+
 def roof(pose: RoadPose, height_m: float, inset_m: float, across_m: float, rng: np.random.Generator) -> Any:
     """Clicks of 0.3 px on a roof edge behind the side plane."""
     points = np.array([[-0.5, across_m, 0.0], [-0.2, across_m + inset_m, height_m]])
@@ -203,6 +220,24 @@ def test_roofs_of_known_height_offer_the_inset_with_its_origin(
         stored = list_measurements(session, ground.survey_id)
         assert {one.values.inset_m for one in stored} == {0.3}
         assert len(list_sheets(session, ground.survey_id)) == 12
+
+
+def test_marks_of_a_staff_say_nothing_of_a_vehicles_inset(operator: Client, ground: Ground) -> None:
+    """A check target's marks stand in its side plane: they pulled the roofs' 0.45 m to 0.23 m."""
+    rng = np.random.default_rng(4)
+    for height_m in np.repeat(rng.uniform(1.85, 2.6, 6), 2):
+        for check, true_m in ((False, 0.45), (True, 0.0)):
+            known = {"manufacturer_height_m": height_m, "u_manufacturer_height_m": 0.0}
+            vehicle = add_vehicle(operator, ground.recording_id, category="suv", check_target=check, **known)
+            where = roof(pose_above_road(), height_m, true_m, rng.uniform(0.0, 2.0), rng)
+            own = {"inset_m": 0.0, "u_inset_m": 0.002} if check else {"inset_m": None, "u_inset_m": None}
+            measure(operator, vehicle["id"], **where, sigma_px=0.3, **own)
+    check = operator.seen(f"/surveys/{ground.survey_id}/checks/insets")
+    target = next(one for one in check["targets"] if one["target"] == "roof")
+    known = target["estimates"][0]
+    assert (target["measured"], known["vehicles"] + len(known["left_out"])) == (12, 12)
+    assert known["inset_m"] == pytest.approx(0.45, abs=2.5 * known["u_inset_m"])
+    assert known["u_inset_m"] < 0.07  # heights said to be exact are no worse than that: not 0.03 m / sqrt(3)
 
 
 def test_cases_are_metrologys_closed_form(viewer: Client, ground: Ground) -> None:

@@ -96,6 +96,24 @@ def test_a_height_chosen_by_size_is_neither_an_error_in_review_nor_a_doubt(
     assert errors[False] == pytest.approx(-0.2, abs=1e-3) and errors[True] is None
 
 
+def test_a_makers_height_without_a_u_is_no_exact_one(
+    operator: Client, reviewer: Client, ground: Ground
+) -> None:
+    """The doubt and the sign for a reviewer take the same u of a maker's height of which nobody said one."""
+    car = add_vehicle(operator, ground.recording_id)
+    roof = measure(operator, car["id"], sigma_px=3.0)
+    u_m = roof["u_height_m"]
+    aside_m = 1.96 * (u_m + np.hypot(u_m, 0.03 / np.sqrt(3.0))) / 2.0  # beyond U95 of the roof, not of both
+    assert aside_m > 0.08
+    told = {"manufacturer_height_m": roof["height_m"] + aside_m, "version": 1}
+    assert operator.put(f"/vehicles/{car['id']}", told).json()["doubts"] == []
+    judged = reviewer.seen(f"/surveys/{ground.survey_id}/review-queue")[0]["judged"]
+    assert "far_from_maker" not in judged["signs"] and judged["error_m"] == pytest.approx(-aside_m)
+    exact = {"u_manufacturer_height_m": 0.0, "version": 2}
+    (doubt,) = operator.put(f"/vehicles/{car['id']}", exact).json()["doubts"]
+    assert doubt["kind"] == "far_from_maker"
+
+
 def test_the_package_says_it_and_computes_the_same_from_its_files(
     services: Services, viewer: Client, ground: Ground, cars: list[dict[str, Any]], tmp_path: Path
 ) -> None:

@@ -161,6 +161,18 @@ def test_where_along_its_edge_a_roof_is_clicked_is_no_part_of_a_sigma(
     assert me["sigma"]["low"] < 0.5 < me["sigma"]["high"] < 1.5
 
 
+def test_who_clicked_two_targets_is_one_person(operator: Client, reviewer: Client, ground: Ground) -> None:
+    """What they lean by is told by target; how many they are is not."""
+    rng = np.random.default_rng(11)
+    for _ in range(3):
+        vehicle_id = int(add_vehicle(operator, ground.recording_id)["id"])
+        for target in ("roof", "taillight"):
+            first = clicked_beside(operator, vehicle_id, rng, target=target)
+            clicked_beside(reviewer, vehicle_id, rng, target=target, repeat_of=first["id"])
+    gauges = [one["gauge"] for one in operator.seen(f"/surveys/{ground.survey_id}/repeats")["targets"]]
+    assert [(one["items"], one["persons"]) for one in gauges] == [(6, 2), (3, 2), (3, 2)]
+
+
 @pytest.mark.once
 def test_the_other_wheel_is_no_slip_of_the_hand(operator: Client, ground: Ground) -> None:
     rng = np.random.default_rng(9)

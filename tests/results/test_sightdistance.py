@@ -8,8 +8,13 @@ import numpy as np
 import pytest
 from sqlalchemy import text
 
+from sightline.export.report.crest import crest_sentence
 from sightline.infra.services import Services
+from sightline.results.sightdistance.records import SightQuestion
+from sightline.results.sightdistance.service import HeightRead, case_of, exact
+from sightline.results.survey_statistics import Filter
 from sightline.sightdistance.curves import crest_constants_m
+from sightline.sightdistance.workbench import Bounded
 from tests.bench.seed import seed
 from tests.support.app import Client, error_of
 
@@ -152,3 +157,30 @@ def test_a_survey_without_eyes_says_so(viewer: Client) -> None:
     assert found["cases"][1]["missing"] == ["driver_eye", "taillight"]
     alone = viewer.get("/sightdistance").json()
     assert alone["cases"][1]["missing"] == ["driver_eye"]
+
+
+def test_the_share_in_the_sentence_is_that_of_k() -> None:
+    """Where the sight distance reaches beyond the curve, its length changes by another share."""
+    asked = SightQuestion(
+        chosen=Filter(),
+        eye_m=1.08,
+        object_m=0.60,
+        eye_percent=10.0,
+        object_percent=5.0,
+        object_target="taillight",
+        kind="stopping",
+        speed_mps=100 / 3.6,
+        difference_percent=3.0,
+        headlight_m=0.6,
+        radius_m=500.0,
+        shares={},
+        unit="m",
+    )
+    standard = case_of(asked, "standard", exact(1.08), exact(0.60))
+    read = (HeightRead(Bounded(1.16, 1.14, 1.18)), HeightRead(Bounded(0.75, 0.73, 0.77)))
+    survey = case_of(asked, "survey", *read)
+    assert standard.crest is not None and survey.crest is not None
+    lengths_m = [one.crest.length_m.value for one in (standard, survey) if one.crest is not None]
+    assert [round(one, 1) for one in lengths_m] == [150.7, 118.3]  # a fifth
+    sentence = crest_sentence(asked, standard, survey) or ""
+    assert "K could be 12.9" in sentence and "Crests could be" not in sentence

@@ -104,6 +104,9 @@ def test_a_lot_is_drawn_judged_accepted_and_taken_back_as_a_whole(
     assert judge(reviewer, rest[0], "rejected", reason="mirror").status_code == 201
     points = {name: value for name, value in clicks(1.25).items() if name != "target"}
     assert operator.put(f"/measurements/{rest[1]['id']}", {"revision": 1, **points}).status_code == 200
+    # neither is one that nobody looked at any more
+    summary = reviewer.seen(f"{path}/lots/summary")
+    assert summary["by_lot"] == summary["outgoing"]["count"] == COUNT - n - 2
     back = reviewer.post(f"/lots/{of['id']}/take-back").json()
     assert back["state"] == "taken_back" and back["progress"]["rest"] == COUNT - n - 2
     said = [one["verdict"] for one in verdicts(reviewer, rest)]

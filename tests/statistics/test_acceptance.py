@@ -110,7 +110,7 @@ def test_limits_of_several_lots_hold_together() -> None:
     for _ in range(2000):
         found = tuple(int(one) for one in rng.hypergeometric(bad, 100 - bad, 25))
         if found not in cache:
-            cache[found] = outgoing_of_lots((100, 25, one) for one in found).at_most
+            cache[found] = outgoing_of_lots((100, 25, one, 75) for one in found).at_most
         hits += cache[found] >= bad.sum() - sum(found)
     assert hits / 2000 >= 0.95
     assert outgoing_of_lots([]).at_most == 0

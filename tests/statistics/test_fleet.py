@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from sightline.statistics.fleet import mixed_percentile
+from sightline.statistics.fleet import mixed_fleet
 from sightline.statistics.shared_errors import SharedErrors
 from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
 
@@ -22,7 +22,7 @@ def test_of_the_samples_own_shares_it_is_nearly_the_plain_percentile() -> None:
     shared = SharedErrors(np.zeros(300, np.int64), np.full(300, 0.006))
     sample = HeightSample(values, np.full(300, 0.015), (shared,))
     for percent in (5.0, 10.0, 50.0, 90.0):
-        found = mixed_percentile(sample, code, np.bincount(code) / 300, percent)
+        found = mixed_fleet(sample, code, np.bincount(code) / 300).percentile(percent)
         plain = TotalUncertainty(sample).percentile(percent)
         assert found.value == pytest.approx(plain.value, abs=0.001)
         for end in ("U95_low", "U95_high"):
@@ -47,7 +47,7 @@ def test_the_interval_holds_the_true_percentile_of_the_other_fleet(runs: int) ->
         heights = rng.normal(centre[code], spread[code]) + rng.normal(0.0, 0.015, 200)
         shared = SharedErrors(np.zeros(200, np.int64), np.full(200, 0.008))
         sample = HeightSample(heights + rng.normal(0.0, 0.008), np.full(200, 0.015), (shared,))
-        found = mixed_percentile(sample, code, shares, 10.0)
+        found = mixed_fleet(sample, code, shares).percentile(10.0)
         assert found.U95_low is not None and found.U95_high is not None
         held += found.U95_low <= true <= found.U95_high
         values.append(found.value)
@@ -56,10 +56,23 @@ def test_the_interval_holds_the_true_percentile_of_the_other_fleet(runs: int) ->
     assert np.mean(values) == pytest.approx(true, abs=0.004)
 
 
+def test_a_fleet_rests_on_the_poses_of_its_own_classes() -> None:
+    """Cars are seen by pose 7, lorries by pose 9: what moves a fleet goes by its shares, not the sample's."""
+    code = np.repeat([0, 1], 200)
+    heights = np.concatenate([np.linspace(1.0, 1.3, 200), np.linspace(1.0, 1.5, 200)])
+    poses = SharedErrors(code, np.full(400, 0.01), np.array([7, 9]))
+    sample = HeightSample(heights, np.full(400, 0.005), (poses,))
+    lorries = mixed_fleet(sample, code, (0.0, 1.0)).named_effects_m(10.0)
+    assert lorries == {9: pytest.approx(0.01)}
+    even, most = (mixed_fleet(sample, code, (1.0 - of, of)).named_effects_m(10.0) for of in (0.5, 0.9))
+    assert sum(most.values()) == pytest.approx(0.01) and most[9] > even[9] + 0.002
+    assert mixed_fleet(exact(np.array([1.1, 1.2])), np.array([0, 0]), (1.0,)).named_effects_m(10.0) == {}
+
+
 def test_what_cannot_be_mixed() -> None:
     with pytest.raises(ValueError, match="no height"):
-        mixed_percentile(exact(np.array([1.2])), np.array([0]), (0.5, 0.5), 10)
-    few = mixed_percentile(exact(np.array([1.1, 1.2, 1.3])), np.array([0, 0, 0]), (1.0,), 10)
+        mixed_fleet(exact(np.array([1.2])), np.array([0]), (0.5, 0.5))
+    few = mixed_fleet(exact(np.array([1.1, 1.2, 1.3])), np.array([0, 0, 0]), (1.0,)).percentile(10)
     assert few.value is None and few.U95_low is None and str(few.reason) == "P10 needs 36; there are 3"
-    away = mixed_percentile(exact(np.array([1.1, 9.0])), np.array([0, 1]), (1.0, 0.0), 50)
+    away = mixed_fleet(exact(np.array([1.1, 9.0])), np.array([0, 1]), (1.0, 0.0)).percentile(50)
     assert away.value is None and str(away.reason) == "P50 needs 6; there is 1"

@@ -152,16 +152,19 @@ def number(text: str) -> float | None:
     return value if math.isfinite(value) else None
 
 
-def sample_of(rows: Rows) -> HeightSample:
-    """The columns as the statistics take them; rows without a word of their site are of one site."""
+def sample_of(rows: Rows, named: dict[str, int] | None = None) -> HeightSample:
+    """The columns as the statistics take them; rows without a word of their site are of one site. `named`:
+    the groups of several files by number, to which those of these rows are added: one name is one error.
+    """
     import numpy as np
 
     from sightline.statistics.shared_errors import SharedErrors
     from sightline.statistics.total_uncertainty import HeightSample
 
-    code = codes(rows.shared_group)
+    code = codes(rows.shared_group, named)
     group = np.where([bool(one) for one in rows.shared_group], code, -1)
-    shared = SharedErrors(group, np.array(rows.u_shared_m))
+    names = None if named is None else np.arange(len(named))
+    shared = SharedErrors(group, np.array(rows.u_shared_m), names)
     return HeightSample(
         height_m=np.array(rows.height_m),
         u_random_m=np.array(rows.u_random_m),
@@ -170,9 +173,9 @@ def sample_of(rows: Rows) -> HeightSample:
     )
 
 
-def codes(words: Iterable[str]) -> list[int]:
-    """A number for each different word, in order of appearance."""
-    known: dict[str, int] = {}
+def codes(words: Iterable[str], known: dict[str, int] | None = None) -> list[int]:
+    """A number for each different word, in order of appearance; `known` ones keep theirs."""
+    known = {} if known is None else known
     return [known.setdefault(word, len(known)) for word in words]
 
 

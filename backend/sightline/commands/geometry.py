@@ -288,9 +288,12 @@ def pose(
 
 
 def expected_lines(expected: Iterable[tuple[float, float | None]]) -> list[str]:
-    """What heights will be worth at some distances, a line each."""
+    """What heights of 1.2 m will be worth at some distances, a line each; insets are not the pose's."""
     told = ((distance, u) for distance, u in expected if u is not None)
-    return [f"expected at {distance:g} m: ± {1000 * expanded(u):.0f} mm (95 %)" for distance, u in told]
+    return [
+        f"expected at {distance:g} m: ± {1000 * expanded(u):.0f} mm (95 %) without the inset's part"
+        for distance, u in told
+    ]
 
 
 @click.command()

@@ -63,23 +63,30 @@ def sightdistance(
     """Compute the constant and K of a crest curve from the heights of eye and object.
 
     Give heights, or heights.csv: its percentile of true heights with the total interval is then used, as
-    printed by `sightline distribution`. Results have total 95 % intervals if the heights have.
+    printed by `sightline distribution`. Results have total 95 % intervals if the heights have; groups of the
+    same name (shared_group) in both files share one error.
     """
-    from sightline.sightdistance.workbench import sight_distance, with_u
+    from sightline.sightdistance.workbench import constant_of, sight_distance, with_u
+    from sightline.statistics.shared_errors import correlation_of
 
     if distance_m is not None and speed_kmh is not None:
         raise BadInput("commands-distance-or-speed")
-    eye = _height("eye", eye_m, u_eye_m, eye_heights, eye_percentile)
-    thing = _height("object", object_m, u_object_m, object_heights, object_percentile)
+    groups: dict[str, int] = {}
+    eye, of_eye = _height("eye", eye_m, u_eye_m, eye_heights, eye_percentile, groups)
+    thing, of_thing = _height("object", object_m, u_object_m, object_heights, object_percentile, groups)
+    constant = constant_of(eye, thing, correlation_of(of_eye, of_thing, eye.u, thing.u))
     needed = None if speed_kmh is None else sight_distance(kind, speed_kmh / 3.6)
     seen_m = distance_m if needed is None else needed.distance_m
     if difference_percent is not None and seen_m is None:
         raise BadInput("commands-grade-without-distance")
     if headlight_m is not None and seen_m is None:
         raise BadInput("commands-sag-needs-distance")
-    u_m = (u_eye_m if eye_heights is None else None, u_object_m if object_heights is None else None)
-    answer = _answer(eye, thing, u_m, seen_m) | _distance(needed, kind, eye, thing)
-    answer |= _length(eye, thing, seen_m, difference_percent)
+    given = eye_heights is None and object_heights is None
+    u_m = (
+        (u_eye_m, u_object_m) if given else (None, None)
+    )  # of a file's percentile there is an interval alone
+    answer = _answer(eye, thing, constant, u_m, seen_m) | _distance(needed, kind, constant)
+    answer |= _length(constant, seen_m, difference_percent)
     if headlight_m is not None and seen_m is not None:
         answer |= _sag(with_u(headlight_m, u_headlight_m), seen_m, difference_percent)
     notes = _notes(eye, thing)
@@ -87,9 +94,16 @@ def sightdistance(
 
 
 def _height(
-    name: str, value_m: float | None, u_m: float | None, heights: Path | None, percent: float
-) -> Bounded:
-    """A height that is given, or THE percentile of a file. Raises BadInput for both, neither, or too few."""
+    name: str,
+    value_m: float | None,
+    u_m: float | None,
+    heights: Path | None,
+    percent: float,
+    groups: dict[str, int],
+) -> tuple[Bounded, dict[int, float]]:
+    """A height that is given, or THE percentile of a file, and what each of the `groups` of errors moves it
+    by. Raises BadInput for both, neither, or too few.
+    """
     from sightline.commands.distribution import percents_of, read_groups, sample_of
     from sightline.sightdistance.workbench import Bounded, with_u
     from sightline.statistics.total_uncertainty import TotalUncertainty
@@ -97,24 +111,28 @@ def _height(
     if (value_m is None) == (heights is None) or (heights is not None and u_m is not None):
         raise BadInput("commands-height-or-heights", name=name)
     if value_m is not None:
-        return with_u(value_m, u_m)
+        return with_u(value_m, u_m), {}
     assert heights is not None
     ((_, asked),) = percents_of(format(percent, "g"))
     (rows,) = read_groups(heights, None)[0].values()
-    found = TotalUncertainty(sample_of(rows)).percentile(asked)
+    whole = TotalUncertainty(sample_of(rows, groups))
+    found = whole.percentile(asked)
     if found.value is None:
         raise BadInput("commands-too-few-heights", path=heights, reason=found.reason or "")
-    return Bounded(found.value, found.U95_low, found.U95_high, found.reason)
+    return Bounded(found.value, found.U95_low, found.U95_high, found.reason), whole.named_effects_m(asked)
 
 
 def _answer(
-    eye: Bounded, thing: Bounded, u_m: tuple[float | None, float | None], seen_m: float | None
+    eye: Bounded,
+    thing: Bounded,
+    constant: Bounded,
+    u_m: tuple[float | None, float | None],
+    seen_m: float | None,
 ) -> dict[str, Any]:
     from sightline.sightdistance.curves import crest_constant
     from sightline.sightdistance.distances import GREEN_BOOK
-    from sightline.sightdistance.workbench import constant_of, k_of
+    from sightline.sightdistance.workbench import k_of
 
-    constant = constant_of(eye, thing)
     answer: dict[str, Any] = {
         **_ends("eye_m", eye),
         **_ends("object_m", thing),
@@ -138,9 +156,9 @@ def _ends(name: str, found: Bounded) -> dict[str, Any]:
     return {name: found.value, f"{name}_U95_low": found.low, f"{name}_U95_high": found.high}
 
 
-def _distance(needed: SightDistance | None, kind: SightKind, eye: Bounded, thing: Bounded) -> dict[str, Any]:
+def _distance(needed: SightDistance | None, kind: SightKind, constant: Bounded) -> dict[str, Any]:
     """The distance that a design speed asks for, and K at it rounded up."""
-    from sightline.sightdistance.workbench import constant_of, k_of
+    from sightline.sightdistance.workbench import k_of
 
     if needed is None:
         return {}
@@ -153,19 +171,16 @@ def _distance(needed: SightDistance | None, kind: SightKind, eye: Bounded, thing
         names[0]: needed.distance_m,
         "formula": f"{needed.formula}{with_words} ({needed.source})",
         names[1]: needed.design_m,
-        **_ends("design_crest_k_m", k_of(needed.design_m, constant_of(eye, thing))),
+        **_ends("design_crest_k_m", k_of(needed.design_m, constant)),
     }
 
 
-def _length(
-    eye: Bounded, thing: Bounded, seen_m: float | None, difference_percent: float | None
-) -> dict[str, Any]:
+def _length(constant: Bounded, seen_m: float | None, difference_percent: float | None) -> dict[str, Any]:
     from sightline.sightdistance.curves import crest_length
-    from sightline.sightdistance.workbench import constant_of, mapped
+    from sightline.sightdistance.workbench import mapped
 
     if difference_percent is None or seen_m is None:
         return {}
-    constant = constant_of(eye, thing)
     found = mapped(constant, lambda c: crest_length(seen_m, difference_percent, c).length_m, falling=True)
     return {
         "grade_difference_percent": difference_percent,

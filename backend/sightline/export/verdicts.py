@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
 
 from sightline.export.chosen import counting_vehicles, is_accepted
@@ -22,22 +23,21 @@ class VerdictCounts:
 def verdicts_in(files: Files) -> VerdictCounts:
     """Of the vehicles whose heights count; lots are told whole."""
     counting = counting_vehicles(files)
-    names = ("vehicle_id", "withdrawn", "verdict", "verdict_by")
-    found = [
-        basis
-        for vehicle, withdrawn, verdict, basis in read_columns(files, "measurements.csv", names)
-        if vehicle in counting and is_accepted(withdrawn, verdict)
-    ]
+    names = ("vehicle_id", "withdrawn", "verdict", "verdict_by", "lot_id")
+    bases, standing = Counter[str](), Counter[str]()
+    for vehicle, withdrawn, verdict, basis, lot in read_columns(files, "measurements.csv", names):
+        if is_accepted(withdrawn, verdict):
+            standing[lot] += 1
+            bases[basis] += vehicle in counting
+    columns = ("id", "state", "judged", "rest", "nonconforming")
     accepted = [
-        (int(judged) + int(rest), int(judged), int(bad))
-        for state, judged, rest, bad in read_columns(
-            files, "lots.csv", ("state", "judged", "rest", "nonconforming")
-        )
+        (int(judged) + int(rest), int(judged), int(bad), standing[lot])
+        for lot, state, judged, rest, bad in read_columns(files, "lots.csv", columns)
         if state == "accepted"
     ]
     return VerdictCounts(
-        individual=found.count("individual"),
-        by_lot=found.count("lot"),
+        individual=bases["individual"],
+        by_lot=bases["lot"],
         lots=len(accepted),
         outgoing=outgoing_of_lots(accepted) if accepted else None,
     )

@@ -192,4 +192,4 @@ def _doubts(sheet: VehicleSheet) -> tuple[Doubt, ...]:
         for one in sheet.measurements
         if one.values.height_m is not None
     }
-    return doubts(heights, sheet.category, sheet.reference_m, sheet.u_manufacturer_height_m or 0.0)
+    return doubts(heights, sheet.category, sheet.reference_m, sheet.u_reference_m)

@@ -5911,12 +5911,12 @@ sight-verdict-shorter = { $case ->
     [mix] With the other fleet’s heights
     [study] With the study’s heights
    *[survey] With the survey’s heights
-} (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, and K for { $distance } is { $k } instead of { $k_standard }. Crests could be { $change } shorter; on a crest built to the standard the visible distance is { $seen }.
+} (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, and K for { $distance } is { $k } instead of { $k_standard }. K could be { $change } smaller, so crests shorter; on a crest built to the standard the visible distance is { $seen }.
 sight-verdict-longer = { $case ->
     [mix] With the other fleet’s heights
     [study] With the study’s heights
    *[survey] With the survey’s heights
-} (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, and K for { $distance } is { $k } instead of { $k_standard }. Crests would have to be { $change } longer; on a crest built to the standard the visible distance is only { $seen }.
+} (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, and K for { $distance } is { $k } instead of { $k_standard }. K would have to be { $change } larger, so crests longer; on a crest built to the standard the visible distance is only { $seen }.
 sight-verdict-unknown = { $case ->
     [mix] With the other fleet’s heights
     [study] With the study’s heights
@@ -6988,7 +6988,7 @@ pose-before = The previous pose is number { $pose }.
 pose-simulated = Simulated.
 pose-board-distance = The board was { NUMBER($distance_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m from the camera.
 pose-camera-height = The camera is { NUMBER($height_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m above the road.
-pose-expected-heights = Expected U95 of a height of 1.2 m, clicked with u = 1 px: { $figures }.
+pose-expected-heights = Expected U95 of a height of 1.2 m, without the inset’s part, clicked with u = 1 px: { $figures }.
 pose-expected-at = ±{ SMALL($U95_height_m) } at { $distance_m } m
 pose-no-road-at-distance = The image does not show the road at this distance.
 words-comma = { $first }, { $second }
@@ -7552,7 +7552,7 @@ report-board-stood = { $n ->
 report-board-u-height = , u = { $u }
 report-board-u-lean = ; board tilt and roll, u = { $u } mrad each
 report-poses = Camera poses
-report-poses-caption = Camera poses. “{ $sign }”: expected U95 of a height of 1.2 m clicked to 1 px, by distance from the camera. Residual: RMS reprojection error of the board’s corners.
+report-poses-caption = Camera poses. “{ $sign }”: expected U95 of a height of 1.2 m clicked to 1 px, without the inset’s part, by distance from the camera. Residual: RMS reprojection error of the board’s corners.
 report-pose-at = { $sign } at { $distance }
 report-above-road = { $unit } above road
 report-away = { $unit } away

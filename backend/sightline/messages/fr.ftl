@@ -5962,12 +5962,12 @@ sight-verdict-shorter = { $case ->
     [mix] Avec les hauteurs de l’autre parc
     [study] Avec les hauteurs de l’étude
    *[survey] Avec les hauteurs du relevé
-} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, et K pour { $distance } est { $k } au lieu de { $k_standard }. Les raccordements saillants pourraient être plus courts de { $change } ; sur un angle saillant construit selon la norme, la distance de visibilité est de { $seen }.
+} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, et K pour { $distance } est { $k } au lieu de { $k_standard }. K pourrait être plus petit de { $change }, donc les raccordements saillants plus courts ; sur un angle saillant construit selon la norme, la distance de visibilité est de { $seen }.
 sight-verdict-longer = { $case ->
     [mix] Avec les hauteurs de l’autre parc
     [study] Avec les hauteurs de l’étude
    *[survey] Avec les hauteurs du relevé
-} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, et K pour { $distance } est { $k } au lieu de { $k_standard }. Les raccordements saillants devraient être plus longs de { $change } ; sur un angle saillant construit selon la norme, la distance de visibilité n’est que de { $seen }.
+} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, et K pour { $distance } est { $k } au lieu de { $k_standard }. K devrait être plus grand de { $change }, donc les raccordements saillants plus longs ; sur un angle saillant construit selon la norme, la distance de visibilité n’est que de { $seen }.
 sight-verdict-unknown = { $case ->
     [mix] Avec les hauteurs de l’autre parc
     [study] Avec les hauteurs de l’étude
@@ -7045,7 +7045,7 @@ pose-before = La pose précédente est le numéro { $pose }.
 pose-simulated = Simulée.
 pose-board-distance = La mire était à { NUMBER($distance_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m de la caméra.
 pose-camera-height = La caméra est à { NUMBER($height_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m au-dessus de la route.
-pose-expected-heights = U95 attendue d’une hauteur de 1,2 m, pointée avec u = 1 px : { $figures }.
+pose-expected-heights = U95 attendue d’une hauteur de 1,2 m, sans la part du retrait, pointée avec u = 1 px : { $figures }.
 pose-expected-at = ±{ SMALL($U95_height_m) } à { $distance_m } m
 pose-no-road-at-distance = L’image ne montre pas la route à cette distance.
 words-comma = { $first }, { $second }
@@ -7609,7 +7609,7 @@ report-board-stood = { $n ->
 report-board-u-height = , u = { $u }
 report-board-u-lean =  ; inclinaison et roulis de la mire, u = { $u } mrad chacun
 report-poses = Poses de la caméra
-report-poses-caption = Poses de la caméra. « { $sign } » : U95 attendue d’une hauteur de 1,2 m pointée à 1 px près, selon la distance à la caméra. Résidu : erreur quadratique moyenne de reprojection des coins de la mire.
+report-poses-caption = Poses de la caméra. « { $sign } » : U95 attendue d’une hauteur de 1,2 m pointée à 1 px près, sans la part du retrait, selon la distance à la caméra. Résidu : erreur quadratique moyenne de reprojection des coins de la mire.
 report-pose-at = { $sign } à { $distance }
 report-above-road = { $unit } au-dessus de la route
 report-away = à { $unit }

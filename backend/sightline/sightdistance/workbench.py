@@ -8,7 +8,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from sightline.coverage import expanded
+from sightline.coverage import COVERAGE_95, expanded
 from sightline.enums import CrestVerdict, Crossing, Manoeuvre, SightKind
 from sightline.errors import BadInput
 from sightline.messages.said import Said
@@ -51,6 +51,13 @@ class Bounded:
     low: float | None = None
     high: float | None = None
     reason: Said | None = None
+
+    @property
+    def u(self) -> float:
+        """The standard uncertainty that the interval states; 0 without one."""
+        if self.low is None or self.high is None:
+            return 0.0
+        return (self.high - self.low) / (2.0 * COVERAGE_95)
 
 
 @dataclass(frozen=True)

@@ -190,15 +190,18 @@ def outgoing(size: int, sample_size: int, nonconforming: int, confidence: float 
     return Outgoing(rest, estimate, int(numbers[likely].max()) - nonconforming)
 
 
-def outgoing_of_lots(lots: Iterable[tuple[int, int, int]]) -> Outgoing:
-    """The same of several lots, each (size, sample size, nonconforming in it), together.
+def outgoing_of_lots(lots: Iterable[tuple[int, int, int, int]]) -> Outgoing:
+    """The same of several lots, each (size, sample size, nonconforming in it, how many of its rest still
+    stand by it), together: of those that stand, for what was judged or withdrawn since is not let through.
 
     Lots are drawn apart, so k limits at the confidence 0.95^(1/k) hold together in 95 % of cases (Sidak
     1967); their sum is therefore no less than the number let through, and wide where there are many lots.
     """
     found = tuple(lots)
     each = CONFIDENCE ** (1.0 / max(1, len(found)))
-    parts = [outgoing(*one, confidence=each) for one in found]
+    limits = [outgoing(size, sample, bad, each).at_most for size, sample, bad, _ in found]
     return Outgoing(
-        sum(one.count for one in parts), sum(one.estimate for one in parts), sum(one.at_most for one in parts)
+        count=sum(standing for _, _, _, standing in found),
+        estimate=sum(standing * bad / sample for _, sample, bad, standing in found),
+        at_most=sum(min(limit, one[3]) for limit, one in zip(limits, found, strict=True)),
     )

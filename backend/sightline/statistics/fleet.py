@@ -7,7 +7,6 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from sightline.statistics.figures import TotalPercentile
 from sightline.statistics.survey_design import Design
 from sightline.statistics.survey_weights import Margin
 from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
@@ -15,11 +14,9 @@ from sightline.statistics.total_uncertainty import HeightSample, TotalUncertaint
 Ints = NDArray[np.int64]
 
 
-def mixed_percentile(
-    sample: HeightSample, code: Ints, shares: Sequence[float], percent: float
-) -> TotalPercentile:
-    """A percentile, 0 < percent < 100, of a fleet in which class c has the share `shares`[c], from heights of
-    each class, with its total 95 % interval.
+def mixed_fleet(sample: HeightSample, code: Ints, shares: Sequence[float]) -> TotalUncertainty:
+    """A fleet in which class c has the share `shares`[c], from heights of each class: its figures with their
+    total 95 % intervals.
 
     code (N,): the class of each height of the sample (N,). Each height weighs shares[c] / n_c
     (post-stratification: Särndal, Swensson & Wretman 1992, 7.6) in this one place, all of whose sites were
@@ -44,4 +41,4 @@ def mixed_percentile(
         margins=(Margin(of, fleet),),
         drawn=np.ones(n),
     )
-    return TotalUncertainty(chosen, design).percentile(percent)
+    return TotalUncertainty(chosen, design)

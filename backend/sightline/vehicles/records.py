@@ -23,6 +23,7 @@ from sightline.enums import (
     VehicleOrigin,
 )
 from sightline.infra.audit.records import Who
+from sightline.statistics.agreement import U_MANUFACTURER_M
 
 # The field that says why a target is not visible, by target.
 NOT_VISIBLE: dict[AskedTarget, str] = {target: f"{target}_not_visible" for target in get_args(AskedTarget)}
@@ -167,6 +168,12 @@ class Vehicle(VehicleFields):
     def reference_m(self) -> float | None:
         """The known height of its roof, if it may be held against a measured one."""
         return self.manufacturer_height_m if is_reference(self.model_chosen_by) else None
+
+    @property
+    def u_reference_m(self) -> float:
+        """Of `reference_m`: as it was said, 0 too; else what manufacturers' heights usually have."""
+        u_m = self.u_manufacturer_height_m
+        return float(U_MANUFACTURER_M) if u_m is None else u_m
 
     @property
     def not_visible(self) -> dict[AskedTarget, NotVisible]:

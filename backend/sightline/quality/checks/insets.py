@@ -35,7 +35,6 @@ from sightline.measurements.sheets.query import list_sheets
 from sightline.measurements.store import list_measurements
 from sightline.messages.said import Said
 from sightline.recordings.store import list_recordings
-from sightline.statistics.agreement import U_MANUFACTURER_M
 from sightline.surveys.records import Inset, Survey
 from sightline.surveys.store import get_survey
 
@@ -152,9 +151,11 @@ class _Rows:
 
 
 def check_insets(session: Session, survey_id: int) -> InsetCheck:
-    """Estimate each inset from the survey itself. Raises NotFound."""
+    """Estimate each inset from the survey's own traffic, for a check target's marks have insets of their own.
+    Raises NotFound.
+    """
     survey = get_survey(session, survey_id)
-    known = {one.id: one for one in list_sheets(session, survey_id)}
+    known = {one.id: one for one in list_sheets(session, survey_id) if not one.check_target}
     standing = [
         one
         for one in list_measurements(session, survey_id)
@@ -252,14 +253,14 @@ def _by_pose(session: Session, made: Sequence[Measurement]) -> Iterator[tuple[Ro
 
 def _from_known(rows: _Rows, known: dict[int, VehicleSheet]) -> Estimate:
     heights = [known[one.vehicle_id].reference_m for one in rows.made]
-    u = [known[one.vehicle_id].u_manufacturer_height_m for one in rows.made]
+    u = [known[one.vehicle_id].u_reference_m for one in rows.made]
     has = np.array([height is not None for height in heights], dtype=np.bool_)
     if rows.seen is None or not has.any():
         return Estimate("known_heights", Said("inset-no-known-roof"))
     found = inset_from_known_heights(
         rows.seen.only(has),
         [height for height in heights if height is not None],
-        [u_one or U_MANUFACTURER_M for u_one, height in zip(u, heights, strict=True) if height is not None],
+        [u_m for u_m, height in zip(u, heights, strict=True) if height is not None],
     )
     made = [one for one, good in zip(rows.made, has, strict=True) if good]
     return _estimate("known_heights", found, made, known)

@@ -212,7 +212,7 @@ def _from_frames(pose: RoadPose, made: Sequence[Measurement]) -> tuple[int, Head
     """The heading that two-frame clicks solve for, nothing being known of it before."""
     best: tuple[int, Heading] | None = None
     for one in made:
-        if not one.values.more_frames:
+        if not one.values.more_frames or one.review.verdict == "rejected":
             continue
         values = one.values
         solved = measure_frames(pose, values.contacts, values.target_points, values.sigma_px, None)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import groupby
 from math import dist, hypot
 from random import Random
@@ -194,7 +195,9 @@ def _of_target(clicks: Sequence[Click], target: Target | None) -> OfTarget:
     # One person may lean up at roofs and down at eyes.
     persons = codes_of([(one.person.id, one.target) for one in usable])
     u_clicks = [one.u_clicks_m for one in usable]
-    found = gauge(_floats(heights), items, persons)
+    often = Counter(one.item for one in usable)
+    people = {one.person.id for one in usable if often[one.item] > 1}  # each once, not by target
+    found = replace(gauge(_floats(heights), items, persons), persons=len(people))
     claimed = uncertainty_check(_floats(heights), _floats(u_clicks), items)
     return OfTarget(target, found, claimed, _another_frame(usable))
 

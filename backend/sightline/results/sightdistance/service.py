@@ -13,7 +13,6 @@ from typing import get_args
 
 import numpy as np
 
-from sightline.coverage import COVERAGE_95
 from sightline.enums import Category, LengthUnit, SightCase, StandardHeight, StatisticsTarget
 from sightline.errors import BadInput
 from sightline.infra.database import Session
@@ -44,10 +43,9 @@ from sightline.sightdistance.workbench import (
     sight_distance,
 )
 from sightline.statistics.figures import TotalPercentile
-from sightline.statistics.fleet import mixed_percentile
+from sightline.statistics.fleet import mixed_fleet
 from sightline.statistics.rules import RuleToday
 from sightline.statistics.shared_errors import correlation_of
-from sightline.statistics.total_uncertainty import TotalUncertainty
 
 _UNITS: dict[LengthUnit, UnitSystem] = {"m": METRIC, "ft": US_CUSTOMARY}
 # Whose rule an object is read by: the first of its target in the table of rules, that of passenger cars.
@@ -153,7 +151,7 @@ def case_of(
         )
     standard = crest_constant(question.eye_m, question.object_m).constant_m
     seen_m = distance_of(question, question.speed_mps).design_m
-    together = correlation_of(eye.by_pose_m, thing.by_pose_m, _u_m(eye.height_m), _u_m(thing.height_m))
+    together = correlation_of(eye.by_pose_m, thing.by_pose_m, eye.height_m.u, thing.height_m.u)
     crest = crest_of(eye.height_m, thing.height_m, seen_m, question.difference_percent, standard, together)
     return CaseOfHeights(
         name=name,
@@ -203,13 +201,6 @@ def _road(
     )
 
 
-def _u_m(found: Bounded) -> float:
-    """The standard uncertainty that an interval states; 0 without one."""
-    if found.low is None or found.high is None:
-        return 0.0
-    return (found.high - found.low) / (2.0 * COVERAGE_95)
-
-
 def _read(
     session: Session, question: SightQuestion, measured: Measured, what: StandardHeight, percent: float
 ) -> _Read:
@@ -233,9 +224,8 @@ def _mixed(measured: Measured, shares: Mapping[Category, float], percent: float)
     unseen = [word for word, share, n in zip(CATEGORIES, asked, counts, strict=True) if share > 0 and not n]
     if unseen:
         raise BadInput("sightdistance-class-unseen", category=unseen[0])
-    sample = height_sample(known)
-    by_pose_m = TotalUncertainty(sample).named_effects_m(percent)
-    return height_of(mixed_percentile(sample, known.category, asked, percent), by_pose_m)
+    fleet = mixed_fleet(height_sample(known), known.category, asked)
+    return height_of(fleet.percentile(percent), fleet.named_effects_m(percent))
 
 
 def _classes(eyes: Measured, objects: Measured | None) -> tuple[ClassOfFleet, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields
 from typing import Any, get_args
@@ -239,17 +239,16 @@ def vehicles_of(session: Session, lot_id: int) -> dict[int, int]:
     return {row.id: row.vehicle_id for row in session.execute(query)}
 
 
-def accepted_counts(session: Session, survey_id: int) -> tuple[int, int]:
-    """How many standing heights were accepted or fixed by themselves, and how many accepted by lot."""
+def accepted_counts(session: Session, survey_id: int) -> Counter[int | None]:
+    """How many standing heights were accepted by each lot; by None: accepted or fixed by themselves."""
     query = (
-        with_verdict(reviews.c.lot_id.is_not(None).label("by_lot"), func.count().label("count"))
+        with_verdict(reviews.c.lot_id, func.count().label("count"))
         .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
         .where(measurement_series.c.survey_id == survey_id, vehicles.c.deleted_at.is_(None))
         .where(is_current, is_first, ~_m.withdrawn, verdict.in_(get_args(AcceptedVerdict)))
-        .group_by(reviews.c.lot_id.is_not(None))
+        .group_by(reviews.c.lot_id)
     )
-    found = {bool(row.by_lot): int(row._mapping["count"]) for row in session.execute(query)}
-    return found.get(False, 0), found.get(True, 0)
+    return Counter({row.lot_id: int(row._mapping["count"]) for row in session.execute(query)})
 
 
 def items_of_deleted_vehicles(session: Session, survey_id: int) -> set[int]:

@@ -175,14 +175,15 @@ def decided_items(lot: Lot, now: Sequence[Any]) -> tuple[LotItem, ...]:
 
 def lot_summary(session: Session, survey_id: int) -> LotSummary:
     """How many accepted heights rest on what, and what accepted lots let through at most."""
-    individual, by_lot = query.accepted_counts(session, survey_id)
+    counts = query.accepted_counts(session, survey_id)
+    individual = counts.pop(None, 0)
     passed = outgoing_of_lots(
-        (one.judged + one.rest, one.judged, one.nonconforming)
+        (one.judged + one.rest, one.judged, one.nonconforming, counts[lot.id])
         for lot in query.list_lots(session, survey_id)
         if lot.state == "accepted" and (one := lot.decision) is not None
     )
     held = sum(not place.in_sample for place in places_in_open_lots(session, survey_id).values())
-    return LotSummary(individual=individual, by_lot=by_lot, waiting=held, outgoing=passed)
+    return LotSummary(individual=individual, by_lot=counts.total(), waiting=held, outgoing=passed)
 
 
 def places_in_open_lots(session: Session, survey_id: int) -> dict[int, LotPlace]:
