@@ -123,7 +123,23 @@ def test_a_package_is_of_the_vehicles_chosen(
     shown = viewer.seen(f"/statistics?survey={fleet.survey_id}&{query}")
     assert shown["counted"]["measurements"] == len(kept)
     assert limits_on_the_page(place) == said
+    what_is_said_of_all_is_of_them(place, {vehicles[k] for k in kept})
     counts_are_of_the_heights_in_the_results(place, {vehicles[k] for k in kept})
+
+
+def what_is_said_of_all_is_of_them(place: Path, kept: set[str]) -> None:
+    """Days, poses, lenses and programs of measurements that no figure is of are not the report's."""
+    files = FolderFiles(place)
+    made, path = statistics_of(files), place / "tables" / "measurements.csv"
+    before, written = report_facts(files, made, {}), path.read_bytes()
+    another = {"created_at": "2020-01-01T00:00:00.000000Z", "pose_id": "99", "code_version": "0.0.1"}
+    edit(place, "measurements.csv", lambda row: row["vehicle_id"] not in kept, **another)
+    after = report_facts(files, made, {})
+    assert (after.first_day, after.code_versions) == (before.first_day, before.code_versions)
+    assert after.counts == before.counts and len(after.poses) == 1
+    edit(place, "measurements.csv", lambda row: row["vehicle_id"] in kept, **another)
+    assert report_facts(files, made, {}).poses == ()
+    path.write_bytes(written)
 
 
 def counts_are_of_the_heights_in_the_results(place: Path, kept: set[str]) -> None:
