@@ -122,8 +122,8 @@ def test_a_package_is_of_the_vehicles_chosen(
     query = re.sub(r"'|\[|\]", "", "&".join(_query(chosen)))
     shown = viewer.seen(f"/statistics?survey={fleet.survey_id}&{query}")
     assert shown["counted"]["measurements"] == len(kept)
-    assert limits_on_the_page(place) == said
     what_is_said_of_all_is_of_them(place, {vehicles[k] for k in kept})
+    assert limits_on_the_page(place) == said
     counts_are_of_the_heights_in_the_results(place, {vehicles[k] for k in kept})
 
 
@@ -292,6 +292,7 @@ def after_a_pause(n: int) -> int:
     return int((n if n < 5 else 2996 + n) / TICKS)
 
 
+@pytest.mark.dialect
 def test_a_pause_in_a_recording_is_in_every_time(
     operator: Client,
     reviewer: Client,

@@ -25,6 +25,7 @@ from sightline.export.verify.package import verify_package, verify_place
 from sightline.infra.csv_package.files import FolderFiles, Staging, unsafe
 from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.infra.services import Services
+from sightline.messages import say
 from sightline.recordings.filming import FILMED, Filming
 from sightline.results.selection import Selection
 from sightline.reviews.store import add_review
@@ -267,6 +268,7 @@ def test_traffic_of_a_package_of_one_class_or_lighting_is_that_of_all_vehicles(
     assert scans_in(files).counted["vehicles"] == (3 if chosen[0] == "category" else 0)
     assert main(["flow", str(package), "--interval", "60", "--json"]) == 0
     assert len(json.loads(capsys.readouterr().out)["vehicles"]) == 9
+    assert "traffic of line scans is limited by days and hours alone" in say("export-of-help", {})
 
 
 TAMPERED = {
