@@ -1,10 +1,14 @@
 """The set-up sheet of a plan: one page, in each language, with the plan's own numbers."""
 
 import re
+from math import radians
 
 import pytest
 
 from sightline import messages
+from sightline.cameras.planning.sheet import _Sheet
+from sightline.geometry.plan import plan_site
+from sightline.geometry.site import Site, plain_camera
 from tests.export.report.pdf_text import words
 from tests.support.app import Client, error_of
 
@@ -35,6 +39,19 @@ def test_the_sheet_is_one_page_with_the_plan_in_it(operator: Client, survey: int
         )
     for passing in plan["passing"]:
         assert f"1/{passing['shutter']} s" in text
+
+
+@pytest.mark.parametrize("direction_deg", [0, 25])
+def test_text_and_plan_set_the_board_along_the_traffic(
+    operator: Client, survey: int, direction_deg: int
+) -> None:
+    """The board gives the road its direction: the camera is turned, not the board."""
+    site = Site(camera_height_m=1.5, distance_m=3.0, direction_rad=radians(direction_deg))
+    camera = plain_camera(1920, 1080, radians(65))
+    ((end, other),) = _Sheet(plan_site(camera, site), camera, 65.0, "en").above()["board"]
+    assert end[0] == other[0] and end[1] != other[1]  # as far across the road, along it
+    text = text_of(operator.get(f"/surveys/{survey}/plan.pdf?{ASKED}&direction_deg={direction_deg}").content)
+    assert "its rows along the traffic" in text and "turned by" not in text
 
 
 def test_a_target_that_cannot_be_measured_has_no_number(operator: Client, survey: int) -> None:

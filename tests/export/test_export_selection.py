@@ -18,7 +18,8 @@ from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from tests.export.report.pdf_text import words
-from tests.support.app import Client, error_of
+from tests.media.clips import TICKS, Spec, write
+from tests.support.app import Client, add_recording, error_of
 from tests.support.ground import Ground, add_vehicle, lay_ground, measure
 from tests.support.packages import edit, reseal, rows
 
@@ -121,8 +122,24 @@ def test_a_package_is_of_the_vehicles_chosen(
     query = re.sub(r"'|\[|\]", "", "&".join(_query(chosen)))
     shown = viewer.seen(f"/statistics?survey={fleet.survey_id}&{query}")
     assert shown["counted"]["measurements"] == len(kept)
+    what_is_said_of_all_is_of_them(place, {vehicles[k] for k in kept})
     assert limits_on_the_page(place) == said
     counts_are_of_the_heights_in_the_results(place, {vehicles[k] for k in kept})
+
+
+def what_is_said_of_all_is_of_them(place: Path, kept: set[str]) -> None:
+    """Days, poses, lenses and programs of measurements that no figure is of are not the report's."""
+    files = FolderFiles(place)
+    made, path = statistics_of(files), place / "tables" / "measurements.csv"
+    before, written = report_facts(files, made, {}), path.read_bytes()
+    another = {"created_at": "2020-01-01T00:00:00.000000Z", "pose_id": "99", "code_version": "0.0.1"}
+    edit(place, "measurements.csv", lambda row: row["vehicle_id"] not in kept, **another)
+    after = report_facts(files, made, {})
+    assert (after.first_day, after.code_versions) == (before.first_day, before.code_versions)
+    assert after.counts == before.counts and len(after.poses) == 1
+    edit(place, "measurements.csv", lambda row: row["vehicle_id"] in kept, **another)
+    assert report_facts(files, made, {}).poses == ()
+    path.write_bytes(written)
 
 
 def counts_are_of_the_heights_in_the_results(place: Path, kept: set[str]) -> None:
@@ -268,3 +285,50 @@ def test_a_package_of_days_of_filming(
     assert "Only: filmed from 2026-05-04" in flat
     assert "2026-05-03 23:59 to 2026-05-04 00:00 (Europe/Paris)" in flat
     assert verify_package(FolderFiles(place)).ok
+
+
+def after_a_pause(n: int) -> int:
+    """Time stamps of a frame a second: five, fifty minutes of nothing, then the others."""
+    return int((n if n < 5 else 2996 + n) / TICKS)
+
+
+@pytest.mark.dialect
+def test_a_pause_in_a_recording_is_in_every_time(
+    operator: Client,
+    reviewer: Client,
+    viewer: Client,
+    services: Services,
+    survey_id: int,
+    work: Callable[[], list[Job]],
+    tmp_path: Path,
+) -> None:
+    """A pass begins when its frame was filmed: on screen, in a selection, behind another, in the package."""
+    spec = Spec("pause.mp4", pts_of=after_a_pause, count=12)
+    recording_id = add_recording(operator, services, survey_id, write(tmp_path / spec.name, spec))
+    ground = lay_ground(services, survey_id, recording_id)
+    rule = {"name": "Rouen", "version": 1, "sampling": {"free_flowing_s": 1.5}}
+    rule["version"] = viewer.seen(f"/surveys/{survey_id}")["version"]
+    assert operator.put(f"/surveys/{survey_id}", rule).status_code == 200
+    start = {"local": "2026-05-03T08:10:00", "time_zone": "Europe/Paris"}
+    assert operator.put(f"/recordings/{recording_id}", {"start": start}).status_code == 200
+    cars = []
+    for first, height in ((0, 1.31), (4, 1.32), (8, 1.33), (9, 1.34)):
+        known = {"manufacturer_height_m": height, "first_frame": first, "last_frame": 10}
+        cars.append(add_vehicle(operator, recording_id, direction="right", **known)["id"])
+        made = measure(operator, cars[-1], frame=10)
+        reviewer.made(f"/measurements/{made['id']}/reviews", {"revision": 1, "verdict": "accepted"})
+    seen = [viewer.seen(f"/vehicles/{car}") for car in cars]
+    assert [one["first_s"] for one in seen] == [0.0, 4.0, 3004.0, 3005.0]
+    clocks = ["08:10:00", "08:10:04", "09:00:04", "09:00:05"]
+    times = [f"2026-05-03T{clock}.000+02:00" for clock in clocks]
+    assert [one["filmed_at"] for one in seen] == times
+    assert [one["in_sample"] for one in seen] == [True, True, True, False]  # the last is 1 s behind
+    for hours, found in (("hour_to=9", 2), ("hour_from=9", 1), ("", 3)):
+        assert viewer.seen(f"/statistics?survey={survey_id}&{hours}")["counted"]["vehicles"] == found
+
+    place = built(viewer, ground, work, tmp_path / "package", {"hour_from": 9})
+    assert [row["filmed_at"] for row in rows(place, "vehicles.csv")] == times
+    assert verify_package(FolderFiles(place)).ok
+    edit(place, "vehicles.csv", lambda row: row["first_frame"] == "9", first_s="3009.0", in_sample="true")
+    reseal(place)
+    assert "does not fit the frames around it" in str(verify_package(FolderFiles(place)).problem)

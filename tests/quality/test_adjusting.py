@@ -182,6 +182,20 @@ def test_a_vehicle_said_to_be_another_model_is_named_and_what_lacks_is_said(
     assert found["used"] == 11
 
 
+def test_a_retired_wheelbase_adjusts_nothing(operator: Client, ground: Ground) -> None:
+    """A corrected model takes the place of a retired one; of one that is only retired nothing is known."""
+    vehicles = fleet(operator, ground)
+    for name in ("Lindo", "Monte"):
+        (one,) = operator.seen(f"/catalogue/page?q={name}")["entries"]
+        told = {"version": one["version"], "retired": True}
+        assert operator.post(f"/catalogue/{one['id']}/retire", told).status_code == 200
+    other = {"make": "Corvane", "model": "Lindo", "year_from": 1990, "source": "test"}
+    operator.made("/catalogue", {**other, "wheelbase_m": WHEELBASES["Lindo"] + 0.02, "u_wheelbase_m": 0.005})
+    found = asked(operator, ground)
+    out = {one["vehicle_id"]: one["reason"]["code"] for one in found["left_out"] if one["what"] == "tyres"}
+    assert [out.get(one["id"]) for one in vehicles[:2]] == [None, "adjustment-no-wheelbase"]
+
+
 def test_where_nothing_is_known_nothing_is_claimed(operator: Client, ground: Ground) -> None:
     found = asked(operator, ground)
     assert found["reason"] and found["moved"] == []

@@ -75,6 +75,22 @@ def test_no_measured_height_ranks_it_only_strikes_out(
     assert [one["entry"]["model"] for one in asked(viewer, vehicle)["fitting"]] == ["Corva", "Alto", "Berta"]
 
 
+def test_a_model_of_other_years_is_none_of_the_vehicle(
+    operator: Client, viewer: Client, ground: Ground
+) -> None:
+    add_model(operator, "Corva", height_m=1.2, year_from=2001, year_to=2008)
+    vehicle = add_vehicle(operator, ground.recording_id, year=2012)["id"]
+    measure(operator, vehicle, height_m=1.2)
+    said = asked(viewer, vehicle)
+    assert said["fitting"] == [] and said["reason"]["code"] == "models-none-of-year"
+    assert "2012." in said["reason"]["message"]
+    add_model(operator, "Alto", height_m=1.2, year_from=2009)
+    add_model(operator, "Berta", height_m=1.2)
+    said = asked(viewer, vehicle)
+    assert [one["entry"]["model"] for one in said["fitting"]] == ["Alto", "Berta"]
+    assert (said["fit"], said["cannot_fit"], said["reason"]) == (2, 0, None)
+
+
 def test_where_no_model_can_be_it_that_is_said(operator: Client, ground: Ground) -> None:
     add_model(operator, "Dora", height_m=1.6)
     vehicle = add_vehicle(operator, ground.recording_id)["id"]

@@ -95,6 +95,23 @@ def test_each_pass_ends_and_quotas_tell_how_far(operator: Client, viewer: Client
     assert (counts["vehicles"], counts["vehicles_measured"]) == (3, 2)
 
 
+def test_a_rejected_height_measures_nothing(
+    operator: Client, reviewer: Client, viewer: Client, ground: Ground, services: Services, tmp_path: Path
+) -> None:
+    """Its pass is open again, on the page, in the overview and in the package."""
+    said(operator, ground)
+    for car, verdict in zip(fleet(operator, ground, 2), ("accepted", "rejected"), strict=True):
+        judged = {"revision": 1, "verdict": verdict, "reason": "wrong vehicle"}
+        reviewer.made(f"/measurements/{measure(operator, car)['id']}/reviews", judged)
+    ends = ("passes", "in_sample", "measured", "open", "rate")
+    of_all = viewer.seen(f"/surveys/{ground.survey_id}/sample")["response"][0]
+    assert [of_all[name] for name in ends] == [2, 2, 1, 1, 0.5]
+    assert viewer.seen(f"/surveys/{ground.survey_id}")["counts"]["vehicles_measured"] == 1
+    place = written(services, ground.survey_id, tmp_path / "package")
+    assert [rows(place, "statistics/response.csv")[0][name] for name in ends] == ["2", "2", "1", "1", "0.5"]
+    assert verify_package(FolderFiles(place)).ok
+
+
 def test_free_flowing_vehicles_alone(operator: Client, viewer: Client, ground: Ground) -> None:
     ids = fleet(operator, ground, 3)
     recording = viewer.seen(f"/recordings/{ground.recording_id}")

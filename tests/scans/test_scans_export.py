@@ -26,6 +26,7 @@ from sightline.export.verify.package import verify_package, verify_place
 from sightline.infra.csv_package.files import FolderFiles, Staging, read_rows, unsafe
 from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.infra.services import Services
+from sightline.messages import say
 from sightline.recordings.filming import FILMED, Filming
 from sightline.results.selection import Selection
 from sightline.reviews.store import add_review
@@ -281,6 +282,7 @@ def test_traffic_of_a_package_of_one_class_or_lighting_is_that_of_all_vehicles(
     assert main(["flow", str(package), "--interval", "60", "--json"]) == 0
     assert read == 2 * ["scan_vehicles.csv"]  # once each
     assert len(json.loads(capsys.readouterr().out)["vehicles"]) == 9
+    assert "traffic of line scans is limited by days and hours alone" in say("export-of-help", {})
 
 
 TAMPERED = {

@@ -19,8 +19,8 @@ from sightline.vehicles.records import NOT_VISIBLE
 RESPONSE = statistics_table(
     "response",
     "What became of the passes of the survey. in_sample are those that the rule of sampling.csv takes, but "
-    "for discarded ones; each is measured (all that is asked for is answered, something measured), not "
-    "visible, or open.",
+    "for discarded ones; each is measured (all that is asked for is answered, something measured and not "
+    "rejected), not visible, or open.",
     text("lighting", "all, daytime, low_light, or unknown", required=True),
     text("class_set", "all, a set of classes (classes.csv), or none", required=True),
     text("target", "what is asked for; empty: the vehicle as a whole", enum=get_args(AskedTarget)),
@@ -52,9 +52,9 @@ def response_in(files: Files) -> list[Response]:
 
 def _passes(files: Files) -> Iterator[PassAnswers]:
     measured: dict[str, set[str]] = {}
-    names = ("vehicle_id", "target", "withdrawn")
-    for vehicle, target, withdrawn in read_columns(files, "measurements.csv", names):
-        if withdrawn == "false":
+    names = ("vehicle_id", "target", "withdrawn", "verdict")
+    for vehicle, target, withdrawn, verdict in read_columns(files, "measurements.csv", names):
+        if withdrawn == "false" and verdict != "rejected":
             measured.setdefault(vehicle, set()).add(target)
     lit = dict(read_columns(files, "recordings.csv", ("id", "lighting")))
     sets, asked, chosen = class_sets_in(files), asked_in(files), chosen_vehicles(files).of

@@ -55,6 +55,8 @@ _newest_review = (
     .correlate(measurements)
     .scalar_subquery()
 )
+#: Of joined reviews the newest of a revision, or of the one whose verdict holds for it too.
+judges: ColumnElement[bool] = reviews.c.id == _newest_review
 #: False for those that repeat another one: they stand in no list and count for no result.
 is_first: ColumnElement[bool] = series.c.repeat_of.is_(None)
 #: The verdict on a revision; what was reopened waits for a reviewer again.
@@ -85,7 +87,7 @@ def with_verdict(*columns: Any) -> Select[Any]:
         select(*columns)
         .select_from(measurements)
         .join(series, series.c.id == measurements.c.series_id)
-        .outerjoin(reviews, reviews.c.id == _newest_review)
+        .outerjoin(reviews, judges)
     )
 
 

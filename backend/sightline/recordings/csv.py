@@ -15,7 +15,7 @@ from sightline.infra.csv_package.files import number as figure
 from sightline.infra.csv_package.schema import Cell, Cells, Column, Table
 from sightline.infra.local_time import local_text
 from sightline.recordings.drift import DriftDecision, DriftFigures, drift_check_of, drift_figures
-from sightline.recordings.filming import Filming, frame_s
+from sightline.recordings.filming import Filming
 from sightline.recordings.records import Recording
 
 Row = TypeVar("Row")
@@ -149,24 +149,16 @@ RECORDINGS: Table[DescribedRecording] = Table(
 )
 
 
-def frames_s(files: Files) -> dict[str, float]:
-    """How long a frame of each recording of a package is on average, seconds; 0 where that is not known."""
+def mean_frames_s(files: Files) -> dict[str, float]:
+    """How long a frame of each recording of a package is on average, seconds; 0 where that is not known. By
+    it packages told the times of passes before their vehicles had first_s.
+    """
     columns = read_columns(files, RECORDINGS.key, ("id", "duration_s", "frame_count"))
-    return {id_: frame_s(figure(duration), whole(frames)) for id_, duration, frames in columns}
+    lasting = ((id_, figure(duration), whole(frames)) for id_, duration, frames in columns)
+    return {id_: duration_s / count if duration_s and count else 0.0 for id_, duration_s, count in lasting}
 
 
 def filmings_in(files: Files) -> dict[str, Filming]:
     """The start of each recording of a package that has one, by its number."""
     columns = read_columns(files, RECORDINGS.key, ("id", "started_at", "time_zone"))
     return {id_: Filming(datetime.fromisoformat(at), unsafe(zone)) for id_, at, zone in columns if at}
-
-
-def filmed_in(files: Files) -> Callable[[str, int], str]:
-    """When a frame of a recording was filmed, as a package writes it of a pass; empty where nobody knows."""
-    frames, filmings = frames_s(files), filmings_in(files)
-
-    def filmed_at(recording: str, frame: int) -> str:
-        filming = filmings.get(recording)
-        return "" if filming is None else filming.at(frame * frames[recording])
-
-    return filmed_at

@@ -112,11 +112,6 @@ def filming_of(row: Mapping[Any, Any]) -> Filming | None:
     return None if row["started_at"] is None else Filming(row["started_at"], row["time_zone"])
 
 
-def frame_s(duration_s: float | None, frame_count: int | None) -> float:
-    """How long a frame of a recording is on average, seconds; 0 where that is not known."""
-    return duration_s / frame_count if duration_s and frame_count else 0.0
-
-
 def start_of(local: str, zone: str, present: datetime) -> Filming:
     """What a person said of a start. Raises BadInput: see `instant_of`; and a start in the future."""
     at = instant_of(local, zone)

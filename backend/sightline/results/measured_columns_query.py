@@ -21,12 +21,13 @@ from sightline.geometry.documents import camera_across_m
 from sightline.measurements.query import is_current, is_first, series, verdict, with_verdict
 from sightline.measurements.tables import measurements
 from sightline.poses.tables import road_poses
-from sightline.recordings.filming import filming_of, frame_s
+from sightline.recordings.filming import filming_of
+from sightline.recordings.frames.tables import frames
 from sightline.recordings.tables import recordings
 from sightline.surveys.classes import sets_of
 from sightline.surveys.store import classes_of_surveys
 from sightline.vehicles.records import BY_SIZE, KNOWN
-from sightline.vehicles.store import vehicles_outside
+from sightline.vehicles.store import FIRST, FIRST_S, vehicles_outside
 from sightline.vehicles.tables import vehicles
 
 Floats = NDArray[np.float64]
@@ -191,7 +192,7 @@ def _standing(survey_ids: Sequence[int] | None, days: bool) -> Select[Any]:
             m.created_by.label("operator_id"),
             (m.created_at if days else null()).label("day"),
             v.recording_id,
-            v.first_frame,
+            FIRST_S,
             m.target,
             func.coalesce(v.lighting, r.lighting).label("lighting"),
             v.direction.label("lane"),
@@ -209,6 +210,7 @@ def _standing(survey_ids: Sequence[int] | None, days: bool) -> Select[Any]:
         )
         .join(vehicles, v.id == series.c.vehicle_id)
         .join(recordings, r.id == v.recording_id)
+        .outerjoin(frames, FIRST)
         .where(is_current, is_first, ~m.withdrawn, m.height_m.is_not(None), v.deleted_at.is_(None))
         .order_by(series.c.id)
     )
@@ -232,7 +234,7 @@ def _chunk(session: Session, rows: Sequence[Any], outside: list[int]) -> Measure
         {
             **columns,
             "day": [0 if at is None else day_of(at) for at in columns["day"]],
-            "filmed_hour": _filmed_hours(session, columns["recording_id"], columns["first_frame"]),
+            "filmed_hour": _filmed_hours(session, columns["recording_id"], columns["first_s"]),
             "class_set": [None] * len(rows),
             "counts": ~np.array(columns["check_target"], dtype=np.bool_)
             & ~np.isin(np.array(columns["vehicle_id"], dtype=np.int64), outside),
@@ -242,17 +244,16 @@ def _chunk(session: Session, rows: Sequence[Any], outside: list[int]) -> Measure
     return replace(found, class_set=_class_sets(session, survey, found.category))
 
 
-def _filmed_hours(session: Session, recording_ids: Values, first_frames: Values) -> Ints:
+def _filmed_hours(session: Session, recording_ids: Values, first_s: Values) -> Ints:
     """The hour in which each pass (N,) was filmed, NONE where nobody has confirmed its recording's start."""
-    recording, frame = np.array(recording_ids, dtype=np.int64), np.array(first_frames, dtype=np.int64)
+    recording, seconds = np.array(recording_ids, dtype=np.int64), np.array(first_s, dtype=np.float64)
     hour = np.full(len(recording), NONE, dtype=np.int64)
     r = recordings.c
-    query = select(r.id, r.started_at, r.time_zone, r.duration_s, r.frame_count)
+    query = select(r.id, r.started_at, r.time_zone)
     for row in session.execute(query.where(r.started_at.is_not(None))).mappings():
-        of = np.flatnonzero(recording == row["id"])
-        filming, each_s = filming_of(row), frame_s(row["duration_s"], row["frame_count"])
+        of, filming = np.flatnonzero((recording == row["id"]) & np.isfinite(seconds)), filming_of(row)
         if filming is not None:
-            hour[of] = filming.hours(frame[of].astype(np.float64) * each_s)
+            hour[of] = filming.hours(seconds[of])
     return hour
 
 

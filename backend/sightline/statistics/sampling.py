@@ -74,7 +74,9 @@ class PassTime:
 
 @dataclass(frozen=True, slots=True)
 class PassAnswers:
-    """What became of a pass: `measured` and `not_visible` are the targets answered so."""
+    """What became of a pass: `measured`, by a height that is not rejected, and `not_visible` are the targets
+    answered so.
+    """
 
     lighting: Lighting | None
     class_set: ClassSet | None

@@ -155,12 +155,18 @@ class Vehicle(VehicleFields):
             "the survey counts others too."
         ),
     ]
+    first_s: Annotated[
+        float | None,
+        Field(
+            description="Seconds from the recording's first frame to that of the pass, of the frame table; "
+            "null where the recording has none."
+        ),
+    ]
     filmed_at: Annotated[
         str | None,
         Field(
-            description="When its first frame was filmed, by the clocks of the place, ISO 8601 with offset; "
-            "frames are taken to be as long as the recording's on average. Null until a person has confirmed "
-            "the start of the recording."
+            description="When its first frame was filmed, by the clocks of the place, ISO 8601 with offset: "
+            "`first_s` after the start of the recording. Null until a person has confirmed that start."
         ),
     ]
 

@@ -20,7 +20,8 @@ from sightline.infra.audit.changing import (
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import get_row, missing, who
 from sightline.infra.database.types import columns_of, now
-from sightline.recordings.filming import filming_of, frame_s
+from sightline.recordings.filming import filming_of
+from sightline.recordings.frames.tables import frames
 from sightline.recordings.tables import recordings
 from sightline.statistics.sampling import PassTime, counts_in_results, headways, is_in_sample
 from sightline.surveys.store import TRAFFIC, asked_of, sampling_of, traffic_of_row
@@ -57,11 +58,13 @@ class PassCount:
 
 #: A vehicle without lighting has its recording's.
 LIGHT = func.coalesce(vehicles.c.lighting, recordings.c.lighting).label("light")
+#: The first frame of a pass in its recording's frame table, and its time, seconds since the table's first.
+FIRST = and_(frames.c.recording_id == vehicles.c.recording_id, frames.c.n == vehicles.c.first_frame)
+FIRST_S = frames.c.time_s.label("first_s")
 _ALIVE: ColumnElement[bool] = vehicles.c.deleted_at.is_(None)
 _SKIPPED = ("created_at", "created_by", "updated_by", "deleted_at")
 _FIELDS = frozenset(one.name for one in fields(VehicleFields))
 _NAMED = [column.name for column in columns_of(vehicles, *_SKIPPED)]
-_OF_RECORDING = ("started_at", "time_zone", "duration_s", "frame_count")
 
 
 def create_vehicle(
@@ -216,32 +219,26 @@ def vehicle_rows(*where: ColumnElement[bool], deleted: bool = False) -> Select[A
     `deleted`: those too.
     """
     of_survey = (*(surveys.c[name] for name in TRAFFIC), surveys.c.asked, surveys.c.sampling)
-    filmed = (recordings.c[name] for name in _OF_RECORDING)
+    filmed = (recordings.c.started_at, recordings.c.time_zone, FIRST_S)
     query = select(vehicles, people.c.name.label("changer"), *of_survey, LIGHT, *filmed)
     query = query.join(surveys, surveys.c.id == vehicles.c.survey_id)
-    query = query.join(recordings, recordings.c.id == vehicles.c.recording_id)
+    query = query.join(recordings, recordings.c.id == vehicles.c.recording_id).outerjoin(frames, FIRST)
     query = query.outerjoin(people, people.c.id == vehicles.c.updated_by).order_by(vehicles.c.number)
     return query.where(*where) if deleted else query.where(*where, _ALIVE)
 
 
 def headways_of(session: Session, recording_ids: Iterable[int]) -> dict[int, float]:
-    """Seconds behind the pass before in its direction, by vehicle, of all passes of some recordings; frames
-    are taken to be as long as the recording's on average.
+    """Seconds behind the pass before in its direction, by vehicle, of all passes of some recordings that
+    have a frame table.
     """
-    seconds = recordings.c.duration_s / func.nullif(recordings.c.frame_count, 0)
+    v = vehicles.c
     query = (
-        select(
-            vehicles.c.id,
-            vehicles.c.recording_id,
-            vehicles.c.direction,
-            (vehicles.c.first_frame * seconds).label("begins_s"),
-            vehicles.c.discarded,
-        )
-        .join(recordings, recordings.c.id == vehicles.c.recording_id)
-        .where(vehicles.c.recording_id.in_(sorted(set(recording_ids))), _ALIVE)
+        select(v.id, v.recording_id, v.direction, FIRST_S, v.discarded)
+        .join(frames, FIRST)
+        .where(v.recording_id.in_(sorted(set(recording_ids))), _ALIVE)
     )
     return headways(
-        PassTime(row.id, row.recording_id, row.direction, row.begins_s or 0.0, row.discarded is None)
+        PassTime(row.id, row.recording_id, row.direction, row.first_s, row.discarded is None)
         for row in session.execute(query)
     )
 
@@ -284,13 +281,6 @@ def facts_of_row(row: Mapping[Any, Any], headway_s: Mapping[int, float]) -> dict
     chosen = is_in_sample(rule, row["number"], headway_s.get(row["id"]))
     answers = {"asked": asked_of(row["asked"]).of(row["light"]), "in_sample": chosen}
     answers["counts"] = counts_in_results(rule, chosen, row["check_target"])
-    filmed = {"filmed_at": pass_filmed_at(row)}
-    return {**stored, **changed, **side, **answers, **filmed}
-
-
-def pass_filmed_at(row: Mapping[Any, Any]) -> str | None:
-    """When the first frame of a pass was filmed, from its row joined with its recording's."""
-    filming = filming_of(row)
-    if filming is None:
-        return None
-    return filming.at(row["first_frame"] * frame_s(row["duration_s"], row["frame_count"]))
+    filming, first_s = filming_of(row), row["first_s"]
+    filmed_at = None if filming is None or first_s is None else filming.at(first_s)
+    return {**stored, **changed, **side, **answers, "first_s": first_s, "filmed_at": filmed_at}

@@ -10,7 +10,7 @@ from itertools import islice
 from typing import Any
 
 from sightline.cameras.calibrations.csv import CALIBRATIONS
-from sightline.export.chosen import chosen_scanned, counting_vehicles, is_accepted
+from sightline.export.chosen import chosen_scanned, chosen_vehicles, counting_vehicles, is_accepted
 from sightline.export.exclusions import EXCLUSIONS
 from sightline.export.measured import AS_PAPER, PackageStatistics
 from sightline.export.report.facts import ReportFacts, Row, ScanFacts
@@ -154,7 +154,7 @@ class _Chain:
 
 
 class _Measurements:
-    """What the report says of all measurements together."""
+    """What the report says of the measurements of the vehicles that its figures are of; `count`: of all."""
 
     def __init__(self, files: Files) -> None:
         days: set[str] = set()
@@ -162,9 +162,12 @@ class _Measurements:
         self.poses: Counter[str] = Counter()
         self.calibrations: Counter[str] = Counter()
         self.code_versions: Counter[str] = Counter()
-        names = ("created_at", "pose_id", "calibration_id", "code_version", "withdrawn")
-        for at, pose, calibration, code, _ in read_columns(files, "measurements.csv", names):
+        chosen = chosen_vehicles(files).of
+        names = ("vehicle_id", "created_at", "pose_id", "calibration_id", "code_version")
+        for vehicle, at, pose, calibration, code in read_columns(files, "measurements.csv", names):
             self.count += 1
+            if vehicle not in chosen:
+                continue
             days.add(at[:10])
             self.poses[pose] += 1
             self.calibrations[calibration] += 1

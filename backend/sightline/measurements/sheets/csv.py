@@ -15,7 +15,7 @@ from sightline.enums import (
     ModelChosenBy,
     NotVisible,
 )
-from sightline.infra.csv_package.columns import flag, integer, key, metres, text
+from sightline.infra.csv_package.columns import flag, integer, key, metres, number, text
 from sightline.infra.csv_package.files import Files, read_rows
 from sightline.infra.csv_package.schema import Column, Table
 from sightline.measurements.records import VehicleSheet
@@ -74,12 +74,14 @@ VEHICLES: Table[VehicleSheet] = Table(
             enum=get_args(DriverSide),
         ),
         *(_not_visible(target) for target in NOT_VISIBLE),
+        number(
+            "first_s", "time of first_frame since the first frame of its recording, from the frame table", "s"
+        ),
         Column(
             "filmed_at",
             "datetime",
-            "when its first frame was filmed, by the clocks of the place (ISO 8601 with offset): started_at "
-            "of its recording and first_frame, frames as long as on average; empty while nobody has "
-            "confirmed that start",
+            "when its first frame was filmed, by the clocks of the place (ISO 8601 with offset): first_s "
+            "after started_at of its recording; empty while nobody has confirmed that start",
         ),
         flag("in_sample", "whether the rule of sampling.csv selects it", required=True),
         flag(

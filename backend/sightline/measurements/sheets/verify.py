@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from sightline.errors import Damaged
-from sightline.infra.csv_package.files import Files, read_columns
+from sightline.infra.csv_package.files import Files, columns_lacking, read_columns
 from sightline.infra.csv_package.replay import Replay, Replayed
 from sightline.measurements.sheets.csv import VEHICLES
-from sightline.recordings.csv import filmed_in, frames_s
+from sightline.recordings.csv import filmings_in, mean_frames_s
+from sightline.recordings.frames.csv import FRAMES
 from sightline.statistics.sampling import PassTime, counts_in_results, headways, is_in_sample
 from sightline.surveys.csv import sampling_in
 
@@ -17,7 +20,9 @@ def check_vehicles(files: Files, replay: Replay) -> None:
     """Vehicles are what their events made of them, and in the sample where its rule says so; deleted ones
     are gone. Raises Damaged.
     """
-    rule, behind, filmed = sampling_in(files), _headways(files), filmed_in(files)
+    rule, filmings, begun_s = sampling_in(files), filmings_in(files), _begun_s(files)
+    behind = _headways(files, begun_s)
+    _hold_order(files)
     for row in replay.hold(files, REPLAYED):
         id_ = int(row["id"])
         taken = is_in_sample(rule, int(row["number"]), behind.get(id_))
@@ -25,15 +30,43 @@ def check_vehicles(files: Files, replay: Replay) -> None:
         says_so = (row["in_sample"], row.get("counts", str(counts).lower()))
         if says_so != (str(taken).lower(), str(counts).lower()):
             raise Damaged("measurements-sample-differs", id=id_)
-        if row["filmed_at"] != filmed(row["recording_id"], int(row["first_frame"])):
+        filming, first_s = filmings.get(row["recording_id"]), begun_s.get(id_)
+        if row["filmed_at"] != ("" if filming is None or first_s is None else filming.at(first_s)):
             raise Damaged("measurements-vehicle-time", id=id_)
 
 
-def _headways(files: Files) -> dict[int, float]:
+def _begun_s(files: Files) -> dict[int, float]:
+    """When the first frame of each pass was, seconds after its recording's, where that is known. Before the
+    column, frames were taken to be as long as their recording's on average.
+    """
+    if "first_s" in columns_lacking(files, VEHICLES.key):
+        each_s = mean_frames_s(files)
+        columns = read_columns(files, VEHICLES.key, ("id", "recording_id", "first_frame"))
+        return {int(id_): int(first) * each_s.get(of, 0.0) for id_, of, first in columns}
+    return {int(id_): float(at) for id_, at in read_columns(files, VEHICLES.key, ("id", "first_s")) if at}
+
+
+def _hold_order(files: Files) -> None:
+    """The frames of a recording come one after another: those in which passes begin with those that were
+    clicked on, whose times the chain vouches for. Raises Damaged.
+    """
+    names = (VEHICLES.key, "first_frame", "first_s"), (FRAMES.key, "frame", "time_s")
+    told = {
+        (int(of), int(frame), float(at))
+        for path, *both in names
+        for of, frame, at in read_columns(files, path, ("recording_id", *both))
+        if at
+    }
+    for (of, frame, at_s), (of_next, next_, next_s) in pairwise(sorted(told)):
+        if of == of_next and (next_s < at_s or next_ == frame):
+            raise Damaged("measurements-frame-time", recording=of, frame=next_)
+
+
+def _headways(files: Files, begun_s: dict[int, float]) -> dict[int, float]:
     """As `vehicles.store.headways_of`, from the rows of a package."""
-    seconds = frames_s(files)
-    names = ("id", "recording_id", "direction", "first_frame", "discarded")
+    names = ("id", "recording_id", "direction", "discarded")
     return headways(
-        PassTime(int(id_), int(of), direction or None, int(first) * seconds.get(of, 0.0), not discarded)
-        for id_, of, direction, first, discarded in read_columns(files, "vehicles.csv", names)
+        PassTime(int(id_), int(of), direction or None, begun_s[int(id_)], not discarded)
+        for id_, of, direction, discarded in read_columns(files, VEHICLES.key, names)
+        if int(id_) in begun_s
     )

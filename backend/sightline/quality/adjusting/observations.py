@@ -99,7 +99,8 @@ def _tyres(
     if not is_reference(vehicle.model_chosen_by):
         return _BY_SIZE
     entries = models.get((vehicle.make.lower(), vehicle.model.lower()), [])
-    fitting = [one for one in entries if one.wheelbase_m is not None and one.built_in(vehicle.year)]
+    offered = [one for one in entries if one.retired_at is None and one.built_in(vehicle.year)]
+    fitting = [one for one in offered if one.wheelbase_m is not None]
     lengths = [one.wheelbase_m for one in fitting if one.wheelbase_m is not None]
     if not lengths:
         return Said("adjustment-no-wheelbase")

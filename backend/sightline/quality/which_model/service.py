@@ -36,12 +36,21 @@ SCALE_U = 0.015  # of a length on the road: what the pose may be off by, a share
 
 
 def which_model(session: Session, vehicle_id: int) -> WhichModel:
-    """The catalogue's models that fit a vehicle, and whether its own can. Raises NotFound."""
+    """The catalogue's models of its year, where that is given, that fit a vehicle, and whether its own can.
+
+    Raises NotFound.
+    """
     sheet = get_sheet(session, vehicle_id)
-    entries = all_of_catalogue(session)
+    catalogue = all_of_catalogue(session)
+    entries = [one for one in catalogue if one.built_in(sheet.year)]
     measured = (*(_height(sheet, size) for size in TARGET_OF), _wheelbase(session, vehicle_id))
     if not entries:
-        return WhichModel(measured=measured, reason=Said("models-none-in-catalogue"))
+        why = (
+            Said("models-none-of-year", year=str(sheet.year))
+            if catalogue
+            else Said("models-none-in-catalogue")
+        )
+        return WhichModel(measured=measured, reason=why)
     values, u = (_numbers([getattr(one, name) for one in measured]) for name in ("value_m", "u_m"))
     sizes = _numbers([[entry.size(one.size) for one in measured] for entry in entries])
     u_sizes = _numbers([[_u_of(entry, one.size) for one in measured] for entry in entries])
@@ -130,8 +139,7 @@ def _fitting(
 
 
 def _is_chosen(entry: CatalogueEntry, sheet: VehicleSheet) -> bool:
-    """Whether make, model and, where it is given, year are those filled in."""
+    """Whether make and model are those filled in."""
     if not sheet.make or not sheet.model:
         return False
-    named = (entry.make.lower(), entry.model.lower()) == (sheet.make.lower(), sheet.model.lower())
-    return named and entry.built_in(sheet.year)
+    return (entry.make.lower(), entry.model.lower()) == (sheet.make.lower(), sheet.model.lower())

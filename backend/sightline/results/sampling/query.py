@@ -7,8 +7,8 @@ from typing import Any
 from sqlalchemy import ColumnElement, Select, and_, case, func, select
 from sqlalchemy.orm import Session
 
-from sightline.measurements.query import is_current, is_first
-from sightline.measurements.tables import measurement_series, measurements
+from sightline.measurements.query import is_current, is_first, judges, verdict
+from sightline.measurements.tables import measurement_series, measurements, reviews
 from sightline.recordings.tables import recordings
 from sightline.statistics.sampling import PassAnswers, is_in_sample
 from sightline.surveys.records import Survey
@@ -19,16 +19,20 @@ from sightline.vehicles.tables import vehicles
 
 def with_answers(*own: ColumnElement[Any]) -> Select[Any]:
     """Living vehicles with `id`, `light`, `own`, why each target cannot be seen, and 1 by each target that is
-    measured, else 0.
+    measured, else 0; a rejected height measures nothing.
     """
     v, m = vehicles.c, measurements.c
     each = (v.id, LIGHT, *own, *(v[name] for name in NOT_VISIBLE.values()))
-    has = [func.max(case((m.target == target, 1), else_=0)).label(target) for target in NOT_VISIBLE]
+    stands = verdict != "rejected"
+    has = [
+        func.max(case(((m.target == target) & stands, 1), else_=0)).label(target) for target in NOT_VISIBLE
+    ]
     return (
         select(*each, *has)
         .join(recordings, recordings.c.id == v.recording_id)
         .outerjoin(measurement_series, and_(measurement_series.c.vehicle_id == v.id, is_first))
         .outerjoin(measurements, and_(m.series_id == measurement_series.c.id, is_current, ~m.withdrawn))
+        .outerjoin(reviews, judges)
         .where(v.deleted_at.is_(None))
         .group_by(*each)
     )
