@@ -305,6 +305,7 @@ def test_a_pause_in_a_recording_is_in_every_time(
     """A pass begins when its frame was filmed: on screen, in a selection, behind another, in the package."""
     spec = Spec("pause.mp4", pts_of=after_a_pause, count=12)
     recording_id = add_recording(operator, services, survey_id, write(tmp_path / spec.name, spec))
+    assert viewer.seen(f"/recordings/{recording_id}")["duration_s"] == pytest.approx(3008.0)
     ground = lay_ground(services, survey_id, recording_id)
     rule = {"name": "Rouen", "version": 1, "sampling": {"free_flowing_s": 1.5}}
     rule["version"] = viewer.seen(f"/surveys/{survey_id}")["version"]

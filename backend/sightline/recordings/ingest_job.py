@@ -8,6 +8,8 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
+import numpy as np
+
 from sightline.enums import Lighting
 from sightline.errors import BadInput, Conflict, NotFound
 from sightline.infra.database import Session
@@ -213,7 +215,8 @@ def facts_of(found: Ingested, working_copy: str | None) -> Facts:
     if begun is not None and begun > now():
         ahead = [Said("video-start-in-future", start=f"{begun:%Y-%m-%d %H:%M}")]
         begun = None
-    duration_s = float(times.max() - times.min()) + (1.0 / report.rate_hz if report.rate_hz else 0.0)
+    last_s = float(np.median(np.diff(times))) if len(times) > 1 else 0.0
+    duration_s = float(times.max() - times.min()) + last_s
     kept: dict[str, Any] = {
         "duplicates": report.duplicates,
         "unordered": report.unordered,
