@@ -10,11 +10,14 @@ from sqlalchemy import text
 
 from sightline.export.report.crest import crest_sentence
 from sightline.infra.services import Services
+from sightline.results.measured_columns_query import Measured
+from sightline.results.sightdistance import service
 from sightline.results.sightdistance.records import SightQuestion
 from sightline.results.sightdistance.service import HeightRead, case_of, exact
 from sightline.results.survey_statistics import Filter
 from sightline.sightdistance.curves import crest_constants_m
 from sightline.sightdistance.workbench import Bounded
+from sightline.statistics.summary import Grouping
 from tests.bench.seed import seed
 from tests.support.app import Client, error_of
 
@@ -94,6 +97,22 @@ def test_another_fleet_of_one_class_is_that_class(services: Services, survey: in
     ]["eye_m"]
     assert mix["crest"]["eye_m"]["value"] == pytest.approx(alone["value"], abs=0.003)
     assert {one["category"] for one in found["classes"]} == {"hatchback", "saloon", "suv", "van"}
+
+
+def test_another_fleet_of_several_sites_is_of_many(
+    survey: int, viewer: Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Vehicles dealt to three sites: the fleet of one class has the interval of that class."""
+
+    def dealt(_: Any, found: Measured) -> Grouping:
+        return Grouping(found.vehicle_id % 3, ("one", "two", "three"))
+
+    monkeypatch.setattr(service, "sites_of", dealt)
+    asked = ASKED.format(survey=survey) + "&eye_percent=50&object_percent=50"
+    mix = viewer.seen(f"{asked}&share=suv:100&share=van:0")["cases"][2]["crest"]["eye_m"]
+    alone = viewer.seen(f"{asked}&category=suv")["cases"][1]["crest"]["eye_m"]
+    assert mix["value"] == pytest.approx(alone["value"], abs=0.003)
+    assert mix["high"] - mix["low"] == pytest.approx(alone["high"] - alone["low"], rel=0.1)
 
 
 def test_they_go_by_class(services: Services, survey: int, viewer: Client) -> None:

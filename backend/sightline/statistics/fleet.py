@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.statistics.sites import sites_of
 from sightline.statistics.survey_design import Design
 from sightline.statistics.survey_weights import Margin
 from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
@@ -19,8 +20,8 @@ def mixed_fleet(sample: HeightSample, code: Ints, shares: Sequence[float]) -> To
     total 95 % intervals.
 
     code (N,): the class of each height of the sample (N,). Each height weighs shares[c] / n_c
-    (post-stratification: Särndal, Swensson & Wretman 1992, 7.6) in this one place, all of whose sites were
-    seen.
+    (post-stratification: Särndal, Swensson & Wretman 1992, 7.6). Sites of the sample are some of many, as in
+    its own figures; without them the fleet is that of this one place.
     Shares are taken as exact. Raises ValueError where a class with a share has no height.
     """
     shares_ = np.asarray(shares, dtype=np.float64)
@@ -32,12 +33,12 @@ def mixed_fleet(sample: HeightSample, code: Ints, shares: Sequence[float]) -> To
     of, n = np.searchsorted(used, code[keep]), int(keep.sum())
     fleet = shares_[used] / shares_.sum()
     chosen = sample.where(np.flatnonzero(keep))
-    nowhere = np.zeros(n, dtype=np.int64)
+    nowhere, sites = np.zeros(n, dtype=np.int64), sites_of(chosen.site)
     design = Design(
         weight=(fleet / counts[used])[of],
         stratum=nowhere,
-        site=nowhere,
-        sites_there=np.ones(1),
+        site=nowhere if sites is None else sites.code,
+        sites_there=np.array([1.0 if sites is None else np.inf]),
         margins=(Margin(of, fleet),),
         drawn=np.ones(n),
     )

@@ -117,9 +117,9 @@ def sight_distances(session: Session, question: SightQuestion) -> SightDistances
         case_of(question, "survey", eye.height, thing.height),
     ]
     if question.shares:
-        mixed = _mixed(eyes, question.shares, question.eye_percent)
-        of_mix = None if objects is None else _mixed(objects, question.shares, question.object_percent)
-        cases.append(case_of(question, "mix", mixed, of_mix))
+        asked = ((eyes, question.eye_percent), (objects, question.object_percent))
+        mixed = [_mixed(session, one, question.shares, percent) for one, percent in asked]
+        cases.append(case_of(question, "mix", *mixed))
     return _road(question, tuple(cases), (eyes, objects), (eye, thing))
 
 
@@ -213,9 +213,11 @@ def _read(
     return _Read(height_of(found.percentile(percent), found.named_effects_m(percent)), found.n, by_class)
 
 
-def _mixed(measured: Measured, shares: Mapping[Category, float], percent: float) -> HeightRead | None:
+def _mixed(
+    session: Session, measured: Measured | None, shares: Mapping[Category, float], percent: float
+) -> HeightRead | None:
     """Of a fleet with other shares. Raises BadInput for a class that nobody measured."""
-    if not len(measured):
+    if measured is None or not len(measured):
         return None
     parts = dict(zip(shares, shares_of_fleet(list(shares.values())), strict=True))
     asked = [parts.get(one, 0.0) for one in get_args(Category)]
@@ -224,7 +226,7 @@ def _mixed(measured: Measured, shares: Mapping[Category, float], percent: float)
     unseen = [word for word, share, n in zip(CATEGORIES, asked, counts, strict=True) if share > 0 and not n]
     if unseen:
         raise BadInput("sightdistance-class-unseen", category=unseen[0])
-    fleet = mixed_fleet(height_sample(known), known.category, asked)
+    fleet = mixed_fleet(height_sample(known, sites_of(session, known)), known.category, asked)
     return height_of(fleet.percentile(percent), fleet.named_effects_m(percent))
 
 
