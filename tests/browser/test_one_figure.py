@@ -78,7 +78,7 @@ def site(measured: Measured) -> Iterator[Server]:
         server.stop()
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")  # the link signs in once, a second try too
 def page(browser: Browser, site: Server) -> Iterator[Page]:
     context = browser.new_context(base_url=site.url, viewport={"width": 1440, "height": 900})
     page = context.new_page()
