@@ -75,5 +75,6 @@ def test_what_cannot_be_followed_is_bad_input(
     assert "near or far" in capsys.readouterr().err
     assert main([*command, "--kind", "roof"]) == 2
     assert "two frames" in capsys.readouterr().err
-    assert main([*command, "--first", str(int(command[5]) + 1)]) == 2
-    assert "outside the pass" in capsys.readouterr().err
+    for pass_ in (["--first", str(int(command[5]) + 1)], ["--last", "0"]):
+        assert main([*command, *pass_]) == 2
+        assert "outside the pass" in capsys.readouterr().err

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from sightline.adjustment.observed import Known
 from sightline.export.verify.package import verify_package
 from sightline.geometry.documents import pose_to_dict
 from sightline.infra.audit.verification import verify_records
@@ -18,6 +19,7 @@ from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from sightline.poses import store
+from sightline.quality.adjusting.observations import observations_of
 from sightline.vehicles.catalogue.records import CatalogueRow
 from sightline.vehicles.catalogue.store import add_catalogue_row
 from tests.support.app import Client, error_of
@@ -73,13 +75,13 @@ def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
     return replace(laid, pose_id=made.id)
 
 
-def fleet(client: Client, ground: Ground, wrong: int | None = None) -> list[dict[str, Any]]:
+def fleet(client: Client, ground: Ground, wrong: int | None = None, **known: float) -> list[dict[str, Any]]:
     """Nine vehicles with both tyres, every third with its roof; `wrong`: under another model's name."""
     made = []
     for n in range(9):
         model, wheelbase_m = list(WHEELBASES.items())[n % 3]
         named = {"make": "Corvane", "model": "Taiga" if n == wrong else model}
-        vehicle = add_vehicle(client, ground.recording_id, **named, manufacturer_height_m=ROOF_M)
+        vehicle = add_vehicle(client, ground.recording_id, **named, manufacturer_height_m=ROOF_M, **known)
         across = 0.1 * (n - 4)
         ends = {
             "first": pixel(-wheelbase_m / 2, across, 0.0),
@@ -194,6 +196,15 @@ def test_a_retired_wheelbase_adjusts_nothing(operator: Client, ground: Ground) -
     found = asked(operator, ground)
     out = {one["vehicle_id"]: one["reason"]["code"] for one in found["left_out"] if one["what"] == "tyres"}
     assert [out.get(one["id"]) for one in vehicles[:2]] == [None, "adjustment-no-wheelbase"]
+
+
+def test_a_roof_whose_height_is_exact_counts_as_exact(
+    services: Services, operator: Client, ground: Ground
+) -> None:
+    fleet(operator, ground, u_manufacturer_height_m=0.0)
+    with services.reading() as session:
+        found = observations_of(session, ground.survey_id, {ground.recording_id}, 0.01)
+    assert [one.observed.roof for one in found.seen if one.what == "roof"] == 3 * [Known(ROOF_M, 0.0)]
 
 
 def test_where_nothing_is_known_nothing_is_claimed(operator: Client, ground: Ground) -> None:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+import re
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from sightline.errors import BadInput
+from sightline.sightdistance import distances
 from sightline.sightdistance.distances import (
     METRIC,
     US_CUSTOMARY,
@@ -90,6 +92,24 @@ def test_who_drives_faster_has_to_see_further(speed_kmh: float, more: float) -> 
         assert slow.distance_m <= slow.design_m * (1 + 1e-9)
         first_principles = speed_kmh * KMH * 2.5 + (speed_kmh * KMH) ** 2 / (2 * 3.4)
         assert slow.distance_m == pytest.approx(first_principles, rel=0.012)
+
+
+def test_the_systems_differ_by_no_more_than_is_said() -> None:
+    asked: list[dict[str, float]] = [
+        {"gradient": gradient, "reaction_s": reaction_s} | given
+        for gradient in (-0.25, -0.06, 0.0, 0.06, 0.25)
+        for reaction_s in (0.0, 2.5, 9.1)
+        for given in ({}, {"deceleration_mps2": 3.4})
+    ]
+    furthest = 0.0
+    for speed_kmh in (1, 30, 60, 130, 300):
+        for one in asked:
+            v, braking = speed_kmh * KMH, 3.4 + 9.81 * one["gradient"]
+            found = [stopping_distance(v, units, **one).distance_m for units in (METRIC, US_CUSTOMARY)]
+            found.append(v * one["reaction_s"] + v**2 / (2 * braking))
+            furthest = max(furthest, max(found) / min(found) - 1)
+    (said,) = re.findall(r"by up to (\S+) %", distances.__doc__ or "")
+    assert 100 * furthest == pytest.approx(float(said), abs=0.05)
 
 
 @pytest.mark.parametrize(

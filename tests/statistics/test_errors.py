@@ -260,9 +260,13 @@ def test_errors_by_target_with_check_targets_apart(tmp_path: Path) -> None:
     assert roofs["van"]["bias_m"] == pytest.approx(0.03) and roofs["daytime"]["bias_m"] == pytest.approx(0.01)
     words = CliRunner().invoke(errors, [path, "--by", "target"]).output
     assert "driver eye, check targets" in words and "2 rows have no height" in words
+    assert json.loads(done.output)["left_out"] == 2
+    # without shared errors and sites no interval is total
+    assert "in brackets 95 % intervals" in words and "total" not in words
     # the table alone is of roofs of the traffic, and says what it leaves out
     plain = CliRunner().invoke(errors, [path, "--json", "--round", "none"])
     assert json.loads(plain.output)["groups"]["overall"]["n"] == 2
+    assert json.loads(plain.output)["left_out"] == 2
     assert "driver_eye, taillight; --by target" in CliRunner().invoke(errors, [path]).output
     eyes = heights_csv(tmp_path, TARGETS_CSV.replace(",roof,", ",headlight,"))
     refused = CliRunner().invoke(errors, [str(eyes)]).exception

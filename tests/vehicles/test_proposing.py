@@ -270,7 +270,10 @@ def test_a_vehicle_measured_free_keeps_what_was_proposed_and_tells_nobody(
         replace_proposals(session, ground.recording_id, ground.pose_id, made, actor=None)
     shown = operator.seen(f"/recordings/{ground.recording_id}/proposals")
     free = {one["vehicle_id"] for one in shown if one["withheld"]}
-    for one in ids:
+    no_height, *confirmed = [one for one in ids if one not in free]
+    above_horizon = {**moved(wanted), "contact": [wanted["contact"][0], 1.0]}
+    assert operator.made(f"/vehicles/{no_height}/measurements", above_horizon)["height_m"] is None
+    for one in (*free, *confirmed):
         by_hand = {**moved(wanted, -2.0), "contact": [wanted["contact"][0] + 0.5, wanted["contact"][1]]}
         body = by_hand if one in free else {**wanted, "client_key": str(uuid4()), "made": "confirmed"}
         stored = operator.made(f"/vehicles/{one}/measurements", body)
@@ -284,11 +287,12 @@ def test_a_vehicle_measured_free_keeps_what_was_proposed_and_tells_nobody(
     assert contact["contact"] is None and "without suggestions" in contact["words"]["message"]
 
     found = operator.seen(f"/surveys/{ground.survey_id}/anchoring")
-    assert (found["confirmed"], found["moved"], found["afresh"]) == (len(ids) - len(free), 0, 0)
+    # what has no height is compared with nothing, and not counted beside what is
+    assert (found["confirmed"], found["moved"], found["afresh"]) == (len(confirmed), 0, 0)
     all_, roof = found["targets"]
     assert (all_["target"], roof["target"], all_["shift"]) == (None, "roof", roof["shift"])
     told = roof["shift"]
-    assert (told["shown"], told["free"]) == (len(ids) - len(free), len(free))
+    assert (told["shown"], told["free"]) == (len(confirmed), len(free))
     # confirmed as they stand those shown do not differ; free clicks 2 px higher are some millimetres higher
     assert told["shown_m"] == 0 and told["free_m"] > 0.002
     assert told["shift_m"] == -told["free_m"] and told["U95_shift_m"] < 1e-9

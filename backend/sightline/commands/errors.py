@@ -62,7 +62,7 @@ def errors(heights: Path, rounding: Rounding, by: str | None, as_json: bool) -> 
     table = error_table(rows.height_m, rows.reference_m, rows.lighting, rounding, _parts(rows))
     if as_json:
         groups = {name: group_json(group) for name, group in table.items()}
-        print_json({"rounding": rounding, "groups": groups})
+        print_json({"rounding": rounding, "groups": groups, "left_out": left_out})
         return
     click.echo(as_text(table, rounding))
     _tell_left_out(left_out)
@@ -106,7 +106,7 @@ def _by_target(found: dict[Key, _Rows], left_out: int, as_json: bool) -> None:
             }
             for one in told
         ]
-        print_json({"rounding": "none", "targets": listed})
+        print_json({"rounding": "none", "targets": listed, "left_out": left_out})
         return
     heads = {"bias_m": "bias", "mae_m": "MAE", "rmse_m": "RMSE", "sd_m": "SD"}
     lines = [f"{'':34}{'n':>6}" + "".join(f"{head:>42}" for head in heads.values())]
@@ -116,7 +116,7 @@ def _by_target(found: dict[Key, _Rows], left_out: int, as_json: bool) -> None:
             name = name if part.grouping == "all" else f"  {part.group}"
             cells = "".join(f"{cell(part.errors, figure):>42}" for figure in heads)
             lines.append(f"{name.replace('_', ' '):34}{part.errors.n:>6}{cells}")
-    lines.append("Errors are measured minus known, not rounded; in brackets total 95 % intervals.")
+    lines.append("Errors are measured minus known, not rounded; in brackets 95 % intervals.")
     if words := next((one.overall.words for one in told if one.overall.words), None):
         lines.append(f"Intervals include {words}.")
     click.echo("\n".join(lines))

@@ -76,7 +76,8 @@ def follow_command(
     assumed = assumed_inset(kind, side or "", inset, u_inset)
     if isinstance(assumed, Said):
         raise BadInput("commands-follow-none", reason=assumed)
-    span = max(0, frame - _MOST_FRAMES) if first is None else first, last or frame + _MOST_FRAMES
+    least = max(0, frame - _MOST_FRAMES) if first is None else first
+    span = least, frame + _MOST_FRAMES if last is None else last
     size_px = pose.camera.width_px, pose.camera.height_px
     frames = frames_between(video, *span, size_px, str(video), stream_number, filmed_hz)
     found = follow_pass(pose, frames, frame, points, kind, assumed.inset_m, sigma)

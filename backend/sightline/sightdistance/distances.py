@@ -2,9 +2,9 @@
 
 The formulas are those that AASHTO prints (A Policy on Geometric Design of Highways and Streets, 2018, the
 "Green Book": chapter 3, sight distance; chapter 9, intersection sight distance), in metric and in US
-customary units. Their printed factors are rounded (0.278 for 1/3.6, 0.039 for 1/(2 x 3.6^2)), so both
-systems, and first principles, differ by up to 1.1 %: each answer names its formula. Speeds and lengths go in
-and out in SI.
+customary units. Their printed factors are rounded (0.278 for 1/3.6, 0.039 for 1/(2 x 3.6^2), 11.2 ft/s^2 for
+3.4 m/s^2), so the two systems differ from each other and from first principles by up to 1.7 %: each answer
+names its formula. Speeds and lengths go in and out in SI.
 """
 
 from __future__ import annotations

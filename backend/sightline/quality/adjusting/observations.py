@@ -17,7 +17,6 @@ from sightline.messages.said import Said
 from sightline.quality.adjusting.records import LeftOutVehicle
 from sightline.quality.checks.records import WheelPair
 from sightline.quality.checks.store import list_wheel_pairs
-from sightline.statistics.agreement import U_MANUFACTURER_M
 from sightline.vehicles.catalogue.records import CatalogueEntry
 from sightline.vehicles.catalogue.store import catalogue_of_models
 from sightline.vehicles.records import is_reference
@@ -137,6 +136,6 @@ def _roof(vehicle: VehicleSheet) -> ObservedPass | Said | None:
         point=np.tile([REAR, ROOF], len(values.frames)),
         points_px=np.array(points, dtype=np.float64),
         sigma_px=np.full(len(frames), values.sigma_px),
-        roof=Known(vehicle.reference_m, vehicle.u_manufacturer_height_m or float(U_MANUFACTURER_M)),
+        roof=Known(vehicle.reference_m, vehicle.u_reference_m),
         roof_inset=Known(values.inset_m, values.u_inset_m),
     )

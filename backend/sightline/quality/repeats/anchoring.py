@@ -10,7 +10,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from sightline.enums import GoalVerdict, ProposalKept, Target
+from sightline.enums import GoalVerdict, Made, ProposalKept, Target
 from sightline.infra.database import Session
 from sightline.measurements.height_of_clicks import answer
 from sightline.measurements.records import Measurement, MeasurementValues
@@ -36,7 +36,9 @@ class OfProposedTarget:
 
 @dataclass(frozen=True)
 class Anchoring:
-    """`confirmed`: how many of the heights shown were stored as proposed; `goal_m`: asked of `shift_m`."""
+    """`confirmed`: how many of the compared heights were shown and stored as proposed; `goal_m`: asked of
+    `shift_m`.
+    """
 
     plan: FreePlan
     goal_m: float
@@ -51,6 +53,7 @@ class _Told:
     vehicle_id: int
     target: Target
     kept: ProposalKept
+    made: Made
     difference_m: float
 
 
@@ -60,7 +63,7 @@ def anchoring(session: Session, survey_id: int) -> Anchoring:
     """
     found = measurements_with_proposals(session, survey_id)
     told = [one for each in found if (one := _told(session, each)) is not None]
-    made = [one.values.made for one in found if one.values.proposal == "shown"]
+    made = [one.made for one in told if one.kept == "shown"]
     targets = sorted({one.target for one in told})
     return Anchoring(
         plan=get_free_plan(session, survey_id),
@@ -85,6 +88,7 @@ def _told(session: Session, one: Measurement) -> _Told | None:
         vehicle_id=one.vehicle_id,
         target=one.values.target,
         kept=one.values.proposal,
+        made=one.values.made,
         difference_m=height_m - proposed_m,
     )
 

@@ -47,6 +47,11 @@ describe("the names of standards", () => {
     expect([...tops].sort((a, b) => a - b)).toEqual(tops); // and those to its right end below it
     expect(marginOf(tiers)).toBeGreaterThan(-Math.min(...tops));
   });
+
+  it("have the third decimal that their metres have", () => {
+    const words = standardTiers([standard("A", 1.08), standard("F", 1.315)], 1, "m", 1.3);
+    expect(words.map((one) => one.word.split(/\s/)[1])).toEqual(["1.08", "1.315"]);
+  });
 });
 
 describe("curves", () => {

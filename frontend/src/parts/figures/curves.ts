@@ -7,7 +7,7 @@ import type { Cell } from "./csv";
 import { type Hue, hueOf, inkOf } from "./hues";
 import type { Plot } from "./PlotFigure";
 import { readable } from "./reading";
-import { inWords } from "./standards";
+import { inWords, limitDigits } from "./standards";
 import type { Density, Ecdf, Standard } from "./types";
 
 export interface Curve {
@@ -147,7 +147,11 @@ export function standardTiers(
   const tiers = [...byHeight].map(
     ([height, names]): Tier => ({
       x: height * perX,
-      word: say("figure-standard", { standards: names.join(", "), height: fixed(height * perX, 2), unit }),
+      word: say("figure-standard", {
+        standards: names.join(", "),
+        height: fixed(height * perX, limitDigits(height)),
+        unit,
+      }),
       way: height > middle_m ? "end" : "start",
     }),
   );

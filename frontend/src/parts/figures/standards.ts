@@ -27,9 +27,14 @@ export function inWords<S extends Words>(one: S): S {
   return { ...one, ...Object.fromEntries(said) };
 }
 
-/** The height of a standard: "1.08 m", with a third decimal only where its metres have one. */
+/** The decimals of a standard's height: two, a third only where its metres have one. */
+export function limitDigits(height_m: number): number {
+  return height_m.toFixed(3).endsWith("0") ? 2 : 3;
+}
+
+/** The height of a standard: "1.08 m". */
 export function formatLimit(height_m: number): string {
-  return formatLength(height_m, height_m.toFixed(3).endsWith("0") ? 2 : 3);
+  return formatLength(height_m, limitDigits(height_m));
 }
 
 /** A standard's own address in the link: what and name. */

@@ -109,8 +109,9 @@ function TargetRows({ target, busy, use }: RowsProps) {
   );
 }
 
-function insetWithU(of: { inset_m: number | null; u_inset_m: number | null }): string {
-  return say("with-u", { value: formatLength(of.inset_m, 2), u: formatLength(of.u_inset_m, 2) });
+/** To the millimetre: the mean of many vehicles is known better than to a centimetre. */
+export function insetWithU(of: { inset_m: number | null; u_inset_m: number | null }): string {
+  return say("with-u", { value: formatLength(of.inset_m), u: formatLength(of.u_inset_m) });
 }
 
 function Figures(props: { name: InsetName; one: Estimate; busy: string | null; use: RowsProps["use"] }) {

@@ -39,6 +39,8 @@ describe("lengths in the unit shown", () => {
     expect(typed("distance_m", "10", "ft")).toBe("3.048");
     expect(shown("distance_m", "3.048", "ft")).toBe("10");
     expect(typed("distance_m", "3,5", "m")).toBe("3.5");
+    expect(shown("u_baseline_m", "0.0005", "ft")).toBe("0.00164");
+    expect(typed("u_baseline_m", "0.00164", "ft")).toBe("0.0005");
   });
 
   it("leave angles, pixels and what is no number alone", () => {

@@ -145,7 +145,8 @@ export function shown(name: Name, value: string | undefined, unit = lengthUnit.v
   const factor = factorOf(name, unit);
   if (!value || factor === 1) return value ?? "";
   const stored = Number(value);
-  return Number.isFinite(stored) ? String(Number((stored * factor).toFixed(3))) : value;
+  const decimals = name.startsWith("u_") ? 5 : 3;
+  return Number.isFinite(stored) ? String(Number((stored * factor).toFixed(decimals))) : value;
 }
 
 /** What was typed, for the address; null where it is no number. An empty field is "". */

@@ -2,8 +2,9 @@ import { render } from "preact";
 import { afterEach, describe, expect, it } from "vitest";
 import { learn, speak } from "../../core/messages";
 import type { ScanTraffic, TrafficInterval } from "../../core/types";
+import { readAt } from "../../parts/figures/reading";
 import { countedWords } from "./counted";
-import { FundamentalFigure, statesOf } from "./TrafficFigures";
+import { FundamentalFigure, overIntervals, statesOf } from "./TrafficFigures";
 
 afterEach(() => render(null, document.body));
 
@@ -60,6 +61,18 @@ describe("the fundamental diagram", () => {
     render(<FundamentalFigure scan={scan(interval(0, 720, null))} against="flow" />, document.body);
     expect(document.body.textContent).toContain("No interval contains an accepted speed.");
     expect(document.querySelector("[data-testid^=figure-]")).toBeNull();
+  });
+});
+
+describe("a figure over the day", () => {
+  it("is read within its intervals alone, and without ends where there are none", () => {
+    const value = (one: TrafficInterval) => one.space_mean_speed_mps.value;
+    const shown = [interval(0, 720, 20), interval(2, 1080, 15)];
+    const speeds = overIntervals(shown, { y: value, low: () => Number.NaN, high: () => 25 });
+    const at = (minute: number) => readAt(speeds, Date.parse(`2026-05-03T08:0${minute}:30.000Z`), 0);
+    expect(at(0)).toMatchObject({ y: 20, low: null, high: 25 });
+    expect([at(1), at(3)]).toEqual([null, null]);
+    expect(at(2)).toMatchObject({ y: 15 });
   });
 });
 

@@ -29,12 +29,23 @@ export function placeOf({ scan_id, direction, lane }: ScanTraffic): string {
 /** A clock of the place for a time of the axis. */
 const clock = (x: number) => formatPlaceClock(new Date(x).toISOString().replace("Z", ""));
 
-/** Read over the whole of each interval. */
-function overIntervals(
+/** Read over the whole of each interval, and not beside it; numbers that are none (NaN) are not read. */
+export function overIntervals(
   intervals: readonly TrafficInterval[],
-  values: Omit<Channels<TrafficInterval>, "x">,
+  { y, low, high }: Omit<Channels<TrafficInterval>, "x">,
 ): Readable {
-  return readRows(intervals, { x: (one) => from(one).getTime(), ...values }, "steps");
+  const rows = intervals.flatMap((one) => [
+    { x: from(one).getTime(), one },
+    { x: until(one).getTime(), one: null },
+  ]);
+  const over =
+    (of: (one: TrafficInterval) => number | null) =>
+    ({ one }: (typeof rows)[number]) => {
+      const value = one && of(one);
+      return Number.isFinite(value) ? value : null;
+    };
+  const channels = { x: (row: (typeof rows)[number]) => row.x, y: over(y) };
+  return readRows(rows, { ...channels, low: low && over(low), high: high && over(high) }, "steps");
 }
 
 function dayAxis({ intervals }: ScanTraffic) {

@@ -9,9 +9,9 @@ import { formatLength, lengthText, lengthUnit, parseLength, parseNumber } from "
 import { inWords, STANDARD_OF } from "../../parts/figures/standards";
 import type { Standard } from "../../parts/figures/types";
 
-/** A standard with its numbers as they are typed. */
-type Row = Omit<Standard, "height_m" | "year" | "percent"> & {
-  height: string;
+/** A standard with its numbers as they are typed; `height` null: as it is stored. */
+type Row = Omit<Standard, "year" | "percent"> & {
+  height: string | null;
   year: string;
   percent: string;
 };
@@ -19,6 +19,7 @@ type Row = Omit<Standard, "height_m" | "year" | "percent"> & {
 const EMPTY: Row = {
   name: "",
   what: "eye_car",
+  height_m: 0,
   height: "",
   source: "",
   edition: "",
@@ -50,19 +51,13 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
   const change = (at: number, changes: Partial<Row>) =>
     setTyped(rows.map((row, i) => (i === at ? changed(row, changes) : row)));
   const save = async () => {
-    const wrong = rows.find((row) => parseLength(row.height) === null);
+    const wrong = rows.find((row) => row.height !== null && parseLength(row.height) === null);
     if (wrong) {
       setProblem(new ApiError(heightProblem(wrong), 422));
       return;
     }
     await run(async () => {
-      const table = rows.map(({ height, ...row }) => ({
-        ...row,
-        height_m: parseLength(height) ?? 0,
-        year: row.year.trim() ? Number(row.year) : null,
-        percent: row.percent.trim() ? parseNumber(row.percent) : null,
-      }));
-      const body = { version, standards: table };
+      const body = { version, standards: rows.map(standardOf) };
       await api.write("PUT /surveys/{survey_id}/standards", { survey_id }, { body });
       done(true);
     });
@@ -106,11 +101,19 @@ function heightProblem(row: Row): string {
     : say("statistics-standard-new-problem", { example });
 }
 
-const rowOf = ({ height_m, year, percent, ...one }: Standard): Row => ({
+export const rowOf = ({ year, percent, ...one }: Standard): Row => ({
   ...one,
-  height: shown(height_m),
+  height: null,
   year: year === null ? "" : String(year),
   percent: percent === null ? "" : String(percent),
+});
+
+/** What is saved of a row: a height that nobody typed is not read back from the digits that are shown of it. */
+export const standardOf = ({ height, ...row }: Row): Standard => ({
+  ...row,
+  height_m: height === null ? row.height_m : (parseLength(height) ?? 0),
+  year: row.year.trim() ? Number(row.year) : null,
+  percent: row.percent.trim() ? parseNumber(row.percent) : null,
 });
 
 interface RowProps {
@@ -120,7 +123,7 @@ interface RowProps {
 }
 
 function RowFields({ row: stored, change, remove }: RowProps) {
-  const row = inWords(stored);
+  const row = { ...inWords(stored), height: stored.height ?? shown(stored.height_m) };
   const field = fieldsOf(row, change);
   return (
     <fieldset class="stat-editor__row">

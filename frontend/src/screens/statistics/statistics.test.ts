@@ -1,9 +1,12 @@
-import { describe, expect, it } from "vitest";
+import { afterEach, describe, expect, it } from "vitest";
 import { address } from "../../core/api";
+import { lengthUnit } from "../../core/units";
 import { csvOf } from "../../parts/figures/csv";
 import { type Hue, hueOf } from "../../parts/figures/hues";
 import { resolved } from "../../parts/figures/svg";
+import type { Standard } from "../../parts/figures/types";
 import { changed, narrowed, statisticsQuery } from "./filters";
+import { rowOf, standardOf } from "./StandardsEditor";
 
 describe("the address", () => {
   it("goes to the server without what only the page knows", () => {
@@ -21,6 +24,19 @@ describe("the address", () => {
     expect(changed(at, { survey: ["1", "2"], state: null }).toString()).toBe("survey=1&survey=2");
     expect(narrowed(at)).toBe(true);
     expect(narrowed(new URLSearchParams("survey=1"))).toBe(false);
+  });
+});
+
+describe("the table of standards", () => {
+  afterEach(() => {
+    lengthUnit.value = "m";
+  });
+
+  it("keeps to the last digit what nobody typed, in feet too", () => {
+    const one = { name: "F", what: "vehicle", height_m: 1.315, year: 1998, percent: 10 } as Standard;
+    lengthUnit.value = "ft";
+    expect(standardOf(rowOf(one))).toEqual(one);
+    expect(standardOf({ ...rowOf(one), height: "3.5" }).height_m).toBeCloseTo(1.0668, 9);
   });
 });
 

@@ -75,8 +75,9 @@ function setWord(set: Response["class_set"]): string {
   return set === "none" ? say("class-set-none") : CLASS_SET_WORDS[set];
 }
 
-function Rate({ rate, low, high }: Response) {
-  const percent = (share: number | null) => (share === null ? null : fixed(100 * share, 0));
+/** To a tenth, as in the report: 199 of 200 are not 100 %. */
+export function Rate({ rate, low, high }: Pick<Response, "rate" | "low" | "high">) {
+  const percent = (share: number | null) => (share === null ? null : fixed(100 * share, 1));
   const value = percent(rate);
   return (
     <Bounded
