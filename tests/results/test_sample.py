@@ -112,6 +112,26 @@ def test_a_rejected_height_measures_nothing(
     assert verify_package(FolderFiles(place)).ok
 
 
+def test_clicks_without_a_height_measure_nothing(
+    operator: Client, viewer: Client, ground: Ground, services: Services, tmp_path: Path
+) -> None:
+    """Their pass is still to do, on the page, in the list, in the overview and in the package."""
+    said(operator, ground)
+    measured, in_the_sky = fleet(operator, ground, 2)
+    measure(operator, measured)
+    made = measure(operator, in_the_sky, contact=(960.0, 2.0), target_point=(960.0, 1.0))
+    assert made["status"] == "not_measurable"
+    ends = ("in_sample", "measured", "open", "rate")
+    of_all = viewer.seen(f"/surveys/{ground.survey_id}/sample")["response"][0]
+    assert [of_all[name] for name in ends] == [2, 1, 1, 0.5]
+    states = [one["state"] for one in viewer.seen(f"/surveys/{ground.survey_id}/vehicles")]
+    assert states == ["measured", "partial"]
+    assert viewer.seen(f"/surveys/{ground.survey_id}")["counts"]["vehicles_measured"] == 1
+    place = written(services, ground.survey_id, tmp_path / "package")
+    assert [rows(place, "statistics/response.csv")[0][name] for name in ends] == ["2", "1", "1", "0.5"]
+    assert verify_package(FolderFiles(place)).ok
+
+
 def test_free_flowing_vehicles_alone(operator: Client, viewer: Client, ground: Ground) -> None:
     ids = fleet(operator, ground, 3)
     recording = viewer.seen(f"/recordings/{ground.recording_id}")

@@ -52,9 +52,9 @@ def response_in(files: Files) -> list[Response]:
 
 def _passes(files: Files) -> Iterator[PassAnswers]:
     measured: dict[str, set[str]] = {}
-    names = ("vehicle_id", "target", "withdrawn", "verdict")
-    for vehicle, target, withdrawn, verdict in read_columns(files, "measurements.csv", names):
-        if withdrawn == "false" and verdict != "rejected":
+    names = ("vehicle_id", "target", "withdrawn", "verdict", "status")
+    for vehicle, target, withdrawn, verdict, status in read_columns(files, "measurements.csv", names):
+        if withdrawn == "false" and verdict != "rejected" and status == "ok":
             measured.setdefault(vehicle, set()).add(target)
     lit = dict(read_columns(files, "recordings.csv", ("id", "lighting")))
     sets, asked, chosen = class_sets_in(files), asked_in(files), chosen_vehicles(files).of

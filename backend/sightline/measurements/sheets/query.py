@@ -64,12 +64,14 @@ def frames_used_of_vehicle(session: Session, vehicle_id: int) -> tuple[tuple[int
 def state_of(
     found: Sequence[Measurement], asked: Iterable[AskedTarget], not_visible: Iterable[AskedTarget]
 ) -> VehicleState:
-    """What a vehicle's standing measurements make of it, by what is asked for; `not_visible` answers too."""
+    """What a vehicle's standing measurements make of it, by what is asked for: heights and `not_visible`
+    answer, clicks that give no height do not.
+    """
     verdicts = {one.review.verdict for one in found}
     if "rejected" in verdicts:
         return "rejected"
     unseen = set(not_visible)
-    if not set(asked) <= {one.values.target for one in found} | unseen:
+    if not set(asked) <= {one.values.target for one in found if one.values.status == "ok"} | unseen:
         return "partial" if found or unseen else "to_do"
     if not found:
         return "not_visible"

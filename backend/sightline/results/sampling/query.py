@@ -19,11 +19,11 @@ from sightline.vehicles.tables import vehicles
 
 def with_answers(*own: ColumnElement[Any]) -> Select[Any]:
     """Living vehicles with `id`, `light`, `own`, why each target cannot be seen, and 1 by each target that is
-    measured, else 0; a rejected height measures nothing.
+    measured, else 0; a rejected height measures nothing, nor do clicks that give none.
     """
     v, m = vehicles.c, measurements.c
     each = (v.id, LIGHT, *own, *(v[name] for name in NOT_VISIBLE.values()))
-    stands = verdict != "rejected"
+    stands = (verdict != "rejected") & (m.status == "ok")
     has = [
         func.max(case(((m.target == target) & stands, 1), else_=0)).label(target) for target in NOT_VISIBLE
     ]
