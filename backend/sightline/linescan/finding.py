@@ -14,7 +14,7 @@ from sightline.linescan.background import MOST_UNREST, Grid, enough_lines
 from sightline.linescan.boundaries import refined
 from sightline.linescan.depth import brightest_of, depth_of, in_8_bits
 from sightline.linescan.lanes import lane_of
-from sightline.linescan.parts import STOOD, TOO_LONG, Crossings, Passage, Pixels, Rig
+from sightline.linescan.parts import STANDS_S, STOOD, TOO_LONG, Crossings, Passage, Pixels, Rig
 from sightline.linescan.rig import at_lane, baseline_of
 from sightline.linescan.watching import Event, Spans, Watcher, present
 from sightline.messages.said import Said
@@ -23,8 +23,6 @@ BANDS = 64
 STEPS_HZ = 1220.0
 BLOCK_S = 0.2
 BEGIN_S = 1.0
-# what stands for longer is given up: it may be no vehicle, but a road that changed for good
-STANDS_S = 60.0
 TILE = 1024
 KEPT_BYTES = 48 << 20
 # what a vehicle may be: from a motorcycle to a road train, from walking pace to 300 km/h
