@@ -10,7 +10,7 @@ from typing import cast
 import numpy as np
 
 from sightline.errors import BadInput
-from sightline.linescan.background import MOST_UNREST, Grid, enough_lines
+from sightline.linescan.background import MOST_UNREST, Grid, enough_lines, same_but_for_light
 from sightline.linescan.boundaries import refined
 from sightline.linescan.depth import brightest_of, depth_of, in_8_bits
 from sightline.linescan.lanes import lane_of
@@ -102,6 +102,7 @@ class Finder:
         self.alone = 0
         self._buffers = (LineBuffer(deque()), LineBuffer(deque()))
         self._waiting: tuple[deque[Event], deque[Event]] = (deque(), deque())
+        self._given_up: list[Event | None] = [None, None]
         self._held: tuple[list[Pixels], list[Pixels]] = ([], [])
 
     def push(self, first: Pixels, second: Pixels) -> list[Passage]:
@@ -187,7 +188,7 @@ class Finder:
                 break
             if not last and min(reel.stop for reel in self._buffers) < self._needed_to(one[0], two[0]):
                 break
-            out.append(self._passage(one.popleft(), two.popleft()))
+            out.append(self._passage(*self._as_it_came(one.popleft(), two.popleft())))
             self.reversed += way < 0 and out[-1].reason is None
         self._drop_late()
         return out
@@ -226,7 +227,27 @@ class Finder:
         return self.watchers[camera].busy_since < partner.rear + slowest + self.margin
 
     def _leave_alone(self, camera: int) -> None:
-        self.alone += not self._waiting[camera].popleft().leaving
+        event = self._waiting[camera].popleft()
+        self.alone += not event.leaving
+        if event.still and event.cut:
+            self._given_up[camera] = event
+
+    def _as_it_came(self, *pair: Event) -> tuple[Event, Event]:
+        """A pair's events. Where one camera sees what stood before it alone and was given up drive off, and the
+        road behind it again, it came when that camera first saw it, before others that were returned.
+        """
+        one, two = pair
+        if self._alike(one, two) or one.still or two.still or one.cut or two.cut:
+            return one, two
+        for k, (was, reel) in enumerate(zip(self._given_up, self._buffers, strict=True)):
+            if was is None or same_but_for_light(pair[k].road.pooled, was.road, self.grid):
+                continue
+            cells = self.grid.pooled(reel.cut(reel.stop - self.margin, reel.stop)[0])
+            if not present(cells, was.road, self.grid.upper_part).any():
+                self._given_up[k], self.alone = None, self.alone - 1
+                was = replace(was, rear=pair[k].rear)
+                return (was, two) if k == 0 else (one, was)
+        return one, two
 
     def _needed_to(self, one: Event, two: Event) -> float:
         return max(one.rear, two.rear) + 2 * self.margin
