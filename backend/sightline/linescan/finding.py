@@ -233,8 +233,8 @@ class Finder:
             self._given_up[camera] = event
 
     def _as_it_came(self, *pair: Event) -> tuple[Event, Event]:
-        """A pair's events. Where one camera sees what stood before it alone and was given up drive off, and the
-        road behind it again, it came when that camera first saw it, before others that were returned.
+        """A pair's events. Where one camera sees what stood before it alone and was given up drive off, and
+        the road behind it again, it came when that camera first saw it, before others that were returned.
         """
         one, two = pair
         if self._alike(one, two) or one.still or two.still or one.cut or two.cut:
