@@ -15,12 +15,14 @@ from sightline.scans.vehicles.measurement_store import (
     get_scan_measurement,
     scan_measurement_history,
 )
+from sightline.scans.vehicles.motion import gaps_of
 from sightline.scans.vehicles.review_store import add_scan_review, scan_reviews_of_vehicle
 from sightline.scans.vehicles.store import (
     change_scan_vehicle,
     create_scan_vehicle,
     create_scan_vehicles,
     get_scan_vehicle,
+    last_scan_vehicles,
     list_scan_vehicles,
 )
 from tests.support import samples, scans_samples
@@ -97,6 +99,22 @@ def test_a_scan_stays_once_people_worked_on_it(session: Session) -> None:
     with pytest.raises(NotFound):
         append_scan_measurement(session, untouched.vehicle_id, values(), actor=one.olga.id)
     assert not list_scan_vehicles(session, untouched.scan_id) and list_scan_vehicles(session, made.scan_id)
+
+
+def test_who_stood_until_the_last_ones_came_is_beside_them(session: Session) -> None:
+    """By the last three alone, the last one's gap was from the rear of the one before it."""
+    one = samples.sample(session)
+    scan_id, actor = scans_samples.ready(session, one).id, one.olga.id
+    spans = [(1000.0, 9000.0), *((2000.0 + 1000.0 * n, 2300.0 + 1000.0 * n) for n in range(6))]
+    made = create_scan_vehicles(session, scan_id, 7, origin="found", actor=actor)
+    for vehicle_id, span in zip(made, spans, strict=True):
+        seen = values(front_line_1=span[0], rear_line_1=span[1])
+        append_scan_measurement(session, vehicle_id, seen, actor=actor)
+    last = last_scan_vehicles(session, scan_id, 3)
+    assert [vehicle.number for vehicle in last] == [1, 5, 6, 7]
+    every = list_scan_vehicles(session, scan_id)
+    rig = get_scan(session, scan_id).rig
+    assert gaps_of(rig, last)[-3:] == gaps_of(rig, every)[-3:]
 
 
 def test_many_at_once_are_the_same_as_one_by_one(session: Session) -> None:
