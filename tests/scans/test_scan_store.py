@@ -1,6 +1,7 @@
 """Rules of scanned vehicles: append-only, somebody else reviews, a scan on which people worked stays."""
 
 from dataclasses import replace
+from typing import cast
 
 import pytest
 from sqlalchemy.orm import Session
@@ -8,14 +9,17 @@ from sqlalchemy.orm import Session
 from sightline.errors import BadInput, Conflict, NotAllowed, NotFound
 from sightline.infra.audit import trail
 from sightline.infra.audit.verification import verify_records
+from sightline.linescan.parts import STOOD, Crossings, Motion
 from sightline.scans.store import get_scan, remove_scan, update_scan
+from sightline.scans.vehicles.find_job import Search, plan
+from sightline.scans.vehicles.measure import Readers
 from sightline.scans.vehicles.measurement_store import (
     append_scan_measurement,
     append_scan_measurements,
     get_scan_measurement,
     scan_measurement_history,
 )
-from sightline.scans.vehicles.motion import gaps_of
+from sightline.scans.vehicles.motion import gaps_of, motion_of
 from sightline.scans.vehicles.review_store import add_scan_review, scan_reviews_of_vehicle
 from sightline.scans.vehicles.store import (
     change_scan_vehicle,
@@ -115,6 +119,18 @@ def test_who_stood_until_the_last_ones_came_is_beside_them(session: Session) -> 
     every = list_scan_vehicles(session, scan_id)
     rig = get_scan(session, scan_id).rig
     assert gaps_of(rig, last)[-3:] == gaps_of(rig, every)[-3:]
+
+
+def test_who_passed_beside_one_that_stands_is_not_taken_for_it(session: Session) -> None:
+    """Found anew, who stood took the place of who passed, whose motion was lost."""
+    one = samples.sample(session)
+    passed = scans_samples.measured(session, one)
+    stood = Motion("direct", Crossings(100.0, 60_000.0, 110.0, 60_010.0), "not_measurable", STOOD)
+    found = Search((stood, motion_of(values())))
+    known = list_scan_vehicles(session, passed.scan_id)
+    readers = cast(Readers, None)
+    plans, _ = plan(lambda *_: None, found, known, frozenset(), scans_samples.RIG, "direct", readers)
+    assert [made.vehicle and made.vehicle.id for made in plans] == [None, passed.vehicle_id]
 
 
 def test_many_at_once_are_the_same_as_one_by_one(session: Session) -> None:
