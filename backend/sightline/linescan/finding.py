@@ -103,6 +103,7 @@ class Finder:
         self._buffers = (LineBuffer(deque()), LineBuffer(deque()))
         self._waiting: tuple[deque[Event], deque[Event]] = (deque(), deque())
         self._given_up: list[Event | None] = [None, None]
+        self._late: list[Passage] = []
         self._held: tuple[list[Pixels], list[Pixels]] = ([], [])
 
     def push(self, first: Pixels, second: Pixels) -> list[Passage]:
@@ -191,7 +192,8 @@ class Finder:
             out.append(self._passage(*self._as_it_came(one.popleft(), two.popleft())))
             self.reversed += way < 0 and out[-1].reason is None
         self._drop_late()
-        return out
+        late, self._late = self._late, []
+        return out + late
 
     def _parted(self, last: bool) -> bool:
         """Of first events that are not of one vehicle, the one that ends first stays alone. Where one passed
@@ -228,26 +230,37 @@ class Finder:
 
     def _leave_alone(self, camera: int) -> None:
         event = self._waiting[camera].popleft()
-        self.alone += not event.leaving
         if event.still and event.cut:
             self._given_up[camera] = event
+        was = None if event.still or event.cut or event.leaving else self._drove_off(1 - camera, event.front)
+        if was is not None:
+            self._late.append(self._passage(*((was, event) if camera else (event, was))))
+        else:
+            self.alone += not event.leaving
 
     def _as_it_came(self, *pair: Event) -> tuple[Event, Event]:
-        """A pair's events. Where one camera sees what stood before it alone and was given up drive off, and
-        the road behind it again, it came when that camera first saw it, before others that were returned.
-        """
+        """A pair's events, of which one may be what drove off: it came when that camera first saw it."""
         one, two = pair
-        if self._alike(one, two) or one.still or two.still or one.cut or two.cut:
-            return one, two
-        for k, (was, reel) in enumerate(zip(self._given_up, self._buffers, strict=True)):
-            if was is None or same_but_for_light(pair[k].road.pooled, was.road, self.grid):
-                continue
-            cells = self.grid.pooled(reel.cut(reel.stop - self.margin, reel.stop)[0])
-            if not present(cells, was.road, self.grid.upper_part).any():
-                self._given_up[k], self.alone = None, self.alone - 1
-                was = replace(was, rear=pair[k].rear)
+        odd = not (self._alike(one, two) or one.still or two.still or one.cut or two.cut)
+        for k, was in enumerate(self._given_up):
+            if was is not None and same_but_for_light(pair[k].road.pooled, was.road, self.grid):
+                self._given_up[k] = None
+            elif odd and (was := self._drove_off(k, pair[k].rear)):
                 return (was, two) if k == 0 else (one, was)
         return one, two
+
+    def _drove_off(self, camera: int, since: float) -> Event | None:
+        """What stood before this camera alone and was given up, where the road is seen behind it again, which
+        it was not before line `since`. It came before others that were returned.
+        """
+        was, reel = self._given_up[camera], self._buffers[camera]
+        if was is None:
+            return None
+        cells = self.grid.pooled(reel.cut(reel.stop - self.margin, reel.stop)[0])
+        if present(cells, was.road, self.grid.upper_part).any():
+            return None
+        self._given_up[camera], self.alone = None, self.alone - 1
+        return replace(was, rear=max(was.rear, since))
 
     def _needed_to(self, one: Event, two: Event) -> float:
         return max(one.rear, two.rear) + 2 * self.margin
