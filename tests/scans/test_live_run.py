@@ -193,9 +193,13 @@ def test_a_file_at_rest_tells_when_it_was_written(
     path.write_bytes(np.stack([np.array(one, np.uint8) for one in pair], axis=1).tobytes())
     os.utime(path, (1e9 + ahead_s, 1e9 + ahead_s))
     with path.open("rb") as given:
-        followed = FollowedLines(path, SITE.rows, ending, idle_s=0.1)
-        source = PipedLines(given.fileno(), SITE.rows, ending) if piped else followed
-        told = list(live_run(lambda _: source, clock=stopped_at(1e9)).vehicles())
+
+        def source(_: int) -> LineSource:
+            if piped:
+                return PipedLines(given.fileno(), SITE.rows, ending)
+            return FollowedLines(path, SITE.rows, ending, idle_s=0.1)
+
+        told = list(live_run(source, clock=stopped_at(1e9)).vehicles())
     ending.close()
     for one, same in zip(told, clean, strict=True):
         lines = same.vehicle.motion.crossings.front_line_1 - len(pair[0])
