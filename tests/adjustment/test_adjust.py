@@ -5,16 +5,19 @@ coverage.
 from __future__ import annotations
 
 from dataclasses import replace
+from types import SimpleNamespace
+from typing import cast
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sightline.adjustment.adjust import adjust
+from sightline.adjustment.adjust import _heading, adjust
+from sightline.adjustment.local_tests import Cleaned
 from sightline.adjustment.observed import REAR, Known, ObservedPass, shared_insets
 from sightline.adjustment.shared_errors import covariance_at, moved_pose, shared_errors
-from sightline.adjustment.traffic_model import arranged, linearise
+from sightline.adjustment.traffic_model import HEADING, arranged, linearise
 from sightline.errors import BadInput
 from sightline.geometry.height import systematic_covariance
 from sightline.geometry.road_pose import RoadPose
@@ -231,3 +234,17 @@ def _between(old: RoadPose, new: RoadPose) -> np.ndarray:
     turn = new.rotation @ old.rotation.T
     r = np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]]) / 2
     return np.concatenate([r, new.translation_m - turn @ old.translation_m])
+
+
+def test_the_mean_direction_is_as_unsure_as_the_passes_scatter() -> None:
+    """Of 12 passes, each known to 0.05 degrees, that differ by 1.5: 0.09 degrees was told for 0.43."""
+    rng, u = np.random.default_rng(5), np.deg2rad(0.05)
+    off = []
+    for _ in range(200):
+        unknown, own = np.zeros((12, 8)), np.zeros((12, 8, 8))
+        unknown[:, HEADING], own[:, HEADING, HEADING] = rng.normal(0, np.deg2rad(1.5), 12), u**2
+        at = SimpleNamespace(own=np.zeros((12, 3, 8)), shared=np.zeros((12, 3, 2)))
+        solution = SimpleNamespace(unknown=unknown, pass_covariance=own, at=at, covariance=np.eye(2))
+        mean, u_mean = _heading(cast(Cleaned, SimpleNamespace(solution=solution)), np.ones(12, dtype=bool))
+        off.append(mean / u_mean)
+    assert np.sqrt(np.mean(np.square(off))) == pytest.approx(1.1, abs=0.15)

@@ -57,11 +57,12 @@ def stopping(wait_s: float) -> Strips:
 
 
 @lru_cache(maxsize=3)
-def standing(at_m: float, far: bool = False) -> tuple[Strips, tuple[float, float]]:
-    """A vehicle stands for 7 s with its front so far beyond camera 1, another passes on the other lane, and
-    the next one comes 1.8 s after its rear; the seconds of that rear and of the next front. Of a slower rig.
+def standing(at_m: float, far: bool = False, wait_s: float = 7.0) -> tuple[Strips, tuple[float, float]]:
+    """A vehicle stands for `wait_s` with its front so far beyond camera 1, another passes on the other lane,
+    and the next one comes 1.8 s after its rear; the seconds of that rear and of the next front. Of a slower
+    rig.
     """
-    stands = at(cars()[1], 1.2, 7.0, halt=Halt(at_m, 7.0), far=far)
+    stands = at(cars()[1], 1.2, 7.0, halt=Halt(at_m, wait_s), far=far)
     rear_s = stands.clear_s(0.0)
     beside = at(cars()[0], 7.0, 14.0, far=not far)
     site = replace(SITE, rows=64, line_rate_hz=SLOW_RIG.line_rate_hz)

@@ -188,6 +188,23 @@ def test_who_passes_one_that_is_given_up_later_is_not_in_front_of_the_next(monke
     assert (after.gap.time_gap_s, after.gap.reason) == (None, REAR_UNSEEN)
 
 
+@pytest.mark.parametrize(("wait_s", "swapped"), [(7.0, False), (7.0, True), (10.5, False)])
+def test_what_was_given_up_before_one_camera_alone_has_the_front_that_was_seen(monkeypatch, wait_s, swapped):
+    """Its driving off was a vehicle of its own, "side by side", at 10.86 s, or none (10.5 s); the next one's
+    gap was 2.54 s, or from the one that had passed.
+    """
+    monkeypatch.setattr(finding, "STANDS_S", 4.0)
+    pair, _ = standing(0.3, wait_s=wait_s)
+    passages, _ = found(pair[::-1] if swapped else pair, SLOW_RIG)
+    beside, stood, after = measured(passages, SLOW_RIG, "direct")
+    at = stood.motion.crossings
+    lines = (at.front_line_2, at.front_line_1) if swapped else (at.front_line_1, at.front_line_2)
+    assert np.array(lines) / SLOW_RIG.line_rate_hz == pytest.approx([1.96, 3.03 + wait_s], abs=0.02)
+    assert (stood.motion.reason, stood.rear_s) == (STOOD, None)
+    assert beside.motion.speed_mps == pytest.approx(14.0, abs=0.1)
+    assert (after.gap.time_gap_s, after.gap.reason) == (None, REAR_UNSEEN)
+
+
 def test_what_stands_when_the_recording_ends_stood_until_then():
     strips_ = tuple(strip[:9000] for strip in standing(1.6)[0])
     passages, _ = found(strips_, SLOW_RIG)

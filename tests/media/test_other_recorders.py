@@ -293,6 +293,17 @@ def test_a_rate_of_filming_that_is_stated_gives_the_times(tmp_path: Path, take_i
     assert frames[-1].time_s - frames[0].time_s == pytest.approx(30 / 120)
 
 
+def test_a_pass_has_the_times_of_the_frame_table_where_packets_are_not_in_order(
+    tmp_path: Path, take_in: Ingest
+) -> None:
+    """H.264 in AVI: pictures were up to three frames, 0.1 s, off their times."""
+    path = write(tmp_path / "b.avi", Spec("b.avi", options=X264_B, b_frames=3))
+    result = take_in(path)
+    assert result.report.unordered > 0
+    times_s = [one.time_s for one in frames_between(path, 5, 20, (320, 240), path.name)]
+    assert np.diff(times_s) == pytest.approx(np.diff(result.frames.time_s[5:21]))
+
+
 def test_a_recording_slowed_in_part_has_no_one_rate() -> None:
     steps_s = np.repeat([1 / 30, 1 / 240], 30)
     with pytest.raises(BadInput, match=r"Only part of slow.mp4 is in slow motion"):

@@ -13,6 +13,7 @@ from sightline.linescan.finding import Finder
 from sightline.linescan.parts import Rig
 from sightline.linescan.passing import measured
 from sightline.media.lines.followed import FollowedLines
+from sightline.media.lines.piped import PipedLines
 from sightline.media.lines.source import Ending, LineSource, Lost, Piece
 from sightline.media.strips.reader import open_strip
 from sightline.media.strips.sheet import Pixels
@@ -180,16 +181,25 @@ def test_line_0_came_before_the_piece_that_brought_it(
     assert first.at.timestamp() == pytest.approx(1e9 + lines / RIG.line_rate_hz, abs=1e-5)
 
 
+@pytest.mark.parametrize("piped", [False, True])
 @pytest.mark.parametrize("ahead_s", [-7200.0, 30.0])
-def test_a_followed_file_at_rest_tells_when_it_was_written(
-    pair: tuple[Pixels, Pixels], clean: list[LiveVehicle], tmp_path: Path, ahead_s: float
+def test_a_file_at_rest_tells_when_it_was_written(
+    pair: tuple[Pixels, Pixels], clean: list[LiveVehicle], tmp_path: Path, ahead_s: float, piped: bool
 ) -> None:
-    """Its last line came when it was last modified, two hours ago; never later than now."""
+    """Its last line came when it was last modified, two hours ago; never later than now. Followed, or given
+    as standard input.
+    """
     path, ending = tmp_path / "lines.raw", Ending()
     path.write_bytes(np.stack([np.array(one, np.uint8) for one in pair], axis=1).tobytes())
     os.utime(path, (1e9 + ahead_s, 1e9 + ahead_s))
-    source = FollowedLines(path, SITE.rows, ending, idle_s=0.1)
-    told = list(live_run(lambda _: source, clock=stopped_at(1e9)).vehicles())
+    with path.open("rb") as given:
+
+        def source(_: int) -> LineSource:
+            if piped:
+                return PipedLines(given.fileno(), SITE.rows, ending)
+            return FollowedLines(path, SITE.rows, ending, idle_s=0.1)
+
+        told = list(live_run(source, clock=stopped_at(1e9)).vehicles())
     ending.close()
     for one, same in zip(told, clean, strict=True):
         lines = same.vehicle.motion.crossings.front_line_1 - len(pair[0])

@@ -1,6 +1,7 @@
 """Rules of scanned vehicles: append-only, somebody else reviews, a scan on which people worked stays."""
 
 from dataclasses import replace
+from typing import cast
 
 import pytest
 from sqlalchemy.orm import Session
@@ -8,19 +9,24 @@ from sqlalchemy.orm import Session
 from sightline.errors import BadInput, Conflict, NotAllowed, NotFound
 from sightline.infra.audit import trail
 from sightline.infra.audit.verification import verify_records
+from sightline.linescan.parts import STOOD, Crossings, Motion
 from sightline.scans.store import get_scan, remove_scan, update_scan
+from sightline.scans.vehicles.find_job import Search, plan
+from sightline.scans.vehicles.measure import Readers
 from sightline.scans.vehicles.measurement_store import (
     append_scan_measurement,
     append_scan_measurements,
     get_scan_measurement,
     scan_measurement_history,
 )
+from sightline.scans.vehicles.motion import gaps_of, motion_of
 from sightline.scans.vehicles.review_store import add_scan_review, scan_reviews_of_vehicle
 from sightline.scans.vehicles.store import (
     change_scan_vehicle,
     create_scan_vehicle,
     create_scan_vehicles,
     get_scan_vehicle,
+    last_scan_vehicles,
     list_scan_vehicles,
 )
 from tests.support import samples, scans_samples
@@ -97,6 +103,34 @@ def test_a_scan_stays_once_people_worked_on_it(session: Session) -> None:
     with pytest.raises(NotFound):
         append_scan_measurement(session, untouched.vehicle_id, values(), actor=one.olga.id)
     assert not list_scan_vehicles(session, untouched.scan_id) and list_scan_vehicles(session, made.scan_id)
+
+
+def test_who_stood_until_the_last_ones_came_is_beside_them(session: Session) -> None:
+    """By the last three alone, the last one's gap was from the rear of the one before it."""
+    one = samples.sample(session)
+    scan_id, actor = scans_samples.ready(session, one).id, one.olga.id
+    spans = [(1000.0, 9000.0), *((2000.0 + 1000.0 * n, 2300.0 + 1000.0 * n) for n in range(6))]
+    made = create_scan_vehicles(session, scan_id, 7, origin="found", actor=actor)
+    for vehicle_id, span in zip(made, spans, strict=True):
+        seen = values(front_line_1=span[0], rear_line_1=span[1])
+        append_scan_measurement(session, vehicle_id, seen, actor=actor)
+    last = last_scan_vehicles(session, scan_id, 3)
+    assert [vehicle.number for vehicle in last] == [1, 5, 6, 7]
+    every = list_scan_vehicles(session, scan_id)
+    rig = get_scan(session, scan_id).rig
+    assert gaps_of(rig, last)[-3:] == gaps_of(rig, every)[-3:]
+
+
+def test_who_passed_beside_one_that_stands_is_not_taken_for_it(session: Session) -> None:
+    """Found anew, who stood took the place of who passed, whose motion was lost."""
+    one = samples.sample(session)
+    passed = scans_samples.measured(session, one)
+    stood = Motion("direct", Crossings(100.0, 60_000.0, 110.0, 60_010.0), "not_measurable", STOOD)
+    found = Search((stood, motion_of(values())))
+    known = list_scan_vehicles(session, passed.scan_id)
+    readers = cast(Readers, None)
+    plans, _ = plan(lambda *_: None, found, known, frozenset(), scans_samples.RIG, "direct", readers)
+    assert [made.vehicle and made.vehicle.id for made in plans] == [None, passed.vehicle_id]
 
 
 def test_many_at_once_are_the_same_as_one_by_one(session: Session) -> None:

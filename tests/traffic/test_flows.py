@@ -126,7 +126,8 @@ def test_the_median_gap_is_of_measured_vehicles(tmp_path: Path) -> None:
 
 def test_occupancy_is_empty_from_a_rear_that_nobody_saw_to_the_next_front(tmp_path: Path) -> None:
     unseen = replace(standing_passing(1, 100.0, 100.0), rear_s=None, rear_line_1=None, length_m=None)
-    cars = (unseen, standing_passing(2, 700.0, 706.0))
+    beside = standing_passing(2, 110.0, 110.5)  # while it stands, of which 0 was told from 300 s on
+    cars = (unseen, beside, standing_passing(3, 700.0, 706.0))
     add_recorded(tmp_path, Recorded("one", "ab" * 32, 1200.0, cars, ()), stood("2026-05-04T12:00"))
     with ArchiveTables(tmp_path) as tables:
         rows = list(tables.intervals(Asked(minutes=5, limits_m=(6.0,))))
@@ -135,7 +136,7 @@ def test_occupancy_is_empty_from_a_rear_that_nobody_saw_to_the_next_front(tmp_pa
     }
     assert shown == {ALL: [None, None, None, 0.0], NO_LENGTH: [None, None, None, 0.0]}
     short = [row["occupancy_ratio"] for row in rows if row["class"] == "under 6 m"]
-    assert short == [0.0, 0.0, pytest.approx(6 / 300), 0.0]
+    assert short == [pytest.approx(0.5 / 300), 0.0, pytest.approx(6 / 300), 0.0]
     assert "the rear of a vehicle that stood was not seen" in rows[0]["reason"]
 
 

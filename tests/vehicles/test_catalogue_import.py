@@ -230,6 +230,12 @@ def test_a_u_without_a_unit_has_that_of_its_size(operator: Client, viewer: Clien
     assert (jogger["u_height_m"], jogger["u_wheelbase_m"]) == (0.0008, 0.0005)
 
 
+def test_an_expanded_uncertainty_is_not_read_as_a_standard_one(operator: Client) -> None:
+    plan = preview(operator, "make,model,Height_m,U_height_m,u_wheelbase_m\nKia,Rio,1.45,0.02,0.01\n")
+    fields = [one["field"] for one in plan["columns"]]
+    assert fields == ["make", "model", "height_m", None, "u_wheelbase_m"]
+
+
 def test_a_model_is_corrected_retired_and_brought_back(operator: Client, viewer: Client) -> None:
     row = {"make": "Opel", "model": "Corsa", "year_from": 2019, "height_m": 1.435, "source": "brochure"}
     made = operator.made("/catalogue", row)

@@ -217,15 +217,18 @@ def _freedom(traffic: Traffic, found: Cleaned, used: Bools) -> int:
 
 def _heading(found: Cleaned, used: Bools) -> tuple[float, float]:
     """The passes' mean direction against the road's X, and what the adjustment says of its uncertainty: what
-    is each pass's own, and what the shared errors turn all by.
+    is each pass's own, enlarged where they scatter by more (Birge 1932), and what the shared errors turn all
+    by.
     """
     solution = found.solution
     weight = 1.0 / (solution.pass_covariance[used, HEADING, HEADING] + np.deg2rad(0.3) ** 2)
-    mean = float((weight * solution.unknown[used, HEADING]).sum() / weight.sum())
+    headings = solution.unknown[used, HEADING]
+    mean = float((weight * headings).sum() / weight.sum())
+    scatter = float((weight * (headings - mean) ** 2).sum()) / max(len(headings) - 1, 1)
     cross = np.swapaxes(solution.at.own, 1, 2) @ solution.at.shared
     turned = (solution.pass_covariance @ cross)[used, HEADING, :]
     common = weight @ turned / weight.sum()
-    return mean, float(np.sqrt(1.0 / weight.sum() + common @ solution.covariance @ common))
+    return mean, float(np.sqrt(max(scatter, 1.0) / weight.sum() + common @ solution.covariance @ common))
 
 
 def _adjusted(shared: SharedErrors, found: Cleaned) -> RoadPose:

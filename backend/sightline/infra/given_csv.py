@@ -147,6 +147,13 @@ def given_number(cell: str) -> float | None:
     return value if math.isfinite(value) else None
 
 
+def names_expanded(title: str) -> bool:
+    """Whether a column of uncertainties is of expanded ones by its title's capital U (JCGM 100:2008, 2.3.5);
+    of a title in capitals none can be told.
+    """
+    return title.lstrip().startswith("U") and not title.isupper()
+
+
 def is_separated(cell: str) -> bool:
     """Whether it is a number but for a decimal comma or for what stands between its thousands."""
     return _SEPARATED.fullmatch(cell.strip()) is not None

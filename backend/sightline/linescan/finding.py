@@ -10,11 +10,11 @@ from typing import cast
 import numpy as np
 
 from sightline.errors import BadInput
-from sightline.linescan.background import MOST_UNREST, Grid, enough_lines
+from sightline.linescan.background import MOST_UNREST, Grid, enough_lines, same_but_for_light
 from sightline.linescan.boundaries import refined
 from sightline.linescan.depth import brightest_of, depth_of, in_8_bits
 from sightline.linescan.lanes import lane_of
-from sightline.linescan.parts import STOOD, TOO_LONG, Crossings, Passage, Pixels, Rig
+from sightline.linescan.parts import STANDS_S, STOOD, TOO_LONG, Crossings, Passage, Pixels, Rig
 from sightline.linescan.rig import at_lane, baseline_of
 from sightline.linescan.watching import Event, Spans, Watcher, present
 from sightline.messages.said import Said
@@ -23,8 +23,6 @@ BANDS = 64
 STEPS_HZ = 1220.0
 BLOCK_S = 0.2
 BEGIN_S = 1.0
-# what stands for longer is given up: it may be no vehicle, but a road that changed for good
-STANDS_S = 60.0
 TILE = 1024
 KEPT_BYTES = 48 << 20
 # what a vehicle may be: from a motorcycle to a road train, from walking pace to 300 km/h
@@ -104,6 +102,8 @@ class Finder:
         self.alone = 0
         self._buffers = (LineBuffer(deque()), LineBuffer(deque()))
         self._waiting: tuple[deque[Event], deque[Event]] = (deque(), deque())
+        self._given_up: list[Event | None] = [None, None]
+        self._late: list[Passage] = []
         self._held: tuple[list[Pixels], list[Pixels]] = ([], [])
 
     def push(self, first: Pixels, second: Pixels) -> list[Passage]:
@@ -189,10 +189,11 @@ class Finder:
                 break
             if not last and min(reel.stop for reel in self._buffers) < self._needed_to(one[0], two[0]):
                 break
-            out.append(self._passage(one.popleft(), two.popleft()))
+            out.append(self._passage(*self._as_it_came(one.popleft(), two.popleft())))
             self.reversed += way < 0 and out[-1].reason is None
         self._drop_late()
-        return out
+        late, self._late = self._late, []
+        return out + late
 
     def _parted(self, last: bool) -> bool:
         """Of first events that are not of one vehicle, the one that ends first stays alone. Where one passed
@@ -228,7 +229,38 @@ class Finder:
         return self.watchers[camera].busy_since < partner.rear + slowest + self.margin
 
     def _leave_alone(self, camera: int) -> None:
-        self.alone += not self._waiting[camera].popleft().leaving
+        event = self._waiting[camera].popleft()
+        if event.still and event.cut:
+            self._given_up[camera] = event
+        was = None if event.still or event.cut or event.leaving else self._drove_off(1 - camera, event.front)
+        if was is not None:
+            self._late.append(self._passage(*((was, event) if camera else (event, was))))
+        else:
+            self.alone += not event.leaving
+
+    def _as_it_came(self, *pair: Event) -> tuple[Event, Event]:
+        """A pair's events, of which one may be what drove off: it came when that camera first saw it."""
+        one, two = pair
+        odd = not (self._alike(one, two) or one.still or two.still or one.cut or two.cut)
+        for k, was in enumerate(self._given_up):
+            if was is not None and same_but_for_light(pair[k].road.pooled, was.road, self.grid):
+                self._given_up[k] = None
+            elif odd and (was := self._drove_off(k, pair[k].rear)):
+                return (was, two) if k == 0 else (one, was)
+        return one, two
+
+    def _drove_off(self, camera: int, since: float) -> Event | None:
+        """What stood before this camera alone and was given up, where the road is seen behind it again, which
+        it was not before line `since`. It came before others that were returned.
+        """
+        was, reel = self._given_up[camera], self._buffers[camera]
+        if was is None:
+            return None
+        cells = self.grid.pooled(reel.cut(reel.stop - self.margin, reel.stop)[0])
+        if present(cells, was.road, self.grid.upper_part).any():
+            return None
+        self._given_up[camera], self.alone = None, self.alone - 1
+        return replace(was, rear=max(was.rear, since))
 
     def _needed_to(self, one: Event, two: Event) -> float:
         return max(one.rear, two.rear) + 2 * self.margin

@@ -130,6 +130,8 @@ class Profile:
     used: NDArray[np.bool_]
 
 
+#: What stands for longer is given up: it may be no vehicle, but a road that changed for good.
+STANDS_S = 60.0
 #: Why there is no motion of a vehicle that was given up while it was in view.
 STOOD = Said("scan-motion-stood")
 TOO_LONG = Said("scan-motion-too-long-in-view")

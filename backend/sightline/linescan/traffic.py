@@ -8,7 +8,7 @@ motion was rejected; speeds and lengths are of those whose motion counts. The me
 is the time mean speed; their harmonic mean is the space mean speed, as a stretch of road shows it (Wardrop
 1952). Flow over space mean speed is the density. Occupancy is the share of the time that some vehicle stood
 before camera 1; vehicles beside each other are counted once. Where one stood of which nobody knows how long,
-it is not told from there to the next front.
+it is not told from there to the first front after it was given up: who comes earlier passes beside it.
 
 Uncertainties (k = 1) are those of measuring. A count has none of its own; `near_edge` says how many vehicles
 passed so near to an edge that the clock leaves it open on which side (95 %). `flow_low` and `flow_high` are
@@ -29,6 +29,7 @@ from numpy.typing import NDArray
 
 from sightline.coverage import COVERAGE_95
 from sightline.enums import ScanDirection
+from sightline.linescan.parts import STANDS_S
 from sightline.messages.said import Said
 
 #: Lengths of an interval, minutes.
@@ -177,9 +178,9 @@ def intervals(
     end_s = max([watched_s, *fronts_s])
     headways = headways_s(fronts_s)
     covered, spans = _covered(passed), _spans(into_hour_s, long_s, end_s)
-    open_until = np.array([*fronts_s[1:], end_s])
-    unknown = [one.occupied_s is None for one in passed]
-    unsure = np.stack([np.array(fronts_s), open_until[: len(passed)]], 1)[unknown]
+    unknown_s = np.array([at for at, one in zip(fronts_s, passed, strict=True) if one.occupied_s is None])
+    given_up = np.searchsorted(fronts_s, unknown_s + STANDS_S)
+    unsure = np.stack([unknown_s, np.array([*fronts_s, end_s])[given_up]], 1)
     begins, stops = np.searchsorted(np.array(fronts_s), np.array(spans).reshape(-1, 2).T).tolist()
     still = _still_there(passed, spans)
     out = []

@@ -6816,6 +6816,7 @@ reference-withdrawn-already = This reference value was already removed; there is
 reference-changed-meanwhile = { $name } changed this reference value meanwhile; check it first.
 reference-columns-missing = { $name } needs a column “number” (of the vehicle in its recording) or “time” (at which it passed) and one of speed_kmh, length_m, wheelbase_m or run_of; its first line must name the columns.
 reference-column-unit = The column “{ $column }” of { $name } does not state its unit; name it one of { $names }, with “u_” in front for the uncertainty.
+reference-column-expanded = The column “{ $column }” of { $name } has the capital U of an expanded uncertainty; give the standard uncertainty (k = 1) in a column with “u_” in front.
 reference-columns-of-one = The columns “{ $first }” and “{ $second }” of { $name } state the same; leave one out.
 reference-no-line-used = No line of { $name } can be used; line { $line }: { $reason }
 reference-line-no-number = The vehicle number is “{ $number }”; give the whole number shown on the line scan page.

@@ -7,7 +7,8 @@ speed: the harmonic mean, as a stretch of road shows it (Wardrop 1952). Percenti
 without bias of the median, as everywhere in Sightline. u of the means: what neither exceeds, whatever the
 vehicles share: the mean of their own u, or that of u / v squared times the square of the space mean speed
 (JCGM 100:2008, 5.2.2), the larger. A vehicle that stands occupies every interval in which it does; where
-nobody saw its rear, occupancy is not told from its front to the next one, or to the end of its recording.
+nobody saw its rear, occupancy is not told from its front to the first one after it was given up (who comes
+earlier passes beside it), or to the end of its recording.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from typing import Any
 import duckdb
 
 from sightline.infra.local_time import zone_of
+from sightline.linescan.parts import STANDS_S
 from sightline.traffic.archive import VEHICLES, WATCHED, files_of, sites_of
 from sightline.traffic.records import Asked, Site
 
@@ -211,8 +213,8 @@ def _intervals_sql(asked: Asked) -> str:
       FROM watched JOIN days USING (day) GROUP BY recording_sha256, lane
     ), stood AS (
       SELECT lane, recording_sha256, length_m, begin_s + since_midnight_s AS since_s,
-        lead(begin_s + since_midnight_s, 1, 'inf'::DOUBLE)
-          OVER (PARTITION BY lane ORDER BY day, since_midnight_s) AS next_s
+        coalesce(min(begin_s + since_midnight_s) OVER (PARTITION BY lane ORDER BY begin_s + since_midnight_s
+          RANGE BETWEEN {STANDS_S} FOLLOWING AND UNBOUNDED FOLLOWING), 'inf'::DOUBLE) AS next_s
       FROM came QUALIFY occupied_s IS NULL
     ), rear_unseen AS (
       SELECT lane, day, length_m, greatest(since_s - begin_s, 0) AS from_s,

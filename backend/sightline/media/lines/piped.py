@@ -5,6 +5,7 @@ from __future__ import annotations
 import fcntl
 import os
 import select
+import stat
 import threading
 from collections import deque
 from collections.abc import Iterator
@@ -21,10 +22,11 @@ _QUIET_S = 0.5
 class PipedLines:
     """Lines from descriptor `source`. A thread of its own empties the pipe, so that a sender that cannot wait
     loses none while a vehicle is measured; beyond WAITING_BYTES the sender waits. What lies in the pipe when
-    the end is wished is taken still.
+    the end is wished is taken still. The lines of a file in its place have all come already, the last of them
+    when it was last written.
     """
 
-    broken, last_at = False, None
+    broken = False
 
     def __init__(self, source: int, rows: int, ending: Ending, name: str = "The input") -> None:
         self.name, self.notes = name, list[str]()
@@ -32,13 +34,20 @@ class PipedLines:
         self._held: deque[bytes] = deque()
         self._bytes = 0
         self._last = self._over = False
+        self.last_at: float | None = None
+        self._unread_bytes = 0  # of a file
+        told = os.fstat(source)
+        if stat.S_ISREG(told.st_mode):
+            self.last_at = told.st_mtime
+            self._unread_bytes = told.st_size - os.lseek(source, 0, os.SEEK_CUR)
         self._changed = threading.Condition()
         with suppress(OSError):  # no pipe, or a limit of this machine
             fcntl.fcntl(source, fcntl.F_SETPIPE_SZ, _READ_BYTES)
 
     @property
     def waiting_bytes(self) -> int:
-        return self._bytes
+        with self._changed:
+            return self._bytes + self._unread_bytes
 
     def pieces(self) -> Iterator[Piece | None]:
         reader = threading.Thread(target=self._read, daemon=True)
@@ -73,6 +82,7 @@ class PipedLines:
                 with self._changed:
                     self._held.append(data)
                     self._bytes += len(data)
+                    self._unread_bytes = max(self._unread_bytes - len(data), 0)
                     self._changed.notify_all()
                     while self._bytes > WAITING_BYTES:
                         self._changed.wait()

@@ -2,6 +2,7 @@
 
 from contextlib import closing
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -9,9 +10,11 @@ import numpy as np
 from sightline.errors import BadInput
 from sightline.geometry.follow_pass import PassFrame
 from sightline.media.video.decode import NO_PTS, frame_pts, numbered, open_container, video_stream
-from sightline.media.video.picture import upright_gray
+from sightline.media.video.picture import Gray, upright_gray
 from sightline.media.video.report import clock_doubt_of, require_clock_of_filming, times_of_filming
 from sightline.media.video.stated import stated_of
+
+_MOST_EARLY = 16  # frames by which a packet may come before its picture is shown (H.264, A.3.1)
 
 
 def frames_between(
@@ -24,24 +27,28 @@ def frames_between(
     filmed_hz: float | None = None,
 ) -> list[PassFrame]:
     """Frames `first` to `last`, upright, as far as the video has them; `size_px`: width and height;
-    `filmed_hz`: the rate of filming, where its times are not those of filming (`times_of_filming`).
+    `filmed_hz`: the rate of filming, where its times are not those of filming (`times_of_filming`). Times are
+    those of the frame table (`ingest.FrameTable`): the file's, sorted.
 
     Raises BadInput for what is no video, one of another size, without times, or whose times are not those of
     filming.
     """
-    out: list[PassFrame] = []
+    stamps: list[Fraction] = []
+    seen: list[tuple[int, Gray, float]] = []
     with closing(open_container(path, name)) as container:
         stream = video_stream(container, name, number=stream_number)
         for n, frame, layout in numbered(container, stream, name, size_px):
-            if n > last:
+            if n > last + _MOST_EARLY:
                 break
-            if n < first:
-                continue
             pts, base = frame_pts(frame), frame.time_base
             if pts == NO_PTS or base is None:
                 raise BadInput("video-no-times-follow", name=name)
-            out.append(PassFrame(n, float(pts * base), upright_gray(frame, layout), float(base)))
+            stamps.append(pts * base)
+            if first <= n <= last:
+                seen.append((n, upright_gray(frame, layout), float(base)))
         stated = stated_of(container, path)
+    stamps.sort()
+    out = [PassFrame(n, float(stamps[n]), gray, tick_s) for n, gray, tick_s in seen]
     time_s = np.array([one.time_s for one in out])
     if filmed_hz is None:
         require_clock_of_filming(clock_doubt_of(time_s, stated), name)

@@ -13,8 +13,8 @@ from sightline.infra.jobs import registry
 from sightline.infra.jobs.registry import Finish, JobContext
 from sightline.infra.version import code_version
 from sightline.linescan import faults
-from sightline.linescan.finding import Finder
-from sightline.linescan.parts import Crossings, Motion, Rig
+from sightline.linescan.finding import STOPPED, Finder
+from sightline.linescan.parts import STOOD, Motion, Rig
 from sightline.linescan.rig import gain, misalignment
 from sightline.messages.said import Said
 from sightline.scans.records import RunSummary, Scan, ScanRunValues, ScanValues, ScanVehicle, same_motion
@@ -111,7 +111,7 @@ def plan(
     discarded = 0
     there_already = Known(known)
     for motion in found.motions:
-        there = there_already.same_as(motion.crossings)
+        there = there_already.same_as(motion)
         if there is None:
             plans.append(Planned(None, motion, "found"))
         elif there.deleted:
@@ -160,7 +160,7 @@ def store(
     for one in plans:
         values = values_of(one.motion, rig, one.cause, run_id=run.id)
         if one.vehicle is None:
-            if there_already.same_as(one.motion.crossings) is not None:
+            if there_already.same_as(one.motion) is not None:
                 overtaken += 1
                 continue
             new.append(values)
@@ -196,21 +196,25 @@ class Known:
         self._fronts = [front for front, _ in placed]
         self._vehicles = [one for _, one in placed]
 
-    def same_as(self, found: Crossings) -> ScanVehicle | None:
-        """The vehicle with which these crossings share half of the shorter span, None where there is none."""
-        at = bisect_left(self._fronts, found.front_line_1)
+    def same_as(self, found: Motion) -> ScanVehicle | None:
+        """The vehicle with which this one shares half of the shorter span, None where there is none. Others
+        pass within the span of one that stands: where either does, their fronts are as near as that.
+        """
+        at = bisect_left(self._fronts, found.crossings.front_line_1)
         near = self._vehicles[max(0, at - NEIGHBOURS) : at + NEIGHBOURS]
         # one that stands before one that was taken out
         near.sort(key=lambda one: one.deleted)
         return next((one for one in near if _shared(found, one)), None)
 
 
-def _shared(found: Crossings, known: ScanVehicle) -> bool:
+def _shared(found: Motion, known: ScanVehicle) -> bool:
     if known.measurement is None:
         return False
-    values = known.measurement.values
-    shared = min(found.rear_line_1, values.rear_line_1) - max(found.front_line_1, values.front_line_1)
-    shorter = min(found.rear_line_1 - found.front_line_1, values.rear_line_1 - values.front_line_1)
+    values, seen = known.measurement.values, found.crossings
+    shorter = min(seen.rear_line_1 - seen.front_line_1, values.rear_line_1 - values.front_line_1)
+    if {found.reason, values.reason} & {STOPPED, STOOD}:
+        return abs(seen.front_line_1 - values.front_line_1) <= SAME_SHARE * shorter
+    shared = min(seen.rear_line_1, values.rear_line_1) - max(seen.front_line_1, values.front_line_1)
     return shared >= SAME_SHARE * shorter
 
 

@@ -64,10 +64,16 @@ def list_scan_vehicles(session: Session, scan_id: int, *, deleted: bool = False)
 
 
 def last_scan_vehicles(session: Session, scan_id: int, count: int) -> tuple[ScanVehicle, ...]:
-    """Those of a scan that came last, in the order in which they passed."""
-    newest = select(func.max(scan_vehicles.c.number)).where(scan_vehicles.c.scan_id == scan_id)
+    """Those of a scan that came last, in the order in which they passed; before them who stood until one of
+    them came.
+    """
+    of_scan = scan_vehicles.c.scan_id == scan_id
+    newest = select(func.max(scan_vehicles.c.number)).where(of_scan)
     late = scan_vehicles.c.number > newest.scalar_subquery() - count
-    return _fetch(session, (scan_vehicles.c.scan_id == scan_id) & late)
+    found = _fetch(session, of_scan & late)
+    fronts = [one.measurement.values.front_line_1 for one in found if one.measurement]
+    stood = scan_measurements.c.rear_line_1 >= min(fronts, default=0.0)
+    return _fetch(session, of_scan & (late | stood)) if fronts else found
 
 
 def counts_of_scans(session: Session, rigs: Mapping[int, RigFor]) -> dict[int, ScanCounts]:

@@ -16,7 +16,14 @@ from typing import Any, cast, get_args
 from sightline.enums import CatalogueChange, Category, ModelSize, OnConflict, SizeUnit
 from sightline.errors import BadInput
 from sightline.infra.database import Session
-from sightline.infra.given_csv import GivenRow, GivenTable, given_number, read_table, undefused
+from sightline.infra.given_csv import (
+    GivenRow,
+    GivenTable,
+    given_number,
+    names_expanded,
+    read_table,
+    undefused,
+)
 from sightline.messages.said import Said, with_commas
 from sightline.vehicles.catalogue.records import (
     SIZES,
@@ -334,6 +341,8 @@ def _field(title: str, choices: Choices) -> tuple[str | None, SizeUnit | None]:
         if chosen and chosen not in FIELDS:
             raise BadInput("catalogue-no-such-field", field=chosen, known=", ".join(FIELDS))
         return chosen or None, cast(SizeUnit | None, unit) if chosen in _LENGTHS else None
+    if u is not None and names_expanded(title):
+        return None, None
     plain = _ALSO.get(plain, plain)
     if plain in SIZES:
         return f"{u or ''}{plain}_m", cast(SizeUnit | None, unit)
