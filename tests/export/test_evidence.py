@@ -6,7 +6,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from itertools import islice
 from pathlib import Path
-from typing import Any
+from types import SimpleNamespace
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ import pytest
 from sightline.cli import main
 from sightline.enums import JsonObject
 from sightline.errors import Damaged
-from sightline.export.evidence import page, verify
+from sightline.export.evidence import page, service, verify
 from sightline.export.evidence.decision import decision_of
 from sightline.export.evidence.pictures import StripPicture
 from sightline.export.evidence.verify import EvidenceCheck, verify_evidence
@@ -467,3 +468,20 @@ def test_an_old_file_verifies_with_the_old_key_after_a_rotation(
     forged = {**document_of(before), "key": stranger.public}
     found = checked(signed_again(before, forged, stranger))
     assert "how its key follows" in (found.problem or "")
+
+
+def test_no_vehicle_is_before_one_whose_lane_came_unknown_between(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A in lane a leaves last, then one of no known lane, then C beside A: whose gap D has is not known."""
+
+    def seen(id_: int, lane: str | None, front: float, rear: float) -> Any:
+        values = SimpleNamespace(
+            direction="camera_1_first", lane=lane, front_line_1=front, rear_line_1=rear, rig={"lanes": ["a"]}
+        )
+        return SimpleNamespace(id=id_, scan_id=1, measurement=SimpleNamespace(values=values))
+
+    every = [seen(1, "a", 0, 1000), seen(2, None, 100, 300), seen(3, "a", 400, 500), seen(4, "a", 1100, 1300)]
+    monkeypatch.setattr(service, "list_scan_vehicles", lambda *_: every)
+    before = service._before
+    assert before(cast(Any, None), every[3]) is None
+    every[2].measurement.values.rear_line_1 = 1050.0
+    assert before(cast(Any, None), every[3]) is every[2]

@@ -9,7 +9,7 @@ from sightline.geometry.drift import Motion, fit_motion
 from sightline.geometry.followed_tracks import Following, Tracks
 from sightline.measurements.followed_text import text_of
 from sightline.measurements.height_of_clicks import answer
-from sightline.measurements.moved import drift_flag, error_of_motion
+from sightline.measurements.moved import drift_flags, errors_of_motion
 from sightline.measurements.records import ClickedFrame, Clicks
 from sightline.recordings.drift import MovedSpan
 from tests.geometry.passing import CONTACT, TARGET, Drawn, frames_of, look
@@ -62,10 +62,10 @@ def test_the_error_told_is_that_of_the_simulated_camera_at_each_distance(
     clicks = clicked(now, away_m, 0.05 * away_m)
     measured_m = answer(pose, clicks).height_m
     assert measured_m is not None
-    error_m = error_of_motion(pose, clicks, (span,))
+    error_m = errors_of_motion(pose, [clicks], [span])[0]
     assert error_m == pytest.approx(measured_m - HEIGHT_M, rel=0.03)
     assert abs(error_m or 0.0) > 0.0005
-    flag = drift_flag(pose, clicks, [span])
+    flag = drift_flags(pose, [clicks], [span])[0]
     assert flag is not None and flag.values["error_m"] == pytest.approx(abs(measured_m - HEIGHT_M), abs=0.001)
 
 
@@ -75,7 +75,7 @@ def test_it_is_not_as_the_distance_where_the_camera_is_above_the_target() -> Non
         scene = Scene(replace(NARROW, f=2000.0), (0.0, -3.0, 5.0), 0.0, pitch)
         now = turned(scene, TURNS[0])
         expected_m = np.deg2rad(0.03) * HEIGHT_M * (away_m / 5.0 - (5.0 - HEIGHT_M) / away_m)
-        error_m = error_of_motion(pose_of(scene), clicked(now, away_m), (told(scene, now),))
+        error_m = errors_of_motion(pose_of(scene), [clicked(now, away_m)], [told(scene, now)])[0]
         assert error_m == pytest.approx(expected_m, rel=0.03)
 
 
@@ -112,7 +112,24 @@ def test_a_height_of_several_frames_has_each_frames_own_motion_undone(solved: st
         )
 
     true_m, measured_m = answer(pose, clicks(stood)).height_m, answer(pose, clicks(seen)).height_m
-    error_m = error_of_motion(pose, clicks(seen), (span,))
+    error_m = errors_of_motion(pose, [clicks(seen)], [span])[0]
     assert true_m is not None and measured_m is not None
     assert error_m == pytest.approx(measured_m - true_m, rel=0.03)
     assert abs(error_m or 0.0) > 0.0005
+
+
+def test_errors_told_together_are_those_of_each_alone() -> None:
+    """Of heights of two clicks, of several frames, without an inset, and where there is no height."""
+    now, pose = turned(STOOD, TURNS[0]), pose_of(STOOD)
+    span = told(STOOD, now)
+    near, far = clicked(now, 6.0), clicked(now, 15.0)
+    further = ClickedFrame(frame=7, contact=far.contact, target_point=far.target_point)
+    solved = replace(near, inset_m=None, u_inset_m=None, more_frames=(further,))
+    in_the_sky = replace(near, contact=(960.0, 2.0), target_point=(960.0, 1.0))
+    every = [near, solved, replace(near, inset_m=None, u_inset_m=None), in_the_sky, far]
+    alone = [error for one in every for error in errors_of_motion(pose, [one], [span])]
+    together = errors_of_motion(pose, every, [span])
+    assert [error is None for error in together] == [error is None for error in alone]
+    assert [error is None for error in together] == [False, False, True, True, False]
+    for of_all, of_one in zip(together, alone, strict=True):
+        assert (of_all or 0.0) == pytest.approx(of_one or 0.0, rel=1e-9)

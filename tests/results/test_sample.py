@@ -112,6 +112,18 @@ def test_a_rejected_height_measures_nothing(
     assert verify_package(FolderFiles(place)).ok
 
 
+@pytest.mark.parametrize("rule", [{}, {"method": "nth", "step": 1, "start": 1}])
+def test_a_check_target_is_to_do_whatever_the_sample(
+    operator: Client, viewer: Client, ground: Ground, rule: dict[str, Any]
+) -> None:
+    said(operator, ground, **rule)
+    car, staff = fleet(operator, ground, 2)
+    assert operator.put(f"/vehicles/{staff}", {"check_target": True, "version": 1}).status_code == 200
+    measure(operator, car)
+    counts = viewer.seen(f"/surveys/{ground.survey_id}")["counts"]
+    assert (counts["vehicles"], counts["vehicles_measured"]) == (2, 1)
+
+
 def test_clicks_without_a_height_measure_nothing(
     operator: Client, viewer: Client, ground: Ground, services: Services, tmp_path: Path
 ) -> None:

@@ -90,9 +90,9 @@ def require_rig(rig: Rig, named: Mapping[str, str] | None = None) -> None:
         if baseline_m < BASELINE_M.least:
             raise BadInput(
                 "linescan-planes-too-near",
-                distance_m=format(distance_m, ".7g"),
-                baseline_m=format(baseline_m, ".3g"),
-                least_m=format(BASELINE_M.least, ".7g"),
+                distance_m=distance_m,
+                baseline_m=round(baseline_m, 3),
+                least_m=BASELINE_M.least,
             )
 
 

@@ -5,7 +5,8 @@ Derived whenever measurements are read, from what was found of the recording and
 revision is changed for it.
 """
 
-from collections.abc import Iterable, Mapping
+from collections import defaultdict
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -13,9 +14,10 @@ from sqlalchemy import or_, select
 from sqlalchemy.orm import Session
 
 from sightline.infra.by_name import filled_from
-from sightline.measurements.moved import drift_flag
+from sightline.measurements.moved import drift_flags
 from sightline.measurements.records import Clicks, Measurement
 from sightline.measurements.road_poses import road_pose
+from sightline.messages.said import Said
 from sightline.recordings.drift import MovedSpan, open_spans
 from sightline.recordings.filming import Filming, filming_of
 from sightline.recordings.tables import recordings
@@ -37,21 +39,20 @@ def derived(session: Session, found: tuple[Measurement, ...]) -> tuple[Measureme
         if id_ in told
     }
     filmed = {id_: filming_of(row) for id_, row in told.items()}
-    return tuple(
-        [
-            _with(
-                *(session, one, spans.get((one.recording_id, one.values.pose_id), [])),
-                filmed.get(one.recording_id),
-            )
-            for one in found
-        ]
-    )
+    of_pose = defaultdict[tuple[int, int], list[int]](list)
+    for at, one in enumerate(found):
+        of_pose[one.recording_id, one.values.pose_id].append(at)
+    flags: dict[int, Said | None] = {}
+    for key, places in of_pose.items():
+        flags |= zip(places, _flags(session, [found[at] for at in places], spans.get(key, [])), strict=True)
+    return tuple([_with(one, flags[at], filmed.get(one.recording_id)) for at, one in enumerate(found)])
 
 
 def derived_from(session: Session, one: Measurement, row: Mapping[Any, Any]) -> Measurement:
     """`derived` of one measurement with whose row the recording's `TELLING` was read."""
     spans = open_spans(row["drift"], row["drift_decision"], one.values.pose_id)
-    return _with(session, one, spans, filming_of(row))
+    (flag,) = _flags(session, [one], spans)
+    return _with(one, flag, filming_of(row))
 
 
 def _told_by_recordings(session: Session, wanted: Iterable[int]) -> dict[int, Mapping[Any, Any]]:
@@ -65,10 +66,15 @@ def _told_by_recordings(session: Session, wanted: Iterable[int]) -> dict[int, Ma
     return {row["id"]: row for row in session.execute(query).mappings()}
 
 
-def _with(session: Session, one: Measurement, spans: list[MovedSpan], filmed: Filming | None) -> Measurement:
-    flag = None
-    if spans:
-        flag = drift_flag(road_pose(session, one.values.pose_id), filled_from(Clicks, one.values), spans)
+def _flags(session: Session, found: Sequence[Measurement], spans: list[MovedSpan]) -> list[Said | None]:
+    """What is said of measurements with one pose where the camera had moved in `spans`."""
+    if not spans:
+        return [None] * len(found)
+    clicks = [filled_from(Clicks, one.values) for one in found]
+    return drift_flags(road_pose(session, found[0].values.pose_id), clicks, spans)
+
+
+def _with(one: Measurement, flag: Said | None, filmed: Filming | None) -> Measurement:
     if flag == one.drift_flag and filmed is None:
         return one
     at = None if filmed is None else filmed.at(one.values.time_s)

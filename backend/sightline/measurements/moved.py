@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
@@ -21,16 +22,18 @@ from sightline.recordings.drift import MovedSpan
 _MOST_KEPT = 4096
 
 
-def drift_flag(pose: RoadPose, clicks: Clicks, spans: Sequence[MovedSpan]) -> Said | None:
-    """What is said of a height where the camera had moved on a frame clicked on; None where it stood."""
-    on = _on_frames(clicks, spans)
-    if not on:
-        return None
-    moved_px = round(max(one.moved_px for one in on), 1)
-    error_m = error_of_motion(pose, clicks, tuple(spans))
-    if error_m is None:
-        return Said("height-flag-camera-moved", moved_px=moved_px)
-    return Said("height-flag-camera-moved-height", moved_px=moved_px, error_m=round(abs(error_m), 3))
+def drift_flags(pose: RoadPose, every: Sequence[Clicks], spans: Sequence[MovedSpan]) -> list[Said | None]:
+    """What is said of each height where the camera had moved on a frame clicked on; None where it stood."""
+    there = [(at, on) for at, one in enumerate(every) if (on := _on_frames(one, spans))]
+    errors = errors_of_motion(pose, [every[at] for at, _ in there], spans)
+    flags: list[Said | None] = [None] * len(every)
+    for (at, on), error_m in zip(there, errors, strict=True):
+        moved_px = round(max(one.moved_px for one in on), 1)
+        flags[at] = Said("height-flag-camera-moved", moved_px=moved_px)
+        if error_m is not None:
+            error_m = round(abs(error_m), 3)
+            flags[at] = Said("height-flag-camera-moved-height", moved_px=moved_px, error_m=error_m)
+    return flags
 
 
 def earlier_drift_flag(clicks: Clicks, spans: Sequence[MovedSpan]) -> Said | None:
@@ -48,24 +51,38 @@ def _on_frames(clicks: Clicks, spans: Sequence[MovedSpan]) -> list[MovedSpan]:
     return [one for one in spans if any(one.first_frame <= n <= one.last_frame for n in clicks.frames)]
 
 
-@lru_cache(_MOST_KEPT)
-def error_of_motion(pose: RoadPose, clicks: Clicks, spans: tuple[MovedSpan, ...]) -> float | None:
-    """How much too large a height is by the camera's motions in `spans`, metres: that of the clicks as they
-    are less that of the clicks with the motion undone. None where there is none, or a motion is not told.
-
-    A whole pass takes long to solve and never changes: kept.
+def errors_of_motion(
+    pose: RoadPose, every: Sequence[Clicks], spans: Sequence[MovedSpan]
+) -> list[float | None]:
+    """How much too large each height is by the camera's motions in `spans`, metres: that of the clicks as
+    they are less that of the clicks with the motion undone. None where there is none, or a motion is not
+    told.
     """
+    errors: list[float | None] = [None] * len(every)
     if any(one.motion is None for one in spans):
-        return None
+        return errors
+    size_px = (pose.camera.width_px, pose.camera.height_px)
+    of_two = [at for at, one in enumerate(every) if not one.solves_inset and one.inset_m is not None]
+    moved = [every[at] for at in of_two]
+    both = [*moved, *(_undone(one, spans, size_px) for one in moved)]
+    contacts, targets = [one.contact for one in both], [one.target_point for one in both]
+    insets_m = [one.assumed()[1] for one in both]
+    found = measure_heights(pose, contacts, targets, inset_m=insets_m, with_uncertainty=False)
+    change_m = np.where(found.ok, found.height_m, np.nan).reshape(2, -1)
+    for at, error_m in zip(of_two, (change_m[0] - change_m[1]).tolist(), strict=True):
+        errors[at] = error_m if math.isfinite(error_m) else None
+    for at, one in enumerate(every):
+        if one.solves_inset:
+            errors[at] = _solved_error_m(pose, one, tuple(spans))
+    return errors
+
+
+@lru_cache(_MOST_KEPT)
+def _solved_error_m(pose: RoadPose, clicks: Clicks, spans: tuple[MovedSpan, ...]) -> float | None:
+    """A whole pass takes long to solve and never changes: kept."""
     back = _undone(clicks, spans, (pose.camera.width_px, pose.camera.height_px))
-    if clicks.solves_inset:
-        moved_m, back_m = _solved_m(pose, clicks), _solved_m(pose, back)
-        return None if moved_m is None or back_m is None else moved_m - back_m
-    if clicks.inset_m is None:
-        return None
-    contacts, targets = (clicks.contact, back.contact), (clicks.target_point, back.target_point)
-    found = measure_heights(pose, contacts, targets, *clicks.assumed(), with_uncertainty=False)
-    return float(found.height_m[0] - found.height_m[1]) if found.ok.all() else None
+    moved_m, back_m = _solved_m(pose, clicks), _solved_m(pose, back)
+    return None if moved_m is None or back_m is None else moved_m - back_m
 
 
 def _solved_m(pose: RoadPose, clicks: Clicks) -> float | None:

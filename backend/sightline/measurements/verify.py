@@ -34,7 +34,7 @@ from sightline.measurements.csv import (
     with_frames,
 )
 from sightline.measurements.height_of_clicks import Answer, answer
-from sightline.measurements.moved import drift_flag, earlier_drift_flag
+from sightline.measurements.moved import drift_flags, earlier_drift_flag, errors_of_motion
 from sightline.measurements.records import (
     ClickedFrame,
     Clicks,
@@ -247,14 +247,17 @@ class Recomputed:
         told = {name: text for name, text in row.items() if text}
         spans = open_spans(int(row["recording_id"]), int(row["pose_id"]))
         clicks = clicks_of_row(row)
-        flag = drift_flag(self._pose(row), clicks, spans) if spans else None
+        flag = drift_flags(self._pose(row), [clicks], spans)[0] if spans else None
         if flag is None:
             return told
         code = f"flags{CODE}"
         if code not in row:  # its program had no codes, and other words
             return {**told, "flags": told.get("flags", "").partition("The camera moved ")[0].rstrip("; ")}
         *stored, last = json.loads(told.pop(code, "[null]"))
-        if last not in [one.document for one in (flag, earlier_drift_flag(clicks, spans)) if one]:
+        earlier = earlier_drift_flag(clicks, spans)
+        (error_m,) = errors_of_motion(self._pose(row), [clicks], spans)
+        same = _rounded_alike(last, flag, error_m) or (earlier is not None and last == earlier.document)
+        if not same:
             with self._recomputing.of(HEIGHTS, self._program):
                 raise Damaged("measurements-drift-differs", name=name, computed=flag)
         return {**told, code: canonical_json(stored) if stored else ""}
@@ -267,6 +270,15 @@ class Recomputed:
         if path not in self._poses:
             self._poses[path] = _pose(self._files, path)
         return self._poses[path]
+
+
+def _rounded_alike(told: Any, flag: Said, error_m: float | None) -> bool:
+    """Whether a flag is the one computed, whose error may have been rounded the other way elsewhere."""
+    if error_m is None or not isinstance(told, dict) or told.get("code") != flag.code:
+        return bool(told == flag.document)
+    values = told["values"]
+    near = math.fabs(values["error_m"] - math.fabs(error_m)) < 0.5e-3 + _HEIGHT_TOLERANCE_M
+    return near and {**values, "error_m": flag.values["error_m"]} == dict(flag.values)
 
 
 def _pose(files: Files, path: str) -> RoadPose:

@@ -6,7 +6,7 @@ const HEIGHT_DIGITS = 3;
 const SMALL_DIGITS = 4;
 const SQUARE_DIGITS = 6;
 /** Tables whose values are errors, and named so by `figure`. */
-const OF_ERRORS = /(?:^|\/)(?:error_table|known_errors|agreement)\.csv$/;
+const OF_ERRORS = /(?:^|\/)(?:error_table|agreement)\.csv$/;
 
 /** A cell as it is read: fewer digits than the file holds, so that a figure reads alike everywhere. */
 export function shown(path: string, name: string, row: Row): string {

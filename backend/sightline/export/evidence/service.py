@@ -93,7 +93,7 @@ def _before(session: Session, vehicle: ScanVehicle) -> ScanVehicle | None:
     """
     this = _measured(vehicle).values
     lanes = bool(this.rig.get("lanes"))
-    before, rear_line = None, 0.0
+    before, rear_line, unknown = None, 0.0, False
     for one in list_scan_vehicles(session, vehicle.scan_id):
         if one.id == vehicle.id:
             break
@@ -101,10 +101,10 @@ def _before(session: Session, vehicle: ScanVehicle) -> ScanVehicle | None:
         if seen and seen.direction == this.direction:
             if seen.lane == this.lane:
                 if before is None or seen.rear_line_1 >= rear_line:
-                    before, rear_line = one, seen.rear_line_1
+                    before, rear_line, unknown = one, seen.rear_line_1, False
             elif lanes and seen.lane is None:
-                before = None
-    return before if this.lane is not None or not lanes else None
+                unknown = True
+    return None if unknown or (lanes and this.lane is None) else before
 
 
 def _vouched(

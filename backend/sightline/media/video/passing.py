@@ -42,6 +42,8 @@ def frames_between(
                 break
             pts, base = frame_pts(frame), frame.time_base
             if pts == NO_PTS or base is None:
+                if n > last:
+                    break
                 raise BadInput("video-no-times-follow", name=name)
             stamps.append(pts * base)
             if first <= n <= last:

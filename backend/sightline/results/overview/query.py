@@ -152,37 +152,35 @@ def _measurement_facts(survey_ids: Sequence[int]) -> Select[Any]:
 
 
 def _answered_vehicles(session: Session, of: Sequence[Survey]) -> dict[int, dict[str, int]]:
-    """By survey: vehicles of its sample, those of which all that is asked for is answered, and targets said
-    not to be visible.
+    """By survey: vehicles of its sample and its check targets, those of which all that is asked for is
+    answered, and targets said not to be visible.
 
     Vehicles are counted by what they have, a few dozen ways, and judged by what their survey asks for; where
     a survey takes a sample, each pass is looked at.
     """
     of_survey = vehicles.c.survey_id
     wanted = (of_survey.in_([survey.id for survey in of]), vehicles.c.discarded.is_(None))
-    each = with_answers(of_survey).where(*wanted).subquery()
+    each = with_answers(of_survey, vehicles.c.check_target).where(*wanted).subquery()
     ways = [column for column in each.c if column.name != "id"]
-    asked = {survey.id: survey.asked for survey in of}
+    by_id = {survey.id: survey for survey in of}
     found: dict[int, dict[str, int]] = {
         survey.id: {"vehicles": 0, "vehicles_measured": 0, "not_visible": 0} for survey in of
     }
     for row in session.execute(select(*ways, func.count().label("count")).group_by(*ways)).mappings():
-        counts = found[row["survey_id"]]
-        counts["vehicles"] += row["count"]
+        survey, counts = by_id[row["survey_id"]], found[row["survey_id"]]
         hidden = {target for target, name in NOT_VISIBLE.items() if row[name] is not None}
-        if hidden | {target for target in NOT_VISIBLE if row[target]} >= set(
-            asked[row["survey_id"]].of(row["light"])
-        ):
-            counts["vehicles_measured"] += row["count"]
         counts["not_visible"] += row["count"] * len(hidden)
+        if not (row["check_target"] or survey.sampling.takes_all):
+            continue
+        counts["vehicles"] += row["count"]
+        if hidden | {target for target in NOT_VISIBLE if row[target]} >= set(survey.asked.of(row["light"])):
+            counts["vehicles_measured"] += row["count"]
     for survey in of:
         if not survey.sampling.takes_all:
             ends = [one.end for one in pass_answers(session, survey)]
-            answered_ends = ends.count("measured") + ends.count("not_visible")
-            found[survey.id] |= {
-                "vehicles": answered_ends + ends.count("open"),
-                "vehicles_measured": answered_ends,
-            }
+            answered = ends.count("measured") + ends.count("not_visible")
+            found[survey.id]["vehicles"] += answered + ends.count("open")
+            found[survey.id]["vehicles_measured"] += answered
     return found
 
 

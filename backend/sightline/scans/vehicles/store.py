@@ -24,6 +24,7 @@ from sightline.scans.records import Changes, KnownOfScanned, ScanCounts, ScanVeh
 from sightline.scans.tables import scan_measurements, scan_vehicles, scans
 
 _ALIVE: ColumnElement[bool] = scan_vehicles.c.deleted_at.is_(None)
+_PASSED_BESIDE = 200  # at most beside one that stands; each is given up after a minute
 _FIELDS = frozenset(one.name for one in fields(KnownOfScanned))
 _LENGTHS = ("true_length_m", "u_true_length_m", "true_wheelbase_m", "u_true_wheelbase_m")
 RigFor = Callable[[str | None, ScanDirection], JsonObject]
@@ -68,12 +69,13 @@ def last_scan_vehicles(session: Session, scan_id: int, count: int) -> tuple[Scan
     them came.
     """
     of_scan = scan_vehicles.c.scan_id == scan_id
-    newest = select(func.max(scan_vehicles.c.number)).where(of_scan)
-    late = scan_vehicles.c.number > newest.scalar_subquery() - count
+    newest = select(func.max(scan_vehicles.c.number)).where(of_scan).scalar_subquery()
+    late = scan_vehicles.c.number > newest - count
     found = _fetch(session, of_scan & late)
     fronts = [one.measurement.values.front_line_1 for one in found if one.measurement]
     stood = scan_measurements.c.rear_line_1 >= min(fronts, default=0.0)
-    return _fetch(session, of_scan & (late | stood)) if fronts else found
+    near = scan_vehicles.c.number > newest - count - _PASSED_BESIDE
+    return _fetch(session, of_scan & near & (late | stood)) if fronts else found
 
 
 def counts_of_scans(session: Session, rigs: Mapping[int, RigFor]) -> dict[int, ScanCounts]:

@@ -140,7 +140,7 @@ def require_possible(row: CatalogueRow) -> None:
         most_m = MOST_U_M if size is None else min(MOST_U_M, MOST_U_SHARE * size)
         if u is not None and not 0.0 <= u <= most_m:
             raise BadInput(
-                "catalogue-u-impossible", column=f"u_{name}_m", value=f"{u:g}", most=f"{most_m:.3g}"
+                "catalogue-u-impossible", column=f"u_{name}_m", value=round(u, 3), most=round(most_m, 3)
             )
     _require_together(row)
     if row.year_from is not None and row.year_to is not None and row.year_to < row.year_from:
