@@ -25,8 +25,11 @@ from sightline.infra.audit.signing import SigningKey, put_in_force, replacing_ke
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
+from sightline.linescan.parts import Lane
 from sightline.media.images import read_image
+from sightline.scans.store import rig_columns
 from sightline.settings import Settings
+from tests.support import scans_samples
 from tests.support.app import Client, error_of
 from tests.support.scanning_ground import pictures
 
@@ -473,15 +476,15 @@ def test_an_old_file_verifies_with_the_old_key_after_a_rotation(
 def test_no_vehicle_is_before_one_whose_lane_came_unknown_between(monkeypatch: pytest.MonkeyPatch) -> None:
     """A in lane a leaves last, then one of no known lane, then C beside A: whose gap D has is not known."""
 
+    rig = rig_columns(replace(scans_samples.RIG, lanes=(Lane("a", 4.0), Lane("b", 8.0))))
+
     def seen(id_: int, lane: str | None, front: float, rear: float) -> Any:
-        values = SimpleNamespace(
-            direction="camera_1_first", lane=lane, front_line_1=front, rear_line_1=rear, rig={"lanes": ["a"]}
-        )
+        values = scans_samples.values(lane=lane, front_line_1=front, rear_line_1=rear, rig=rig)
         return SimpleNamespace(id=id_, scan_id=1, measurement=SimpleNamespace(values=values))
 
     every = [seen(1, "a", 0, 1000), seen(2, None, 100, 300), seen(3, "a", 400, 500), seen(4, "a", 1100, 1300)]
     monkeypatch.setattr(service, "list_scan_vehicles", lambda *_: every)
     before = service._before
     assert before(cast(Any, None), every[3]) is None
-    every[2].measurement.values.rear_line_1 = 1050.0
+    every[2] = seen(3, "a", 400, 1050)
     assert before(cast(Any, None), every[3]) is every[2]

@@ -82,9 +82,8 @@ def sightdistance(
     if headlight_m is not None and seen_m is None:
         raise BadInput("commands-sag-needs-distance")
     given = eye_heights is None and object_heights is None
-    u_m = (
-        (u_eye_m, u_object_m) if given else (None, None)
-    )  # of a file's percentile there is an interval alone
+    # of a file's percentile there is an interval alone
+    u_m = (u_eye_m, u_object_m) if given else (None, None)
     answer = _answer(eye, thing, constant, u_m, seen_m) | _distance(needed, kind, constant)
     answer |= _length(constant, seen_m, difference_percent)
     if headlight_m is not None and seen_m is not None:

@@ -39,7 +39,14 @@ class Leaders:
         self._count = 0
 
     def next(self, crossings: Crossings, motion: Motion) -> Gap:
-        """The gap before this vehicle, which is the one before from now on unless that one leaves later.
+        """The gap before this vehicle, which is the one before from now on unless that one leaves later."""
+        leader = self.leader(crossings, motion)
+        if isinstance(leader, Said):
+            return Gap(None, None, None, reason=leader)
+        return _gap(leader[1:], (crossings, motion), self._rig)
+
+    def leader(self, crossings: Crossings, motion: Motion) -> tuple[int, Crossings, Motion] | Said:
+        """The vehicle that this one's gap runs from, with its place from 1 among those told, or why none.
 
         One whose rear nobody saw was there at least until it was given up, and is taken to have left before
         the next front after that.
@@ -47,15 +54,13 @@ class Leaders:
         way, self._count = crossings.direction, self._count + 1
         if self._rig.lanes and motion.lane is None:
             self._unknown[way] = self._count
-            return Gap(None, None, None, reason=LANE_UNKNOWN)
+            return LANE_UNKNOWN
         before = self._last.get((way, motion.lane))
         if before is None or crossings.rear_line_1 >= before[1].rear_line_1:
             self._last[way, motion.lane] = self._count, crossings, motion
         if self._unknown.get(way, 0) > (before[0] if before else 0):
-            return Gap(None, None, None, reason=BEFORE_UNKNOWN)
-        if before is None:
-            return Gap(None, None, None, reason=NONE_BEFORE)
-        return _gap(before[1:], (crossings, motion), self._rig)
+            return BEFORE_UNKNOWN
+        return NONE_BEFORE if before is None else before
 
 
 def gaps(vehicles: Sequence[tuple[Crossings, Motion]], rig: Rig) -> list[Gap]:

@@ -24,30 +24,35 @@ _MOST_KEPT = 4096
 
 def drift_flags(pose: RoadPose, every: Sequence[Clicks], spans: Sequence[MovedSpan]) -> list[Said | None]:
     """What is said of each height where the camera had moved on a frame clicked on; None where it stood."""
-    there = [(at, on) for at, one in enumerate(every) if (on := _on_frames(one, spans))]
-    errors = errors_of_motion(pose, [every[at] for at, _ in there], spans)
+    there = [at for at, one in enumerate(every) if spans_clicked_on(one, spans)]
+    errors = errors_of_motion(pose, [every[at] for at in there], spans)
     flags: list[Said | None] = [None] * len(every)
-    for (at, on), error_m in zip(there, errors, strict=True):
-        moved_px = round(max(one.moved_px for one in on), 1)
-        flags[at] = Said("height-flag-camera-moved", moved_px=moved_px)
-        if error_m is not None:
-            error_m = round(abs(error_m), 3)
-            flags[at] = Said("height-flag-camera-moved-height", moved_px=moved_px, error_m=error_m)
+    for at, error_m in zip(there, errors, strict=True):
+        flags[at] = drift_flag(every[at], spans, error_m)
     return flags
+
+
+def drift_flag(clicks: Clicks, spans: Sequence[MovedSpan], error_m: float | None) -> Said:
+    """What is said of a height clicked on a moved frame; `error_m`: what `errors_of_motion` gives, metres."""
+    moved_px = round(max(one.moved_px for one in spans_clicked_on(clicks, spans)), 1)
+    if error_m is None:
+        return Said("height-flag-camera-moved", moved_px=moved_px)
+    return Said("height-flag-camera-moved-height", moved_px=moved_px, error_m=round(abs(error_m), 3))
 
 
 def earlier_drift_flag(clicks: Clicks, spans: Sequence[MovedSpan]) -> Said | None:
     """What an earlier version said: the error on the nearest road in the picture, of checks that told no
     motion.
     """
-    worst = max(_on_frames(clicks, spans), key=lambda one: one.moved_px)
+    worst = max(spans_clicked_on(clicks, spans), key=lambda one: one.moved_px)
     if worst.change_m is None or worst.motion is not None:
         return None
     moved_px, error_m = round(worst.moved_px, 1), round(abs(worst.change_m), 3)
     return Said("height-flag-camera-moved-by", moved_px=moved_px, error_m=error_m)
 
 
-def _on_frames(clicks: Clicks, spans: Sequence[MovedSpan]) -> list[MovedSpan]:
+def spans_clicked_on(clicks: Clicks, spans: Sequence[MovedSpan]) -> list[MovedSpan]:
+    """Those that hold a frame clicked on."""
     return [one for one in spans if any(one.first_frame <= n <= one.last_frame for n in clicks.frames)]
 
 

@@ -34,7 +34,7 @@ from sightline.measurements.csv import (
     with_frames,
 )
 from sightline.measurements.height_of_clicks import Answer, answer
-from sightline.measurements.moved import drift_flags, earlier_drift_flag, errors_of_motion
+from sightline.measurements.moved import drift_flag, earlier_drift_flag, errors_of_motion, spans_clicked_on
 from sightline.measurements.records import (
     ClickedFrame,
     Clicks,
@@ -247,15 +247,15 @@ class Recomputed:
         told = {name: text for name, text in row.items() if text}
         spans = open_spans(int(row["recording_id"]), int(row["pose_id"]))
         clicks = clicks_of_row(row)
-        flag = drift_flags(self._pose(row), [clicks], spans)[0] if spans else None
-        if flag is None:
+        if not spans_clicked_on(clicks, spans):
             return told
+        (error_m,) = errors_of_motion(self._pose(row), [clicks], spans)
+        flag = drift_flag(clicks, spans, error_m)
         code = f"flags{CODE}"
         if code not in row:  # its program had no codes, and other words
             return {**told, "flags": told.get("flags", "").partition("The camera moved ")[0].rstrip("; ")}
         *stored, last = json.loads(told.pop(code, "[null]"))
         earlier = earlier_drift_flag(clicks, spans)
-        (error_m,) = errors_of_motion(self._pose(row), [clicks], spans)
         same = _rounded_alike(last, flag, error_m) or (earlier is not None and last == earlier.document)
         if not same:
             with self._recomputing.of(HEIGHTS, self._program):

@@ -21,11 +21,14 @@ from sightline.infra.audit.signing import SigningKey, signing_key
 from sightline.infra.database import Session
 from sightline.infra.database.types import now
 from sightline.infra.services import Services
+from sightline.linescan.gaps import Leaders
 from sightline.messages import SOURCE
+from sightline.messages.said import Said
 from sightline.people.store import get_person
 from sightline.scans.records import ScanMeasurement, ScanVehicle
 from sightline.scans.service import open_strips
 from sightline.scans.store import get_scan
+from sightline.scans.vehicles.motion import crossings_of, motion_of, rig_of
 from sightline.scans.vehicles.review_store import scan_reviews_of_vehicle
 from sightline.scans.vehicles.store import get_scan_vehicle, list_scan_vehicles
 from sightline.surveys.store import get_survey
@@ -87,24 +90,18 @@ def _stated(
 
 
 def _before(session: Session, vehicle: ScanVehicle) -> ScanVehicle | None:
-    """The vehicle that a gap is measured to: the one of its direction and lane measured before this, in the
-    order of their fronts, of those beside each other the one that left last (`gaps.Leaders`). None where that
-    may be one whose lane is not known.
-    """
-    this = _measured(vehicle).values
-    lanes = bool(this.rig.get("lanes"))
-    before, rear_line, unknown = None, 0.0, False
-    for one in list_scan_vehicles(session, vehicle.scan_id):
+    """The vehicle that a gap is measured to (`gaps.Leaders`), of those measured; None where none is known."""
+    leaders = Leaders(rig_of(_measured(vehicle).values.rig))
+    there = [
+        (one, one.measurement.values)
+        for one in list_scan_vehicles(session, vehicle.scan_id)
+        if one.measurement
+    ]
+    for one, values in there:
+        leader = leaders.leader(crossings_of(values), motion_of(values))
         if one.id == vehicle.id:
-            break
-        seen = one.measurement and one.measurement.values
-        if seen and seen.direction == this.direction:
-            if seen.lane == this.lane:
-                if before is None or seen.rear_line_1 >= rear_line:
-                    before, rear_line, unknown = one, seen.rear_line_1, False
-            elif lanes and seen.lane is None:
-                unknown = True
-    return None if unknown or (lanes and this.lane is None) else before
+            return None if isinstance(leader, Said) else there[leader[0] - 1][0]
+    return None
 
 
 def _vouched(
