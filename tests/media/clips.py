@@ -75,6 +75,7 @@ def write(path: Path, spec: Spec, count: int | None = None) -> Path:
         stream.gop_size = spec.gop
         stream.max_b_frames = spec.b_frames
         stream.options = dict(spec.options)
+        stream.codec_context.thread_count = THREADS
         if spec.aspect:
             stream.codec_context.sample_aspect_ratio = spec.aspect
         if spec.rotation:
@@ -97,6 +98,7 @@ def tagged(path: Path, tags: dict[str, str], rate: int = 30) -> Path:
         stream = out.add_stream("libx264", rate=rate)
         stream.width, stream.height, stream.pix_fmt = 320, 240, "yuv420p"
         stream.options = {"preset": "superfast"}
+        stream.codec_context.thread_count = THREADS
         out.metadata.update(tags)
         for n in range(40):
             out.mux(stream.encode(av.VideoFrame.from_ndarray(painted(n), format="bgr24")))
@@ -126,6 +128,8 @@ def cut_copy(source: Path, target: Path, from_s: float) -> Path:
     return target
 
 
+# What an encoder writes depends on how many threads it has, which it takes from the processors otherwise.
+THREADS = 2
 X264_B = (("preset", "superfast"), ("x264-params", "keyint=24:min-keyint=24:scenecut=0:bframes=3:b-adapt=0"))
 X264_OPEN = (
     ("preset", "superfast"),
