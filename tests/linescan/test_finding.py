@@ -166,43 +166,64 @@ def test_vehicles_come_in_the_order_of_their_fronts_at_camera_1_also_beside_one_
 
 
 def test_a_rear_that_nobody_saw_is_not_told(monkeypatch):
-    """What stands for too long is given up: how long it stood is not known, nor the next one's gap."""
-    monkeypatch.setattr(finding, "STANDS_S", 4.0)
-    pair, (_, next_s) = standing(1.6)
-    passages, _ = found(pair, SLOW_RIG)
-    (stood, *_, after) = measured(passages, SLOW_RIG, "direct")
-    assert stood.motion.reason == STOOD and stood.rear_s is None
-    assert (row_of(stood)["rear_line_1"], row_of(stood)["rear_line_2"]) == (None, None)
-    gap = gaps([(one.motion.crossings, one.motion) for one in (stood, after)], SLOW_RIG)[1]
-    assert (gap.time_gap_s, gap.distance_gap_m, gap.reason) == (None, None, REAR_UNSEEN)
-    assert gap.headway_s == pytest.approx(next_s - stood.front_s, abs=0.01)
-
-
-def test_who_passes_one_that_is_given_up_later_is_not_in_front_of_the_next(monkeypatch):
-    """Given up at 8.6 s, after the other has passed; the next one's gap was 6.24 s, from the other."""
-    monkeypatch.setattr(finding, "STANDS_S", 7.0)
-    passages, _ = found(standing(1.6)[0], SLOW_RIG)
-    stood, beside, after = measured(passages, SLOW_RIG, "direct")
-    assert (stood.motion.reason, stood.rear_s) == (STOOD, None)
-    assert beside.gap.reason is not None and "overlap" in str(beside.gap.reason)
-    assert (after.gap.time_gap_s, after.gap.reason) == (None, REAR_UNSEEN)
-
-
-@pytest.mark.parametrize(("wait_s", "swapped"), [(7.0, False), (7.0, True), (10.5, False)])
-def test_what_was_given_up_before_one_camera_alone_has_the_front_that_was_seen(monkeypatch, wait_s, swapped):
-    """Its driving off was a vehicle of its own, "side by side", at 10.86 s, or none (10.5 s); the next one's
-    gap was 2.54 s, or from the one that had passed.
+    """What stands for too long, and until the recording ends, may be no vehicle: how long it stood is not
+    known, nor the next one's gap.
     """
     monkeypatch.setattr(finding, "STANDS_S", 4.0)
-    pair, _ = standing(0.3, wait_s=wait_s)
+    passages, _ = found(tuple(strip[:9000] for strip in standing(1.6)[0]), SLOW_RIG)
+    stood, beside = measured(passages, SLOW_RIG, "direct")
+    assert stood.motion.reason == STOOD and stood.rear_s is None
+    assert (row_of(stood)["rear_line_1"], row_of(stood)["rear_line_2"]) == (None, None)
+    assert (beside.gap.time_gap_s, beside.gap.distance_gap_m, beside.gap.reason) == (None, None, REAR_UNSEEN)
+    assert beside.gap.headway_s == pytest.approx(beside.front_s - stood.front_s, abs=0.01)
+
+
+@pytest.mark.parametrize(
+    ("stands_s", "at_m", "wait_s", "swapped"),
+    [
+        (4.0, 1.6, 7.0, False),  # given up before the other passes beside it
+        (7.0, 1.6, 7.0, False),  # and after
+        (4.0, 1.6, 7.0, True),
+        # before one camera alone: its driving off was a vehicle of its own, or none
+        (4.0, 0.3, 7.0, False),
+        (4.0, 0.3, 7.0, True),
+        (4.0, 0.3, 10.5, False),
+    ],
+)
+def test_what_was_given_up_has_left_when_it_did(monkeypatch, stands_s, at_m, wait_s, swapped):
+    """For others that pass beside it nobody waits any longer. The next one's gap ran from the one that had
+    passed, 6.2 s, as it is listed and as it is told while they pass.
+    """
+    monkeypatch.setattr(finding, "STANDS_S", stands_s)
+    pair, (rear_s, next_s) = standing(at_m, wait_s=wait_s)
     passages, _ = found(pair[::-1] if swapped else pair, SLOW_RIG)
     beside, stood, after = measured(passages, SLOW_RIG, "direct")
+    late_s = after.front_s - next_s  # at the other camera
     at = stood.motion.crossings
     lines = (at.front_line_2, at.front_line_1) if swapped else (at.front_line_1, at.front_line_2)
-    assert np.array(lines) / SLOW_RIG.line_rate_hz == pytest.approx([1.96, 3.03 + wait_s], abs=0.02)
-    assert (stood.motion.reason, stood.rear_s) == (STOOD, None)
+    fronts_s = [1.96, 3.03 + wait_s] if at_m < 1 else [1.56, 1.775]
+    assert np.array(lines) / SLOW_RIG.line_rate_hz == pytest.approx(fronts_s, abs=0.02)
+    assert stood.motion.reason == STOPPED and -0.01 < late_s < 0.06
+    assert stood.rear_s == pytest.approx(rear_s + (0.16 if swapped else 0.0), abs=0.015)
     assert beside.motion.speed_mps == pytest.approx(14.0, abs=0.1)
-    assert (after.gap.time_gap_s, after.gap.reason) == (None, REAR_UNSEEN)
+    assert after.gap.time_gap_s == pytest.approx(1.69 if swapped else 1.8, abs=0.015)
+    listed = sorted((beside, stood, after), key=lambda one: one.front_s)
+    gap = gaps([(one.motion.crossings, one.motion) for one in listed], SLOW_RIG)[2]
+    assert gap.time_gap_s == pytest.approx(after.gap.time_gap_s)
+
+
+@pytest.mark.parametrize("swapped", [False, True])
+def test_one_that_only_one_camera_saw_leave_has_no_rear(monkeypatch, swapped):
+    """Camera 2 sees another road from 7.4 s on. It is of its own direction all the same."""
+    monkeypatch.setattr(finding, "STANDS_S", 4.0)
+    (first, second), (rear_s, _) = standing(1.6, wait_s=12.0)
+    turned = np.concatenate([second[:9000], second[9000:, ::-1]])
+    passages, _ = found((turned, first) if swapped else (first, turned), SLOW_RIG)
+    _, stood = measured(passages, SLOW_RIG, "direct")
+    at = stood.motion.crossings
+    assert (stood.motion.reason, stood.rear_s) == (STOOD, None)
+    assert at.direction == ("camera_2_first" if swapped else "camera_1_first")
+    assert at.rear_line_1 / SLOW_RIG.line_rate_hz == pytest.approx(rear_s, abs=0.02)
 
 
 def test_what_stands_when_the_recording_ends_stood_until_then():

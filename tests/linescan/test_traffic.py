@@ -192,6 +192,13 @@ def test_who_passes_beside_one_that_stands_does_not_say_that_it_left() -> None:
     assert shown == [None, None, None, 0.0]
 
 
+def test_who_was_not_seen_to_leave_may_stand_until_the_end() -> None:
+    """0 % was told from the front at 135 s on, which had passed beside it."""
+    passed = [Passed(10.0, None, stands=True), Passed(20.0, 0.3), Passed(135.0, 3.0)]
+    shown = [one.occupancy_percent.value for one in intervals(passed, 240.0, clock(), 1)]
+    assert shown == [None, None, None, None]
+
+
 def test_who_is_in_view_when_the_recording_begins_or_ends_makes_no_interval_more() -> None:
     found = intervals([Passed(-1e-4, 6.0), Passed(119.0, 3.0)], 120.0, clock(), 1)
     assert [(one.begin_s, one.vehicles) for one in found] == [(0.0, 1), (60.0, 1)]

@@ -9,8 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from sightline.linescan import finding
 from sightline.linescan.finding import Finder
-from sightline.linescan.parts import Rig
+from sightline.linescan.parts import STOOD, Rig
 from sightline.linescan.passing import measured
 from sightline.media.lines.followed import FollowedLines
 from sightline.media.lines.piped import PipedLines
@@ -19,6 +20,7 @@ from sightline.media.strips.reader import open_strip
 from sightline.media.strips.sheet import Pixels
 from sightline.scans.live.records import Keeper, LiveHealth, LiveVehicle
 from sightline.scans.live.run import Clock, LiveRun
+from tests.linescan.scenes import SLOW_RIG, standing
 from tests.simulation.scan_strips import strips
 from tests.simulation.scan_traffic import ScanSite, traffic
 
@@ -261,3 +263,25 @@ def test_segments_begin_where_the_road_is_empty_and_lose_nothing(
     assert sum(kept) == len(twice[0]) + overlap * (len(kept) - 1)
     for one, same in zip(live, whole, strict=True):
         assert one.vehicle.motion.speed_mps == pytest.approx(same.vehicle.motion.speed_mps, rel=2e-3)
+
+
+def test_what_still_stands_where_a_segment_ends_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Another segment begins before it; nobody waits for it any longer."""
+    monkeypatch.setattr(finding, "STANDS_S", 4.0)
+    pair, _ = standing(1.6, wait_s=12.0)
+    played, rig = Played(tuple(one[:9000] for one in pair)), SLOW_RIG  # type: ignore[arg-type]
+    run = LiveRun(
+        lambda _: played,
+        64,
+        rig,
+        "direct",
+        folder=None,
+        keeper=Keeper(),
+        say=print,
+        name="played",
+        segment_s=6.5,
+    )
+    told = list(run.vehicles())
+    assert [(one.segment, one.vehicle.number) for one in told] == [(1, 1), (2, 2)]
+    assert told[0].vehicle.motion.reason == STOOD and told[0].vehicle.rear_s is None
+    assert told[1].vehicle.motion.speed_mps == pytest.approx(14.0, abs=0.1)

@@ -13,6 +13,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from sightline.linescan.parts import STOOD
 from sightline.traffic.archive import add_recorded
 from sightline.traffic.query import ALL, NO_LENGTH, ArchiveTables, classes_of, percentile_column
 from sightline.traffic.records import Asked, Passing, Recorded
@@ -138,6 +139,17 @@ def test_occupancy_is_empty_from_a_rear_that_nobody_saw_to_the_next_front(tmp_pa
     short = [row["occupancy_ratio"] for row in rows if row["class"] == "under 6 m"]
     assert short == [pytest.approx(0.5 / 300), 0.0, pytest.approx(6 / 300), 0.0]
     assert "the rear of a vehicle that stood was not seen" in rows[0]["reason"]
+
+
+def test_occupancy_is_empty_to_the_end_of_a_recording_in_which_nobody_saw_it_leave(tmp_path: Path) -> None:
+    """0 was told from 900 s on, after another had passed beside it."""
+    unseen = replace(standing_passing(1, 400.0, 400.0), rear_s=None, rear_line_1=None, reason=str(STOOD))
+    cars = (unseen, standing_passing(3, 700.0, 706.0))
+    add_recorded(tmp_path, Recorded("one", "ab" * 32, 1200.0, cars, ()), stood("2026-05-04T12:00"))
+    add_recorded(tmp_path, Recorded("two", "cd" * 32, 300.0, (), ()), stood("2026-05-04T12:20"))
+    with ArchiveTables(tmp_path) as tables:
+        rows = list(tables.intervals(Asked(minutes=5)))
+    assert [row["occupancy_ratio"] for row in rows] == [0.0, None, None, None, 0.0]
 
 
 def test_a_rear_that_nobody_saw_is_of_its_recording_and_goes_over_midnight(tmp_path: Path) -> None:

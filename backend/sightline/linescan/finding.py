@@ -10,7 +10,7 @@ from typing import cast
 import numpy as np
 
 from sightline.errors import BadInput
-from sightline.linescan.background import MOST_UNREST, Grid, enough_lines, same_but_for_light
+from sightline.linescan.background import MOST_UNREST, Grid, enough_lines
 from sightline.linescan.boundaries import refined
 from sightline.linescan.depth import brightest_of, depth_of, in_8_bits
 from sightline.linescan.lanes import lane_of
@@ -63,6 +63,13 @@ class LineBuffer:
         return cast(Pixels, np.concatenate([part for _, part in parts])), parts[0][0]
 
 
+def _add(waiting: deque[Event], events: list[Event]) -> None:
+    """Events that wait for their partners, in the order of their fronts: what was given up comes late."""
+    in_order = sorted((*waiting, *events), key=lambda one: one.front)
+    waiting.clear()
+    waiting.extend(in_order)
+
+
 class Finder:
     """Vehicles of a pair of strips, pushed in pieces of any size; `notes` tells what else was seen.
 
@@ -102,8 +109,6 @@ class Finder:
         self.alone = 0
         self._buffers = (LineBuffer(deque()), LineBuffer(deque()))
         self._waiting: tuple[deque[Event], deque[Event]] = (deque(), deque())
-        self._given_up: list[Event | None] = [None, None]
-        self._late: list[Passage] = []
         self._held: tuple[list[Pixels], list[Pixels]] = ([], [])
 
     def push(self, first: Pixels, second: Pixels) -> list[Passage]:
@@ -129,11 +134,25 @@ class Finder:
         open_since = [watcher.busy_since for watcher in self.watchers]
         return max(0, int(min([*fronts, *open_since])))
 
+    def give_up(self) -> list[Passage]:
+        """What was given up and still stands, where the lines go on in another finder."""
+        ones, twos = (watcher.give_up() for watcher in self.watchers)
+        out = []
+        for one in ones:
+            partner = next((two for two in twos if self._direction(one, two) is not None), None)
+            if partner is None:
+                self.alone += 1
+                continue
+            twos.remove(partner)
+            out.append(self._passage(one, partner))
+        self.alone += len(twos)
+        return out
+
     def finish(self) -> list[Passage]:
         """The recording ends here: returns what is left."""
         out = self._work(True)
         for watcher, waiting in zip(self.watchers, self._waiting, strict=True):
-            waiting.extend(watcher.finish())
+            _add(waiting, watcher.finish())
         out += self._paired(True)
         self.alone += sum(len(waiting) for waiting in self._waiting)
         return out
@@ -161,7 +180,7 @@ class Finder:
                     # a slice would keep the whole piece alive
                     block = block.copy()
                 self._buffers[k].add(block)
-                self._waiting[k].extend(self.watchers[k].see(block))
+                _add(self._waiting[k], self.watchers[k].see(block))
             out += self._paired(False)
             self._forget()
         for k in (0, 1):
@@ -184,18 +203,17 @@ class Finder:
         while one and two:
             way = self._direction(one[0], two[0])
             if way is None:
-                if self._parted(last):
+                if self._parted(last, out):
                     continue
                 break
             if not last and min(reel.stop for reel in self._buffers) < self._needed_to(one[0], two[0]):
                 break
-            out.append(self._passage(*self._as_it_came(one.popleft(), two.popleft())))
+            out.append(self._passage(one.popleft(), two.popleft()))
             self.reversed += way < 0 and out[-1].reason is None
-        self._drop_late()
-        late, self._late = self._late, []
-        return out + late
+        self._drop_late(out)
+        return out
 
-    def _parted(self, last: bool) -> bool:
+    def _parted(self, last: bool, out: list[Passage]) -> bool:
         """Of first events that are not of one vehicle, the one that ends first stays alone. Where one passed
         while another stood before one camera alone, camera 1's first event goes on with its own partner, so
         that vehicles stay in the order of their fronts there; False until that has come.
@@ -203,7 +221,7 @@ class Finder:
         one, two = self._waiting
         stood, passed = (one[0], two[0]) if one[0].front < two[0].front else (two[0], one[0])
         if not (stood.still or stood.cut) or stood.rear <= passed.rear:
-            self._leave_alone(0 if one[0].rear < two[0].rear else 1)
+            self._leave_alone(0 if one[0].rear < two[0].rear else 1, out)
             return True
         partner = next((event for event in two if self._direction(one[0], event) is not None), None)
         if partner is not None:
@@ -213,54 +231,29 @@ class Finder:
         kept = self._buffers[0].stop - passed.front <= self.spans.longest
         if not last and kept and self._may_come(1, one[0]):
             return False
-        self._leave_alone(0)
+        self._leave_alone(0, out)
         return True
 
-    def _drop_late(self) -> None:
+    def _drop_late(self, out: list[Passage]) -> None:
         for k in (0, 1):
             while self._waiting[k] and not self._waiting[1 - k]:
                 if self._may_come(1 - k, self._waiting[k][0]):
                     break
-                self._leave_alone(k)
+                self._leave_alone(k, out)
 
     def _may_come(self, camera: int, partner: Event) -> bool:
         """Whether camera 1 (0) or 2 (1) can still see what the other saw."""
         slowest = self.baseline_m / SPEEDS_MPS[0] * self.rig.line_rate_hz
         return self.watchers[camera].busy_since < partner.rear + slowest + self.margin
 
-    def _leave_alone(self, camera: int) -> None:
+    def _leave_alone(self, camera: int, out: list[Passage]) -> None:
+        """What the other camera gave up and did not see leave, if that is its partner, leaves with it."""
         event = self._waiting[camera].popleft()
-        if event.still and event.cut:
-            self._given_up[camera] = event
-        was = None if event.still or event.cut or event.leaving else self._drove_off(1 - camera, event.front)
-        if was is not None:
-            self._late.append(self._passage(*((was, event) if camera else (event, was))))
+        partner = self.watchers[1 - camera].given_up_beside(event) if event.still else None
+        if partner is not None:
+            out.append(self._passage(*((partner, event) if camera else (event, partner))))
         else:
             self.alone += not event.leaving
-
-    def _as_it_came(self, *pair: Event) -> tuple[Event, Event]:
-        """A pair's events, of which one may be what drove off: it came when that camera first saw it."""
-        one, two = pair
-        odd = not (self._alike(one, two) or one.still or two.still or one.cut or two.cut)
-        for k, was in enumerate(self._given_up):
-            if was is not None and same_but_for_light(pair[k].road.pooled, was.road, self.grid):
-                self._given_up[k] = None
-            elif odd and (was := self._drove_off(k, pair[k].rear)):
-                return (was, two) if k == 0 else (one, was)
-        return one, two
-
-    def _drove_off(self, camera: int, since: float) -> Event | None:
-        """What stood before this camera alone and was given up, where the road is seen behind it again, which
-        it was not before line `since`. It came before others that were returned.
-        """
-        was, reel = self._given_up[camera], self._buffers[camera]
-        if was is None:
-            return None
-        cells = self.grid.pooled(reel.cut(reel.stop - self.margin, reel.stop)[0])
-        if present(cells, was.road, self.grid.upper_part).any():
-            return None
-        self._given_up[camera], self.alone = None, self.alone - 1
-        return replace(was, rear=max(was.rear, since))
 
     def _needed_to(self, one: Event, two: Event) -> float:
         return max(one.rear, two.rear) + 2 * self.margin
@@ -340,8 +333,11 @@ class Finder:
                 stop = min(stop, int(event.front) + self.spans.longest // 4)
             cuts.append(reel.cut(int(event.front) - self.margin, stop))
         (first, start_1), (second, start_2) = cuts
+        # where one camera alone saw it leave, it was before the other until then
+        rear_1 = max(one.rear, two.rear) if one.cut else one.rear
+        rear_2 = max(one.rear, two.rear) if two.cut else two.rear
         passage = Passage(
-            crossings=Crossings(one.front, one.rear, two.front, two.rear),
+            crossings=Crossings(one.front, rear_1, two.front, rear_2),
             first=first,
             second=second,
             start_1=start_1,

@@ -130,9 +130,9 @@ class Profile:
     used: NDArray[np.bool_]
 
 
-#: What stands for longer is given up: it may be no vehicle, but a road that changed for good.
+#: For what stands for longer nobody waits: it may be no vehicle, but a road that changed for good.
 STANDS_S = 60.0
-#: Why there is no motion of a vehicle that was given up while it was in view.
+#: Why there is no motion of a vehicle that was in view for longer, and that nobody saw leave.
 STOOD = Said("scan-motion-stood")
 TOO_LONG = Said("scan-motion-too-long-in-view")
 
@@ -142,6 +142,11 @@ def rear_seen(reason: Said | None) -> bool:
     lines are those at which it was given up: nothing is computed from them.
     """
     return reason not in (STOOD, TOO_LONG)
+
+
+def may_still_stand(reason: Said | None) -> bool:
+    """Whether nobody knows until when a vehicle stood, by why it has no motion (a text too)."""
+    return reason is not None and str(reason) == str(STOOD)
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,8 +7,9 @@ Every vehicle that was found counts for flow and occupancy, also one that could 
 motion was rejected; speeds and lengths are of those whose motion counts. The mean of the speeds at camera 1
 is the time mean speed; their harmonic mean is the space mean speed, as a stretch of road shows it (Wardrop
 1952). Flow over space mean speed is the density. Occupancy is the share of the time that some vehicle stood
-before camera 1; vehicles beside each other are counted once. Where one stood of which nobody knows how long,
-it is not told from there to the first front after it was given up: who comes earlier passes beside it.
+before camera 1; vehicles beside each other are counted once. Where one stood and nobody saw it leave, it is
+not told from there to the end: who comes later may have passed beside it. Of another whose rear nobody saw it
+is not told to the first front after it was given up.
 
 Uncertainties (k = 1) are those of measuring. A count has none of its own; `near_edge` says how many vehicles
 passed so near to an edge that the clock leaves it open on which side (95 %). `flow_low` and `flow_high` are
@@ -52,7 +53,7 @@ class Passed:
 
     `u_since_s`: of its time of day, None where unknown. The rest is None where no motion of it counts.
     `rig_ratio`: the share of `u_speed_mps` that the rig gives to all vehicles alike, over the speed.
-    `refused`: its motion could not be measured.
+    `refused`: its motion could not be measured; `stands`: it stood, and may still.
     """
 
     since_s: float
@@ -65,6 +66,7 @@ class Passed:
     rig_ratio: float = 0.0
     axles: int | None = None
     refused: bool = False
+    stands: bool = False
 
 
 class Came(Protocol):
@@ -178,9 +180,7 @@ def intervals(
     end_s = max([watched_s, *fronts_s])
     headways = headways_s(fronts_s)
     covered, spans = _covered(passed), _spans(into_hour_s, long_s, end_s)
-    unknown_s = np.array([at for at, one in zip(fronts_s, passed, strict=True) if one.occupied_s is None])
-    given_up = np.searchsorted(fronts_s, unknown_s + STANDS_S)
-    unsure = np.stack([unknown_s, np.array([*fronts_s, end_s])[given_up]], 1)
+    unsure = _unsure(passed, fronts_s, end_s)
     begins, stops = np.searchsorted(np.array(fronts_s), np.array(spans).reshape(-1, 2).T).tolist()
     still = _still_there(passed, spans)
     out = []
@@ -198,6 +198,15 @@ def intervals(
             )
         )
     return tuple(out)
+
+
+def _unsure(passed: Sequence[Passed], fronts_s: Sequence[float], end_s: float) -> NDArray[np.float64]:
+    """Stretches (n, 2) of time of which nobody knows whether a vehicle stood before camera 1."""
+    unseen = [(at, one.stands) for at, one in zip(fronts_s, passed, strict=True) if one.occupied_s is None]
+    since_s = np.array([at for at, _ in unseen])
+    given_up = np.searchsorted(fronts_s, since_s + STANDS_S)
+    given_up[[stands for _, stands in unseen]] = len(fronts_s)
+    return np.stack([since_s, np.array([*fronts_s, end_s])[given_up]], 1)
 
 
 def _spans(into_hour_s: Callable[[float], float], long_s: float, end_s: float) -> list[tuple[float, float]]:

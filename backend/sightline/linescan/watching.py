@@ -19,6 +19,8 @@ from sightline.linescan.parts import Pixels
 
 LEAST_PART = 0.04
 LIGHT = 0.1
+# so many that were given up are looked for behind what is seen
+MOST_GIVEN_UP = 4
 # a step shows what stands still where so many of its cells are as they are on the mean
 STILL_PART = 0.9
 
@@ -26,7 +28,7 @@ STILL_PART = 0.9
 @dataclass(frozen=True)
 class Spans:
     """Lengths in lines: a hole that is bridged, the shortest vehicle, standing still; `stands`: after which
-    what stands is given up; `road`: those that show the empty road.
+    nobody waits for what stands; `road`: those that show the empty road.
     """
 
     close: int
@@ -59,6 +61,8 @@ class _Open:
     last: int
     road: Road
     still: bool = False
+    given_up: int = 0
+    told: bool = False
 
     def event(self, rear: int, cut: bool) -> Event:
         """Between the lines of road and of vehicle; none comes before line 0."""
@@ -87,7 +91,8 @@ class Watcher:
     the order of their fronts.
 
     What stands in view becomes the background, before which others pass; its event goes on until the road is
-    seen again, and theirs wait for it.
+    seen again, and theirs wait for it. What stands for too long is given up: theirs wait no longer, and its
+    own comes after them, when it has left.
     """
 
     grid: Grid
@@ -104,11 +109,11 @@ class Watcher:
     _still: int = 0
     _mean: NDArray[np.float32] | None = None
     _before: NDArray[np.float32] | None = None
-    _remembered: list[Road] = field(default_factory=list)
+    _given_up: list[_Open] = field(default_factory=list)
 
     @property
     def busy_since(self) -> float:
-        """No event that is still to be returned begins before this line."""
+        """No event that is still to be returned begins before this line, but for what was given up."""
         return self._standing.front if self._standing else self.needed_since
 
     @property
@@ -127,9 +132,9 @@ class Watcher:
             self.begin(block)
         assert self.road is not None
         cells = self.grid.pooled(block)
-        self._look_behind(cells)
+        events = self._look_behind(cells)
         there = present(cells, self.road, self.grid.upper_part)
-        events = self._follow(there)
+        events += self._follow(there)
         events += self._watch_stillness(cells, there, block)
         self._before = cells
         if self._open and self.lines + len(block) - self._open.front > self.spans.longest:
@@ -146,52 +151,99 @@ class Watcher:
             self._stands_no_longer()
             assert self._open is not None
             self._open.last = self.lines
-        return self._in_order(self._end(self._open.last, cut=True) if self._open else [])
+        self._waiting += self._end(self._open.last, cut=True) if self._open else []
+        return self._released(len(self._waiting)) + self.give_up()
+
+    def give_up(self) -> list[Event]:
+        """What was given up and nobody saw leave, as it was then; it is not told any more."""
+        out = [one.event(one.given_up, cut=True) for one in self._given_up if not one.told]
+        self._given_up = []
+        return out
+
+    def given_up_beside(self, event: Event) -> Event | None:
+        """What was given up while the other camera saw this `event`, and did not leave as that did."""
+        for one in self._given_up:
+            if not one.told and one.front < event.rear and event.front < one.given_up:
+                one.told = True
+                return one.event(one.given_up, cut=True)
+        return None
 
     def _in_order(self, events: list[Event]) -> list[Event]:
         """What is returned now. What stands is given up after a time, or where the lines of those that wait
         for it can no longer be kept.
         """
         self._waiting += events
+        for_others = bool(self._waiting) and self.lines - self._waiting[0].front > self.spans.longest
         if self._standing is not None:
-            for_others = bool(self._waiting) and self.lines - self._waiting[0].front > self.spans.longest
             if not for_others and self.lines - self._standing.front <= self.spans.stands:
                 return []
-            was, self._standing = self._standing, None
-            self._waiting.append(was.event(self.lines, cut=True))
-        out, self._waiting = sorted(self._waiting, key=lambda one: one.front), []
-        return out
+            self._standing.given_up = self.lines
+            self._given_up.append(self._standing)
+            self._standing = None
+        late: list[Event] = []
+        if len(self._given_up) > MOST_GIVEN_UP:
+            was = self._given_up.pop(0)
+            late = [] if was.told else [was.event(was.given_up, cut=True)]
+        return late + self._released(
+            len(self._waiting) if for_others or not self._given_up else self._stood_still_after()
+        )
 
-    def _look_behind(self, cells: NDArray[np.float32]) -> None:
-        """Whether the road is seen again behind what stood there; what was taken for something before it was
-        its leaving.
-        """
-        if self._standing is None:
-            return
-        road, step = self._standing.road, self.grid.step
-        absent = ~present(cells, road, self.grid.upper_part)
-        edges = np.flatnonzero(np.diff(np.concatenate([[0], absent.astype(np.int8), [0]]))).reshape(-1, 2)
-        if not (edges @ [-step, step] > self.spans.close).any():
-            return
-        assert self._before is not None
-        before = np.flatnonzero(present(self._before, road, self.grid.upper_part))
-        seen = len(self._before) - (int(before[-1]) + 1 if len(before) else 0)
-        self._stands_no_longer()
-        assert self._open is not None
-        self._open.last = self.lines - step * seen
-        # it has left since it last stood still
-        since: float = self._open.last
+    def _released(self, count: int) -> list[Event]:
+        """The first of those that wait."""
+        out, self._waiting = self._waiting[:count], self._waiting[count:]
+        return sorted(out, key=lambda one: one.front)
+
+    def _stood_still_after(self) -> int:
+        """How many of those that wait cannot be the leaving of what was given up: it stood still after."""
+        since: float = self._open.front if self._open else self.lines
         for at, event in reversed(list(enumerate(self._waiting))):
             if since - event.rear >= self.spans.still:
-                break
+                return at + 1
             since = event.front
-            self._waiting[at] = replace(event, leaving=True)
+        return 0
+
+    def _look_behind(self, cells: NDArray[np.float32]) -> list[Event]:
+        """Whether the road is seen again behind what stands or was given up; what was taken for something
+        before it was its leaving. Returns those that came to stand before it later, and have left with it.
+        """
+        for stood in (*([self._standing] if self._standing else []), *reversed(self._given_up)):
+            step = self.grid.step
+            absent = ~present(cells, stood.road, self.grid.upper_part)
+            edges = np.flatnonzero(np.diff(np.concatenate([[0], absent.astype(np.int8), [0]]))).reshape(-1, 2)
+            if not (edges @ [-step, step] > self.spans.close).any():
+                continue
+            assert self._before is not None
+            before = np.flatnonzero(present(self._before, stood.road, self.grid.upper_part))
+            seen = len(self._before) - (int(before[-1]) + 1 if len(before) else 0)
+            gone = self._has_left(stood)
+            stood.last = self.lines - step * seen
+            # it has left since it last stood still
+            since: float = stood.last
+            for at, event in reversed(list(enumerate(self._waiting))):
+                if since - event.rear >= self.spans.still:
+                    break
+                since = event.front
+                self._waiting[at] = replace(event, leaving=True)
+            return [one.event(stood.last, cut=False) for one in gone if not one.told]
+        return []
 
     def _stands_no_longer(self) -> None:
         """What stood is the event under way again, before its own road."""
         assert self._standing is not None
-        self.road, self._open, self._standing = self._standing.road, self._standing, None
+        self._has_left(self._standing)
+
+    def _has_left(self, stood: _Open) -> list[_Open]:
+        """The same of one that stands or was given up; those that came to stand before it later, which have
+        left too.
+        """
+        gone: list[_Open] = []
+        if stood is not self._standing:
+            at = next(at for at, one in enumerate(self._given_up) if one is stood)
+            gone = [*self._given_up[at + 1 :], *([self._standing] if self._standing else [])]
+            self._given_up = self._given_up[:at]
+        self.road, self._open, self._standing = stood.road, stood, None
         self._still, self._mean = 0, None
+        return gone
 
     def _follow(self, there: NDArray[np.bool_]) -> list[Event]:
         """Runs of presence become events; holes shorter than `close` are bridged."""
@@ -213,6 +265,8 @@ class Watcher:
     def _end(self, rear: int, cut: bool = False) -> list[Event]:
         was, self._open = self._open, None
         assert was is not None
+        if was.told:
+            return []
         if rear - was.front < self.spans.least:
             self.blips += 1
             return []
@@ -237,10 +291,11 @@ class Watcher:
         if self._standing is not None and same_but_for_light(mean, self._standing.road, self.grid):
             self._stands_no_longer()
             return self._road_again(cells, mean, block, lit=True)
-        if any(same_but_for_light(mean, road, self.grid) for road in self._remembered):
-            # the rest of a vehicle that was given up: it has gone
-            self._take(block)
-            return []
+        for stood in reversed(self._given_up):
+            if same_but_for_light(mean, stood.road, self.grid):
+                gone = self._has_left(stood)
+                rest, events = self._come_to_rest(cells, mean, block)
+                return [*(one.event(rest, cut=False) for one in gone if not one.told), *events]
         lit = same_but_for_light(mean, self.road, self.grid)
         if lit or same_but_moved(block.mean(0, dtype=np.float32), self.road, self.grid):
             return self._road_again(cells, mean, block, lit)
@@ -248,7 +303,6 @@ class Watcher:
         if self._still < self.spans.stuck:
             return []
         if self._standing is None:
-            self._remembered = [*self._remembered[-3:], self.road]
             self._standing = self._open
         self._take(block)
         return []
@@ -259,18 +313,24 @@ class Watcher:
         """The road is seen under another light, or from a camera that moved: what passed before, if anything
         did, ended where the picture came to rest.
         """
+        self.jumps += lit
+        self.moves += not lit
+        return self._come_to_rest(cells, mean, block)[1]
+
+    def _come_to_rest(
+        self, cells: NDArray[np.float32], mean: NDArray[np.float32], block: Pixels
+    ) -> tuple[int, list[Event]]:
+        """The line since which the picture rests, and the event under way, which ends there."""
         assert self._open is not None and self.road is not None
         near = np.concatenate([part for part in (self._before, cells) if part is not None])
         loose = 4 * self.road.cell_dn + 0.03 * mean
         moving = np.flatnonzero((np.abs(near - mean) < loose).mean(1) < STILL_PART)
         steps = len(near) - (int(moving[-1]) + 1 if len(moving) else 0)
         rest = max(self.lines + len(cells) * self.grid.step - steps * self.grid.step, self._open.front)
-        self.jumps += lit
-        self.moves += not lit
         # a jump of the light is no vehicle, nor is what it ends
         events = self._end(rest) if rest - self._open.front >= self.spans.least else []
         self._take(block)
-        return events
+        return rest, events
 
     def _take(self, block: Pixels) -> None:
         """What is seen now is the background from here on."""

@@ -7,8 +7,9 @@ speed: the harmonic mean, as a stretch of road shows it (Wardrop 1952). Percenti
 without bias of the median, as everywhere in Sightline. u of the means: what neither exceeds, whatever the
 vehicles share: the mean of their own u, or that of u / v squared times the square of the space mean speed
 (JCGM 100:2008, 5.2.2), the larger. A vehicle that stands occupies every interval in which it does; where
-nobody saw its rear, occupancy is not told from its front to the first one after it was given up (who comes
-earlier passes beside it), or to the end of its recording.
+nobody saw it leave, occupancy is not told from its front to the end of its recording (who comes later may
+have passed beside it). Of another whose rear nobody saw it is not told to the first front after it was given
+up.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from typing import Any
 import duckdb
 
 from sightline.infra.local_time import zone_of
-from sightline.linescan.parts import STANDS_S
+from sightline.linescan.parts import STANDS_S, STOOD
 from sightline.traffic.archive import VEHICLES, WATCHED, files_of, sites_of
 from sightline.traffic.records import Asked, Site
 
@@ -33,6 +34,7 @@ _DAY_MINUTES = 24 * 60
 _LONGER_DAY_CELLS = 180
 #: Of an interval, for a flow and an occupancy: they speak of all of it.
 LEAST_WATCHED = 0.5
+_STOOD = str(STOOD).replace("'", "''")
 #: Of the classes: every vehicle, and those without a length.
 ALL, NO_LENGTH = "all", "length unknown"
 
@@ -155,7 +157,7 @@ _NOBODY = """
 SELECT NULL::DATE AS day, NULL::VARCHAR AS lane, NULL::VARCHAR AS status, NULL::DOUBLE AS since_midnight_s,
   NULL::DOUBLE AS occupied_s, NULL::DOUBLE AS speed_mps, NULL::DOUBLE AS u_speed_mps,
   NULL::DOUBLE AS length_m, NULL::DOUBLE AS time_gap_s,
-  NULL::VARCHAR AS recording_sha256 WHERE false
+  NULL::VARCHAR AS reason, NULL::VARCHAR AS recording_sha256 WHERE false
 """
 
 
@@ -213,14 +215,15 @@ def _intervals_sql(asked: Asked) -> str:
       FROM watched JOIN days USING (day) GROUP BY recording_sha256, lane
     ), stood AS (
       SELECT lane, recording_sha256, length_m, begin_s + since_midnight_s AS since_s,
+        if(reason = '{_STOOD}', 'inf'::DOUBLE, NULL) AS stands_s,
         coalesce(min(begin_s + since_midnight_s) OVER (PARTITION BY lane ORDER BY begin_s + since_midnight_s
           RANGE BETWEEN {STANDS_S} FOLLOWING AND UNBOUNDED FOLLOWING), 'inf'::DOUBLE) AS next_s
       FROM came QUALIFY occupied_s IS NULL
     ), rear_unseen AS (
       SELECT lane, day, length_m, greatest(since_s - begin_s, 0) AS from_s,
-        least(next_s - begin_s, end_s - begin_s, day_s) AS until_s
+        least(coalesce(stands_s, next_s) - begin_s, end_s - begin_s, day_s) AS until_s
       FROM stood JOIN ends USING (recording_sha256, lane)
-      JOIN days ON since_s < begin_s + day_s AND least(next_s, end_s) > begin_s
+      JOIN days ON since_s < begin_s + day_s AND least(coalesce(stands_s, next_s), end_s) > begin_s
     ), unsure_cells AS (
       SELECT *, unnest(range(floor(from_s / {step})::BIGINT, ceil(until_s / {step})::BIGINT)) AS nth
       FROM rear_unseen

@@ -125,6 +125,7 @@ class LiveRun:
 
     def _next_segment(self, before: Segment) -> Iterator[LiveVehicle]:
         """Where the road is empty: another pair of files, from just before the lines not yet looked at."""
+        yield from before.give_up()
         stop = before.finder.settled_line
         start = max(0, stop - 2 * before.finder.margin)
         self._close(before, stop)

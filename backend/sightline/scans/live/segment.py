@@ -107,6 +107,10 @@ class Segment:
         if self.lines:
             yield from self._told(self.finder.finish())
 
+    def give_up(self) -> Iterator[LiveVehicle]:
+        """What still stands, where another segment goes on."""
+        yield from self._told(self.finder.give_up())
+
     def note(self, at: datetime) -> None:
         """Say in the journal how far everything is told."""
         self._write({"settled": self.finder.settled_line, "lines": self.lines, "at": at.isoformat()})

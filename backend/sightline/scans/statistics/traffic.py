@@ -13,6 +13,7 @@ from pydantic import Field
 
 from sightline.enums import ScanDirection
 from sightline.infra.by_name import filled_from
+from sightline.linescan.parts import may_still_stand
 from sightline.linescan.traffic import Interval, Passed, Stream, intervals, streams_of
 from sightline.messages.said import Said
 from sightline.recordings.filming import FilmedWithin
@@ -152,7 +153,13 @@ def _intervals(
 def _passed(one: VehicleMotion, accepted_only: bool) -> Passed:
     assert one.since_s is not None
     if not counts(one, accepted_only):
-        return Passed(one.since_s, one.occupied_s, one.u_filmed_at_s, refused=not one.measured)
+        return Passed(
+            one.since_s,
+            one.occupied_s,
+            one.u_filmed_at_s,
+            refused=not one.measured,
+            stands=may_still_stand(one.reason),
+        )
     return Passed(
         one.since_s,
         one.occupied_s,
