@@ -75,7 +75,8 @@ LIMITS: Mapping[str, Limits] = {
 
 def require_rig(rig: Rig, named: Mapping[str, str] | None = None) -> None:
     """Raise BadInput for the first value that no rig has, for a divergence without its distance, and for
-    planes that lie too near to each other where vehicles are; `named`: what values are called instead.
+    planes that cross before the vehicles or lie too near to each other there; `named`: what values are
+    called instead.
     """
     for name, limits in LIMITS.items():
         value = getattr(rig, name)
@@ -87,6 +88,8 @@ def require_rig(rig: Rig, named: Mapping[str, str] | None = None) -> None:
         raise BadInput("linescan-divergence-without-distance")
     for distance_m in [one.distance_m for one in rig.lanes] or [rig.distance_m or 0.0]:
         baseline_m = rig.baseline_m + rig.divergence_rad * distance_m
+        if baseline_m < 0:
+            raise BadInput("linescan-planes-cross", distance_m=distance_m)
         if baseline_m < BASELINE_M.least:
             raise BadInput(
                 "linescan-planes-too-near",

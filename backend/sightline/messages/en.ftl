@@ -5143,6 +5143,7 @@ linescan-lanes-same-name = Two lanes are called { $name }, or a name begins or e
 linescan-lane-rows-both = The lane { $name } has only one row of its tyres; give both, or neither.
 linescan-lane-rows-order = The rows of the lane { $name } are not in order; give the upper one first, 0 or more.
 linescan-divergence-without-distance = A divergence needs the distance to the vehicles; give it, or leave out the divergence and its uncertainty.
+linescan-planes-cross = With this divergence the scanning planes cross before the vehicles, which are { $distance_m } m away; correct the baseline, the divergence or the distance.
 linescan-planes-too-near = With this divergence the scanning planes are { $baseline_m } m apart at { $distance_m } m; at least { $least_m } m are needed.
 linescan-rig-few-passes = { $count } usable passes are too few for baseline and divergence; at least { $least } are needed, at two distances or more.
 linescan-rig-distances-alike = All passes are between { $nearest_m } and { $farthest_m } m away, too close to separate the baseline from the divergence; add passes at another distance, for example in the near and the far lane.

@@ -5174,6 +5174,7 @@ linescan-lanes-same-name = Deux voies s’appellent { $name }, ou un nom commenc
 linescan-lane-rows-both = La voie { $name } n’a qu’une rangée pour ses pneus ; donnez les deux, ou aucune.
 linescan-lane-rows-order = Les rangées de la voie { $name } ne sont pas en ordre ; donnez d’abord la plus haute, 0 ou plus.
 linescan-divergence-without-distance = Une divergence exige la distance aux véhicules ; indiquez-la, ou omettez la divergence et son incertitude.
+linescan-planes-cross = Avec cette divergence, les plans de balayage se croisent avant les véhicules, qui sont à { $distance_m } m ; corrigez la base, la divergence ou la distance.
 linescan-planes-too-near = Avec cette divergence, les plans de balayage sont distants de { $baseline_m } m à { $distance_m } m ; il faut au moins { $least_m } m.
 linescan-rig-few-passes = { $count } passages utilisables ne suffisent pas pour la base et la divergence ; il en faut au moins { $least }, à deux distances ou plus.
 linescan-rig-distances-alike = Tous les passages sont entre { $nearest_m } et { $farthest_m } m, trop proches pour séparer la base de la divergence ; ajoutez des passages à une autre distance, comme la voie proche et la voie éloignée.
