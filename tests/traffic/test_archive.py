@@ -45,6 +45,21 @@ def test_a_recording_over_midnight_is_parted_by_the_sites_days(tmp_path: Path) -
     assert not list(tmp_path.glob(".aside-*")) and not (tmp_path / ".journal.json").exists()
 
 
+@pytest.mark.parametrize("at_end", [False, True])
+def test_a_recording_that_ends_at_midnight_is_of_one_day(tmp_path: Path, at_end: bool) -> None:
+    """It was of two; who comes at its very end is of its last interval."""
+    one = recorded(1, 30, 3600.0)
+    if at_end:
+        last = replace(one.passings[-1], front_s=3600.0, rear_s=3600.0)
+        one = replace(one, passings=(*one.passings[:-1], last))
+    assert add_recorded(tmp_path, one, stood("2026-05-04T23:00")) == 1
+    assert [(row["day"].day, row["to_s"]) for row in watched_rows(tmp_path, "Hill")] == [(4, 86400.0)]
+    with ArchiveTables(tmp_path) as tables:
+        (site,), rows = tables.sites(), list(tables.intervals(Asked(minutes=60)))
+    assert (site.days, site.last_day.day, site.vehicles) == (1, 4, 30)
+    assert [row["vehicles"] for row in rows] == [30]
+
+
 def test_lanes_of_one_rig_are_lanes_of_the_archive(tmp_path: Path) -> None:
     """Each lane was watched, also one that nobody drove in; a vehicle of unknown lane is of none."""
     one = recorded(3, 30, 3600.0)

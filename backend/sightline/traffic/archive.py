@@ -199,7 +199,8 @@ def _write_aside(aside: Path, recorded: Recorded, stood: Stood) -> list[Path]:
     vehicles: dict[date, list[dict[str, Any]]] = {}
     for one in recorded.passings:
         passed = stood.start + timedelta(seconds=one.front_s)
-        day = local_date(passed, stood.zone)
+        # who comes at the very end, at midnight, is of the day that was watched
+        day = min(local_date(passed, stood.zone), max(starts))
         since = (stood.start - starts[day]).total_seconds() + one.front_s
         own = {field.name: getattr(one, field.name) for field in fields(Passing)}
         row = {
@@ -228,9 +229,11 @@ def _write_aside(aside: Path, recorded: Recorded, stood: Stood) -> list[Path]:
 
 
 def _days_of(stood: Stood, duration_s: float) -> dict[date, datetime]:
-    """The site's days that the recording touches, and when each begins (UTC)."""
-    end = stood.start + timedelta(seconds=duration_s)
-    day, last = local_date(stood.start, stood.zone), local_date(end, stood.zone)
+    """The site's days that the recording touches, and when each begins (UTC). One that ends at midnight does
+    not touch the day that begins then.
+    """
+    last_at = stood.start + timedelta(seconds=duration_s) - timedelta.resolution
+    day, last = (local_date(at, stood.zone) for at in (stood.start, max(stood.start, last_at)))
     found = {}
     while day <= last:
         found[day] = day_start(day, stood.zone)

@@ -184,13 +184,13 @@ def _intervals_sql(asked: Asked) -> str:
         sum(least(to_s, (nth + 1) * {step}) - greatest(from_s, nth * {step})) AS watched_s,
         any_value(midnight_at) AS midnight_at, any_value(zone) AS zone
       FROM cut GROUP BY lane, cell
-    ), passed AS (
-      SELECT lane, {begins} + floor(since_midnight_s / {step})::BIGINT AS cell, length_m,
-        time_gap_s, speed_mps, u_speed_mps, {_kind_sql(asked.limits_m)} AS kind
-      FROM vehicles
     ), days AS (
       SELECT day, any_value(day_s) AS day_s, epoch(any_value(midnight_at)) AS begin_s
       FROM watched GROUP BY day
+    ), passed AS (
+      SELECT lane, length_m, time_gap_s, speed_mps, u_speed_mps, {_kind_sql(asked.limits_m)} AS kind,
+        {begins} + least(floor(since_midnight_s / {step}), ceil(day_s / {step}) - 1)::BIGINT AS cell
+      FROM vehicles JOIN days USING (day)
     ), came AS (SELECT *, since_midnight_s + occupied_s AS until_s FROM vehicles JOIN days USING (day)
     ), standing AS (
       SELECT lane, day, length_m, since_midnight_s AS from_s, least(until_s, day_s) AS until_s
