@@ -1,7 +1,8 @@
 """Lines of two GigE Vision cameras through Aravis (optional: PyGObject and Aravis of the operating system).
 
 Each camera sends frames of so many lines; frame numbers and packets tell what is missing. A frame of which a
-packet was lost counts as lost whole, for which of its lines arrived is not told.
+packet was lost counts as lost whole, for which of its lines arrived is not told. A GigE Vision camera counts
+the frames of a stream from 1, so its first number tells what was lost before.
 """
 
 from __future__ import annotations
@@ -74,7 +75,14 @@ class GigeLines:
 
     def _gone(self) -> bool:
         for camera in self._cameras:
-            if camera.lost_control or time.monotonic() - camera.heard > _GONE_S:
+            if camera.began_with is not None:
+                self.notes.append(
+                    f"The first frame of camera {camera.number} ({camera.name}) has number "
+                    f"{camera.began_with}, so its first frames were lost, or it does not count from 1: which "
+                    "of its lines belong to those of the other camera is not known; start again."
+                )
+                self.broken = True
+            elif camera.lost_control or time.monotonic() - camera.heard > _GONE_S:
                 what = (
                     "is unplugged or switched off"
                     if camera.lost_control
@@ -98,6 +106,8 @@ class GigeLines:
 
     def _common(self) -> Piece | None:
         """What both cameras have."""
+        if any(camera.began_with is not None for camera in self._cameras):
+            return None
         count = min(camera.held_lines for camera in self._cameras)
         if not count:
             return None
@@ -118,7 +128,11 @@ class _Camera:
         self._lost: list[Lost] = []
         self._taken = 0
         self._next_id: int | None = None
-        self._before = np.zeros(rows, np.uint8)
+        self._before: Lines | None = None
+        self._lost_first = 0
+        # the number of its first frame, where nobody can tell what was lost before it
+        self.began_with: int | None = None
+        self._buffers = max(8, round(BUFFERS_S * line_rate_hz / frame_lines))
         try:
             self._camera = aravis.Camera.new(name)
             self._camera.set_region(0, 0, rows, frame_lines)
@@ -135,7 +149,7 @@ class _Camera:
         except Exception as error:  # GLib.Error, which exists only where Aravis does
             raise BadInput("commands-stream-camera-missing", name=name, error=str(error)) from None
         self._camera.get_device().connect("control-lost", self._control_lost)
-        for _ in range(max(8, round(BUFFERS_S * line_rate_hz / frame_lines))):
+        for _ in range(self._buffers):
             self._stream.push_buffer(aravis.Buffer.new_allocate(payload))
 
     @property
@@ -190,7 +204,8 @@ class _Camera:
     def _add(self, buffer: Any) -> None:
         number = int(buffer.get_frame_id())
         if self._next_id is None:
-            self._next_id = number
+            self._next_id = min(number, 1)
+            self.began_with = number if number - self._next_id > self._buffers else None
         missing = (number - self._next_id) % _FRAME_IDS if number <= _FRAME_IDS else number - self._next_id
         if missing < 0 or missing > _FRAME_IDS // 2:
             return  # an older one that came late: its place is filled already
@@ -202,9 +217,16 @@ class _Camera:
             self._lose(1)
             return
         frame = np.frombuffer(data, np.uint8, self._rows * self._frame_lines).reshape(-1, self._rows)
+        if self._before is None:
+            self._before = frame[0].copy()
+            self._lose(self._lost_first)
         self._keep(frame.copy())
 
     def _lose(self, frames: int) -> None:
+        """Frames that are missing; those before the first are copies of its first line."""
+        if self._before is None:
+            self._lost_first += frames
+            return
         for _ in range(frames):
             self._lost.append(Lost(self.number, self.lines, self._frame_lines))
             self._keep(np.repeat(self._before[None], self._frame_lines, axis=0))
