@@ -5901,8 +5901,12 @@ sight-sentence = Result
 sight-missing = No heights match the filter for: { $targets }. Measure and accept some, or show all states.
 sight-too-few = Too few heights for the percentile: { $targets }.
 sight-too-few-of = { $target } ({ $reason })
-sight-read-class = of the class that each rule names
-sight-read-all = of all vehicles that match
+sight-read = { $whose ->
+    [class] of the class that each rule names
+    [eyes] the eyes of the class that their rule names, the objects of all vehicles that match, as no class is known
+    [objects] the objects of the class that their rule names, the eyes of all vehicles that match, as no class is known
+   *[all] of all vehicles that match
+  }
 sight-verdict-alike = { $case ->
     [mix] With the other fleet’s heights
     [study] With the study’s heights
@@ -7780,10 +7784,7 @@ report-lateral-all = All
 ## Report: sight distance
 
 report-sight = Sight distance
-report-sight-words = A crest provides a sight distance S if its length per percent of grade, K, is at least S²/C. C depends only on the heights of eye and object: C = 100 (√(2 eye) + √(2 object))². The standard is { $standard } (eye { $eye }, object { $object }). The survey’s heights are percentile { $eye_percent } of the eyes and percentile { $object_percent } of the taillights’ lower edges{ $classes ->
-    [class] , of the class that the rule names
-   *[all] , of all vehicles
- }{ $rule ->
+report-sight-words = A crest provides a sight distance S if its length per percent of grade, K, is at least S²/C. C depends only on the heights of eye and object: C = 100 (√(2 eye) + √(2 object))². The standard is { $standard } (eye { $eye }, object { $object }). The survey’s heights are percentile { $eye_percent } of the eyes and percentile { $object_percent } of the taillights’ lower edges, { $classes }{ $rule ->
     [own] , the rule of that standard according to its sources
    *[usual] , and, where the standard states no rule, that of AASHTO’s heights
  }. S is the stopping sight distance ({ $source }), rounded up as in design tables.

@@ -5952,8 +5952,12 @@ sight-sentence = Résultat
 sight-missing = Aucune hauteur ne correspond au filtre pour : { $targets }. Mesurez et validez-en, ou affichez tous les états.
 sight-too-few = Trop peu de hauteurs pour le centile : { $targets }.
 sight-too-few-of = { $target } ({ $reason })
-sight-read-class = de la classe que nomme chaque règle
-sight-read-all = de tous les véhicules retenus
+sight-read = { $whose ->
+    [class] de la classe que nomme chaque règle
+    [eyes] les yeux de la classe que nomme leur règle, les obstacles de tous les véhicules retenus, faute de classe connue
+    [objects] les obstacles de la classe que nomme leur règle, les yeux de tous les véhicules retenus, faute de classe connue
+   *[all] de tous les véhicules retenus
+  }
 sight-verdict-alike = { $case ->
     [mix] Avec les hauteurs de l’autre parc
     [study] Avec les hauteurs de l’étude
@@ -7837,10 +7841,7 @@ report-lateral-all = Toutes
 ## Rapport : la distance de visibilité
 
 report-sight = Distance de visibilité
-report-sight-words = Un angle saillant assure une distance de visibilité S si la longueur de son raccordement par pour cent de déclivité, K, est d’au moins S²/C. C ne dépend que des hauteurs de l’œil et de l’obstacle : C = 100 (√(2 œil) + √(2 obstacle))². La norme est { $standard } (œil { $eye }, obstacle { $object }). Les hauteurs du relevé sont le centile { $eye_percent } des yeux et le centile { $object_percent } des bords inférieurs des feux arrière{ $classes ->
-    [class] , de la classe que nomme la règle
-   *[all] , de tous les véhicules
- }{ $rule ->
+report-sight-words = Un angle saillant assure une distance de visibilité S si la longueur de son raccordement par pour cent de déclivité, K, est d’au moins S²/C. C ne dépend que des hauteurs de l’œil et de l’obstacle : C = 100 (√(2 œil) + √(2 obstacle))². La norme est { $standard } (œil { $eye }, obstacle { $object }). Les hauteurs du relevé sont le centile { $eye_percent } des yeux et le centile { $object_percent } des bords inférieurs des feux arrière, { $classes }{ $rule ->
     [own] , règle de cette norme d’après ses sources
    *[usual] , et là où la norme ne donne pas de règle, celle des hauteurs de l’AASHTO
  }. S est la distance de visibilité d’arrêt ({ $source }), arrondie par excès comme dans les tables de conception.
