@@ -5632,6 +5632,7 @@ vehicles-not-a-year = { $column } is “{ $cell }”, which is not a year; give 
 csv-empty = { $name } is empty; its first line must name the columns { $needed }.
 csv-no-column = { $name } has no column { $missing }; its first line must name the columns { $needed }.
 csv-column-twice = { $name }, line { $line }: the column { $column } is named twice; keep the one that counts.
+csv-column-expanded = The column “{ $column }” of { $name } has the capital U of an expanded uncertainty; give the standard uncertainty (k = 1) in a column with “u_” in front.
 csv-more-cells = { $name }, line { $line } has { $cells } cells, but the header names { $columns }; write decimals with a point, not a comma, and put texts with commas in quotes.
 csv-fewer-cells = { $name }, line { $line } has { $cells } cells, but the header names { $columns }; fill in the row.
 csv-header-again = { $name }, line { $line } names the columns again, as where tables were put together; leave that line out.
@@ -6820,7 +6821,6 @@ reference-withdrawn-already = This reference value was already removed; there is
 reference-changed-meanwhile = { $name } changed this reference value meanwhile; check it first.
 reference-columns-missing = { $name } needs a column “number” (of the vehicle in its recording) or “time” (at which it passed) and one of speed_kmh, length_m, wheelbase_m or run_of; its first line must name the columns.
 reference-column-unit = The column “{ $column }” of { $name } does not state its unit; name it one of { $names }, with “u_” in front for the uncertainty.
-reference-column-expanded = The column “{ $column }” of { $name } has the capital U of an expanded uncertainty; give the standard uncertainty (k = 1) in a column with “u_” in front.
 reference-columns-of-one = The columns “{ $first }” and “{ $second }” of { $name } state the same; leave one out.
 reference-no-line-used = No line of { $name } can be used; line { $line }: { $reason }
 reference-line-no-number = The vehicle number is “{ $number }”; give the whole number shown on the line scan page.

@@ -5683,6 +5683,7 @@ vehicles-not-a-year = { $column } vaut « { $cell } », qui n’est pas une an
 csv-empty = { $name } est vide ; sa première ligne doit nommer les colonnes { $needed }.
 csv-no-column = { $name } n’a pas de colonne { $missing } ; sa première ligne doit nommer les colonnes { $needed }.
 csv-column-twice = { $name }, ligne { $line } : la colonne { $column } est nommée deux fois ; gardez celle qui compte.
+csv-column-expanded = La colonne « { $column } » de { $name } porte le U majuscule d’une incertitude élargie ; donnez l’incertitude-type (k = 1) dans une colonne précédée de « u_ ».
 csv-more-cells = { $name }, ligne { $line } : { $cells } cellules, mais l’en-tête en nomme { $columns } ; écrivez les décimales avec un point, non une virgule, et mettez entre guillemets les textes qui ont des virgules.
 csv-fewer-cells = { $name }, ligne { $line } : { $cells } cellules, alors que l’en-tête en nomme { $columns } ; complétez la ligne.
 csv-header-again = { $name }, ligne { $line } : elle nomme à nouveau les colonnes, comme là où des tableaux ont été réunis ; ôtez cette ligne.
@@ -6882,7 +6883,6 @@ reference-withdrawn-already = Cette valeur de référence a déjà été supprim
 reference-changed-meanwhile = { $name } a modifié cette valeur de référence entre-temps ; contrôlez-la d’abord.
 reference-columns-missing = { $name } demande une colonne « number » (numéro du véhicule dans son enregistrement) ou « time » (heure de son passage) et l’une de speed_kmh, length_m, wheelbase_m ou run_of ; sa première ligne nomme les colonnes.
 reference-column-unit = La colonne « { $column } » de { $name } n’indique pas son unité ; donnez-lui l’un de ces noms : { $names }, précédée de « u_ » pour l’incertitude.
-reference-column-expanded = La colonne « { $column } » de { $name } porte le U majuscule d’une incertitude élargie ; donnez l’incertitude-type (k = 1) dans une colonne précédée de « u_ ».
 reference-columns-of-one = Les colonnes « { $first } » et « { $second } » de { $name } indiquent la même chose ; retirez-en une.
 reference-no-line-used = Aucune ligne de { $name } n’est utilisable ; ligne { $line } : { $reason }
 reference-line-no-number = Le numéro du véhicule est « { $number } » ; indiquez le nombre entier affiché sur la page du balayage.
