@@ -88,6 +88,7 @@ from sightline.infra.web.watching import RequestMetrics, Watching
 from sightline.infra.web.write_gate import WriteGate
 from sightline.people.service import Attempts, Tokens
 from sightline.people.store import get_person
+from sightline.recordings.ingest_job import correct_durations
 from sightline.recordings.uploads.service import recover_uploads
 from sightline.settings import Settings
 from sightline.surveys.members import store as members
@@ -237,6 +238,10 @@ def _recover(services: Services, clock: ClockWatch, ballast: Ballast) -> None:
         recover_uploads(services)
     except Exception:
         log.exception("unfinished uploads were not looked through")
+    try:
+        correct_durations(services)
+    except Exception:
+        log.exception("durations of recordings were not looked through")
 
 
 def _person(services: Services, person_id: int) -> Person | None:

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from sqlalchemy import text
 
 from sightline.cli import main
 from sightline.export import page
@@ -17,9 +18,11 @@ from sightline.export.verify.package import verify_package
 from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
+from sightline.recordings.ingest_job import correct_durations
 from tests.export.report.pdf_text import words
 from tests.media.clips import TICKS, Spec, write
 from tests.support.app import Client, add_recording, error_of
+from tests.support.events import events_of
 from tests.support.ground import Ground, add_vehicle, lay_ground, measure
 from tests.support.packages import edit, reseal, rows
 
@@ -306,6 +309,15 @@ def test_a_pause_in_a_recording_is_in_every_time(
     spec = Spec("pause.mp4", pts_of=after_a_pause, count=12)
     recording_id = add_recording(operator, services, survey_id, write(tmp_path / spec.name, spec))
     assert viewer.seen(f"/recordings/{recording_id}")["duration_s"] == pytest.approx(3008.0)
+    with services.writing() as session:  # as an earlier version stored it
+        session.execute(text("UPDATE recordings SET duration_s = :mean_s"), {"mean_s": 3007.0 * 12 / 11})
+    for _ in range(2):
+        correct_durations(services)
+        assert viewer.seen(f"/recordings/{recording_id}")["duration_s"] == pytest.approx(3008.0)
+    with services.reading() as session:
+        events = [one.after or {} for one in events_of(session, survey_id) if one.entity == "recording"]
+    told = [one["duration_s"] for one in events if "duration_s" in one]
+    assert told == pytest.approx([3008.0, 3008.0])  # as it was read, and as it was corrected, once
     ground = lay_ground(services, survey_id, recording_id)
     rule = {"name": "Rouen", "version": 1, "sampling": {"free_flowing_s": 1.5}}
     rule["version"] = viewer.seen(f"/surveys/{survey_id}")["version"]

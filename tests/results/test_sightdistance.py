@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -9,14 +10,18 @@ import pytest
 from sqlalchemy import text
 
 from sightline.export.report.crest import crest_sentence
+from sightline.infra.database import Session
 from sightline.infra.services import Services
-from sightline.results.measured_columns_query import Measured
+from sightline.messages.said import Said
+from sightline.results.measured_columns_query import NONE, Measured
 from sightline.results.sightdistance import service
 from sightline.results.sightdistance.records import SightQuestion
 from sightline.results.sightdistance.service import HeightRead, case_of, exact
-from sightline.results.survey_statistics import Filter
+from sightline.results.survey_statistics import Filter, measured_columns
+from sightline.results.usual_standards import STANDARDS
 from sightline.sightdistance.curves import crest_constants_m
 from sightline.sightdistance.workbench import Bounded
+from sightline.statistics.rules import unknown_rule
 from sightline.statistics.summary import Grouping
 from tests.bench.seed import seed
 from tests.support.app import Client, error_of
@@ -81,7 +86,7 @@ def test_crests_by_the_standard_and_by_the_survey(services: Services, survey: in
     hundred = found["speeds_mps"].index(pytest.approx(100 / 3.6))
     assert standard["k_m"][hundred]["value"] == pytest.approx(52.0, abs=0.05)
     assert found["distances_m"][hundred] == 185
-    assert found["by_class"] and (found["eyes"], found["objects"]) == (len(cars[0]), len(cars[1]))
+    assert found["of_class"] == "class" and (found["eyes"], found["objects"]) == (len(cars[0]), len(cars[1]))
     assert eye["n"] == found["eyes"] and thing["n"] == found["objects"]
 
 
@@ -129,10 +134,52 @@ def test_they_go_by_class(services: Services, survey: int, viewer: Client) -> No
         assert found["cases"][1]["crest"]["eye_m"]["value"] == pytest.approx(float(quantile), abs=0.01)
 
 
+@pytest.mark.parametrize(("unknown", "said_of"), [("driver_eye", "objects"), ("taillight", "eyes")])
+def test_heights_without_a_class_are_not_said_to_be_of_one(
+    services: Services,
+    survey: int,
+    viewer: Client,
+    monkeypatch: pytest.MonkeyPatch,
+    unknown: str,
+    said_of: str,
+) -> None:
+    def read(session: Session, chosen: Filter) -> Measured:
+        found = measured_columns(session, chosen)
+        if chosen.target != unknown:
+            return found
+        return replace(found, category=np.full_like(found.category, NONE))
+
+    monkeypatch.setattr(service, "measured_columns", read)
+    found = viewer.seen(ASKED.format(survey=survey))
+    assert found["of_class"] == said_of
+    read_on = {"driver_eye": found["eyes"], "taillight": found["objects"]}
+    assert read_on[unknown] == len(heights(services, unknown))
+
+
+@pytest.mark.parametrize(
+    ("eye", "thing", "expected"),
+    [
+        ((5, True), (5, True), "class"),
+        ((5, True), (5, False), "eyes"),
+        ((5, False), (0, True), "objects"),
+        ((5, True), (0, False), "class"),
+        ((0, True), (5, True), "class"),
+        ((5, False), (5, False), "all"),
+        ((0, False), (0, False), "all"),
+    ],
+    ids=str,
+)
+def test_whose_heights_both_are(eye: tuple[int, bool], thing: tuple[int, bool], expected: str) -> None:
+    """(heights, whether of the rule's class) of each; a target without a height is of nobody."""
+    none = Said("stat-none-of-class")
+    first, second = (unknown_rule(STANDARDS[0], n, known, None, none) for n, known in (eye, thing))
+    assert service.of_class(first, second) == expected
+
+
 def test_a_class_of_too_few_gives_the_count_in_place_of_a_crest(survey: int, viewer: Client) -> None:
     found = viewer.get(ASKED.format(survey=survey) + "&category=suv").json()
     of_survey = found["cases"][1]
-    assert of_survey["crest"] is None and of_survey["missing"] == [] and not found["by_class"]
+    assert of_survey["crest"] is None and of_survey["missing"] == [] and found["of_class"] == "all"
     n = found["objects"]
     assert 0 < n < 72
     assert [(one["target"], one["reason"]["message"]) for one in of_survey["too_few"]] == [

@@ -192,6 +192,51 @@ def a_recording_s_length(place: Path) -> str:
     return "recordings.csv: duration_s of row 1 differs from its audit events"
 
 
+def an_invented_survey(place: Path) -> str:
+    edit(place, "survey.csv", lambda row: True, simulated="true")
+    rederive(place)
+    return "survey.csv: simulated of row 1 differs from its audit events"
+
+
+def a_board_s_corners(place: Path) -> str:
+    edit(place, "poses.csv", lambda row: row["id"] == "1", board_columns="10", board_rows="7")
+    rederive(place)
+    return "poses.csv: pose 1 differs from records/pose-1.json"
+
+
+def a_cell_of_a_pose_emptied(place: Path) -> str:
+    edit(place, "poses.csv", lambda row: row["id"] == "1", u_reference_height_m="")
+    rederive(place)
+    return "poses.csv: pose 1 differs from records/pose-1.json"
+
+
+def a_pose_s_file(place: Path) -> str:
+    edit(place, "poses.csv", lambda row: row["id"] == "1", document="poses/pose-2.json")
+    rederive(place)
+    return "poses.csv: pose 1 differs from records/pose-1.json"
+
+
+def _of_clicks(place: Path, **cells: str) -> str:
+    """What the clicks of m1 repeat of its vehicle, in every file of clicks."""
+    for path in ("clicks.csv", "clicks/pose-1.csv"):
+        edit(place, path, lambda row: row["id"] == "m1", **cells)
+    rederive(place)
+    return f"clicks.csv: m1 has another {min(cells)} than its vehicle in vehicles.csv"
+
+
+def a_known_height_of_clicks(place: Path) -> str:
+    """`sightline errors` would read it."""
+    return _of_clicks(place, reference_height_m="1.310001")
+
+
+def a_light_of_clicks(place: Path) -> str:
+    return _of_clicks(place, lighting="low_light")
+
+
+def clicks_that_do_not_count(place: Path) -> str:
+    return _of_clicks(place, counts="false")
+
+
 def a_verdict(place: Path) -> str:
     for name in ("measurements.csv", "reviews.csv"):
         edit(place, name, lambda row: row["verdict"] == "rejected", verdict="accepted")
@@ -409,6 +454,13 @@ WAYS: tuple[Callable[[Path], str], ...] = (
     a_frame_s_time,
     a_recording_s_name,
     a_recording_s_length,
+    an_invented_survey,
+    a_board_s_corners,
+    a_cell_of_a_pose_emptied,
+    a_pose_s_file,
+    a_known_height_of_clicks,
+    a_light_of_clicks,
+    clicks_that_do_not_count,
     a_verdict,
     an_event,
     an_event_and_its_hash,

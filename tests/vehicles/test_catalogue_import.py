@@ -231,9 +231,20 @@ def test_a_u_without_a_unit_has_that_of_its_size(operator: Client, viewer: Clien
 
 
 def test_an_expanded_uncertainty_is_not_read_as_a_standard_one(operator: Client) -> None:
-    plan = preview(operator, "make,model,Height_m,U_height_m,u_wheelbase_m\nKia,Rio,1.45,0.02,0.01\n")
-    fields = [one["field"] for one in plan["columns"]]
-    assert fields == ["make", "model", "height_m", None, "u_wheelbase_m"]
+    rows = "make,model,Height_m,{u},u_wheelbase_m\nKia,Rio,1.45,0.02,0.01\n"
+    for title in ("U_height_m", "U_roof (mm)"):
+        plan = preview(operator, rows.format(u=title))
+        fields = [one["field"] for one in plan["columns"]]
+        assert fields == ["make", "model", "height_m", None, "u_wheelbase_m"]
+        assert f"“{title}” of cars.csv has the capital U" in plan["problem"]["message"]
+        answer = send(operator, rows.format(u=title).encode())
+        assert answer.status_code == 422 and "k = 1" in error_of(answer)  # type: ignore[attr-defined,arg-type]
+    assert preview(operator, rows.format(u="U_height_m"), query="column==U_height_m")["problem"] is None
+    chosen = preview(operator, rows.format(u="U_height_m"), query="column=u_height_m=U_height_m")
+    assert "capital U" in chosen["problem"]["message"]
+    assert preview(operator, rows.format(u="U_note"))["problem"] is None
+    shouted = preview(operator, rows.format(u="U_HEIGHT_M"))
+    assert (shouted["columns"][3]["field"], shouted["problem"]) == ("u_height_m", None)
 
 
 def test_a_model_is_corrected_retired_and_brought_back(operator: Client, viewer: Client) -> None:

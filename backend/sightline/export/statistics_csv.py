@@ -96,7 +96,7 @@ AGREEMENT = statistics_table(
     "explain.",
     _HEIGHTS,
     _ROUNDING,
-    text("figure", "which figure; _m: metres", required=True),
+    text("figure", "which figure; _m, and intercepts: metres", required=True),
     number("value", "value"),
     *INTERVAL,
     *REASON,

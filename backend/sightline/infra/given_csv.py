@@ -154,6 +154,12 @@ def names_expanded(title: str) -> bool:
     return title.lstrip().startswith("U") and not title.isupper()
 
 
+def require_standard(title: str, name: object) -> None:
+    """Raise BadInput where a column of uncertainties is of expanded ones by its title."""
+    if names_expanded(title):
+        raise BadInput("csv-column-expanded", name=str(name), column=title[:60])
+
+
 def is_separated(cell: str) -> bool:
     """Whether it is a number but for a decimal comma or for what stands between its thousands."""
     return _SEPARATED.fullmatch(cell.strip()) is not None

@@ -20,13 +20,14 @@ from sightline.geometry.road_pose import RoadPose
 from sightline.infra.audit.hashing import canonical_json, content_hash
 from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.columns import CODE
-from sightline.infra.csv_package.files import Files, read_columns, read_rows, read_whole
+from sightline.infra.csv_package.files import Files, columns_lacking, read_columns, read_rows, read_whole
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.infra.csv_package.schema import AnyTable, Table, cell_text
 from sightline.measurements.again.differences import Facts, facts_of
 from sightline.measurements.csv import (
     BUDGET,
+    CLICKS,
     REVISIONS,
     budget_entries,
     clicks_path,
@@ -49,6 +50,7 @@ from sightline.poses.csv import pose_path
 from sightline.recordings.csv import filmings_in
 from sightline.recordings.drift import MovedSpan
 from sightline.recordings.filming import Filming
+from sightline.vehicles.records import KNOWN, is_reference
 
 #: The part of the program that computes heights from clicks, by its name in datapackage.json.
 HEIGHTS = "heights"
@@ -200,7 +202,7 @@ def check_measurements(
     clicks = _Lockstep(files, "clicks.csv", "id")
     of_poses: dict[str, _Lockstep] = {}
     budget = _Budget(files, events.budgets)
-    filmings = filmings_in(files)
+    filmings, vehicles = filmings_in(files), _OfVehicles(files)
     for current in read_rows(files, "measurements.csv"):
         name, mine = next(revisions, ("", iter(())))
         rows = list(mine)
@@ -216,8 +218,9 @@ def check_measurements(
         if current["withdrawn"] != "true":
             path = clicks_path(int(current["pose_id"]))
             alone = of_poses.setdefault(path, _Lockstep(files, path, "id"))
-            _same_clicks("clicks.csv", clicks.next(f"m{name}"), current)
-            _same_clicks(path, alone.next(f"m{name}"), current)
+            for at, row in (("clicks.csv", clicks.next(f"m{name}")), (path, alone.next(f"m{name}"))):
+                _same_clicks(at, row, current)
+                vehicles.check(at, row, current)
     if next(revisions, None) is not None:
         raise Damaged("measurements-row-missing")
     budget.end()
@@ -365,6 +368,36 @@ def _same_clicks(path: str, row: Row, current: Row) -> None:
             raise Damaged("measurements-value-differs", path=path, id=row["id"], name=name)
     if row["pose_file"] != pose_path(int(row["pose_id"])):
         raise Damaged("measurements-pose-file-differs", path=path, id=row["id"])
+
+
+class _OfVehicles:
+    """What a row of clicks repeats of its vehicle; vehicles.csv is held against its events. Columns that an
+    earlier package lacks are not compared.
+    """
+
+    def __init__(self, files: Files) -> None:
+        lacking = columns_lacking(files, "vehicles.csv") | columns_lacking(files, CLICKS.key)
+        lit = dict(read_columns(files, "recordings.csv", ("id", "lighting")))
+        self._names = [
+            one for one in ("lighting", "category", "check_target", "counts") if one not in lacking
+        ]
+        self._told: dict[str, dict[str, str]] = {}
+        for row in read_rows(files, "vehicles.csv"):
+            lighting = row["lighting"] or lit.get(row["recording_id"], "")
+            told = {**{name: row.get(name, "") for name in self._names}, "lighting": lighting}
+            if is_reference(row.get("model_chosen_by")):
+                told |= {names.height: row.get(names.height, "") for names in KNOWN.values()}
+            self._told[row["id"]] = told
+
+    def check(self, path: str, row: Row, current: Row) -> None:
+        """Raises Damaged where a row of clicks says something else of the vehicle than vehicles.csv."""
+        told = self._told.get(current["vehicle_id"])
+        if told is None:
+            raise Damaged("measurements-vehicle-missing", path=path, id=row["id"])
+        known = told.get(KNOWN[cast(Target, row["target"])].height, "")
+        for name, value in (*((one, told[one]) for one in self._names), ("reference_height_m", known)):
+            if row.get(name, "") != value:
+                raise Damaged("measurements-vehicle-differs", path=path, id=row["id"], name=name)
 
 
 class _Lockstep:

@@ -5199,6 +5199,8 @@ measurements-pose-missing = { $path } is missing or is not a camera pose; get th
 measurements-result-differs = { $name } states { $words } { $told }, its clicks give { $computed }; one is wrong.
 measurements-last-revision-differs = measurements.csv: { $id } has another { $column } than its last revision.
 measurements-value-differs = { $path }: { $id } has another { $name } than measurements.csv; one is wrong.
+measurements-vehicle-differs = { $path }: { $id } has another { $name } than its vehicle in vehicles.csv; one is wrong.
+measurements-vehicle-missing = { $path }: the vehicle of { $id } is not in vehicles.csv; a row was removed.
 measurements-row-misplaced = { $path } { $found } where { $name } belongs; a row was removed or added.
 measurements-row-added = { $path }: { $row } is not in measurements.csv; it was added.
 measurements-u95-wrong = measurements.csv: { $id } has a U95 that is not 1.96 u; one is wrong.
@@ -5633,6 +5635,7 @@ vehicles-not-a-year = { $column } is “{ $cell }”, which is not a year; give 
 csv-empty = { $name } is empty; its first line must name the columns { $needed }.
 csv-no-column = { $name } has no column { $missing }; its first line must name the columns { $needed }.
 csv-column-twice = { $name }, line { $line }: the column { $column } is named twice; keep the one that counts.
+csv-column-expanded = The column “{ $column }” of { $name } has the capital U of an expanded uncertainty; give the standard uncertainty (k = 1) in a column with “u_” in front.
 csv-more-cells = { $name }, line { $line } has { $cells } cells, but the header names { $columns }; write decimals with a point, not a comma, and put texts with commas in quotes.
 csv-fewer-cells = { $name }, line { $line } has { $cells } cells, but the header names { $columns }; fill in the row.
 csv-header-again = { $name }, line { $line } names the columns again, as where tables were put together; leave that line out.
@@ -5902,8 +5905,12 @@ sight-sentence = Result
 sight-missing = No heights match the filter for: { $targets }. Measure and accept some, or show all states.
 sight-too-few = Too few heights for the percentile: { $targets }.
 sight-too-few-of = { $target } ({ $reason })
-sight-read-class = of the class that each rule names
-sight-read-all = of all vehicles that match
+sight-read = { $whose ->
+    [class] of the class that each rule names
+    [eyes] the eyes of the class that their rule names, the objects of all vehicles that match, as no class is known
+    [objects] the objects of the class that their rule names, the eyes of all vehicles that match, as no class is known
+   *[all] of all vehicles that match
+  }
 sight-verdict-alike = { $case ->
     [mix] With the other fleet’s heights
     [study] With the study’s heights
@@ -6543,7 +6550,7 @@ column-error-table-low = lower end of its 95 % interval
 column-error-table-high = upper end of its 95 % interval
 column-error-table-holds = components of its interval, separated by spaces
 column-error-table-reason = why a value or its interval is missing
-column-agreement-figure = which figure; _m: metres
+column-agreement-figure = which figure; _m, and intercepts: metres
 column-corrections-correction = which correction of the heights (corrections.csv says what was done)
 column-corrections-mean-m = mean of the corrected heights
 column-corrections-sd-m = standard deviation of the corrected heights (n - 1)
@@ -6817,7 +6824,6 @@ reference-withdrawn-already = This reference value was already removed; there is
 reference-changed-meanwhile = { $name } changed this reference value meanwhile; check it first.
 reference-columns-missing = { $name } needs a column “number” (of the vehicle in its recording) or “time” (at which it passed) and one of speed_kmh, length_m, wheelbase_m or run_of; its first line must name the columns.
 reference-column-unit = The column “{ $column }” of { $name } does not state its unit; name it one of { $names }, with “u_” in front for the uncertainty.
-reference-column-expanded = The column “{ $column }” of { $name } has the capital U of an expanded uncertainty; give the standard uncertainty (k = 1) in a column with “u_” in front.
 reference-columns-of-one = The columns “{ $first }” and “{ $second }” of { $name } state the same; leave one out.
 reference-no-line-used = No line of { $name } can be used; line { $line }: { $reason }
 reference-line-no-number = The vehicle number is “{ $number }”; give the whole number shown on the line scan page.
@@ -7781,10 +7787,7 @@ report-lateral-all = All
 ## Report: sight distance
 
 report-sight = Sight distance
-report-sight-words = A crest provides a sight distance S if its length per percent of grade, K, is at least S²/C. C depends only on the heights of eye and object: C = 100 (√(2 eye) + √(2 object))². The standard is { $standard } (eye { $eye }, object { $object }). The survey’s heights are percentile { $eye_percent } of the eyes and percentile { $object_percent } of the taillights’ lower edges{ $classes ->
-    [class] , of the class that the rule names
-   *[all] , of all vehicles
- }{ $rule ->
+report-sight-words = A crest provides a sight distance S if its length per percent of grade, K, is at least S²/C. C depends only on the heights of eye and object: C = 100 (√(2 eye) + √(2 object))². The standard is { $standard } (eye { $eye }, object { $object }). The survey’s heights are percentile { $eye_percent } of the eyes and percentile { $object_percent } of the taillights’ lower edges, { $classes }{ $rule ->
     [own] , the rule of that standard according to its sources
    *[usual] , and, where the standard states no rule, that of AASHTO’s heights
  }. S is the stopping sight distance ({ $source }), rounded up as in design tables.

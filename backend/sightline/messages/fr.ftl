@@ -5230,6 +5230,8 @@ measurements-pose-missing = { $path } manque ou n’est pas une pose de la camé
 measurements-result-differs = { $name } indique { $words } { $told }, ses pointés donnent { $computed } ; l’un des deux est faux.
 measurements-last-revision-differs = measurements.csv : { $id } a une autre valeur de { $column } que sa dernière révision.
 measurements-value-differs = { $path } : { $id } a une autre valeur de { $name } que measurements.csv ; l’un des deux est faux.
+measurements-vehicle-differs = { $path } : { $id } a une autre valeur de { $name } que son véhicule dans vehicles.csv ; l’un des deux est faux.
+measurements-vehicle-missing = { $path } : le véhicule de { $id } n’est pas dans vehicles.csv ; une ligne a été supprimée.
 measurements-row-misplaced = { $path } { $found } là où { $name } a sa place ; une ligne a été retirée ou ajoutée.
 measurements-row-added = { $path } : { $row } n’est pas dans measurements.csv ; ajout après coup.
 measurements-u95-wrong = measurements.csv : { $id } a une U95 qui n’est pas 1,96 u ; l’un des deux est faux.
@@ -5684,6 +5686,7 @@ vehicles-not-a-year = { $column } vaut « { $cell } », qui n’est pas une an
 csv-empty = { $name } est vide ; sa première ligne doit nommer les colonnes { $needed }.
 csv-no-column = { $name } n’a pas de colonne { $missing } ; sa première ligne doit nommer les colonnes { $needed }.
 csv-column-twice = { $name }, ligne { $line } : la colonne { $column } est nommée deux fois ; gardez celle qui compte.
+csv-column-expanded = La colonne « { $column } » de { $name } porte le U majuscule d’une incertitude élargie ; donnez l’incertitude-type (k = 1) dans une colonne précédée de « u_ ».
 csv-more-cells = { $name }, ligne { $line } : { $cells } cellules, mais l’en-tête en nomme { $columns } ; écrivez les décimales avec un point, non une virgule, et mettez entre guillemets les textes qui ont des virgules.
 csv-fewer-cells = { $name }, ligne { $line } : { $cells } cellules, alors que l’en-tête en nomme { $columns } ; complétez la ligne.
 csv-header-again = { $name }, ligne { $line } : elle nomme à nouveau les colonnes, comme là où des tableaux ont été réunis ; ôtez cette ligne.
@@ -5953,8 +5956,12 @@ sight-sentence = Résultat
 sight-missing = Aucune hauteur ne correspond au filtre pour : { $targets }. Mesurez et validez-en, ou affichez tous les états.
 sight-too-few = Trop peu de hauteurs pour le centile : { $targets }.
 sight-too-few-of = { $target } ({ $reason })
-sight-read-class = de la classe que nomme chaque règle
-sight-read-all = de tous les véhicules retenus
+sight-read = { $whose ->
+    [class] de la classe que nomme chaque règle
+    [eyes] les yeux de la classe que nomme leur règle, les obstacles de tous les véhicules retenus, faute de classe connue
+    [objects] les obstacles de la classe que nomme leur règle, les yeux de tous les véhicules retenus, faute de classe connue
+   *[all] de tous les véhicules retenus
+  }
 sight-verdict-alike = { $case ->
     [mix] Avec les hauteurs de l’autre parc
     [study] Avec les hauteurs de l’étude
@@ -6598,7 +6605,7 @@ column-error-table-low = borne inférieure de son intervalle à 95 %
 column-error-table-high = borne supérieure de son intervalle à 95 %
 column-error-table-holds = composantes de son intervalle, séparées par des espaces
 column-error-table-reason = pourquoi une valeur ou son intervalle manque
-column-agreement-figure = quelle valeur ; _m : en mètres
+column-agreement-figure = quelle valeur ; _m et ordonnées à l’origine : en mètres
 column-corrections-correction = laquelle des corrections des hauteurs (corrections.csv dit ce qui a été fait)
 column-corrections-mean-m = moyenne des hauteurs corrigées
 column-corrections-sd-m = écart-type des hauteurs corrigées (n - 1)
@@ -6879,7 +6886,6 @@ reference-withdrawn-already = Cette valeur de référence a déjà été supprim
 reference-changed-meanwhile = { $name } a modifié cette valeur de référence entre-temps ; contrôlez-la d’abord.
 reference-columns-missing = { $name } demande une colonne « number » (numéro du véhicule dans son enregistrement) ou « time » (heure de son passage) et l’une de speed_kmh, length_m, wheelbase_m ou run_of ; sa première ligne nomme les colonnes.
 reference-column-unit = La colonne « { $column } » de { $name } n’indique pas son unité ; donnez-lui l’un de ces noms : { $names }, précédée de « u_ » pour l’incertitude.
-reference-column-expanded = La colonne « { $column } » de { $name } porte le U majuscule d’une incertitude élargie ; donnez l’incertitude-type (k = 1) dans une colonne précédée de « u_ ».
 reference-columns-of-one = Les colonnes « { $first } » et « { $second } » de { $name } indiquent la même chose ; retirez-en une.
 reference-no-line-used = Aucune ligne de { $name } n’est utilisable ; ligne { $line } : { $reason }
 reference-line-no-number = Le numéro du véhicule est « { $number } » ; indiquez le nombre entier affiché sur la page du balayage.
@@ -7838,10 +7844,7 @@ report-lateral-all = Toutes
 ## Rapport : la distance de visibilité
 
 report-sight = Distance de visibilité
-report-sight-words = Un angle saillant assure une distance de visibilité S si la longueur de son raccordement par pour cent de déclivité, K, est d’au moins S²/C. C ne dépend que des hauteurs de l’œil et de l’obstacle : C = 100 (√(2 œil) + √(2 obstacle))². La norme est { $standard } (œil { $eye }, obstacle { $object }). Les hauteurs du relevé sont le centile { $eye_percent } des yeux et le centile { $object_percent } des bords inférieurs des feux arrière{ $classes ->
-    [class] , de la classe que nomme la règle
-   *[all] , de tous les véhicules
- }{ $rule ->
+report-sight-words = Un angle saillant assure une distance de visibilité S si la longueur de son raccordement par pour cent de déclivité, K, est d’au moins S²/C. C ne dépend que des hauteurs de l’œil et de l’obstacle : C = 100 (√(2 œil) + √(2 obstacle))². La norme est { $standard } (œil { $eye }, obstacle { $object }). Les hauteurs du relevé sont le centile { $eye_percent } des yeux et le centile { $object_percent } des bords inférieurs des feux arrière, { $classes }{ $rule ->
     [own] , règle de cette norme d’après ses sources
    *[usual] , et là où la norme ne donne pas de règle, celle des hauteurs de l’AASHTO
  }. S est la distance de visibilité d’arrêt ({ $source }), arrondie par excès comme dans les tables de conception.

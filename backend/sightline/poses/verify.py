@@ -19,5 +19,7 @@ def check_poses(files: Files, replay: Replay) -> None:
 
 def _values(record: Mapping[str, Any]) -> Mapping[str, Any]:
     document = record["document"]
-    values = {**document, **(document.get("board") or {}), **record}
-    return {**values, "board_distance_m": values.get("distance_m")}
+    board = document.get("board") or {}
+    values = {**document, **board, **record}
+    size = {f"board_{name}": board.get(name) for name in ("columns", "rows")}
+    return {**values, **size, "board_distance_m": values.get("distance_m")}

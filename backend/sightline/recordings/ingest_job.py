@@ -8,8 +8,6 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
-import numpy as np
-
 from sightline.enums import Lighting
 from sightline.errors import BadInput, Conflict, NotFound
 from sightline.infra.database import Session
@@ -24,7 +22,7 @@ from sightline.media.store.local import MediaStore, key_of
 from sightline.media.video.ingest import Ingested, ingest
 from sightline.messages.said import Said
 from sightline.recordings import store as recordings
-from sightline.recordings.frames.records import FrameTable
+from sightline.recordings.frames.records import FrameTable, lasting_s
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.records import Facts, Recording
 
@@ -215,8 +213,6 @@ def facts_of(found: Ingested, working_copy: str | None) -> Facts:
     if begun is not None and begun > now():
         ahead = [Said("video-start-in-future", start=f"{begun:%Y-%m-%d %H:%M}")]
         begun = None
-    last_s = float(np.median(np.diff(times))) if len(times) > 1 else 0.0
-    duration_s = float(times.max() - times.min()) + last_s
     kept: dict[str, Any] = {
         "duplicates": report.duplicates,
         "unordered": report.unordered,
@@ -237,7 +233,7 @@ def facts_of(found: Ingested, working_copy: str | None) -> Facts:
     return Facts(
         width_px=facts.width_px,
         height_px=facts.height_px,
-        duration_s=duration_s,
+        duration_s=lasting_s(times),
         codec=facts.codec,
         container=facts.container,
         vfr=report.vfr,
@@ -254,6 +250,17 @@ def _lighting(found: Ingested) -> Lighting | None:
     if not found.thumbnails:
         return None
     return "low_light" if median(one.luminance for one in found.thumbnails) < LOW_LIGHT_BELOW else "daytime"
+
+
+def correct_durations(services: Services) -> None:
+    """After a start: give recordings that an earlier version read the duration of their frame tables."""
+    if services.read_only:
+        return
+    with services.reading() as session:
+        found = recordings.durations_to_correct(session)
+    for recording_id, duration_s in found.items():
+        with services.writing() as session:
+            recordings.correct_duration(session, recording_id, duration_s, actor=None)
 
 
 def table_of(found: Ingested) -> FrameTable:

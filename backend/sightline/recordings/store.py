@@ -23,9 +23,10 @@ from sightline.recordings.drift import (
     drift_figures,
     spans_told,
 )
-from sightline.recordings.frames.records import FrameTable
+from sightline.recordings.frames.records import FrameTable, lasting_s
 from sightline.recordings.frames.store import (
     change_times,
+    ends_of_frames,
     frame_table_fingerprint,
     get_frame_table,
     remove_frames,
@@ -45,6 +46,7 @@ _INGESTED = (
     "frame_count",
     "stream_number",
 )
+_SAME_S = 1e-6
 _ALIVE: ColumnElement[bool] = recordings.c.deleted_at.is_(None)
 _NAMED = [column.name for column in columns_of(recordings, "created_by", "deleted_at")]
 
@@ -150,6 +152,32 @@ def note_ingested(
     told = {key: values[key] for key in _INGESTED}
     after = {"state": "ready", **told, "frames_sha256": fingerprint}
     return _write(session, before, values, "ingest", actor, ({"state": before["state"]}, after))
+
+
+def durations_to_correct(session: Session) -> dict[int, float]:
+    """What earlier versions stored otherwise: how long recordings last by their frame tables, s, by number.
+    They let the last frame last as long as the mean one, with every pause in it.
+    """
+    found = {}
+    query = select(recordings.c.id, recordings.c.duration_s, recordings.c.frame_count).where(
+        _ALIVE, recordings.c.state == "ready", recordings.c.vfr, recordings.c.frame_count > 1
+    )
+    for recording_id, stored_s, count in session.execute(query).all():
+        first_s, last_s = ends_of_frames(session, recording_id, count)
+        mean_s = (last_s - first_s) / (count - 1)
+        if stored_s is None or abs(stored_s - (last_s - first_s) - mean_s) > _SAME_S:
+            continue
+        true_s = lasting_s(get_frame_table(session, recording_id).time_s)
+        if abs(stored_s - true_s) > _SAME_S:
+            found[recording_id] = true_s
+    return found
+
+
+def correct_duration(session: Session, recording_id: int, duration_s: float, *, actor: int | None) -> None:
+    """Store how long a recording lasts, s, where another time stands."""
+    before = _row(session, recording_id)
+    if before["duration_s"] != duration_s:
+        _write(session, before, {"duration_s": duration_s}, "update", actor)
 
 
 def note_ingest_failed(session: Session, recording_id: int, error: Said, *, actor: int | None) -> Recording:

@@ -187,7 +187,8 @@ _PEOPLE = ((("created_by_id",), "people", ("id",)), (("reviewer_id",), "people",
 
 LINE_SCANS: Table[Scan] = Table(
     "line_scans",
-    "Line-scan recordings: pairs of strips with the rig that took them. Camera 1 is reached first.",
+    "Line-scan recordings: pairs of strips with the rig that took them. Which camera a vehicle reached first "
+    "stands with the vehicle.",
     (
         key("id", "line-scan recording"),
         text("name", "its name", required=True),

@@ -18,7 +18,8 @@ def check_survey(files: Files, survey: Mapping[str, Any]) -> None:
     """The tables about the survey are what its events say, classes and quotas in order. Raises Damaged."""
     words = {name: survey.get(name) or None for name in ("name", "site", "description")}
     place = {name: survey.get(name) for name in PLACE}
-    hold_all(files, SURVEY, [{"id": survey["id"], **words, **place}])
+    invented = {name: survey[name] for name in ("simulated",) if name in survey}  # not of the earliest
+    hold_all(files, SURVEY, [{"id": survey["id"], **words, **place, **invented}])
     insets: Mapping[str, Mapping[str, Any]] = survey.get("insets", {})
     if {target for (target,) in read_columns(files, INSETS.key, ("target",))} != set(insets):
         # those of before roofs had insets by class

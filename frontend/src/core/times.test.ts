@@ -5,6 +5,7 @@ describe("times", () => {
   it("shows a position in a recording to the millisecond", () => {
     expect(formatFrameTime(42.8)).toBe("42.800 s");
     expect(formatFrameTime(182.8)).toBe("3:02.800");
+    expect([59.9996, 119.9996].map(formatFrameTime)).toEqual(["1:00.000", "2:00.000"]);
   });
 
   it("shows lengths of time in words", () => {

@@ -106,9 +106,9 @@ export function ownZone(): string {
 
 /** A position in a recording: "42.800 s", or "3:02.800" from one minute on. */
 export function formatFrameTime(seconds: number): string {
-  if (seconds < 60) return `${fixed(seconds, 3)} s`;
-  const minutes = Math.floor(seconds / 60);
-  return `${minutes}:${fixed(seconds - minutes * 60, 3).padStart(6, "0")}`;
+  const ms = Math.round(seconds * 1000);
+  if (ms < 60_000) return `${fixed(seconds, 3)} s`;
+  return `${Math.floor(ms / 60_000)}:${fixed((ms % 60_000) / 1000, 3).padStart(6, "0")}`;
 }
 
 /** A length of time: "12 s", "3 min 20 s", "1 h 04 min". */

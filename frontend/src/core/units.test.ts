@@ -7,6 +7,7 @@ import {
   formatCount,
   formatHeight,
   formatLength,
+  formatRung,
   formatSmall,
   formatSpeed,
   heads,
@@ -28,6 +29,13 @@ beforeEach(() => {
 });
 
 describe("heights", () => {
+  it("a drawn line is named with all digits of its height", () => {
+    const said = () => [0.5, 1, 0.02].map((metres) => formatRung(metres).replace("\u00a0", " "));
+    expect(said()).toEqual(["0.5 m", "1.0 m", "0.02 m"]);
+    lengthUnit.value = "ft";
+    expect(said()).toEqual(["1.64 ft", "3.28 ft", "0.07 ft"]);
+  });
+
   it("reads as value ± U95 in metres", () => {
     expect(formatHeight(1.1718, 0.0179)).toBe("1.172\u00a0±\u00a00.018\u00a0m");
   });

@@ -62,6 +62,18 @@ export function formatLength(metres: number | null, digits = HEIGHT_DIGITS, unit
   return `${fixed(convert(metres, unit), digits)}${NBSP}${unit}`;
 }
 
+/** A distance that was chosen, as short as it is right: "2 m", "6.6 ft". */
+export function formatAway(metres: number): string {
+  const tenths = Math.round(convert(metres, lengthUnit.value) * 10);
+  return `${fixed(tenths / 10, tenths % 10 === 0 ? 0 : 1)}${NBSP}${lengthUnit.value}`;
+}
+
+/** The height at which a line is drawn, with the digits that it has: "0.5 m", "0.02 m", "1.64 ft". */
+export function formatRung(metres: number): string {
+  const digits = lengthUnit.value === "m" && Math.abs(metres * 10 - Math.round(metres * 10)) < 1e-6 ? 1 : 2;
+  return formatLength(metres, digits);
+}
+
 /** "1.172 ± 0.018 m", where the second number is the half-width of the 95 % interval. */
 export function formatHeight(
   metres: number | null,

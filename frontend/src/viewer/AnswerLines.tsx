@@ -1,6 +1,6 @@
 /** Axes and ladder through the contact in use, as the server answered them, or that they are awaited. */
 import { say } from "../core/messages";
-import { formatLength } from "../core/units";
+import { formatRung } from "../core/units";
 import { linesShown } from "./display";
 import type { Geometry } from "./geometry";
 import { AxesLayer, LadderLayer, Word } from "./Overlay";
@@ -19,7 +19,7 @@ export function AnswerLines({ geometry, stage }: { geometry: Geometry; stage: Fr
     );
   }
   if (!answer?.axes) return null;
-  const rungs = answer.ladder.map((rung) => ({ ...rung, words: formatLength(rung.height_m, 1) }));
+  const rungs = answer.ladder.map((rung) => ({ ...rung, words: formatRung(rung.height_m) }));
   return (
     <>
       <LadderLayer rungs={rungs} stage={stage} />

@@ -1,7 +1,7 @@
 /** The found board with its corner order, and the road as the pose sees it. */
 import { say } from "../core/messages";
 import type { BoardFinding, PoseOverlay, Px } from "../core/types";
-import { formatLength } from "../core/units";
+import { formatRung } from "../core/units";
 import { AxesLayer, InImage, Line, Word } from "./Overlay";
 import { fromServer } from "./points";
 import type { FrameStage } from "./stage";
@@ -27,7 +27,7 @@ export function RoadOverlay({ overlay, stage }: { overlay: PoseOverlay; stage: F
               key={iso.height_m}
               stage={stage}
               at={fromServer(end)}
-              text={formatLength(iso.height_m, 1)}
+              text={formatRung(iso.height_m)}
               dx={-44}
               dy={-5}
               strong

@@ -4,20 +4,25 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
 
+from sightline.enums import LengthUnit
 from sightline.export.report import labels, marks
 from sightline.export.report.canvas import FAINT, FULL, HALF, Drawing, svg
+from sightline.export.report.error_figures import error_figures
 from sightline.export.report.figures import drawings, figures
 from sightline.export.report.marks import MAIN
 from sightline.export.report.said import speaking
 from sightline.export.report.units import fixed, limit
 from sightline.results.survey_statistics import StatisticsOptions
+from sightline.statistics.agreement import Trend
 from sightline.statistics.distributions import ecdf, sorted_values
+from sightline.statistics.errors import Interval
 from sightline.statistics.standards import Standard
 from sightline.statistics.summary import Grouping
 from tests.export.report.sample import statistics
@@ -71,6 +76,20 @@ def test_feet_are_drawn_in_feet_and_inches() -> None:
         assert metres[name] != feet[name]
     density = feet["signed-error-density"]
     assert isinstance(density, Drawing) and "\u00a0in " in density.caption
+
+
+def test_a_slope_in_inches_per_foot_is_as_fine_as_one_in_millimetres_per_metre() -> None:
+    errors = statistics(80).errors
+    assert isinstance(errors.trend, Trend)
+    flat = replace(errors.trend, slope=-0.0043, slope_ci95=Interval(-0.0081, -0.0005))
+    said_of: dict[LengthUnit, str] = {
+        "m": "−4.3 mm per m (−8.1 to −0.5)",
+        "ft": "−0.052 in per ft (−0.097 to −0.006)",
+    }
+    for unit, words in said_of.items():
+        one = error_figures(replace(errors, trend=flat), unit)["error-against-height"]
+        assert isinstance(one, Drawing)
+        assert words in one.caption.replace("\u00a0", " ")
 
 
 def test_without_anything_there_are_sentences_and_no_figures() -> None:

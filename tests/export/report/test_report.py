@@ -22,6 +22,7 @@ from sightline.export.report.conclusion import conclusion
 from sightline.export.report.facts import ReportFacts, ScanFacts
 from sightline.export.report.photos import as_svg
 from sightline.export.report.report import report, sources
+from sightline.export.report.sight import sight
 from sightline.export.verdicts import VerdictCounts
 from sightline.results.survey_statistics import StatisticsOptions
 from sightline.scans.statistics.heights import ScannedHeights
@@ -94,6 +95,19 @@ def test_the_report_says_what_was_found(example: ReportFacts, pdf: bytes) -> Non
         "100 185 52.0 ",
     ):
         assert flat(expected) in said, expected
+
+
+def test_heights_without_a_class_are_not_said_to_be_of_one(example: ReportFacts) -> None:
+    result = example.statistics
+    assert result.sight is not None
+    eye, thing = result.sight
+    some = replace(example, statistics=replace(result, sight=(eye, replace(thing, by_class=False))))
+    expected = {
+        "of the class that each rule names": example,
+        "the eyes of the class that their rule names, the objects of all vehicles": some,
+    }
+    for words_of_it, of in expected.items():
+        assert words_of_it in str((sight(of) or {})["classes"])
 
 
 def test_the_same_facts_give_the_same_bytes_in_another_process() -> None:

@@ -175,13 +175,17 @@ def _trend(errors: Errors, unit: LengthUnit) -> Drawing | str:
     return Drawing(svg(draw, title, replace(HALF, top=6.0)), title, _trend_caption(errors, unit))
 
 
+#: Decimals of a slope in mm per m, and as fine in inches per foot: 0.1 mm per m are 0.0012 in per ft.
+SLOPE_DIGITS: dict[LengthUnit, int] = {"m": 1, "ft": 3}
+
+
 def _trend_caption(errors: Errors, unit: LengthUnit) -> str:
     line, absolute = errors.trend, errors.absolute_trend
     if not isinstance(line, Trend):
         return said("report-fig-one-mark", reason=told(line))
     per = SMALL[unit].factor / HEIGHT[unit].factor
     sign = said("report-fig-per", small=SMALL[unit].sign, height=HEIGHT[unit].sign)
-    low, high = line.slope_ci95.low, line.slope_ci95.high
+    low, high, digits = line.slope_ci95.low, line.slope_ci95.high, SLOPE_DIGITS[unit]
     shown = len(errors.points)
     seen = (
         said("report-fig-seen")
@@ -190,8 +194,8 @@ def _trend_caption(errors: Errors, unit: LengthUnit) -> str:
     )
     values = {
         "seen": seen,
-        "slope": f"{fixed(per * line.slope, 1)} {sign}",
-        "interval": said("report-between", low=fixed(per * low, 1), high=fixed(per * high, 1)),
+        "slope": f"{fixed(per * line.slope, digits)} {sign}",
+        "interval": said("report-between", low=fixed(per * low, digits), high=fixed(per * high, digits)),
         "r": fixed(line.correlation, 2),
     }
     if not isinstance(absolute, Trend):

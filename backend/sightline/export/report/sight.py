@@ -14,7 +14,7 @@ from sightline.export.report.settable import Values
 from sightline.export.report.units import HEIGHT, SPEED, decimal, limit
 from sightline.export.report.words import TARGETS
 from sightline.results.sightdistance.records import CaseOfHeights, SightQuestion
-from sightline.results.sightdistance.service import design_speeds, distance_of
+from sightline.results.sightdistance.service import design_speeds, distance_of, of_class
 from sightline.results.survey_statistics import Statistics
 from sightline.results.usual_standards import in_language
 from sightline.sightdistance.distances import GREEN_BOOK
@@ -25,7 +25,7 @@ FIGURE = "crest-k"
 def sight(facts: ReportFacts) -> Values | None:
     """What stands in the section; None where no standard gives both an eye and an object."""
     found = cases_of(facts.statistics, facts.unit)
-    if found is None:
+    if found is None or facts.statistics.sight is None:
         return None
     eye, thing, question, standard, survey = found
     return {
@@ -35,16 +35,11 @@ def sight(facts: ReportFacts) -> Values | None:
         "eye_percent": decimal(f"{question.eye_percent:g}"),
         "object_percent": decimal(f"{question.object_percent:g}"),
         "own_rule": all(one in facts.statistics.standards for one in (eye, thing)),
-        "classes": _classes(facts.statistics),
+        "classes": said("sight-read", whose=of_class(*facts.statistics.sight)),
         "source": GREEN_BOOK,
         "missing": [TARGETS[target] for target in survey.missing],
         "rows": _rows(question, standard, survey, facts.unit),
     }
-
-
-def _classes(result: Statistics) -> str:
-    """Whose heights the percentiles are of: "class" where others were left out, else "all"."""
-    return "class" if result.sight is not None and all(one.by_class for one in result.sight) else "all"
 
 
 def crest_of(facts: ReportFacts) -> bool:

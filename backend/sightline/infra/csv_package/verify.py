@@ -88,8 +88,9 @@ def check_records(
                 path_2=path,
             )
         values = values_of(record)
-        told = {name: text for name, text in row.items() if text and name not in _ELSEWHERE}
-        if first_difference(columns, told, values) is not None:
+        told = {name: text for name, text in row.items() if name not in _ELSEWHERE}
+        elsewhere = row.get("document", path_of(id_)) != path_of(id_)
+        if elsewhere or first_difference(columns, told, values) is not None:
             raise Damaged(
                 "csv_package-differs-one-changed", path=table.key, kind_name=kind, id=id_, path_2=path
             )

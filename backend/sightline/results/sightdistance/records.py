@@ -13,6 +13,7 @@ from sightline.enums import (
     EyeRule,
     LengthUnit,
     SightCase,
+    SightClasses,
     SightKind,
     StatisticsTarget,
 )
@@ -92,8 +93,8 @@ class SightDistances:
     cases: tuple[CaseOfHeights, ...]
     eyes: Annotated[int, Field(description="That the survey's percentile is of.")]
     objects: Annotated[int, Field(description="That the survey's percentile is of.")]
-    by_class: Annotated[
-        bool, Field(description="Whether they are of the class that the rule names; else all that match.")
+    of_class: Annotated[
+        SightClasses, Field(description="Which are of the class that their rule names; else all.")
     ]
     classes: tuple[ClassOfFleet, ...]
     sag_k_m: float

@@ -13,7 +13,14 @@ from typing import get_args
 
 import numpy as np
 
-from sightline.enums import Category, LengthUnit, SightCase, StandardHeight, StatisticsTarget
+from sightline.enums import (
+    Category,
+    LengthUnit,
+    SightCase,
+    SightClasses,
+    StandardHeight,
+    StatisticsTarget,
+)
 from sightline.errors import BadInput
 from sightline.infra.database import Session
 from sightline.messages.said import Said
@@ -74,6 +81,16 @@ class _Read:
     height: HeightRead | None
     n: int
     by_class: bool
+
+
+def of_class(eye: _Read | RuleToday, thing: _Read | RuleToday) -> SightClasses:
+    """Whose heights both percentiles are of: which ones leave other classes out. One that has no height, of
+    any class, is of nobody and does not count.
+    """
+    there = [one for one in (eye, thing) if one.n or one.by_class]
+    if there and all(one.by_class for one in there):
+        return "class"
+    return "eyes" if eye.by_class else "objects" if thing.by_class else "all"
 
 
 def exact(height_m: float) -> HeightRead:
@@ -193,7 +210,7 @@ def _road(
         cases=cases,
         eyes=read[0].n,
         objects=read[1].n,
-        by_class=any(one.by_class for one in read),
+        of_class=of_class(*read),
         classes=_classes(*measured),
         sag_k_m=sag_k_m(distance.design_m, question.headlight_m),
         sag=sag_length(distance.design_m, question.difference_percent, question.headlight_m),

@@ -18,7 +18,7 @@ from sightline.coverage import expanded
 from sightline.enums import JsonObject, ReferenceChange, ReferenceQuantity, ReferenceSource
 from sightline.errors import BadInput
 from sightline.infra.database import Session
-from sightline.infra.given_csv import GivenRow, GivenTable, names_expanded, read_table, undefused
+from sightline.infra.given_csv import GivenRow, GivenTable, read_table, require_standard, undefused
 from sightline.messages.said import Said
 from sightline.scans.records import Scan, ScanVehicle
 from sightline.scans.references.passing_times import USUAL_TOLERANCE_S, Ambiguous, Matching, PassedAt
@@ -273,8 +273,8 @@ def _field(title: str, name: str) -> _Field | None:
     if matched is None:
         return None
     u, quantity, unit = matched.groups()
-    if u is not None and names_expanded(title):
-        raise BadInput("reference-column-expanded", name=name, column=title[:60])
+    if u is not None:
+        require_standard(title, name)
     units = _IN[cast(ReferenceQuantity, quantity)]
     if unit not in units:
         names = ", ".join(f"{quantity}_{one}" for one in units if "_" not in one)

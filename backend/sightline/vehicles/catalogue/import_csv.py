@@ -20,8 +20,8 @@ from sightline.infra.given_csv import (
     GivenRow,
     GivenTable,
     given_number,
-    names_expanded,
     read_table,
+    require_standard,
     undefused,
 )
 from sightline.messages.said import Said, with_commas
@@ -302,6 +302,10 @@ def _columns(table: GivenTable, choices: Choices) -> list[ImportColumn]:
     unnamed: set[str] = set()
     for at, title in enumerate(table.header):
         field, unit = _field(title, choices)
+        problem = _expanded(title, table.name) if field is not None else None
+        if problem is not None:
+            found.append(ImportColumn(header=title, field=None, unit=None, problem=problem))
+            continue
         if field is not None and field in taken:
             twice = Said("catalogue-column-twice", field=field, first=taken[field], second=title)
             found.append(ImportColumn(header=title, field=None, unit=None, problem=twice))
@@ -331,19 +335,40 @@ def _missing(columns: Sequence[ImportColumn], name: str) -> Said | None:
     return Said("catalogue-say-the-columns", name=name, missing=missing)
 
 
-def _field(title: str, choices: Choices) -> tuple[str | None, SizeUnit | None]:
-    """The field of a header, and the unit that it names."""
-    folded = re.sub(r"[\s()\[\]]+", "_", title.strip().lower()).strip("_")
+def _expanded(title: str, name: str) -> Said | None:
+    """Why a column that is taken for a field cannot be: its name is that of an expanded uncertainty of a
+    size.
+    """
+    u, size, _ = _parts(_folded(title))
+    if u is None or size not in SIZES:
+        return None
+    try:
+        require_standard(title, name)
+    except BadInput as error:
+        return error.said
+    return None
+
+
+def _folded(title: str) -> str:
+    return re.sub(r"[\s()\[\]]+", "_", title.strip().lower()).strip("_")
+
+
+def _parts(folded: str) -> tuple[str | None, str, str | None]:
+    """ "u_" or nothing, the name by which its size is known, and its unit, of a folded header."""
     matched = _SIZED.match(folded)
     u, plain, unit = matched.groups() if matched else (None, folded, None)
+    return u, _ALSO.get(plain, plain), unit
+
+
+def _field(title: str, choices: Choices) -> tuple[str | None, SizeUnit | None]:
+    """The field of a header, and the unit that it names."""
+    folded = _folded(title)
+    u, plain, unit = _parts(folded)
     chosen = choices.columns.get(title)
     if chosen is not None:
         if chosen and chosen not in FIELDS:
             raise BadInput("catalogue-no-such-field", field=chosen, known=", ".join(FIELDS))
         return chosen or None, cast(SizeUnit | None, unit) if chosen in _LENGTHS else None
-    if u is not None and names_expanded(title):
-        return None, None
-    plain = _ALSO.get(plain, plain)
     if plain in SIZES:
         return f"{u or ''}{plain}_m", cast(SizeUnit | None, unit)
     folded = _ALSO.get(folded, folded)

@@ -1,8 +1,8 @@
 import { DataTable } from "../../components";
 import { say } from "../../core/messages";
 import type { Calibration } from "../../core/types";
-import { formatLength } from "../../core/units";
-import { apart, away, boardInWords, halvesInWords, heldOutInWords } from "./checks";
+import { formatAway, formatLength } from "../../core/units";
+import { apart, boardInWords, halvesInWords, heldOutInWords } from "./checks";
 
 /** What speaks for or against a calibration: two halves calibrated separately, and how flat the board was. */
 export function Checks({ calibration }: { calibration: Calibration }) {
@@ -22,7 +22,7 @@ export function Checks({ calibration }: { calibration: Calibration }) {
                 rows={halves.height_differences}
                 keyOf={(d) => d.distance_m}
                 columns={({ col, num }) => [
-                  col(say("camera-vehicle-at"), (d) => away(d.distance_m)),
+                  col(say("camera-vehicle-at"), (d) => formatAway(d.distance_m)),
                   num(say("camera-heights-differ"), (d) =>
                     d.difference_m === null ? say("camera-not-in-picture") : apart(d.difference_m),
                   ),
@@ -33,7 +33,7 @@ export function Checks({ calibration }: { calibration: Calibration }) {
                 {say("camera-halves-note", {
                   eye: formatLength(1.16, 2),
                   camera: formatLength(1.5, 1),
-                  board: formatLength(3, 0),
+                  board: formatAway(3),
                 })}
               </p>
             </>

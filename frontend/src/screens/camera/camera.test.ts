@@ -1,11 +1,11 @@
 import { describe, expect, it } from "vitest";
 import { allOf } from "../../core/messages";
 import type { CameraDocument, CameraView } from "../../core/types";
-import { lengthUnit } from "../../core/units";
+import { formatAway, lengthUnit } from "../../core/units";
 import { PLAIN } from "../../parts/boards/markers";
 import { inUnit, problemsOf, readBoard } from "./board";
 import { readSpan } from "./CalibrateForm";
-import { apart, away, boardInWords, type Halves, halvesInWords, heldOutInWords } from "./checks";
+import { apart, boardInWords, type Halves, halvesInWords, heldOutInWords } from "./checks";
 import { angleOfView, coveredShare, figuresOf, worstView } from "./lens";
 import { niceFactor } from "./ViewPicture";
 
@@ -191,9 +191,9 @@ describe("checks in words", () => {
     lengthUnit.value = "ft";
     expect(apart(0.00002).replaceAll("\u00a0", " ")).toBe("under 0.01 in");
     expect(apart(-0.016).replaceAll("\u00a0", " ")).toBe("0.63 in");
-    expect(away(2)).toBe("6.6 ft");
+    expect(formatAway(2).replaceAll("\u00a0", " ")).toBe("6.6 ft");
     lengthUnit.value = "m";
-    expect([apart(0.00002), away(2)].join(", ").replaceAll("\u00a0", " ")).toBe("under 0.1 mm, 2 m");
+    expect([apart(0.00002), formatAway(2)].join(", ").replaceAll("\u00a0", " ")).toBe("under 0.1 mm, 2 m");
   });
 
   it("a reason stands where there are no halves", () => {

@@ -1,7 +1,7 @@
 /** The checks of a calibration in words. Pure; the numbers are the server's. */
 import { allOf, say, sentenceOf } from "../../core/messages";
 import type { Calibration } from "../../core/types";
-import { fixed, formatSmall, lengthScale, smallScale } from "../../core/units";
+import { fixed, formatAway, formatSmall, smallScale } from "../../core/units";
 
 export type Halves = NonNullable<Calibration["cross_validation"]>;
 export type Shape = NonNullable<Calibration["board_shape"]>;
@@ -13,13 +13,6 @@ export function apart(metres: number | null): string {
   const [factor, unit] = smallScale();
   const least = (unit === "in" ? 0.01 : 0.1) / factor;
   return size < least / 2 ? say("camera-under", { length: formatSmall(least) }) : formatSmall(size);
-}
-
-/** How far away a vehicle is, as short as can be: "2 m", "6.6 ft". */
-export function away(metres: number): string {
-  const [factor, unit] = lengthScale();
-  const tenths = Math.round(metres * factor * 10);
-  return `${fixed(tenths / 10, tenths % 10 === 0 ? 0 : 1)} ${unit}`;
 }
 
 /** "0.160 px" */
@@ -38,7 +31,7 @@ export function halvesInWords(halves: Halves): string {
 }
 
 function differenceAt(difference_m: number, distance_m: number): string {
-  return say("camera-difference-at", { difference: apart(difference_m), distance: away(distance_m) });
+  return say("camera-difference-at", { difference: apart(difference_m), distance: formatAway(distance_m) });
 }
 
 /** The residual of pictures that did not help to find the lens, beside that of those that did. */

@@ -10,7 +10,7 @@ import { canWork } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import { toast } from "../../core/toasts";
 import type { Estimate, InsetCheck, InsetName, Survey, TargetInsets } from "../../core/types";
-import { formatLength, formatSmall } from "../../core/units";
+import { formatAway, formatLength, formatSmall } from "../../core/units";
 import { INSET_PLACE_WORDS, INSET_WORDS, insetNote, vehicleName } from "../../core/words";
 import { InsetDrawing } from "./InsetDrawing";
 import { TARGET_NAMES } from "./words";
@@ -157,7 +157,8 @@ function Vehicles({ one }: { one: Estimate }) {
   );
 }
 
-function Explanation({ check }: { check: InsetCheck }) {
+/** What an inset is, and what leaving it out does. */
+export function Explanation({ check }: { check: InsetCheck }) {
   return (
     <Panel aria-label={say("checks-inset-what")} says="checks-inset-title">
       <div class="panel__body inset-words">
@@ -191,7 +192,7 @@ function Explanation({ check }: { check: InsetCheck }) {
           num(say("checks-height"), (one) => formatLength(one.height_m, 2)),
           num(say("checks-inset"), (one) => formatLength(one.inset_m, 2)),
           ...check.cases_at_m.map((distance, i) =>
-            num(say("checks-at", { distance: formatLength(distance, 0) }), (one) =>
+            num(say("checks-at", { distance: formatAway(distance) }), (one) =>
               formatSmall(one.bias_m[i] ?? 0),
             ),
           ),

@@ -6,7 +6,7 @@ import { say, sentenceOf, sentencesOf } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { formatMoment } from "../../core/times";
 import type { Pose } from "../../core/types";
-import { fixed, formatLength, formatSmall } from "../../core/units";
+import { fixed, formatAway, formatLength, formatSmall } from "../../core/units";
 import { DriftVerdict } from "../../parts/drift/Drift";
 import type { PoseModel } from "./model";
 
@@ -67,7 +67,7 @@ function Verdict({ pose }: { pose: Pose }) {
             <th scope="col">{say("pose-expected-distance")}</th>
             {pose.expected.map((one) => (
               <th key={one.distance_m} scope="col" class="num">
-                {formatLength(one.distance_m, 0)}
+                {formatAway(one.distance_m)}
               </th>
             ))}
           </tr>
@@ -92,7 +92,7 @@ function Verdict({ pose }: { pose: Pose }) {
           one.reason && (
             <p key={one.distance_m} class="small muted">
               {say("pose-expected-reason", {
-                distance: formatLength(one.distance_m, 0),
+                distance: formatAway(one.distance_m),
                 reason: sentenceOf(one.reason),
               })}
             </p>

@@ -13,7 +13,7 @@ import {
 } from "../../components";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
-import { formatPlaceClock, formatPlaceDay } from "../../core/times";
+import { formatPlaceClock, formatPlaceDay, formatPlaceMoment } from "../../core/times";
 import type { ScanTraffic, TrafficFigure, TrafficInterval, TrafficOfScans } from "../../core/types";
 import { fixed, heads, plainLength, speedScale } from "../../core/units";
 import type { Filmed } from "../../parts/filming/FilmedFields";
@@ -144,17 +144,26 @@ function IntervalTable({
       rows={scan.intervals}
       keyOf={(one) => one.begins_at}
       rowAttributes={(one) => ({ title: one.reasons.map(sentenceOf).join(" ") || undefined })}
-      columns={(made) => [made.col(say("flows-head-from"), from, "nowrap"), ...COLUMNS[view](made, limits_m)]}
+      columns={(made) => [
+        made.col(say("flows-head-from"), (one) => <From one={one} first={scan.intervals[0]} />, "nowrap"),
+        ...COLUMNS[view](made, limits_m),
+      ]}
     />
   );
 }
 
 const withUnit = (name: string, unit: string) => say("with-unit", { name, unit });
 
-function from(one: TrafficInterval) {
+/** When an interval began: its clock, with the day where that is another one than the heading's. */
+export function beganWords(begins_at: string, first_at = begins_at): string {
+  const sameDay = begins_at.slice(0, 10) === first_at.slice(0, 10);
+  return sameDay ? formatPlaceClock(begins_at) : formatPlaceMoment(begins_at);
+}
+
+function From({ one, first }: { one: TrafficInterval; first?: TrafficInterval }) {
   return (
     <>
-      {formatPlaceClock(one.begins_at)}
+      {beganWords(one.begins_at, first?.begins_at)}
       {one.partial && <span class="muted"> {say("flows-partial")}</span>}
     </>
   );

@@ -1,7 +1,7 @@
 /** Draws over camera 1 what belongs to heights: clicks, the ladder above the contact, the rod's marks. */
 import { say } from "../../core/messages";
 import type { LineHeight } from "../../core/types";
-import { formatHeight, formatLength } from "../../core/units";
+import { formatHeight, formatLength, formatRung } from "../../core/units";
 import { heightWords, TARGET_WORDS } from "../../core/words";
 import { cross, joined, type Pens, penOn, word } from "../../parts/strips/marks";
 import { type Place, type StripsView, xOf, yOf } from "../../parts/strips/view";
@@ -61,7 +61,7 @@ function inHand(pens: Pens, model: ScanModel): void {
   for (const rung of live?.answer?.ladder ?? []) {
     const span = 0.5 * pens.view.width * pens.view.perPx;
     level(pens, { line: contact.line, row: rung.row_px }, span);
-    word(pens, { line: contact.line - span, row: rung.row_px }, formatLength(rung.height_m, 1), false, 0);
+    word(pens, { line: contact.line - span, row: rung.row_px }, formatRung(rung.height_m), false, 0);
   }
   cross(pens, contact, pens.accent);
   if (!live?.point) {

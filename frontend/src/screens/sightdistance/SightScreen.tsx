@@ -141,7 +141,7 @@ function Cases({ sight }: { sight: Sight }) {
         {say("sight-cases-note", {
           eyes: sight.eyes,
           objects: sight.objects,
-          whose: say(sight.by_class ? "sight-read-class" : "sight-read-all"),
+          whose: say("sight-read", { whose: sight.of_class }),
         })}{" "}
         {sight.distance.source}.
       </p>

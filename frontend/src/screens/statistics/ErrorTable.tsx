@@ -32,7 +32,12 @@ const COLUMNS: readonly Column[] = [
   { key: "bias_m", scale: length, unit: inSmall },
   { key: "mae_m", scale: length, unit: inSmall, paper: "mae_m" },
   { key: "rmse_m", scale: length, unit: inSmall, paper: "rmse_m" },
-  { key: "mse_m2", scale: () => [squareScale()[0], 2], unit: () => squareScale()[1], paper: "mse_m2" },
+  {
+    key: "mse_m2",
+    scale: () => [squareScale()[0], squareScale()[1] === "in²" ? 3 : 2],
+    unit: () => squareScale()[1],
+    paper: "mse_m2",
+  },
   { key: "sd_m", scale: length, unit: inSmall, paper: "sd_m" },
   { key: "pearson_error_vs_height", scale: () => [1, 2], unit: () => "" },
   { key: "pearson_abs_error_vs_height", scale: () => [1, 2], unit: () => "" },

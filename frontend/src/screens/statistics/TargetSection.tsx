@@ -181,7 +181,8 @@ function Shares({ target, standards }: Props) {
 /** Percentiles that no rule asks for. */
 const ONLY_IN_PAPER: readonly number[] = [2, 98];
 
-function Percentiles({ target }: { target: OfTarget }) {
+/** The percentiles of one target: of the true heights, where they are known. */
+export function Percentiles({ target }: { target: OfTarget }) {
   if (target.raw.percentiles.length === 0) return null;
   const paper = asInPaper();
   const kept = <T extends { percent: number }>(list: readonly T[]) =>
@@ -190,6 +191,7 @@ function Percentiles({ target }: { target: OfTarget }) {
   const unit = lengthScale()[1];
   const shown = rows.length > 0 ? rows : kept(target.raw.percentiles);
   const { total } = target;
+  const first = total ? kept(total.percentiles).map(ofTotal) : shown;
   const title = say("statistics-percentiles", { target: HEIGHT_WORDS[target.target] });
   return (
     <div class="stat-percentiles">
@@ -199,13 +201,7 @@ function Percentiles({ target }: { target: OfTarget }) {
         data-testid={`percentiles-${target.target}`}
         heads={[say("statistics-percentile"), ...shown.map((one) => num(plainPercent(one.percent)))]}
       >
-        {total && (
-          <PercentileRow
-            head={say("statistics-percentiles-true", { unit })}
-            rows={kept(total.percentiles).map(ofTotal)}
-            strong
-          />
-        )}
+        {total && <PercentileRow head={say("statistics-percentiles-true", { unit })} rows={first} strong />}
         {rows.length > 0 && (paper || !total) && (
           <PercentileRow
             head={say("statistics-percentiles-corrected", { unit })}
@@ -228,7 +224,7 @@ function Percentiles({ target }: { target: OfTarget }) {
             </span>
           )}
           {say("statistics-percentiles-note")}
-          <NoIntervals rows={shown} />
+          <NoIntervals rows={first} />
         </div>
         <Button
           says="file-csv"

@@ -92,16 +92,17 @@ export function TrendFigure({ errors }: { errors: Errors }) {
 }
 
 /** "−12 mm per m (−20 to −4), r = −0.31 (…)." */
-function trendWords({ trend, absolute_trend }: Errors): string {
+export function trendWords({ trend, absolute_trend }: Errors): string {
   if (!isThere<Trend>(trend)) return sentenceOf(trend.reason);
   const [factor, small] = smallScale();
   const [toLong, long] = lengthScale();
   const per = factor / toLong;
+  const digits = long === "ft" ? 3 : 1; // 0.1 mm per m are 0.0012 in per ft
   const signed = say("statistics-trend", {
-    slope: scaled(trend.slope, per, 1),
+    slope: scaled(trend.slope, per, digits),
     small,
     unit: long,
-    slope_interval: range(trend.slope_ci95, per, 1) ?? NONE,
+    slope_interval: range(trend.slope_ci95, per, digits) ?? NONE,
     ...correlationWords(trend),
   });
   if (!isThere<Trend>(absolute_trend)) return signed;
