@@ -37,7 +37,7 @@ from sightline.infra.csv_package.columns import (
     text,
     within,
 )
-from sightline.infra.csv_package.schema import Cell, Column, Table
+from sightline.infra.csv_package.schema import Cell, Column, Table, ids_of
 from sightline.measurements.again.csv import out_of_date
 from sightline.measurements.followed_text import frames_of_text
 from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues, ReviewState
@@ -377,15 +377,16 @@ MEASUREMENTS: Table[Measurement] = Table(
     ),
     primary=("id",),
     foreign=(
-        (("vehicle_id",), "vehicles", ("id",)),
-        (("recording_id",), "recordings", ("id",)),
+        *ids_of(vehicle_id="vehicles", recording_id="recordings"),
         (("recording_id", "frame"), "frames", ("recording_id", "frame")),
-        (("pose_id",), "poses", ("id",)),
-        (("calibration_id",), "calibrations", ("id",)),
-        (("computing_id",), "computings", ("id",)),
-        (("created_by_id",), "people", ("id",)),
-        (("reviewer_id",), "people", ("id",)),
-        (("lot_id",), "lots", ("id",)),
+        *ids_of(
+            pose_id="poses",
+            calibration_id="calibrations",
+            computing_id="computings",
+            created_by_id="people",
+            reviewer_id="people",
+            lot_id="lots",
+        ),
     ),
 )
 
@@ -399,11 +400,9 @@ REVISIONS: Table[Measurement] = Table(
     ),
     primary=("measurement_id", "revision"),
     foreign=(
-        (("measurement_id",), "measurements", ("id",)),
+        *ids_of(measurement_id="measurements"),
         (("recording_id", "frame"), "frames", ("recording_id", "frame")),
-        (("pose_id",), "poses", ("id",)),
-        (("computing_id",), "computings", ("id",)),
-        (("created_by_id",), "people", ("id",)),
+        *ids_of(pose_id="poses", computing_id="computings", created_by_id="people"),
     ),
 )
 
@@ -416,7 +415,7 @@ BUDGET: Table[BudgetEntry] = Table(
         metres("u_m", "its contribution to the standard uncertainty of the height"),
     ),
     primary=("measurement_id", "source"),
-    foreign=((("measurement_id",), "measurements", ("id",)),),
+    foreign=ids_of(measurement_id="measurements"),
 )
 
 
@@ -465,7 +464,7 @@ CLICKS: Table[Clicked] = Table(
         ),
     ),
     primary=("id",),
-    foreign=((("pose_id",), "poses", ("id",)),),
+    foreign=ids_of(pose_id="poses"),
 )
 
 

@@ -7,7 +7,7 @@ from typing import get_args
 
 from sightline.enums import BoardSide
 from sightline.infra.csv_package.columns import integer, key, metres, moment, number, person, text
-from sightline.infra.csv_package.schema import Cell, Table
+from sightline.infra.csv_package.schema import Cell, Table, ids_of
 from sightline.poses.records import Pose
 
 
@@ -76,5 +76,5 @@ POSES: Table[Pose] = Table(
         moment("created_at", "when it was made"),
     ),
     primary=("id",),
-    foreign=((("calibration_id",), "calibrations", ("id",)), (("created_by_id",), "people", ("id",))),
+    foreign=ids_of(calibration_id="calibrations", created_by_id="people"),
 )

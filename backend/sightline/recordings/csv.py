@@ -12,7 +12,7 @@ from sightline.infra.csv_package.chain import stamp
 from sightline.infra.csv_package.columns import flag, integer, key, metres, number, text, within
 from sightline.infra.csv_package.files import Files, read_columns, unsafe, whole
 from sightline.infra.csv_package.files import number as figure
-from sightline.infra.csv_package.schema import Cell, Cells, Column, Table
+from sightline.infra.csv_package.schema import Cell, Cells, Column, Table, ids_of
 from sightline.infra.local_time import local_text
 from sightline.recordings.drift import DriftDecision, DriftFigures, drift_check_of, drift_figures
 from sightline.recordings.filming import Filming
@@ -145,7 +145,7 @@ RECORDINGS: Table[DescribedRecording] = Table(
     "The video files behind the measurements.",
     (*within("recording", *_FACTS), *within("drift", *_DRIFT)),
     primary=("id",),
-    foreign=((("drift_decided_by_id",), "people", ("id",)),),
+    foreign=ids_of(drift_decided_by_id="people"),
 )
 
 

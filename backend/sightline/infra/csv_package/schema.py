@@ -128,6 +128,11 @@ class Table(Generic[Record]):
         return schema
 
 
+def ids_of(**tables: str) -> tuple[tuple[tuple[str, ...], str, tuple[str, ...]], ...]:
+    """`foreign` of columns that hold the `id` of a row of a table each."""
+    return tuple(((column,), table, ("id",)) for column, table in tables.items())
+
+
 #: A table whose rows nobody makes here, whatever records they are made of.
 AnyTable = Table[Never]
 

@@ -17,7 +17,7 @@ from sightline.enums import (
 )
 from sightline.infra.csv_package.columns import flag, integer, key, metres, number, text
 from sightline.infra.csv_package.files import Files, read_rows
-from sightline.infra.csv_package.schema import Column, Table
+from sightline.infra.csv_package.schema import Column, Table, ids_of
 from sightline.measurements.records import VehicleSheet
 from sightline.vehicles.records import KNOWN, NOT_VISIBLE
 
@@ -99,7 +99,7 @@ VEHICLES: Table[VehicleSheet] = Table(
         text("state", "how far the work on it has come, given what the survey asks for", required=True),
     ),
     primary=("id",),
-    foreign=((("recording_id",), "recordings", ("id",)),),
+    foreign=ids_of(recording_id="recordings"),
 )
 
 
