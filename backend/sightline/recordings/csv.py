@@ -77,25 +77,13 @@ def _time(of: Callable[[Drift], Cell]) -> Callable[[Drift], Cell]:
 
 
 _DRIFT: tuple[Column[Drift], ...] = (
-    text(
-        "drift_state", "whether the camera moved since that pose", _found("state"), enum=get_args(DriftState)
-    ),
+    text("drift_state", "column-recordings-drift-state", _found("state"), enum=get_args(DriftState)),
     number("drift_floor_px", "detection limit of camera movement", "px", _found("floor_px")),
     number("drift_moved_px", "largest motion found, where it moved", "px", _found("moved_px")),
-    metres(
-        "drift_height_m",
-        "largest error that it gives a height of 1.2 m on the nearest road in the picture, 3 m away or more; "
-        "different at other distances",
-        _found("height_m"),
-    ),
-    metres(
-        "drift_distance_m", "distance across from the camera at which that error is", _found("distance_m")
-    ),
+    metres("drift_height_m", "column-recordings-drift-height-m", _found("height_m")),
+    metres("drift_distance_m", "column-recordings-drift-distance-m", _found("distance_m")),
     Column(
-        "drift_checked_at",
-        "datetime",
-        "when this was checked (ISO 8601, UTC)",
-        of=_time(_found("checked_at")),
+        "drift_checked_at", "datetime", "column-recordings-drift-checked-at", of=_time(_found("checked_at"))
     ),
     text("drift_decision", "reason for keeping the pose although the camera moved", _decided("reason")),
     integer("drift_decided_by_id", "who decided that", _decided("by_id")),
