@@ -5,8 +5,6 @@ camera, clicked 0.7 px beside it, and measured with a road pose that is off as i
 program computes every height as for everybody. Names, descriptions and each picture say that it is simulated.
 """
 
-from __future__ import annotations
-
 import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass

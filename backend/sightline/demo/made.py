@@ -4,8 +4,6 @@ They lie in `made/`; `python -m tests.simulation.make` draws them. What is true 
 read by those who click for the demonstration's people, and by tests.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache

@@ -4,8 +4,6 @@ The picture itself stays unmarked (JPEG from the decoded frame whose checksum is
 names the points is an SVG of the same size beside it, which shows the picture when it is opened.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from html import escape
 from itertools import groupby

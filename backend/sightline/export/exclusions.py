@@ -1,7 +1,5 @@
 """The list of exclusions of an export: what counts for no result, and why. Made of the package's own rows."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 
 from sightline.export.chosen import chosen_vehicles

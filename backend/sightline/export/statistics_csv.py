@@ -1,7 +1,5 @@
 """The statistics of an export as tables: what each figure and each percentile of the report rests on."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import chain

@@ -1,7 +1,5 @@
 """Traffic of an export's line scans: from its own rows, as tables of their own."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from typing import get_args, get_type_hints
 

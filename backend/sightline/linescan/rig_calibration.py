@@ -31,8 +31,6 @@ Douxchamps et al., section III, give only a result (593 mm; within 2 mm at 10 m)
 another report; nothing here is theirs.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from math import isfinite, sqrt

@@ -1,7 +1,5 @@
 """The tables of measurements in the package: current ones, revisions, budgets, clicks."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """The table of road poses in the package."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import get_args
 

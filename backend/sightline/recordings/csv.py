@@ -1,7 +1,5 @@
 """The table of recordings in the package, with what was found and decided of cameras that moved."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from datetime import datetime

@@ -1,7 +1,5 @@
 """What a package is of, and the heights of standards that it is read against, as tables, and back."""
 
-from __future__ import annotations
-
 from operator import itemgetter
 from typing import get_args
 

@@ -3,8 +3,6 @@
 A package's tables give the same columns (`export.measured`), and `measured_of` makes the same of both.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from datetime import date

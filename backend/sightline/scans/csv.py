@@ -1,7 +1,5 @@
 """The tables of line-scan recordings in an export: what every column holds, and what rows they have."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from operator import attrgetter
 from typing import Any, get_args

@@ -1,7 +1,5 @@
 """The second strip laid over the first by the fitted motion, to see whether they match."""
 
-from __future__ import annotations
-
 import cv2
 import numpy as np
 from numpy.typing import NDArray

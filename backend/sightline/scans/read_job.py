@@ -1,7 +1,5 @@
 """Reading a line-scan recording, as a job: both strips become their stored form, all of it or nothing."""
 
-from __future__ import annotations
-
 import tempfile
 from collections.abc import Mapping
 from contextlib import ExitStack

@@ -6,8 +6,6 @@ object, both vertically above the road. The forms are the Green Book's (AASHTO 2
 parabolas they are exact, not approximations, and the tests trace lines of sight to show it.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

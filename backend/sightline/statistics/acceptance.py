@@ -6,8 +6,6 @@ keeps both risks for this very N. The standard's tables (code letters, switching
 lots) are not reproduced, and no conformity with it is claimed: surveys have a few lots, not a series.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass

@@ -5,8 +5,6 @@ weights that were made to meet the fleet take from a height what its classes exp
 are held as in `sites`. A survey is a design of one stratum and equal weights.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

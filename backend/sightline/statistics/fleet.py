@@ -1,7 +1,5 @@
 """Percentiles of another fleet: the heights of each class as measured, mixed by other shares."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """How a sample of vehicles was drawn: strata, sites as primary sampling units, weights."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

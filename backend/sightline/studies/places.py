@@ -1,7 +1,5 @@
 """The sites of a study and how they were drawn: strata, how many sites each has, their traffic."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 

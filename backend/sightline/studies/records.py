@@ -1,7 +1,5 @@
 """What a study is made of and what comes out of it."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import datetime

@@ -4,8 +4,6 @@ The surveys' tables come from packages (`query.StudyTables`) or from this instal
 (`stored_query.StoredTables`); what is made of them is the same to the last digit.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Protocol, get_args

@@ -1,7 +1,5 @@
 """What a study says of its vehicles themselves: shares of their classes, errors of their roofs."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from sightline.results.measured_columns_query import CATEGORIES, LIGHTING, Heights

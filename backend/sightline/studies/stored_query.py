@@ -3,8 +3,6 @@
 Lengths are those of a package, to the micrometre, so that a study gives the same here and from packages.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import fields, replace
 from typing import get_args

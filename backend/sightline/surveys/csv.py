@@ -1,7 +1,5 @@
 """The tables of a survey's insets and of its classes of vehicles in the package."""
 
-from __future__ import annotations
-
 from operator import itemgetter
 from typing import get_args
 

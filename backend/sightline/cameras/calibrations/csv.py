@@ -1,7 +1,5 @@
 """The table of calibrations in the package."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import get_args

@@ -5,8 +5,6 @@ made it: the baseline at the vehicle, the gap to the vehicle before, the time of
 `decision`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, fields
 from typing import Any

@@ -1,7 +1,5 @@
 """Evidence of one line-scanned vehicle: made of its stored measurement, both strips and the chain, signed."""
 
-from __future__ import annotations
-
 import re
 
 from sightline.enums import JsonObject

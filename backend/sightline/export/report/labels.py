@@ -1,7 +1,5 @@
 """Words beside the curves that they name, where no other curve runs and no other word stands."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

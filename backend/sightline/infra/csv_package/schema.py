@@ -4,8 +4,6 @@ Nothing here knows what is exported (each slice's `csv.py` does) or touches a di
 file knows how a value becomes a cell (docs/formats.md) and how a Frictionless Data Package describes a file.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
 from collections import Counter

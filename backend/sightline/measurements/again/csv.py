@@ -1,7 +1,5 @@
 """The table of heights computed again in the package."""
 
-from __future__ import annotations
-
 from typing import Any, get_args
 
 from sightline.enums import ComputingCause, ComputingKind

@@ -1,7 +1,5 @@
 """What computing a survey's heights again needs to know, for thousands of them in a few queries."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """The table of vehicles in the package."""
 
-from __future__ import annotations
-
 from typing import get_args
 
 from sightline.enums import (

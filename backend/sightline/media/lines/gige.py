@@ -4,8 +4,6 @@ Each camera sends frames of so many lines; frame numbers and packets tell what i
 packet was lost counts as lost whole, for which of its lines arrived is not told.
 """
 
-from __future__ import annotations
-
 import time
 import warnings
 from collections import deque

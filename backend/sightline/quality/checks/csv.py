@@ -1,7 +1,5 @@
 """The table of both tyre contacts in an export: what the direction of travel was checked with."""
 
-from __future__ import annotations
-
 from sightline.infra.csv_package.columns import integer, key, moment, number, person, pixel
 from sightline.infra.csv_package.schema import Table, ids_of
 from sightline.quality.checks.records import WheelPair

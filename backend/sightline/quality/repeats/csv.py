@@ -1,7 +1,5 @@
 """The table of repeats in an export: what repeatability and reproducibility are computed from."""
 
-from __future__ import annotations
-
 from sightline.infra.csv_package.columns import flag, integer, key, metres, moment, person, text, within
 from sightline.infra.csv_package.schema import Table, ids_of
 from sightline.measurements.again.csv import out_of_date

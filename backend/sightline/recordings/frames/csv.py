@@ -1,7 +1,5 @@
 """The table of the frames that were clicked on, in the package."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 

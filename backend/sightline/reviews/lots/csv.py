@@ -1,7 +1,5 @@
 """The tables of lots in the package: each lot with its plan, draw and decision, and what it holds."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import get_args

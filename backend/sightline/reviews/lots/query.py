@@ -1,7 +1,5 @@
 """Reading lots: what could be drawn, what was, and what became of the items, for all of a survey at once."""
 
-from __future__ import annotations
-
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields

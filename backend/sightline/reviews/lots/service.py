@@ -1,7 +1,5 @@
 """Review by lots: what could be drawn, the draw, how far a sample is, and what becomes of the lot."""
 
-from __future__ import annotations
-
 from collections import Counter, defaultdict
 from collections.abc import Collection, Sequence
 from typing import Any

@@ -1,7 +1,5 @@
 """The tables of heights in line scans in an export: what every column holds, and what rows they have."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, get_args

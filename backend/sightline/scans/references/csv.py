@@ -1,7 +1,5 @@
 """The table of reference values in an export: every revision, and ours beside those that stand."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import get_args

@@ -1,7 +1,5 @@
 """What the package holds of rigs' calibrations: their figures, and the passes that they are solved from."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass, fields
 from typing import Any, get_args

@@ -1,7 +1,5 @@
 """What the traffic of a scan says of its rig, beside what was entered; nothing is changed by asking."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated, get_args

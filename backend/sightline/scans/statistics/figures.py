@@ -1,7 +1,5 @@
 """Statistics of a survey's line scans from what is stored: errors, speeds, gaps, the paper's layout."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from sightline.infra.database import Session

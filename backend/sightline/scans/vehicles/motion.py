@@ -1,7 +1,5 @@
 """Between the line-scan room and the store: a motion as stored values and back, gaps of stored vehicles."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import asdict, fields, replace
 from typing import Any

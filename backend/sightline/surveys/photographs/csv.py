@@ -1,7 +1,5 @@
 """Photographs of the set-up in an export: the files, a table that describes them, and back for the report."""
 
-from __future__ import annotations
-
 from operator import itemgetter
 
 from sightline.infra.csv_package.columns import integer, key, moment, person, text, within
