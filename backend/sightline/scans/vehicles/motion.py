@@ -76,7 +76,7 @@ def with_wheels(values: ScanValues, lines: tuple[float, float] | None) -> ScanVa
     if lines is None:
         return replace(values, **_NO_WHEELS)
     front, rear = sorted(lines)
-    found = wheelbase(motion_of(values), rig_of(values.rig), front, rear)
+    found = wheelbase(motion_of(values), rig_from(values.rig), front, rear)
     why = [Said("scan-motion-no-wheelbase", reason=found.reason)] if found.reason else []
     return replace(
         values,
@@ -111,11 +111,6 @@ def wheels_of(values: ScanValues) -> tuple[float, float] | None:
     if values.front_wheel_line is None or values.rear_wheel_line is None:
         return None
     return values.front_wheel_line, values.rear_wheel_line
-
-
-def rig_of(document: JsonObject) -> Rig:
-    """The rig of a stored revision."""
-    return rig_from(document)
 
 
 def gaps_of(rig: Rig, found: Sequence[ScanVehicle]) -> list[Gap | None]:
