@@ -37,8 +37,8 @@ from math import isfinite, sqrt
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from sightline.arrays import Floats
 from sightline.coverage import expanded
 from sightline.enums import RigPassKind
 from sightline.errors import BadInput
@@ -55,8 +55,6 @@ CONTRADICTION = 1e-4
 DOUBT = 0.025
 _ROUNDS = 4  # of the weights, which hang on the fitted spans; the second changes the last digits already
 _BEYOND = 0.5  # of the span of distances: a lane so far outside is told
-
-Floats = NDArray[np.float64]
 
 
 class RigPassError(BadInput):

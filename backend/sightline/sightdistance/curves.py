@@ -10,12 +10,11 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from sightline.arrays import Floats
 from sightline.enums import CurveCase
 from sightline.errors import BadInput
-
-Floats = NDArray[np.float64]
 
 HEADLIGHT_M = 0.60
 BEAM_RAD = math.radians(1.0)

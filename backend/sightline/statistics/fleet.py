@@ -3,14 +3,12 @@
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from sightline.arrays import Ints
 from sightline.statistics.sites import sites_of
 from sightline.statistics.survey_design import Design
 from sightline.statistics.survey_weights import Margin
 from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
-
-Ints = NDArray[np.int64]
 
 
 def mixed_fleet(sample: HeightSample, code: Ints, shares: Sequence[float]) -> TotalUncertainty:

@@ -5,9 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sightline.arrays import Floats, Ints
 from sightline.errors import BadInput
 from sightline.statistics.survey_design import Design
-from sightline.studies.records import Floats, Ints, SiteFacts, StudiedSurvey
+from sightline.studies.records import SiteFacts, StudiedSurvey
 
 _ONE_STRATUM = "all"
 

@@ -10,6 +10,7 @@ from typing import Any, Protocol, get_args
 
 import numpy as np
 
+from sightline.arrays import Ints
 from sightline.enums import StatisticsTarget
 from sightline.errors import BadInput
 from sightline.messages.said import Said
@@ -25,7 +26,6 @@ from sightline.studies.places import Places, places_of
 from sightline.studies.records import (
     Curve,
     Fleet,
-    Ints,
     PlanRow,
     SiteFacts,
     StudiedSurvey,
