@@ -17,7 +17,6 @@ from sightline.reviews.bodies import HeightBody, HistoryBody, NewReview, PlanIn,
 from sightline.reviews.records import ReviewPlan, ReviewWork
 from sightline.reviews.service import require_seen_by_plan, review
 from sightline.scans.heights.presenters import scan_height_bodies
-from sightline.surveys.store import get_survey
 
 router = APIRouter()
 
@@ -38,7 +37,6 @@ def review_queue(
 
     Others have to review `mine`, which come last.
     """
-    get_survey(session, survey_id)
     found = store.review_queue(
         session, survey_id, state=state, after=after, only=measurement, lot=lot, limit=limit, actor=who.id
     )
@@ -52,7 +50,6 @@ def review_queue(
 @router.get("/surveys/{survey_id}/review-work")
 def review_work(survey_id: PathId, who: Viewer, session: Reading) -> ReviewWork:
     """How much waits for a verdict, how much of it is one's own, and how much has one."""
-    get_survey(session, survey_id)
     return store.review_work(session, survey_id, actor=who.id)
 
 
