@@ -73,18 +73,7 @@ def review_measurement(
 ) -> HeightBody:
     """Accept, reject (with a reason), fix (on frames: with points), reopen; never one's own."""
     require_seen_by_plan(session, measurement_id, body.revision, body.verdict, who.id)
-    judged = review(
-        session,
-        measurement_id,
-        revision=body.revision,
-        verdict=body.verdict,
-        reason=body.reason,
-        seen=body.seen,
-        frame=body.frame,
-        contact=body.contact,
-        target_point=body.target_point,
-        actor=who.id,
-    )
+    judged = review(session, measurement_id, **body.model_dump(), actor=who.id)
     return _bodies(session, [judged], who.id)[0]
 
 

@@ -164,17 +164,11 @@ def _before(vehicle: ScanVehicle | None) -> JsonObject | None:
 
 def _event(one: AuditEvent) -> JsonObject:
     """An event's row, as the chain hashes it: before and after as canonical text."""
+    same = ("chain", "number", "action", "entity", "entity_id", "survey_id", "previous_hash", "hash")
     return {
-        "chain": one.chain,
-        "number": one.number,
+        **{name: getattr(one, name) for name in same},
         "at": plain(one.at),
         "actor_id": None if one.actor is None else one.actor.id,
-        "action": one.action,
-        "entity": one.entity,
-        "entity_id": one.entity_id,
-        "survey_id": one.survey_id,
         "before": None if one.before is None else canonical_json(one.before),
         "after": None if one.after is None else canonical_json(one.after),
-        "previous_hash": one.previous_hash,
-        "hash": one.hash,
     }

@@ -14,6 +14,7 @@ from sightline.scans.records import ScanMeasurement, ScanValues, ScanVehicle
 from sightline.scans.store import rig_for
 
 _NUMBERS = tuple(one.name for one in fields(Motion) if one.type == float | None)
+_AS_STORED = ("method", "status", "reason", "lane", "lane_by", "u_boundaries_m")
 _WHEELS = ("front_wheel_line", "rear_wheel_line", "wheelbase_m", "u_wheelbase_m")
 _NO_WHEELS: dict[str, Any] = dict.fromkeys(_WHEELS)
 
@@ -51,15 +52,9 @@ def values_of(
 def motion_of(values: ScanValues) -> Motion:
     """A stored revision as a motion again, without its profile."""
     return Motion(
-        method=values.method,
         crossings=crossings_of(values),
-        status=values.status,
-        reason=values.reason,
-        lane=values.lane,
-        lane_by=values.lane_by,
-        u_boundaries_m=values.u_boundaries_m,
         budget=tuple(Entry(**entry) for entry in values.budget),
-        **{name: getattr(values, name) for name in _NUMBERS},
+        **{name: getattr(values, name) for name in (*_AS_STORED, *_NUMBERS)},
     )
 
 
