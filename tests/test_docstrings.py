@@ -212,9 +212,10 @@ def names_in(node: ast.expr) -> list[str]:
 
 @cache
 def array_types() -> frozenset[str]:
-    """NumPy's own and the rooms' names for them, such as `Floats = NDArray[np.float64]`."""
+    """NumPy's own and our names for them, such as `Floats = NDArray[np.float64]` in arrays.py."""
     known = {"NDArray", "ArrayLike", "ndarray"}
-    trees = [ast.parse(path.read_text()) for room in ROOMS for path in (PURE / room).rglob("*.py")]
+    rooms = (path for room in ROOMS for path in (PURE / room).rglob("*.py"))
+    trees = [ast.parse(path.read_text()) for path in (PURE / "arrays.py", *rooms)]
     given = [node for tree in trees for node in tree.body if isinstance(node, ast.Assign)]
     for _ in range(2):  # a name may stand for a name
         for node in given:

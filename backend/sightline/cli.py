@@ -1,7 +1,5 @@
 """The command line (docs/formats.md): one lazy import per command, one sentence per error."""
 
-from __future__ import annotations
-
 import importlib
 import os
 import sys

@@ -1,7 +1,5 @@
 """The table of cameras in the package."""
 
-from __future__ import annotations
-
 from sightline.cameras.records import Camera
 from sightline.infra.csv_package.columns import integer, key, text
 from sightline.infra.csv_package.schema import Table

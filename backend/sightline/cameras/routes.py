@@ -19,7 +19,6 @@ from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, W
 from sightline.infra.web.named import CalibrationId
 from sightline.infra.web.pictures import JPEG, jpeg_once
 from sightline.infra.web.uploaded import clean_name, whole_file
-from sightline.surveys.store import get_survey
 
 router = APIRouter()
 
@@ -69,7 +68,6 @@ class Choice(In):
 @router.get("/surveys/{survey_id}/cameras")
 def list_cameras(survey_id: PathId, who: Viewer, session: Reading) -> list[Camera]:
     """The cameras of a survey with their calibrations in short."""
-    get_survey(session, survey_id)
     return list(store.list_cameras(session, survey_id))
 
 

@@ -1,7 +1,5 @@
 """One camera in several surveys: each has it with its calibration, and its own chain vouches for both."""
 
-from __future__ import annotations
-
 from sightline.cameras.calibrations.records import Detection
 from sightline.cameras.calibrations.store import add_calibration, get_calibration
 from sightline.cameras.records import Camera

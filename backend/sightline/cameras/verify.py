@@ -1,7 +1,5 @@
 """Holding the cameras of a package against the audit chain."""
 
-from __future__ import annotations
-
 from sightline.cameras.calibrations.csv import CALIBRATIONS
 from sightline.cameras.csv import CAMERAS
 from sightline.errors import Damaged

@@ -1,7 +1,5 @@
 """`sightline board`: a checkerboard or ChArUco board to print (docs/formats.md)."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import click

@@ -1,7 +1,5 @@
 """`sightline checkpoint`: sign the ends of all audit chains, keep what was signed, change the key."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import click

@@ -1,7 +1,5 @@
 """`sightline demo`: the demonstration survey, and the server."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import click

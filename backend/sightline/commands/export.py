@@ -1,7 +1,5 @@
 """`sightline export`: the package of a survey as a folder."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -3,8 +3,6 @@
 Strips of more than 8 bits are read twice: the whole strip tells the camera's depth.
 """
 
-from __future__ import annotations
-
 import csv
 import io
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """`sightline migrate`: bring the database up to date before the processes that use it start."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import click

@@ -45,45 +45,31 @@ def output_option(what: str, *, required: bool = True) -> Callable[[Command], Co
     return click.option("-o", "--output", type=FILE, required=required, help=what)
 
 
-def survey_option(command: Command) -> Command:
-    """`--survey`: which survey of the installation."""
-    return click.option("--survey", required=True, help="Name (or number) of the survey.")(command)
-
-
-def data_dir_option(command: Command) -> Command:
-    """`--data-dir`: where database, media and caches are."""
-    option = click.option(
-        "--data-dir",
-        type=click.Path(file_okay=False, path_type=Path),
-        help="Folder of the database and the media (SIGHTLINE_DATA_DIR; default .data).",
-    )
-    return option(command)
-
-
-def json_option(command: Command) -> Command:
-    """`--json`: one JSON object on standard output."""
-    return click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")(command)
-
-
-def stream_option(command: Command) -> Command:
-    """`--stream`: which of a video's pictures is read."""
-    return click.option(
-        "--stream",
-        "stream_number",
-        type=click.IntRange(1),
-        help="Video track to use, from 1 (default: the first that is not a still image).",
-    )(command)
-
-
-def filmed_at_option(command: Command) -> Command:
-    """`--filmed-at`: at what rate a video was filmed, where its times are not those of filming."""
-    return click.option(
-        "--filmed-at",
-        "filmed_hz",
-        type=click.FloatRange(*FILMED_HZ),
-        metavar="RATE",
-        help="Filming rate, frames per second, if it differs from the playback rate (slow motion).",
-    )(command)
+#: `--survey`: which survey of the installation.
+survey_option = click.option("--survey", required=True, help="Name (or number) of the survey.")
+#: `--data-dir`: where database, media and caches are.
+data_dir_option = click.option(
+    "--data-dir",
+    type=click.Path(file_okay=False, path_type=Path),
+    help="Folder of the database and the media (SIGHTLINE_DATA_DIR; default .data).",
+)
+#: `--json`: one JSON object on standard output.
+json_option = click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+#: `--stream`: which of a video's pictures is read.
+stream_option = click.option(
+    "--stream",
+    "stream_number",
+    type=click.IntRange(1),
+    help="Video track to use, from 1 (default: the first that is not a still image).",
+)
+#: `--filmed-at`: at what rate a video was filmed, where its times are not those of filming.
+filmed_at_option = click.option(
+    "--filmed-at",
+    "filmed_hz",
+    type=click.FloatRange(*FILMED_HZ),
+    metavar="RATE",
+    help="Filming rate, frames per second, if it differs from the playback rate (slow motion).",
+)
 
 
 def settings_of(**overrides: object) -> Settings:

@@ -1,7 +1,5 @@
 """`sightline rig`: what a rig of two line-scan cameras is, found by measuring it (docs/formats.md)."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import asdict
 from pathlib import Path

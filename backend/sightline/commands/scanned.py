@@ -1,7 +1,5 @@
 """Scanned vehicles as the commands linescan and stream write them: one table's columns, one object each."""
 
-from __future__ import annotations
-
 import functools
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, fields

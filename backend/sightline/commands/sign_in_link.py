@@ -1,7 +1,5 @@
 """`sightline sign-in-link`: the way back in for somebody who is locked out."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import click

@@ -1,7 +1,5 @@
 """The command stream (docs/formats.md): vehicles from live lines of both cameras, while they pass."""
 
-from __future__ import annotations
-
 import math
 import signal
 import sys

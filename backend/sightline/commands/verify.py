@@ -1,7 +1,5 @@
 """`sightline verify`: the audit chain of a database, or a whole export."""
 
-from __future__ import annotations
-
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """`sightline worker`: does queued jobs, on this machine or another."""
 
-from __future__ import annotations
-
 import importlib
 from pathlib import Path
 

@@ -4,8 +4,6 @@ Its files were rendered from a known scene and come with the program; lens, road
 this program finds in them.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from datetime import UTC, datetime
 from typing import Any

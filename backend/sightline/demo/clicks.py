@@ -4,8 +4,6 @@ The operator clicks where things are in the picture, 0.7 px beside it: the same 
 for everybody else, so every number on the screens is one that the program computed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from uuid import UUID, uuid5

@@ -5,8 +5,6 @@ camera, clicked 0.7 px beside it, and measured with a road pose that is off as i
 program computes every height as for everybody. Names, descriptions and each picture say that it is simulated.
 """
 
-from __future__ import annotations
-
 import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -18,6 +16,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.arrays import Floats
 from sightline.cameras.calibrations.store import add_calibration
 from sightline.cameras.store import create_camera
 from sightline.demo.build import OPERATOR, PLACE, REVIEWER, TRAFFIC, demo_person
@@ -55,7 +54,6 @@ from sightline.surveys.store import create_survey, survey_names
 from sightline.vehicles.records import VehicleChanges
 from sightline.vehicles.store import create_vehicle
 
-Floats = NDArray[np.float64]
 Rng = np.random.Generator
 
 BEGIN = "Simulated study: "

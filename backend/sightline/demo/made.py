@@ -4,10 +4,8 @@ They lie in `made/`; `python -m tests.simulation.make` draws them. What is true 
 read by those who click for the demonstration's people, and by tests.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import lru_cache
 from pathlib import Path
 
@@ -173,18 +171,7 @@ def strip_of(camera: int) -> Pixels:
 
 def catalogue() -> list[CatalogueRow]:
     """The invented models as rows of the catalogue."""
+    names = [one.name for one in fields(Model) if one.name in CatalogueRow.__dataclass_fields__]
     return [
-        CatalogueRow(
-            make=one.make,
-            model=one.model,
-            year_from=one.year_from,
-            year_to=one.year_to,
-            category=one.category,
-            length_m=one.length_m,
-            width_m=one.width_m,
-            height_m=one.height_m,
-            wheelbase_m=one.wheelbase_m,
-            source=SOURCE,
-        )
-        for one in truth().models
+        CatalogueRow(**{name: getattr(one, name) for name in names}, source=SOURCE) for one in truth().models
     ]

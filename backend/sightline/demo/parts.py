@@ -1,7 +1,5 @@
 """What the demonstration survey is made of, before it is stored: read, calibrated, posed, searched."""
 
-from __future__ import annotations
-
 import tempfile
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed

@@ -4,8 +4,6 @@ Their scatter is known: the operator's is that of the first clicks, the reviewer
 click beside where things are in the picture, without a leaning of their own.
 """
 
-from __future__ import annotations
-
 from uuid import UUID, uuid5
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Files of the demonstration to try with, where one's own will go: lab pictures, a clip, a catalogue."""
 
-from __future__ import annotations
-
 import csv
 import io
 import zipfile

@@ -3,8 +3,6 @@
 Its vehicles are found and measured by this program; two people fill in facts, click wheels and review.
 """
 
-from __future__ import annotations
-
 import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """The demonstration's heights in its line scan: one clicks rod marks, roofs, eyes and lamps, one reviews."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

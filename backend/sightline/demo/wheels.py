@@ -1,7 +1,5 @@
 """The demonstration's tyre contacts: its operator clicks both tyres of some vehicles, 0.5 px beside them."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from sightline.demo.clicks import Pass, beside

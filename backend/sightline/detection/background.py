@@ -6,8 +6,6 @@ half of the time, which a near lane with dense traffic does not grant. What stan
 parked car) belongs to the background when it is there longer than the road is.
 """
 
-from __future__ import annotations
-
 from collections import deque
 from dataclasses import dataclass
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """What stands before the road as boxes, without the shadow and the light that it throws on the road."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 

@@ -1,7 +1,5 @@
 """Which tracks are vehicles that went by, from which frame to which, and where each is seen best."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise

@@ -5,8 +5,6 @@ track that goes by is a pass. The road of a moment is known only when some secon
 seen, so pictures wait in a queue until then.
 """
 
-from __future__ import annotations
-
 from collections import deque
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace

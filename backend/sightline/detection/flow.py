@@ -1,7 +1,5 @@
 """Which way each part of the picture goes: vehicles that meet are one shape before the road, but go apart."""
 
-from __future__ import annotations
-
 import cv2
 import numpy as np
 from numpy.typing import NDArray

@@ -5,8 +5,6 @@ all of them do for longer than a lorry takes, one vehicle goes by, and what was 
 that vehicle. Between the vehicles of a queue there is road in some columns.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 

@@ -7,8 +7,6 @@ the camera stood: a lorry that fills the picture moves everything else. Where th
 picture before tells whether it moves on.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import cv2

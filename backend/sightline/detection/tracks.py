@@ -1,7 +1,5 @@
 """Boxes of one vehicle followed from frame to frame; vehicles that hide each other go on as they went."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 

@@ -1,7 +1,5 @@
 """Building an export: every table in the order of the package, then what is drawn of them, and the seal."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from sightline.export.contents import about_of, described

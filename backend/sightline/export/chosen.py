@@ -1,7 +1,5 @@
 """Which vehicles a package is of: those of its selection, out of its own tables."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import get_args

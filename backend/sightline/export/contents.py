@@ -1,7 +1,5 @@
 """What an export says of itself: its tables, its other files, and what it was made with."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Mapping, Sequence
 from functools import cache
 from importlib.metadata import version

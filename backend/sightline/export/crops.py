@@ -4,8 +4,6 @@ The picture itself stays unmarked (JPEG from the decoded frame whose checksum is
 names the points is an SVG of the same size beside it, which shows the picture when it is opened.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from html import escape
 from itertools import groupby
@@ -18,7 +16,7 @@ from numpy.typing import NDArray
 from sightline.errors import Damaged, SightlineError
 from sightline.infra.csv_package.columns import integer, key, pixel, text
 from sightline.infra.csv_package.files import Staging, Tick, number
-from sightline.infra.csv_package.schema import Cell, Column, Table, sha256_hex
+from sightline.infra.csv_package.schema import Cell, Column, Table, ids_of, sha256_hex
 from sightline.infra.services import Services
 from sightline.measurements.csv import TARGETS, WAYS
 from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues
@@ -73,7 +71,7 @@ CROPS = Table(
     ),
     primary=("measurement_id", "k"),
     foreign=(
-        (("measurement_id",), "measurements", ("id",)),
+        *ids_of(measurement_id="measurements"),
         (("recording_id", "frame"), "frames", ("recording_id", "frame")),
     ),
 )

@@ -1,7 +1,5 @@
 """What is made of an export's own tables: exclusions, statistics, figures, report. A check makes it again."""
 
-from __future__ import annotations
-
 from sightline.export.exclusions import EXCLUSIONS, exclusion_rows
 from sightline.export.measured import PackageStatistics, statistics_of
 from sightline.export.readme import README, readme

@@ -1,13 +1,11 @@
 """The list of exclusions of an export: what counts for no result, and why. Made of the package's own rows."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 
 from sightline.export.chosen import chosen_vehicles
 from sightline.infra.csv_package.columns import code_in, code_of, key, text
 from sightline.infra.csv_package.files import Files, read_columns, unsafe
-from sightline.infra.csv_package.schema import Cell, Table
+from sightline.infra.csv_package.schema import Cell, Table, ids_of
 from sightline.measurements.csv import TARGETS
 from sightline.measurements.sheets.csv import counting_in
 from sightline.messages.said import Said
@@ -38,7 +36,7 @@ EXCLUSIONS = Table(
         text("reason_code", "reason by code and values (JSON)"),
     ),
     primary=("measurement_id",),
-    foreign=((("measurement_id",), "measurements", ("id",)), (("vehicle_id",), "vehicles", ("id",))),
+    foreign=ids_of(measurement_id="measurements", vehicle_id="vehicles"),
 )
 _CHECK = "check_target", Said("excluded-check-target")
 _OTHER = "not_selected", Said("excluded-not-selected")

@@ -4,8 +4,6 @@ Rows are written as they are read; what is held is a page of rows, one byte for 
 what statistics need of a measurement (some 100 bytes).
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field, replace

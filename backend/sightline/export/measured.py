@@ -4,8 +4,6 @@ An export and a check of it both go this way, so the statistics of a package are
 heights to the micrometre, as the CSV carries them.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from datetime import date

@@ -3,8 +3,6 @@
 The order is that of datapackage.json, of writing and of checking: what others are computed from comes first.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from itertools import chain

@@ -6,8 +6,6 @@ the page as any other file. The audit chain ends with the seal, so it cannot sta
 beside it repeats audit.csv and checkpoint.json for the page, as they are and after both.
 """
 
-from __future__ import annotations
-
 import base64
 import binascii
 import html

@@ -3,8 +3,6 @@
 Its first part is the conclusion that the report opens with; the package's own page shows it from here.
 """
 
-from __future__ import annotations
-
 import textwrap
 from collections.abc import Iterable, Iterator
 

@@ -1,7 +1,5 @@
 """The response of a package's survey: what became of its passes, by lighting, set and target."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import asdict
 from typing import cast, get_args

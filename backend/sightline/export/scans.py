@@ -1,7 +1,5 @@
 """The statistics of an export's line scans: read from its own rows, and as tables of their own."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import asdict
 from typing import Any, cast, get_args

@@ -5,8 +5,6 @@ so that nothing in a package can be changed without writing the chain anew. The 
 checkpoint that the installation signs (`checkpoint.json`), which comes after the seal.
 """
 
-from __future__ import annotations
-
 import csv
 import hashlib
 import json

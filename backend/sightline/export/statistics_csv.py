@@ -1,7 +1,5 @@
 """The statistics of an export as tables: what each figure and each percentile of the report rests on."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import chain
@@ -38,15 +36,8 @@ _HEIGHTS = text(
     required=True,
     enum=("inset", _PAPER),
 )
-_ROUNDING = text(
-    "rounding",
-    "cm: both heights to whole centimetres as the paper does; none: not rounded",
-    required=True,
-    enum=get_args(Rounding),
-)
-_CORRECTION = text(
-    "correction", "which correction of the heights (corrections.csv says what was done)", required=True
-)
+_ROUNDING = text("rounding", "column-error-table-rounding", required=True, enum=get_args(Rounding))
+_CORRECTION = text("correction", "column-corrections-correction", required=True)
 _TARGET = text("target", "what was measured", required=True)
 _N = integer("n", "number of measurements", required=True, minimum=0)
 _GROUPING = text("grouping", "what divides the measurements; all: nothing", required=True)
@@ -76,7 +67,7 @@ ERRORS_BY_TARGET = statistics_table(
     "targets, not rounded, of all and by lighting and class. Intervals are total: the column holds says what "
     "each holds. inside_u95: the share of differences that are not larger than their own U95; about 0.95 "
     "should be. It is stated of heights corrected by their inset alone, as their U95 is.",
-    replace(_HEIGHTS, meaning=f"{_INSET}; as_in_the_paper: with an inset of 0"),
+    replace(_HEIGHTS, says=f"{_INSET}; as_in_the_paper: with an inset of 0"),
     _TARGET,
     flag("check_target", "true: of check targets, which count nowhere else", required=True),
     _GROUPING,

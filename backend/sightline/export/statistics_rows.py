@@ -1,7 +1,5 @@
 """What the tables of statistics have in common: columns of intervals, and rows of errors and of curves."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from typing import Any
 

@@ -11,7 +11,7 @@ from sightline.infra.audit import trail
 from sightline.infra.audit.records import AuditHead
 from sightline.infra.audit.written import written_rows
 from sightline.infra.by_name import record_of
-from sightline.infra.database.rows import add_row, get_row, missing
+from sightline.infra.database.rows import add_row, get_row, the_one
 from sightline.infra.database.types import now
 from sightline.messages import SOURCE
 from sightline.results.selection import Selection, selection_of
@@ -51,10 +51,7 @@ def seal_package(session: Session, survey_id: int, after: Mapping[str, Any], *, 
 
 def get_export(session: Session, export_id: int) -> Export:
     """One export. Raises NotFound."""
-    found = _fetch(session, exports.c.id == export_id)
-    if not found:
-        raise missing("export", export_id)
-    return found[0]
+    return the_one(_fetch(session, exports.c.id == export_id), "export", export_id)
 
 
 def list_exports(session: Session, survey_id: int) -> tuple[Export, ...]:

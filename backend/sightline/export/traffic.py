@@ -1,7 +1,5 @@
 """Traffic of an export's line scans: from its own rows, as tables of their own."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from typing import get_args, get_type_hints
 
@@ -20,7 +18,7 @@ from sightline.infra.csv_package.columns import (
 )
 from sightline.infra.csv_package.files import Files, read_rows, unsafe
 from sightline.infra.csv_package.files import number as figure_of
-from sightline.infra.csv_package.schema import Column
+from sightline.infra.csv_package.schema import Column, ids_of
 from sightline.linescan.traffic import MINUTES, Figure, Interval
 from sightline.results.csv import selection_in
 from sightline.scans.clock import clock_of
@@ -102,7 +100,7 @@ INTERVALS = statistics_table(
     _WAY,
     _LANE,
     primary=("scan_id", "direction", "lane", "minutes", "begins_at"),
-    foreign=((("scan_id",), "line_scans", ("id",)),),
+    foreign=ids_of(scan_id="line_scans"),
 )
 CLASSES = statistics_table(
     "traffic_classes",

@@ -1,7 +1,5 @@
 """What the accepted heights of a package rest on: their own verdicts, or those of lots by a sample."""
 
-from __future__ import annotations
-
 from collections import Counter
 from dataclasses import dataclass
 

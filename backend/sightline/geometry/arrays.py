@@ -1,10 +1,10 @@
 """Array types and the small pieces of rotation algebra that the whole room uses."""
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Floats = NDArray[np.float64]
-Bools = NDArray[np.bool_]
+from sightline.arrays import Bools as Bools
+from sightline.arrays import Floats as Floats
 
 
 def frozen(values: ArrayLike) -> Floats:

@@ -4,8 +4,6 @@ What is wrong with the table as a whole is raised; what is wrong with one row st
 command that gives each row a status refuses that row alone, and every other raises it (`sound_rows`).
 """
 
-from __future__ import annotations
-
 import csv
 import math
 import re

@@ -1,7 +1,5 @@
 """Instants by the clocks of a place: its time zone (IANA), hours that clocks skip or show twice."""
 
-from __future__ import annotations
-
 from datetime import UTC, date, datetime, timedelta
 from functools import cache
 from zoneinfo import ZoneInfo

@@ -1,7 +1,5 @@
 """How the log is written: lines for people, or one JSON object a line; each with its request's number."""
 
-from __future__ import annotations
-
 import json
 import logging
 from contextvars import ContextVar

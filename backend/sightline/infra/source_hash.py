@@ -5,8 +5,6 @@ out: imports within functions count, those for type checkers alone do not. Other
 by their versions instead.
 """
 
-from __future__ import annotations
-
 import ast
 import hashlib
 from collections.abc import Collection, Iterator

@@ -1,7 +1,5 @@
 """Which code computed a number: the version with its commit, and whether files differed from that commit."""
 
-from __future__ import annotations
-
 import re
 import subprocess
 from functools import cache

@@ -11,11 +11,11 @@ from math import hypot, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.arrays import Floats
 from sightline.linescan.outline import BEFORE_M, DOUBT_M, TOLD_M, Bands, Edge, Seen, foremost
 from sightline.linescan.parts import USUAL_SHADOW_SHARE, Crossings, Passage, Pixels, Rig
 from sightline.linescan.rig import baseline_of
 
-Array = NDArray[np.float64]
 BANDS = 48
 # along the vehicle, metres: searched behind the rough edge; where the vehicle's grey is read
 BEHIND_M = 0.30
@@ -139,7 +139,7 @@ def _as_lit(road: NDArray[np.float32], outside: Pixels) -> tuple[NDArray[np.floa
     return road * np.float32(now), float(np.median(np.abs(ratio / now - 1)))
 
 
-def _differences(window: Pixels, road: NDArray[np.float32]) -> tuple[Array, int]:
+def _differences(window: Pixels, road: NDArray[np.float32]) -> tuple[Floats, int]:
     """Band means (lines, bands) of the window minus road, and the rows in a band."""
     rows = window.shape[1]
     height = max(1, rows // BANDS)
@@ -149,7 +149,7 @@ def _differences(window: Pixels, road: NDArray[np.float32]) -> tuple[Array, int]
     return means - road[:used].reshape(bands, height).mean(-1), height
 
 
-def _box(values: Array, size: int) -> Array:
+def _box(values: Floats, size: int) -> Floats:
     """Centred running mean over the lines; the ends are repeated."""
     if size < 2:
         return values
@@ -160,7 +160,7 @@ def _box(values: Array, size: int) -> Array:
     return np.asarray((sums[size:] - sums[:-size]) / size)
 
 
-_Edges = tuple[Array, Array, Array, NDArray[np.bool_]]
+_Edges = tuple[Floats, Floats, Floats, NDArray[np.bool_]]
 
 
 def _with_faint(seen: _Edges, faint: _Edges, long: int) -> _Edges:
@@ -179,7 +179,7 @@ def _with_faint(seen: _Edges, faint: _Edges, long: int) -> _Edges:
 
 
 def _band_edges(
-    smooth: Array, sigma: float, least: tuple[float, float], lines_per_m: float, long: int = 0
+    smooth: Floats, sigma: float, least: tuple[float, float], lines_per_m: float, long: int = 0
 ) -> _Edges:
     """(bands,) line at which each band is half the way to the vehicle's grey, u of that line by noise, lines
     before it in which something else differs from the road, and whether it is clear. `least`: grey values by
@@ -212,11 +212,11 @@ def _band_edges(
     return last + part, 1.2 * sigma / steep, ahead, steady & inside
 
 
-def _uneven(smooth: Array, edges: Array, lines_per_m: float) -> Array:
+def _uneven(smooth: Floats, edges: Floats, lines_per_m: float) -> Floats:
     """(bands,) lines by which each edge may be off because the vehicle's grey changes behind it."""
     every = np.arange(smooth.shape[1])
 
-    def grey(span_m: tuple[float, float]) -> Array:
+    def grey(span_m: tuple[float, float]) -> Floats:
         low, high = (max(1, round(one * lines_per_m)) for one in span_m)
         places = np.rint(edges).astype(int) + np.arange(low, max(high, low + 1) + 1)[:, None]
         return np.asarray(smooth[np.clip(places, 0, len(smooth) - 1), every].mean(axis=0))

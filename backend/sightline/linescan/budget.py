@@ -3,13 +3,12 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from sightline.arrays import Floats
 from sightline.linescan.boundaries import U_LINE_LINES
 from sightline.linescan.parts import Entry, Passage, Rig
 from sightline.linescan.registration import Clock, Fit
 
-Array = NDArray[np.float64]
 # what the half-way rule and the outline leave of a usual boundary, metres, standard u: where nothing else is
 # known of it, for it was placed by hand or is planned
 U_EDGE_M = 0.0006
@@ -37,7 +36,7 @@ def budget_of(
     rig: Rig,
     clock: Clock,
     fit: Fit,
-    spread: Array,
+    spread: Floats,
     u_shift: float,
     baseline: tuple[float, float],
 ) -> Budget:
@@ -73,7 +72,7 @@ def budget_of(
     u_edges = float(np.hypot(_u_edges(*apart, passage.u_boundaries_m), u_lines_m))
     gradient = np.array([by_speed, by_acceleration])
 
-    def entry(source: str, spread: Array) -> Entry:
+    def entry(source: str, spread: Floats) -> Entry:
         u = np.sqrt(np.maximum([spread[0, 0], spread[1, 1], gradient @ spread @ gradient], 0.0))
         return Entry(source, float(u[0]), float(u[1]), float(u[2]))
 
@@ -116,7 +115,7 @@ def correlation_of(
     return float(np.clip(together / (u[0] * u[1]), -1.0, 1.0))
 
 
-def _answer_to_shift(fit: Fit) -> Array:
+def _answer_to_shift(fit: Fit) -> Floats:
     """How speed and acceleration (2,) answer to a row of shift: the fit held the shift where it was found."""
     weighted = fit.look.jacobian * fit.weight[:, None]
     normal = weighted[:, :2].T @ fit.look.jacobian[:, :2]

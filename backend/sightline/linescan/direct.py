@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.arrays import Floats
 from sightline.linescan.budget import budget_of
 from sightline.linescan.finding import too_few_lines
 from sightline.linescan.masks import (
@@ -28,7 +29,6 @@ from sightline.linescan.warp import solved_by_boundaries
 from sightline.messages.said import Said
 from sightline.robust import robust_scale
 
-Array = NDArray[np.float64]
 # a sample along the vehicle after pooling, metres; finer says nothing new, the optics blur it
 SAMPLE_M = 0.0028
 MOST_POINTS = 12000
@@ -295,7 +295,7 @@ def _profile(scene: Scene, fit: Fit, rig: Rig) -> Profile:
     piece -= piece.min()
     count = int(piece.max()) + 1
 
-    def total(values: Array) -> Array:
+    def total(values: Floats) -> Floats:
         return np.asarray(np.bincount(piece, weights=values, minlength=count))
 
     weight = fit.weight * seen.inside

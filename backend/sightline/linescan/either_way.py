@@ -11,15 +11,14 @@ from dataclasses import replace
 from math import hypot, sqrt
 
 import numpy as np
-from numpy.typing import NDArray
 
+from sightline.arrays import Floats
 from sightline.linescan.equations import ExactMotion, solve_crossings
 from sightline.linescan.parts import Crossings, Entry, Motion, Passage, Profile, Rig
 from sightline.linescan.rig import baseline_of
 from sightline.linescan.warp import Course
 from sightline.messages.said import Said
 
-Array = NDArray[np.float64]
 Measure = Callable[[Passage, Rig], Motion]
 WOULD_STOP = Said("scan-motion-would-stop")
 # sources of a budget that scale every speed of a motion alike
@@ -96,7 +95,7 @@ def exact_at_camera_1(lines: Crossings, baseline_m: float, line_rate_hz: float) 
 
 def _carried(
     motion: Motion, there: float, baseline_m: float, baseline_ratio: float
-) -> tuple[Array, tuple[Entry, ...]]:
+) -> tuple[Floats, tuple[Entry, ...]]:
     """Covariance (2, 2) of speed and acceleration at camera 1, and the budget whose squares give it."""
     v, a = motion.speed_mps or 0.0, motion.acceleration_mps2 or 0.0
     u_v, u_a = motion.u_speed_mps or 0.0, motion.u_acceleration_mps2 or 0.0

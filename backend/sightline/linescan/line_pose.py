@@ -21,15 +21,14 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from sightline.arrays import Floats
 from sightline.errors import BadInput
 
 LEAST_MARKS = 4
 # Beyond this, columns of the scaled Jacobian cannot be told apart: the marks do not fix the pose.
 _WORST_CONDITION = 1e7
-
-Floats = NDArray[np.float64]
 
 
 class LinePoseError(BadInput):

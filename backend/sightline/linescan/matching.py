@@ -11,14 +11,13 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.arrays import Floats
 from sightline.linescan.parts import Pixels
 
 BLOCK_LINES = 48
 STEP_LINES = 8
 # Times what noise alone shows: below this a block holds nothing to match.
 GATE = 1.5
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,9 +14,9 @@ from math import hypot, inf, log, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.arrays import Floats
 from sightline.robust import robust_scale
 
-Array = NDArray[np.float64]
 # along the vehicle, metres: searched before the rough edge
 BEFORE_M = 0.10
 # bands on either side of the foremost one through which the parabola goes: some 14 cm of a bumper; and those
@@ -62,10 +62,10 @@ class Bands:
     road, and whether it is clear.
     """
 
-    edges: Array
-    u: Array
-    uneven: Array
-    ahead: Array
+    edges: Floats
+    u: Floats
+    uneven: Floats
+    ahead: Floats
     clear: NDArray[np.bool_]
 
 
@@ -75,7 +75,7 @@ class Seen:
     road itself may be off by.
     """
 
-    differs: Array
+    differs: Floats
     sigma_dn: float
     least_dn: float
     lines_per_m: float
@@ -130,7 +130,7 @@ def foremost(bands: Bands, seen: Seen) -> Edge:
     return Edge(line, doubtful, u_lines)
 
 
-def _of_three(values: Array) -> Array:
+def _of_three(values: Floats) -> Floats:
     """The median of each value and its two neighbours; at the ends the mean of both that are there."""
     before, here, after = values[:-2], values[1:-1], values[2:]
     inner = np.maximum(np.minimum(before, here), np.minimum(np.maximum(before, here), after))
@@ -187,7 +187,7 @@ class _End:
     bend: float
 
 
-def _end_of(x: NDArray[np.intp], y: Array, s: Array, uneven: Array) -> _End:
+def _end_of(x: NDArray[np.intp], y: Floats, s: Floats, uneven: Floats) -> _End:
     """The foremost line of a parabola, or of an upright line if that is enough, through the edges `y` (n,) of
     bands `x` (n,), of standard deviations `s` (n,) by noise and `uneven` (n,) by greys.
     """
@@ -221,12 +221,12 @@ def _end_of(x: NDArray[np.intp], y: Array, s: Array, uneven: Array) -> _End:
     return _End(float(gradient @ c), sqrt(by_noise + by_grey + by_shape**2), is_flat, bend)
 
 
-def _misses(x: Array, y: Array, s: Array, c: Array) -> Array:
+def _misses(x: Floats, y: Floats, s: Floats, c: Floats) -> Floats:
     """(n,) by how many of its standard deviations each edge lies off the polynomial `c`, from x^0 up."""
     return np.asarray((y - np.vander(x, len(c), increasing=True) @ c) / s)
 
 
-def _weighted_fit(x: Array, y: Array, s: Array, degree: int) -> tuple[Array, Array, float]:
+def _weighted_fit(x: Floats, y: Floats, s: Floats, degree: int) -> tuple[Floats, Floats, float]:
     """Coefficients from x^0 up of a polynomial through `y` (n,) of standard deviations `s`, its normal
     matrix, and by how much its variances are too small.
 

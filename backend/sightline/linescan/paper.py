@@ -10,8 +10,8 @@ from dataclasses import replace
 from math import hypot
 
 import numpy as np
-from numpy.typing import NDArray
 
+from sightline.arrays import Floats
 from sightline.linescan.budget import correlation_of
 from sightline.linescan.direct import NO_ORDER
 from sightline.linescan.equations import solve_crossings, travelled_m
@@ -31,8 +31,6 @@ U_CROSSING_LINES = 2.0
 GATE_M = 0.006
 
 TOO_FEW_BLOCKS = Said("scan-motion-few-blocks", lines=BLOCK_LINES)
-
-Floats = NDArray[np.float64]
 
 
 def measure_paper(passage: Passage, rig: Rig) -> Motion:

@@ -10,12 +10,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.arrays import Floats
 from sightline.linescan.masks import Points, Sheet, sampled, shifted
 from sightline.linescan.middle import median
 from sightline.linescan.warp import Course
 from sightline.robust import robust_scale
 
-Array = NDArray[np.float64]
 ROUNDS = 8
 SETTLED = 1e-5
 LEVEL_DN = 6.0
@@ -49,11 +49,11 @@ class Clock:
     front_line_1: float
     line_rate_hz: float
 
-    def seconds(self, line: Array) -> Array:
+    def seconds(self, line: Floats) -> Floats:
         """Seconds, of the same shape, of strip lines, `line` of any shape."""
         return np.asarray((line - self.front_line_1) / self.line_rate_hz)
 
-    def lines(self, seconds: Array) -> Array:
+    def lines(self, seconds: Floats) -> Floats:
         """Strip lines, of the same shape, of `seconds` of any shape."""
         return np.asarray(seconds * self.line_rate_hz + self.front_line_1)
 
@@ -62,12 +62,12 @@ class Clock:
 class Look:
     """Strip 2 compared with strip 1 under a state: residuals, derivatives (n, 5), and what was inside."""
 
-    residual: Array
-    jacobian: Array
+    residual: Floats
+    jacobian: Floats
     inside: NDArray[np.bool_]
-    first_s: Array
-    second_s: Array
-    along: Array
+    first_s: Floats
+    second_s: Floats
+    along: Floats
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,8 +76,8 @@ class Fit:
 
     state: State
     look: Look
-    weight: Array
-    normal: Array
+    weight: Floats
+    normal: Floats
     scale_dn: float
     settled: bool
 
@@ -119,11 +119,11 @@ def look(first: Sheet, second: Sheet, points: Points, clock: Clock, state: State
     )
 
 
-def _scale(residual: Array) -> float:
+def _scale(residual: Floats) -> float:
     return max(robust_scale(residual), 0.05) if len(residual) else 1.0
 
 
-def _weights(seen: Look, block: NDArray[np.intp]) -> tuple[Array, float]:
+def _weights(seen: Look, block: NDArray[np.intp]) -> tuple[Floats, float]:
     """Tukey's weight of each pixel times that of its block, which falls where a whole block disagrees."""
     use, blocks = seen.inside, int(block.max()) + 1
     scale = _scale(seen.residual[use])
@@ -193,7 +193,7 @@ def scores(
     fit: Fit,
     block: NDArray[np.intp],
     cell: NDArray[np.intp] | None = None,
-) -> Array:
+) -> Floats:
     """(n, 5) what every pixel adds to the sums that are zero at the fit: weight, residual and derivative
     multiplied, all of them under `state`, near the fit's. `moved`: strip 2, shifted by the state's rows;
     `block`, `cell` (n,) as in `register`. Own method: the estimating function of DECISIONS.md 144.
@@ -206,7 +206,7 @@ def scores(
     return np.asarray(seen.jacobian * (weight * seen.residual)[:, None])
 
 
-def levelled(seen: Look, value: Array, weight: Array, cell: NDArray[np.intp]) -> Look:
+def levelled(seen: Look, value: Floats, weight: Floats, cell: NDArray[np.intp]) -> Look:
     """The look with every cell's own gain and offset taken out of residuals and derivatives; `value`,
     `weight`, `cell` (n,).
 
@@ -217,7 +217,7 @@ def levelled(seen: Look, value: Array, weight: Array, cell: NDArray[np.intp]) ->
     """
     count = int(cell.max()) + 1
 
-    def total(values: Array) -> Array:
+    def total(values: Floats) -> Floats:
         return np.asarray(np.bincount(cell, weights=values, minlength=count))
 
     mass = np.maximum(total(weight), 1e-9)
@@ -226,7 +226,7 @@ def levelled(seen: Look, value: Array, weight: Array, cell: NDArray[np.intp]) ->
     wx = weight * x
     power = total(wx * x) + LEVEL_DN**2
 
-    def cleared(y: Array) -> Array:
+    def cleared(y: Floats) -> Floats:
         y = y - (total(weight * y) / mass)[cell]
         return np.asarray(y - x * (total(wx * y) / power)[cell])
 
@@ -237,7 +237,7 @@ def levelled(seen: Look, value: Array, weight: Array, cell: NDArray[np.intp]) ->
     return replace(seen, residual=cleared(seen.residual), jacobian=jacobian)
 
 
-def _normal(seen: Look, weight: Array, prior: Prior, state: State, scale: float) -> tuple[Array, Array]:
+def _normal(seen: Look, weight: Floats, prior: Prior, state: State, scale: float) -> tuple[Floats, Floats]:
     weighted = seen.jacobian * weight[:, None]
     normal = seen.jacobian.T @ weighted
     right = -weighted.T @ seen.residual
@@ -248,12 +248,12 @@ def _normal(seen: Look, weight: Array, prior: Prior, state: State, scale: float)
     return np.asarray(normal), np.asarray(right)
 
 
-def _solved(normal: Array, right: Array) -> Array:
+def _solved(normal: Floats, right: Floats) -> Floats:
     size = np.sqrt(np.maximum(np.diag(normal), 1e-12))
     return np.asarray(np.linalg.lstsq(normal / np.outer(size, size), right / size, rcond=1e-12)[0] / size)
 
 
-def stepped(state: State, step: Array) -> State:
+def stepped(state: State, step: Floats) -> State:
     """The state after a `step` (5,), kept from leaving what a vehicle can do. Own method: limits of each."""
     most = most_step(state)
     speed, acceleration, shift, gain, offset = (float(one) for one in np.clip(step, -most, most))
@@ -269,6 +269,6 @@ def stepped(state: State, step: Array) -> State:
     )
 
 
-def most_step(state: State) -> Array:
+def most_step(state: State) -> Floats:
     """(5,) by which each of the unknowns moves at most in one step. Own method: limits of each."""
     return np.array([0.1 * abs(state.course.speed_mps), 3.0, 1.0, 0.3, 60.0])

@@ -31,16 +31,14 @@ Douxchamps et al., section III, give only a result (593 mm; within 2 mm at 10 m)
 another report; nothing here is theirs.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from math import isfinite, sqrt
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from sightline.arrays import Floats
 from sightline.coverage import expanded
 from sightline.enums import RigPassKind
 from sightline.errors import BadInput
@@ -57,8 +55,6 @@ CONTRADICTION = 1e-4
 DOUBT = 0.025
 _ROUNDS = 4  # of the weights, which hang on the fitted spans; the second changes the last digits already
 _BEYOND = 0.5  # of the span of distances: a lane so far outside is told
-
-Floats = NDArray[np.float64]
 
 
 class RigPassError(BadInput):

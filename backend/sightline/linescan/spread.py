@@ -20,11 +20,11 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from sightline.arrays import Floats
 from sightline.coverage import COVERAGE_95
 from sightline.linescan.masks import Points, Sheet, shifted
 from sightline.linescan.registration import Clock, Fit, Prior, most_step, scores, stepped
 
-Array = NDArray[np.float64]
 # about as wide as neighbouring pixels' noise, which is not their own, makes u
 STEPS = 4.0
 
@@ -35,9 +35,9 @@ class Slopes:
     (n, free, free), each times the `step` (free,) of its unknowns.
     """
 
-    score: Array
-    slope: Array
-    step: Array
+    score: Floats
+    slope: Floats
+    step: Floats
 
 
 def slopes_of(
@@ -61,7 +61,7 @@ def slopes_of(
     # most looks share the fit's own shift
     moved = dict[float, Sheet]()
 
-    def at(by: Array) -> Array:
+    def at(by: Floats) -> Floats:
         state = stepped(fit.state, by)
         if state.shift not in moved:
             moved[state.shift] = shifted(second, state.shift)
@@ -73,7 +73,7 @@ def slopes_of(
     return Slopes(at(np.zeros(5)), slope, step[:free])
 
 
-def covariance(slopes: Slopes, cluster: NDArray[np.intp], fit: Fit, prior: Prior) -> Array:
+def covariance(slopes: Slopes, cluster: NDArray[np.intp], fit: Fit, prior: Prior) -> Floats:
     """Covariance (free, free) of the unknowns of `slopes`.
 
     `cluster` (n,): numbers of the pixels' clusters. With a prior of the row shift, that is one more
@@ -84,7 +84,7 @@ def covariance(slopes: Slopes, cluster: NDArray[np.intp], fit: Fit, prior: Prior
     free, step = len(slopes.step), slopes.step
     count = int(cluster.max()) + 1
 
-    def total(values: Array) -> Array:
+    def total(values: Floats) -> Floats:
         every = values.reshape(len(values), -1).T
         sums = [np.bincount(cluster, weights=one, minlength=count) for one in every]
         return np.asarray(np.stack(sums, -1).reshape(count, *values.shape[1:]), np.float64)
@@ -103,7 +103,7 @@ def covariance(slopes: Slopes, cluster: NDArray[np.intp], fit: Fit, prior: Prior
     return np.asarray((seen + inverse @ known @ inverse.T) * np.outer(step, step))
 
 
-def _effective(normal: Array) -> float:
+def _effective(normal: Floats) -> float:
     """How many clusters of equal information are worth those of normal matrices (clusters, free, free); at
     least 1, in steps of a tenth.
     """
@@ -111,7 +111,7 @@ def _effective(normal: Array) -> float:
     return max(round(float(told.sum() ** 2 / max(float((told**2).sum()), 1e-12)), 1), 1.0)
 
 
-def _solved(normal: Array, right: Array) -> Array:
+def _solved(normal: Floats, right: Floats) -> Floats:
     try:
         return np.asarray(np.linalg.solve(normal, right))
     except np.linalg.LinAlgError:

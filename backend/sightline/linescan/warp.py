@@ -7,9 +7,8 @@ where b / (t2 - t1) would be the speed half the way between the two.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from sightline.arrays import Floats
 
 
 @dataclass(frozen=True)
@@ -20,17 +19,17 @@ class Course:
     acceleration_mps2: float
     baseline_m: float
 
-    def travelled_m(self, time_s: Array) -> Array:
+    def travelled_m(self, time_s: Floats) -> Floats:
         """How far the front is beyond camera 1 at `time_s`, any shape: v t + a t^2 / 2, metres, of the same
         shape.
         """
         return np.asarray(self.speed_mps * time_s + self.acceleration_mps2 / 2 * time_s**2)
 
-    def speed_at_mps(self, time_s: Array) -> Array:
+    def speed_at_mps(self, time_s: Floats) -> Floats:
         """The speed at `time_s`, any shape: v + a t, m/s, of the same shape."""
         return np.asarray(self.speed_mps + self.acceleration_mps2 * time_s)
 
-    def second_s(self, first_s: Array) -> Array:
+    def second_s(self, first_s: Floats) -> Floats:
         """t2 of t1, `first_s` of any shape, seconds, of the same shape; the root of the quadratic that stays
         exact as the acceleration goes to 0.
 
@@ -41,7 +40,7 @@ class Course:
         under = np.maximum(v * v + 2 * a * to_go, 0.0)
         return np.asarray(2 * to_go / np.maximum(v + np.sqrt(under), 1e-6))
 
-    def derivatives(self, first_s: Array, second_s: Array) -> tuple[Array, Array]:
+    def derivatives(self, first_s: Floats, second_s: Floats) -> tuple[Floats, Floats]:
         """d t2 / d speed and d t2 / d acceleration, (n,) each, at t1 and t2, `first_s`, `second_s` (n,):
         minus (t2 - t1) / v(t2) and (t2^2 - t1^2) / (2 v(t2)).
         """
@@ -52,7 +51,7 @@ class Course:
         )
 
 
-def solved_by_boundaries(crossed_s: Array, baseline_m: float) -> Course:
+def solved_by_boundaries(crossed_s: Floats, baseline_m: float) -> Course:
     """Speed and acceleration from the four crossings alone (two linear equations): where a search begins.
 
     `crossed_s` (4,): front and rear at camera 1, front and rear at camera 2; seconds, the first one 0.

@@ -1,7 +1,5 @@
 """Many measurements at once: the same heights, checks and events as one by one, in a few queries."""
 
-from __future__ import annotations
-
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass, replace

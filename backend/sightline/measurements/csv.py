@@ -1,7 +1,5 @@
 """The tables of measurements in the package: current ones, revisions, budgets, clicks."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -37,7 +35,7 @@ from sightline.infra.csv_package.columns import (
     text,
     within,
 )
-from sightline.infra.csv_package.schema import Cell, Column, Table
+from sightline.infra.csv_package.schema import Cell, Column, Table, ids_of
 from sightline.measurements.again.csv import out_of_date
 from sightline.measurements.followed_text import frames_of_text
 from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues, ReviewState
@@ -129,13 +127,7 @@ def _clicked(name: str, meaning: str, point: Callable[[MeasurementValues], Point
 POINTS: Columns = (
     *_clicked("contact", "where the tyre meets the road", lambda values: values.contact),
     *_clicked("target", "the target point", lambda values: values.target_point),
-    number(
-        "sigma_px",
-        "standard uncertainty of each coordinate of each click",
-        "px",
-        lambda m: float(m.values.sigma_px),
-        minimum=0,
-    ),
+    number("sigma_px", "column-measurements-sigma-px", "px", lambda m: float(m.values.sigma_px), minimum=0),
 )
 
 
@@ -151,55 +143,26 @@ def _proposed(which: str) -> Columns:
 
 _MADE: Columns = within(
     "values",
-    text(
-        "made",
-        "how the points on `frame` were set: clicked: by hand (the contact may be a proposed one where "
-        "no target was proposed); snapped: the contact moved from a click to the tyre found there; "
-        "confirmed: as proposed; moved: from proposed or found points (contact or target), at least one "
-        "of which a person placed",
-        required=True,
-        enum=get_args(Made),
-    ),
+    text("made", "column-measurements-made", required=True, enum=get_args(Made)),
     *_known("snapped_from", "where a person clicked before the contact went to the tyre found there"),
-    text(
-        "proposal",
-        "whether contact and target were proposed on `frame` when it was measured: shown, or withheld: "
-        "the vehicle was drawn to be measured free; empty where one of them was not proposed",
-        enum=get_args(ProposalKept),
-    ),
+    text("proposal", "column-measurements-proposal", enum=get_args(ProposalKept)),
     *_proposed("contact"),
     *_proposed("target"),
 )
 POSE: Columns = within("values", key("pose_id", "camera pose used"))
 _INSET: Columns = within(
     "values",
-    metres(
-        "inset_m",
-        "inset: distance from the vertical plane through the contact point to the target, along road Y",
-    ),
+    metres("inset_m", "column-measurements-inset-m"),
     metres("u_inset_m", "standard uncertainty of the inset (k = 1)"),
 )
 _SIDE: Columns = within(
     "values",
-    text(
-        "side",
-        "of an eye: side of the vehicle, seen from the camera, on which the driver sits",
-        enum=get_args(DriverSide),
-    ),
+    text("side", "column-measurements-side", enum=get_args(DriverSide)),
 )
 _SIDE_FROM: Columns = within(
     "values",
-    text(
-        "side_from",
-        "source of the side: entered for this vehicle, its direction, or the lane next to the camera",
-        enum=get_args(SideBasis),
-    ),
-    text(
-        "inset_from",
-        "whether the inset is the survey's usual one or this measurement's own",
-        required=True,
-        enum=get_args(InsetSource),
-    ),
+    text("side_from", "column-measurements-side-from", enum=get_args(SideBasis)),
+    text("inset_from", "column-measurements-inset-from", required=True, enum=get_args(InsetSource)),
 )
 
 
@@ -246,27 +209,13 @@ def _frames_used(m: Measurement) -> int:
 
 
 _SEVERAL: Columns = (
-    integer(
-        "frames",
-        "number of frames on which the points were clicked, or followed through a whole pass",
-        _frames_used,
-        required=True,
-        minimum=1,
-    ),
+    integer("frames", "column-measurements-frames", _frames_used, required=True, minimum=1),
     _frame_number(2),
     *_further_points(2),
     *within(
         "values",
-        text(
-            "followed",
-            "of a whole pass: JSON of the points followed from those on `frame` (docs/formats.md); height_m "
-            "is then that of all of them",
-        ),
-        metres(
-            "solved_inset_m",
-            "the inset found from several frames or a whole pass; inset_m is then not used for height_m, of "
-            "a whole pass only as what is known beforehand",
-        ),
+        text("followed", "column-measurements-followed"),
+        metres("solved_inset_m", "column-measurements-solved-inset-m"),
         metres("u_solved_inset_m", "standard uncertainty of the inset found (k = 1)"),
     ),
 )
@@ -278,19 +227,13 @@ _HEIGHT: Columns = (
     *within(
         "values",
         metres("height_m", "height of the target above the road along its normal, corrected for the inset"),
-        metres(
-            "uncorrected_height_m", "the first frame's height with an inset of 0 (the paper's assumption)"
-        ),
+        metres("uncorrected_height_m", "column-measurements-uncorrected-height-m"),
         metres("u_height_m", "standard uncertainty of height_m (k = 1)"),
         metres("U95_height_m", "half-width of the 95 % interval of height_m"),
         metres("x_m", "contact point along the road, from the pose's origin (X)"),
         metres("y_m", "contact point across the road, away from the camera (Y)"),
         metres("u_clicks_m", "component of u_height_m from the clicks, which no other height shares"),
-        metres(
-            "u_by_inset_m",
-            "component of u_height_m from the assumed inset; the remaining component is that of the camera "
-            "pose",
-        ),
+        metres("u_by_inset_m", "column-measurements-u-by-inset-m"),
         metres("distance_m", "from the camera's centre to the contact point"),
         text("status", "whether there is a height", required=True, enum=get_args(MeasurementStatus)),
     ),
@@ -301,11 +244,7 @@ _HEIGHT: Columns = (
     moment("created_at", "when the revision was stored"),
     flag("withdrawn", "true if the measurement was withdrawn", required=True),
     integer("computing_id", "recomputation that made this revision from the clicks of the previous one"),
-    integer(
-        "verdict_of_revision",
-        "the revision before it whose verdict holds for this one too: computed again, it moved by no more "
-        "than its u, or its points were put back where they were",
-    ),
+    integer("verdict_of_revision", "column-measurements-verdict-of-revision"),
 )
 _MEASURED: Columns = (
     *_WHERE,
@@ -320,14 +259,7 @@ _MEASURED: Columns = (
     *_HEIGHT,
 )
 
-_FILMED: Columns = (
-    Column(
-        "filmed_at",
-        "datetime",
-        "when that frame was filmed, by the clocks of the place (ISO 8601 with offset): started_at of its "
-        "recording and time_s; empty while nobody has confirmed that start",
-    ),
-)
+_FILMED: Columns = (Column("filmed_at", "datetime", "column-measurements-filmed-at"),)
 
 
 def verdict_basis(verdict: str, lot_id: int | None) -> str | None:
@@ -368,7 +300,7 @@ MEASUREMENTS: Table[Measurement] = Table(
         *within("review", *standing_verdict(get_args(Verdict))),
         text(
             "verdict_by",
-            "whether a reviewer judged this measurement itself, or its lot by a sample",
+            "column-measurements-verdict-by",
             lambda m: verdict_basis(m.review.verdict, m.review.lot_id),
             enum=get_args(VerdictBasis),
         ),
@@ -377,15 +309,16 @@ MEASUREMENTS: Table[Measurement] = Table(
     ),
     primary=("id",),
     foreign=(
-        (("vehicle_id",), "vehicles", ("id",)),
-        (("recording_id",), "recordings", ("id",)),
+        *ids_of(vehicle_id="vehicles", recording_id="recordings"),
         (("recording_id", "frame"), "frames", ("recording_id", "frame")),
-        (("pose_id",), "poses", ("id",)),
-        (("calibration_id",), "calibrations", ("id",)),
-        (("computing_id",), "computings", ("id",)),
-        (("created_by_id",), "people", ("id",)),
-        (("reviewer_id",), "people", ("id",)),
-        (("lot_id",), "lots", ("id",)),
+        *ids_of(
+            pose_id="poses",
+            calibration_id="calibrations",
+            computing_id="computings",
+            created_by_id="people",
+            reviewer_id="people",
+            lot_id="lots",
+        ),
     ),
 )
 
@@ -399,11 +332,9 @@ REVISIONS: Table[Measurement] = Table(
     ),
     primary=("measurement_id", "revision"),
     foreign=(
-        (("measurement_id",), "measurements", ("id",)),
+        *ids_of(measurement_id="measurements"),
         (("recording_id", "frame"), "frames", ("recording_id", "frame")),
-        (("pose_id",), "poses", ("id",)),
-        (("computing_id",), "computings", ("id",)),
-        (("created_by_id",), "people", ("id",)),
+        *ids_of(pose_id="poses", computing_id="computings", created_by_id="people"),
     ),
 )
 
@@ -416,7 +347,7 @@ BUDGET: Table[BudgetEntry] = Table(
         metres("u_m", "its contribution to the standard uncertainty of the height"),
     ),
     primary=("measurement_id", "source"),
-    foreign=((("measurement_id",), "measurements", ("id",)),),
+    foreign=ids_of(measurement_id="measurements"),
 )
 
 
@@ -465,7 +396,7 @@ CLICKS: Table[Clicked] = Table(
         ),
     ),
     primary=("id",),
-    foreign=((("pose_id",), "poses", ("id",)),),
+    foreign=ids_of(pose_id="poses"),
 )
 
 

@@ -1,7 +1,5 @@
 """A followed pass as the text that a measurement keeps: its points and how their errors hang together."""
 
-from __future__ import annotations
-
 import json
 import math
 from typing import Any

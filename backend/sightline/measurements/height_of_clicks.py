@@ -4,8 +4,6 @@ What is shown while the pointer moves, what is stored, what an export contains a
 all come from `answer`, so they cannot differ. Nothing here reads or writes.
 """
 
-from __future__ import annotations
-
 import math
 import threading
 from collections.abc import Mapping, Sequence

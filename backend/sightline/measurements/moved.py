@@ -1,7 +1,5 @@
 """What a camera that moved since its road pose does to a height, at the height's own clicks."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import replace

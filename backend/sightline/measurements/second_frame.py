@@ -5,8 +5,6 @@ followed, another measurement of it on two frames gives its speed, and failing t
 traffic are assumed, and said to be. Nothing here is stored: the operator clicks both points.
 """
 
-from __future__ import annotations
-
 import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace

@@ -4,8 +4,6 @@ The preview and the stored number come from the same function (`height_of_clicks
 sigma and inset, so for the same points they are the same number.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import asdict, fields, replace
 from typing import Any, cast

@@ -1,7 +1,5 @@
 """How a long piece of work learns that nobody wants it any more."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable
 from dataclasses import dataclass

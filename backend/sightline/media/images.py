@@ -1,7 +1,5 @@
 """Still pictures in and out; sizes are checked before anything is decoded."""
 
-from __future__ import annotations
-
 import struct
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """The networks of the proposals, run by OpenCV; their weights lie beside this file."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -5,8 +5,6 @@ said by its key in the language asked for, and every other stays. Meanings of a 
 COLUMNS.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 from functools import cache

@@ -1,7 +1,5 @@
 """The table of the people that other tables name, in the package."""
 
-from __future__ import annotations
-
 from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.columns import key, text
 from sightline.infra.csv_package.schema import Table

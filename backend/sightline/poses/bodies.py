@@ -1,6 +1,5 @@
 """What road poses take and answer."""
 
-from datetime import datetime
 from typing import Annotated
 
 from pydantic import Field
@@ -9,10 +8,10 @@ from sightline.cameras.board_bodies import BoardIn, Markers
 from sightline.cameras.calibrations.bodies import CameraDocument
 from sightline.enums import BoardSide
 from sightline.geometry.road_pose import BoardOnRoad
-from sightline.infra.web.bodies import Finite, FrameNumber, Out
+from sightline.infra.web.bodies import Finite, FrameNumber, Out, of_record
 from sightline.infra.web.named import CalibrationId
 from sightline.messages.said import Said
-from sightline.poses.records import ExpectedHeight, PoseOverlay
+from sightline.poses.records import ExpectedHeight, PoseOverlay, PoseSummary
 
 Corners = Annotated[int, Field(ge=2, le=60, description="Inner corners: where four squares meet.")]
 
@@ -44,16 +43,9 @@ class PoseWanted(Markers):
     u_bow_m: Annotated[Finite, Field(ge=0, le=1, description="Middle of the board out of plane.")] = 0.0005
 
 
+@of_record(PoseSummary, "survey_id", "created_by", "turned_from", "turned_by_rad", "adjusted_from")
 class PoseSummaryBody(Out):
-    id: int
-    recording_id: int
-    calibration_id: int
-    created_at: datetime
-    first_frame: int
-    last_frame: int
-    rms_px: float | None
-    distance_m: float | None
-    summary: list[Said]
+    pass
 
 
 class CamFromRoad(Out):

@@ -1,13 +1,11 @@
 """The table of road poses in the package."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import get_args
 
 from sightline.enums import BoardSide
 from sightline.infra.csv_package.columns import integer, key, metres, moment, number, person, text
-from sightline.infra.csv_package.schema import Cell, Table
+from sightline.infra.csv_package.schema import Cell, Table, ids_of
 from sightline.poses.records import Pose
 
 
@@ -41,40 +39,23 @@ POSES: Table[Pose] = Table(
         integer("board_columns", "inner corners in a row of the board", _of_board("columns")),
         integer("board_rows", "rows of inner corners", _of_board("rows")),
         metres("square_m", "side of a square", _of_board("square_m")),
-        text(
-            "reference",
-            "row of inner corners whose height was measured",
-            _of_board("reference"),
-            enum=get_args(BoardSide),
-        ),
+        text("reference", "column-poses-reference", _of_board("reference"), enum=get_args(BoardSide)),
         metres("reference_height_m", "height of that row above the road", _of_board("reference_height_m")),
         metres(
             "u_reference_height_m",
             "standard uncertainty of that height (k = 1)",
             _of_board("u_reference_height_m"),
         ),
-        number(
-            "u_lean_rad", "standard uncertainty of the board's lean (k = 1)", "rad", _of_board("u_lean_rad")
-        ),
+        number("u_lean_rad", "column-poses-u-lean-rad", "rad", _of_board("u_lean_rad")),
         metres("u_square_m", "standard uncertainty of the side of a square (k = 1)", _of_board("u_square_m")),
-        metres(
-            "u_bow_m", "standard uncertainty of the board's middle out of plane (k = 1)", _of_board("u_bow_m")
-        ),
+        metres("u_bow_m", "column-poses-u-bow-m", _of_board("u_bow_m")),
         integer("turned_from", "the pose that this one was, before it was turned to the traffic"),
         number("turned_by_rad", "by how much it was turned about the road's normal", "rad"),
-        integer(
-            "adjusted_from",
-            "the pose that this one was, before it was adjusted by its traffic (account: its document)",
-        ),
-        text(
-            "document",
-            "the pose as a file of this package (sightline-pose-1)",
-            lambda p: pose_path(p.id),
-            required=True,
-        ),
+        integer("adjusted_from", "column-poses-adjusted-from"),
+        text("document", "column-poses-document", lambda p: pose_path(p.id), required=True),
         person("created_by_id", "who made it"),
         moment("created_at", "when it was made"),
     ),
     primary=("id",),
-    foreign=((("calibration_id",), "calibrations", ("id",)), (("created_by_id",), "people", ("id",))),
+    foreign=ids_of(calibration_id="calibrations", created_by_id="people"),
 )

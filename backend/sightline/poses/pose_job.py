@@ -1,7 +1,5 @@
 """Road poses of stored recordings: what is refused at once, and the job that looks at the frames."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any

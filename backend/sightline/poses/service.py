@@ -1,7 +1,5 @@
 """Road poses: the board on one frame, the pose from a span of frames, and what is drawn and said about it."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass

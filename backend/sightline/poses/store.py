@@ -10,7 +10,7 @@ from sightline.cameras.tables import cameras
 from sightline.errors import BadInput
 from sightline.infra.audit.written import written_once, written_rows
 from sightline.infra.by_name import record_of
-from sightline.infra.database.rows import change_row, get_row, missing
+from sightline.infra.database.rows import change_row, get_row, the_one
 from sightline.poses.records import NewPose, Pose, PoseSummary
 from sightline.poses.tables import road_poses
 from sightline.recordings.tables import recordings
@@ -42,10 +42,7 @@ def add_pose(
 
 def get_pose(session: Session, pose_id: int) -> Pose:
     """One pose, whole. Raises NotFound."""
-    found = _whole(session, road_poses.c.id == pose_id)
-    if not found:
-        raise missing("camera pose", pose_id)
-    return found[0]
+    return the_one(_whole(session, road_poses.c.id == pose_id), "camera pose", pose_id)
 
 
 def list_whole_poses(session: Session, survey_id: int) -> tuple[Pose, ...]:

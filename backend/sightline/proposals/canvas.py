@@ -2,8 +2,6 @@
 the right.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import cv2

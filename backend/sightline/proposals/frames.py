@@ -1,7 +1,5 @@
 """Which frames of a pass are looked at; of each the change against the empty road and the vehicle's box."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

@@ -5,8 +5,6 @@ looks at half a metre about one of them and says where it lies there, how far th
 is to be seen at all. `tests/bench/train_proposals.py` makes the weights; who calls brings the networks.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, get_args

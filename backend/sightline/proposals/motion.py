@@ -1,7 +1,5 @@
 """The straight, even motion of a vehicle that the wheels found on several frames agree on."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 

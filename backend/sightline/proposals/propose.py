@@ -6,8 +6,6 @@ that, roof, lamps and eye are looked at closely on every frame and put together.
 measurement.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 

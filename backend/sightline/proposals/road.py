@@ -1,7 +1,5 @@
 """The empty road behind a pass, at full size."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """A frame of a pass as the proposals look at it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

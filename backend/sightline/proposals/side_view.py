@@ -1,7 +1,5 @@
 """A frame's arrays, and where a road point is seen."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

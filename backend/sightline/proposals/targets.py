@@ -4,8 +4,6 @@ On the side plane a point keeps its height from frame to frame wherever it lies 
 along it evenly: so heights are averaged, and places along are a straight line over the frames.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Both wheels of a passing vehicle on one frame: the contact assistant along the lower edge of what moves."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from itertools import combinations
 

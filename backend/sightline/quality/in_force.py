@@ -1,7 +1,5 @@
 """A road pose made of another one, in force wherever that one was."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from sightline.errors import Conflict

@@ -1,7 +1,5 @@
 """The table of recordings in the package, with what was found and decided of cameras that moved."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from datetime import datetime
@@ -12,7 +10,7 @@ from sightline.infra.csv_package.chain import stamp
 from sightline.infra.csv_package.columns import flag, integer, key, metres, number, text, within
 from sightline.infra.csv_package.files import Files, read_columns, unsafe, whole
 from sightline.infra.csv_package.files import number as figure
-from sightline.infra.csv_package.schema import Cell, Cells, Column, Table
+from sightline.infra.csv_package.schema import Cell, Cells, Column, Table, ids_of
 from sightline.infra.local_time import local_text
 from sightline.recordings.drift import DriftDecision, DriftFigures, drift_check_of, drift_figures
 from sightline.recordings.filming import Filming
@@ -77,25 +75,13 @@ def _time(of: Callable[[Drift], Cell]) -> Callable[[Drift], Cell]:
 
 
 _DRIFT: tuple[Column[Drift], ...] = (
-    text(
-        "drift_state", "whether the camera moved since that pose", _found("state"), enum=get_args(DriftState)
-    ),
+    text("drift_state", "column-recordings-drift-state", _found("state"), enum=get_args(DriftState)),
     number("drift_floor_px", "detection limit of camera movement", "px", _found("floor_px")),
     number("drift_moved_px", "largest motion found, where it moved", "px", _found("moved_px")),
-    metres(
-        "drift_height_m",
-        "largest error that it gives a height of 1.2 m on the nearest road in the picture, 3 m away or more; "
-        "different at other distances",
-        _found("height_m"),
-    ),
-    metres(
-        "drift_distance_m", "distance across from the camera at which that error is", _found("distance_m")
-    ),
+    metres("drift_height_m", "column-recordings-drift-height-m", _found("height_m")),
+    metres("drift_distance_m", "column-recordings-drift-distance-m", _found("distance_m")),
     Column(
-        "drift_checked_at",
-        "datetime",
-        "when this was checked (ISO 8601, UTC)",
-        of=_time(_found("checked_at")),
+        "drift_checked_at", "datetime", "column-recordings-drift-checked-at", of=_time(_found("checked_at"))
     ),
     text("drift_decision", "reason for keeping the pose although the camera moved", _decided("reason")),
     integer("drift_decided_by_id", "who decided that", _decided("by_id")),
@@ -145,7 +131,7 @@ RECORDINGS: Table[DescribedRecording] = Table(
     "The video files behind the measurements.",
     (*within("recording", *_FACTS), *within("drift", *_DRIFT)),
     primary=("id",),
-    foreign=((("drift_decided_by_id",), "people", ("id",)),),
+    foreign=ids_of(drift_decided_by_id="people"),
 )
 
 

@@ -1,7 +1,5 @@
 """When a recording was filmed, by the clocks of its place, and whether its camera's calibration fits it."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import UTC, date, datetime

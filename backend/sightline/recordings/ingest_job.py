@@ -14,7 +14,6 @@ from sightline.infra.database import Session
 from sightline.infra.database.types import now
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.recovery import STOPPED as CANCELLED
 from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
 from sightline.infra.services import Services
 from sightline.media.cancelling import IngestCancelled
@@ -57,15 +56,10 @@ def mark_failed(session: Session, job: Job, error: Said) -> None:
     if job.recording_id is None:
         return
     try:
-        reason = STOPPED if error == CANCELLED else error
+        reason = STOPPED if error == registry.STOPPED else error
         recordings.note_ingest_failed(session, job.recording_id, reason, actor=job.created_by)
     except NotFound:
         return  # deleted meanwhile
-
-
-def mark_cancelled(session: Session, job: Job) -> None:
-    """With the end of an ingest that had not begun: the recording is not ready, and why."""
-    mark_failed(session, job, STOPPED)
 
 
 def read_at_rate(services: Services, recording_id: int, filmed_hz: float, actor: int) -> Job:
@@ -111,7 +105,7 @@ def add_picture(session: Session, recording_id: int, number: int, actor: int) ->
     return recordings.get_recording(session, made.id)
 
 
-@registry.handler(KIND, failed=mark_failed, on_cancel=mark_cancelled)
+@registry.handler(KIND, failed=mark_failed)
 def run_ingest(context: JobContext) -> Finish:
     """Decode the video once. May be killed at any moment: nothing is stored before it is whole."""
     services = context.services

@@ -1,7 +1,5 @@
 """Holding the recordings of a package against the audit chain."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any

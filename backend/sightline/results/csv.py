@@ -1,7 +1,5 @@
 """What a package is of, and the heights of standards that it is read against, as tables, and back."""
 
-from __future__ import annotations
-
 from operator import itemgetter
 from typing import get_args
 
@@ -61,12 +59,7 @@ SELECTION: Table[Chosen] = Table(
     "hours alone. The other tables are of the whole survey.",
     (
         text("by", "what is chosen by", itemgetter(0), required=True, enum=(*_WORDS, *FILMED)),
-        text(
-            "word",
-            "the lighting, set of classes, class, day, or hour of the day by the clocks of the place",
-            itemgetter(1),
-            required=True,
-        ),
+        text("word", "column-selection-word", itemgetter(1), required=True),
     ),
     primary=("by", "word"),
 )

@@ -3,8 +3,6 @@
 A package's tables give the same columns (`export.measured`), and `measured_of` makes the same of both.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from datetime import date
@@ -15,6 +13,7 @@ from numpy.typing import NDArray
 from sqlalchemy import ColumnElement, Select, case, func, null, select
 from sqlalchemy.orm import Session
 
+from sightline.arrays import Floats, Ints
 from sightline.enums import Category, ClassSet, Direction, Lighting, Target, Verdict
 from sightline.errors import Damaged
 from sightline.geometry.documents import camera_across_m
@@ -30,8 +29,6 @@ from sightline.vehicles.records import BY_SIZE, KNOWN
 from sightline.vehicles.store import FIRST, FIRST_S, vehicles_outside
 from sightline.vehicles.tables import vehicles
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 #: The values of a column, None for nothing.
 Values = Iterable[Any]
 

@@ -1,7 +1,5 @@
 """Which vehicles a package and its report are of: by lighting, sets of classes, classes, time of filming."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from datetime import date
 from typing import Any, get_args

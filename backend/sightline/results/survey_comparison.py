@@ -1,7 +1,5 @@
 """Two surveys (or years) beside each other: of each target the second's figures less the first's."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Annotated

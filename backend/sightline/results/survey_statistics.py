@@ -7,8 +7,6 @@ read against the survey's own table of standards (`results.standards_store`).
 would tell is then given, `StatisticsOptions.standards` included.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """Holding the table of standards in a package against the audit chain."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

@@ -1,12 +1,10 @@
 """The table of verdicts in the package."""
 
-from __future__ import annotations
-
 from typing import get_args
 
 from sightline.enums import ReviewVerdict
 from sightline.infra.csv_package.columns import integer, key
-from sightline.infra.csv_package.schema import Table
+from sightline.infra.csv_package.schema import Table, ids_of
 from sightline.measurements.csv import given_verdict
 from sightline.measurements.records import Review
 
@@ -24,9 +22,5 @@ REVIEWS: Table[Review] = Table(
         *_GIVEN[2:],
     ),
     primary=("id",),
-    foreign=(
-        (("measurement_id",), "measurements", ("id",)),
-        (("lot_id",), "lots", ("id",)),
-        (("reviewer_id",), "people", ("id",)),
-    ),
+    foreign=ids_of(measurement_id="measurements", lot_id="lots", reviewer_id="people"),
 )

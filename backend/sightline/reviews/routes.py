@@ -17,7 +17,6 @@ from sightline.reviews.bodies import HeightBody, HistoryBody, NewReview, PlanIn,
 from sightline.reviews.records import ReviewPlan, ReviewWork
 from sightline.reviews.service import require_seen_by_plan, review
 from sightline.scans.heights.presenters import scan_height_bodies
-from sightline.surveys.store import get_survey
 
 router = APIRouter()
 
@@ -38,7 +37,6 @@ def review_queue(
 
     Others have to review `mine`, which come last.
     """
-    get_survey(session, survey_id)
     found = store.review_queue(
         session, survey_id, state=state, after=after, only=measurement, lot=lot, limit=limit, actor=who.id
     )
@@ -52,7 +50,6 @@ def review_queue(
 @router.get("/surveys/{survey_id}/review-work")
 def review_work(survey_id: PathId, who: Viewer, session: Reading) -> ReviewWork:
     """How much waits for a verdict, how much of it is one's own, and how much has one."""
-    get_survey(session, survey_id)
     return store.review_work(session, survey_id, actor=who.id)
 
 
@@ -76,18 +73,7 @@ def review_measurement(
 ) -> HeightBody:
     """Accept, reject (with a reason), fix (on frames: with points), reopen; never one's own."""
     require_seen_by_plan(session, measurement_id, body.revision, body.verdict, who.id)
-    judged = review(
-        session,
-        measurement_id,
-        revision=body.revision,
-        verdict=body.verdict,
-        reason=body.reason,
-        seen=body.seen,
-        frame=body.frame,
-        contact=body.contact,
-        target_point=body.target_point,
-        actor=who.id,
-    )
+    judged = review(session, measurement_id, **body.model_dump(), actor=who.id)
     return _bodies(session, [judged], who.id)[0]
 
 

@@ -1,7 +1,5 @@
 """Reviews: a verdict on a height; a fix, on frames alone, measures again with the reviewer's points."""
 
-from __future__ import annotations
-
 from typing import get_args
 
 from sightline.enums import AcceptedVerdict, Point, ReviewVerdict, Verdict

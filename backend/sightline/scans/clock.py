@@ -1,7 +1,5 @@
 """The clock of a line-scan recording: when line 0 was taken, as a person confirmed; when vehicles passed."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import datetime

@@ -1,7 +1,5 @@
 """The tables of line-scan recordings in an export: what every column holds, and what rows they have."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from operator import attrgetter
 from typing import Any, get_args
@@ -34,7 +32,7 @@ from sightline.infra.csv_package.columns import (
     within,
 )
 from sightline.infra.csv_package.files import Staging
-from sightline.infra.csv_package.schema import Cell, Column, Table
+from sightline.infra.csv_package.schema import Cell, Column, Table, ids_of
 from sightline.infra.database import Session
 from sightline.linescan.parts import Gap
 from sightline.measurements.csv import given_verdict, standing_verdict
@@ -183,8 +181,6 @@ _GAP: tuple[Column[Gap], ...] = (
     metres("paper_distance_gap_m", "the paper's D: time gap times the mean of both speeds"),
     *said("gap_reason", "why a gap is missing", attrgetter("reason")),
 )
-_PEOPLE = ((("created_by_id",), "people", ("id",)), (("reviewer_id",), "people", ("id",)))
-
 LINE_SCANS: Table[Scan] = Table(
     "line_scans",
     "Line-scan recordings: pairs of strips with the rig that took them. Which camera a vehicle reached first "
@@ -214,7 +210,7 @@ LINE_SCANS: Table[Scan] = Table(
         ),
     ),
     primary=("id",),
-    foreign=((("recording_id",), "recordings", ("id",)),),
+    foreign=ids_of(recording_id="recordings"),
 )
 SCAN_VEHICLES: Table[ShownVehicle] = Table(
     "scan_vehicles",
@@ -251,10 +247,8 @@ SCAN_VEHICLES: Table[ShownVehicle] = Table(
         *within("vehicle.measurement", *_VERDICT, required=False),
     ),
     primary=("id",),
-    foreign=(
-        (("scan_id",), "line_scans", ("id",)),
-        (("measurement_id",), "scan_measurements", ("id",)),
-        *_PEOPLE,
+    foreign=ids_of(
+        scan_id="line_scans", measurement_id="scan_measurements", created_by_id="people", reviewer_id="people"
     ),
 )
 SCAN_MEASUREMENTS: Table[ScanMeasurement] = Table(
@@ -273,10 +267,11 @@ SCAN_MEASUREMENTS: Table[ScanMeasurement] = Table(
         ),
     ),
     primary=("id",),
-    foreign=(
-        (("vehicle_id",), "scan_vehicles", ("id",)),
-        (("verdict_of_id",), "scan_measurements", ("id",)),
-        *_PEOPLE,
+    foreign=ids_of(
+        vehicle_id="scan_vehicles",
+        verdict_of_id="scan_measurements",
+        created_by_id="people",
+        reviewer_id="people",
     ),
 )
 SCAN_REVIEWS: Table[ScanReview] = Table(
@@ -288,10 +283,7 @@ SCAN_REVIEWS: Table[ScanReview] = Table(
         *given_verdict(get_args(ScanVerdict)),
     ),
     primary=("id",),
-    foreign=(
-        (("measurement_id",), "scan_measurements", ("id",)),
-        (("reviewer_id",), "people", ("id",)),
-    ),
+    foreign=ids_of(measurement_id="scan_measurements", reviewer_id="people"),
 )
 TABLES: tuple[Table[Any], ...] = (
     LINE_SCANS,

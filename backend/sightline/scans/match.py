@@ -1,20 +1,17 @@
 """The second strip laid over the first by the fitted motion, to see whether they match."""
 
-from __future__ import annotations
-
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from sightline.errors import BadInput
 from sightline.infra.services import Services
-from sightline.linescan.rig import baseline_of
+from sightline.linescan.rig import baseline_of, rig_from
 from sightline.linescan.warp import Course
 from sightline.media.images import jpeg
 from sightline.media.strips.stored_reader import StripReader
 from sightline.scans.records import Scan, ScanMeasurement, ScanValues
 from sightline.scans.service import open_strips
-from sightline.scans.vehicles.motion import rig_of
 
 MARGIN = 0.08
 MOST_COLUMNS = 4096
@@ -58,7 +55,7 @@ def match_picture(services: Services, scan: Scan, measured: ScanMeasurement | No
 
 def partner_lines(values: ScanValues, lines: NDArray[np.float64]) -> NDArray[np.float64]:
     """Lines (n,) of strip 2 at which the fitted motion brings what strip 1 saw at `lines` (n,)."""
-    rig = rig_of(values.rig)
+    rig = rig_from(values.rig)
     assert values.speed_mps is not None
     # of the other direction, camera 2 lies the baseline before camera 1
     ahead_m = baseline_of(rig)[0] * (1 if values.direction == "camera_1_first" else -1)

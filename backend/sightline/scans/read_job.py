@@ -1,7 +1,5 @@
 """Reading a line-scan recording, as a job: both strips become their stored form, all of it or nothing."""
 
-from __future__ import annotations
-
 import tempfile
 from collections.abc import Mapping
 from contextlib import ExitStack
@@ -12,7 +10,6 @@ from sightline.errors import NotFound
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.recovery import STOPPED as CANCELLED
 from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
 from sightline.infra.services import Services
 from sightline.media.cancelling import IngestCancelled
@@ -37,18 +34,13 @@ def mark_failed(session: Session, job: Job, error: Said) -> None:
     if job.scan_id is None:
         return
     try:
-        reason = STOPPED if error == CANCELLED else error
+        reason = STOPPED if error == registry.STOPPED else error
         note_reading_failed(session, job.scan_id, reason, actor=job.created_by)
     except NotFound:
         return  # deleted meanwhile
 
 
-def mark_cancelled(session: Session, job: Job) -> None:
-    """With the end of a reading that had not begun: the scan is not ready, and why."""
-    mark_failed(session, job, STOPPED)
-
-
-@registry.handler(READ, failed=mark_failed, on_cancel=mark_cancelled)
+@registry.handler(READ, failed=mark_failed)
 def read_scan(context: JobContext) -> Finish:
     """Write the stored form of both strips. May be killed at any moment: nothing counts before the end."""
     services = context.services

@@ -26,7 +26,6 @@ from sightline.scans.presenters import scan_body
 from sightline.scans.records import CutSource
 from sightline.scans.rig.service import RigOfTraffic, rig_of_traffic
 from sightline.scans.store import RIG
-from sightline.surveys.store import get_survey
 
 router = APIRouter()
 
@@ -38,14 +37,12 @@ PathIndex = Annotated[int, Path(ge=0, le=2**31 - 1)]
 @router.get("/surveys/{survey_id}/scans")
 def list_scans(survey_id: PathId, who: Viewer, session: Reading) -> list[ScanBody]:
     """The line-scan recordings of a survey, in the order in which they came."""
-    get_survey(session, survey_id)
     return [scan_body(one) for one in store.list_scans(session, survey_id)]
 
 
 @router.get("/surveys/{survey_id}/strip-uploads")
 def list_strip_uploads(survey_id: PathId, who: Viewer, session: Reading) -> list[StripUploadBody]:
     """The strips that arrived and wait for their scan."""
-    get_survey(session, survey_id)
     return [filled_from(StripUploadBody, one) for one in strips_waiting(session, survey_id)]
 
 

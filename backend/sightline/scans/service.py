@@ -3,8 +3,6 @@
 Finding and measuring their vehicles is in `vehicles.find_job` and `vehicles.measure`.
 """
 
-from __future__ import annotations
-
 from sightline.enums import Lighting, ScanMethod, TimeAxis
 from sightline.errors import BadInput, Conflict
 from sightline.infra.database import Session

@@ -6,18 +6,15 @@ object, both vertically above the road. The forms are the Green Book's (AASHTO 2
 parabolas they are exact, not approximations, and the tests trace lines of sight to show it.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from sightline.arrays import Floats
 from sightline.enums import CurveCase
 from sightline.errors import BadInput
-
-Floats = NDArray[np.float64]
 
 HEADLIGHT_M = 0.60
 BEAM_RAD = math.radians(1.0)

@@ -7,8 +7,6 @@ customary units. Their printed factors are rounded (0.278 for 1/3.6, 0.039 for 1
 names its formula. Speeds and lengths go in and out in SI.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from typing import get_args

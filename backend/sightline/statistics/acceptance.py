@@ -6,8 +6,6 @@ keeps both risks for this very N. The standard's tables (code letters, switching
 lots) are not reproduced, and no conformity with it is claimed: surveys have a few lots, not a series.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -15,11 +13,10 @@ from functools import lru_cache
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from sightline.arrays import Floats
 from sightline.errors import BadInput
 
-Floats = NDArray[np.float64]
 _HAIR = 1e-9  # 0.1 x 30 is 3, not 3.0000000000000004
 _POINTS = 120
 CONFIDENCE = 0.95

@@ -9,13 +9,12 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from sightline.arrays import Floats
 from sightline.coverage import COVERAGE_95
 from sightline.messages.said import Said
 from sightline.statistics.errors import Interval
-
-Floats = NDArray[np.float64]
 
 CONFIDENCE = 0.95
 LEAST = 4

@@ -1,7 +1,5 @@
 """Two samples of heights beside each other (two surveys, two years): is the difference more than noise?"""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

@@ -11,13 +11,13 @@ from typing import get_args
 
 import numpy as np
 import scipy
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from sightline.arrays import Floats
 from sightline.enums import Correction
 from sightline.messages.said import Said
 from sightline.statistics.agreement import LEAST
 
-Floats = NDArray[np.float64]
 CORRECTIONS: tuple[Correction, ...] = get_args(Correction)
 _MANY_OUTSIDE = 0.01
 

@@ -17,7 +17,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from sightline.arrays import Floats
 
 _CELLS_PER_SPREAD = 12
 _MOST_CELLS = 400

@@ -13,9 +13,8 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike, NDArray
 
+from sightline.arrays import Floats
 from sightline.messages.said import Said
-
-Floats = NDArray[np.float64]
 
 PERCENTILES = (2.0, 2.5, 5.0, 10.0, 15.0, 50.0, 85.0, 90.0, 95.0, 97.5, 98.0)
 CONFIDENCE = 0.95

@@ -5,14 +5,13 @@ weights that were made to meet the fleet take from a height what its classes exp
 are held as in `sites`. A survey is a design of one stratum and equal weights.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from sightline.arrays import Floats, Ints
 from sightline.coverage import COVERAGE_95
 from sightline.messages.said import Said
 from sightline.statistics.draws import TAIL, ends_of, normal_draws, student_draws
@@ -21,9 +20,6 @@ from sightline.statistics.shared_errors import SharedErrors
 from sightline.statistics.sites import NOTHING, Sites, compact, mean_variance, pooled_variance, variances
 from sightline.statistics.survey_design import Design
 from sightline.statistics.survey_weights import left_of_squares, residuals
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 _MANY = 1e6  # degrees of freedom of a variance that is as good as known
 

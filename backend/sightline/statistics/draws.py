@@ -4,9 +4,8 @@ from functools import cache, lru_cache
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from sightline.arrays import Floats
 
 TAIL = 0.025
 LEVELS = (np.arange(4000) + 0.5) / 4000  # one draw in each of so many equally likely parts of a distribution

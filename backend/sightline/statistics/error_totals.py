@@ -13,15 +13,12 @@ from typing import NamedTuple
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from sightline.arrays import Floats, Ints
 from sightline.coverage import COVERAGE_95
 from sightline.statistics.distributions import share_interval
 from sightline.statistics.shared_errors import SharedErrors
 from sightline.statistics.sites import compact, excess_variance, sites_of
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 _TAIL = 0.025
 _SEED = 20190403  # intervals of the same rows are the same numbers

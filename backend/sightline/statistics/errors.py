@@ -10,8 +10,9 @@ from typing import get_args
 
 import numpy as np
 import scipy
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from sightline.arrays import Floats
 from sightline.coverage import COVERAGE_95
 from sightline.enums import IntervalPart, Lighting, Rounding
 from sightline.messages.said import Said
@@ -19,8 +20,6 @@ from sightline.statistics.distributions import share_interval
 from sightline.statistics.error_totals import ErrorTotals
 from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
 from sightline.statistics.wording import holding
-
-Floats = NDArray[np.float64]
 
 FIGURES = (
     "bias_m",

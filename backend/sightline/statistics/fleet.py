@@ -1,18 +1,14 @@
 """Percentiles of another fleet: the heights of each class as measured, mixed by other shares."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from sightline.arrays import Ints
 from sightline.statistics.sites import sites_of
 from sightline.statistics.survey_design import Design
 from sightline.statistics.survey_weights import Margin
 from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
-
-Ints = NDArray[np.int64]
 
 
 def mixed_fleet(sample: HeightSample, code: Ints, shares: Sequence[float]) -> TotalUncertainty:

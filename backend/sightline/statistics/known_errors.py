@@ -7,14 +7,13 @@ from typing import get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from sightline.arrays import Floats
 from sightline.coverage import COVERAGE_95
 from sightline.enums import Category, ErrorGrouping, Lighting, Target
 from sightline.messages.said import Said
 from sightline.statistics.distributions import share_interval
 from sightline.statistics.errors import LENGTHS, ErrorGroup, error_group
 from sightline.statistics.total_uncertainty import HeightSample
-
-Floats = NDArray[np.float64]
 
 #: In the order of the tables.
 COMPARED: tuple[Target, ...] = get_args(Target)

@@ -1,7 +1,5 @@
 """Our own values against reference values that came from elsewhere: a radar, a counter, GPS, a tape."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import hypot

@@ -23,9 +23,9 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike, NDArray
 
+from sightline.arrays import Floats
 from sightline.messages.said import Said
 
-Floats = NDArray[np.float64]
 Codes = NDArray[np.intp]
 
 LEAST_FREEDOM = 5  # below this the 95 % interval of a standard deviation spans a factor of six

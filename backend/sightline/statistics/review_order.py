@@ -6,10 +6,10 @@ from typing import get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.arrays import Floats
 from sightline.coverage import COVERAGE_95
 from sightline.enums import ReviewSign
 
-Floats = NDArray[np.float64]
 Codes = NDArray[np.int64]
 
 SIGNS: tuple[ReviewSign, ...] = get_args(ReviewSign)

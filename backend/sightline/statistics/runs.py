@@ -1,7 +1,5 @@
 """Several runs of one car: its length and wheelbase do not change, so the runs must agree within their u."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import sqrt

@@ -4,8 +4,6 @@ A pass is selected by its number in the survey, which it keeps, and by its headw
 times can tell again which passes were to be measured.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass

@@ -11,12 +11,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from sightline.arrays import Floats, Ints
 from sightline.statistics.shared_errors import SharedErrors
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 _SOME = 6  # sites; from then on sampling within them is taken from all heights, not from their differences
 _MANY = 400  # sites; from then on their degrees of freedom are one less than they are

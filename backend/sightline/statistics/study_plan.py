@@ -1,7 +1,5 @@
 """How many sites, and how many vehicles at each, give a percentile the interval that is wanted."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

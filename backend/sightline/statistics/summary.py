@@ -7,6 +7,7 @@ from typing import get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.arrays import Floats, Ints
 from sightline.enums import Correction, Lighting, Rounding
 from sightline.messages.said import Said
 from sightline.statistics.agreement import (
@@ -32,9 +33,6 @@ from sightline.statistics.distributions import (
 )
 from sightline.statistics.errors import WHOLE_CM, ErrorGroup, error_table, signed_errors
 from sightline.statistics.total_uncertainty import HeightSample, TotalFigures, total_figures
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 MOST_POINTS = 1500
 MOST_GROUPS = 24

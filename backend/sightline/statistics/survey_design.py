@@ -1,16 +1,11 @@
 """How a sample of vehicles was drawn: strata, sites as primary sampling units, weights."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from sightline.arrays import Floats, Ints
 from sightline.statistics.survey_weights import Margin
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,8 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
+from sightline.arrays import Floats, Ints
 
 _ROUNDS = 1000
 _CLOSE = 1e-10

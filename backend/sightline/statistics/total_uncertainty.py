@@ -18,6 +18,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from sightline.arrays import Floats, Ints
 from sightline.coverage import COVERAGE_95, MEAN_OF_INSET
 from sightline.enums import IntervalPart
 from sightline.messages.said import Said
@@ -31,9 +32,6 @@ from sightline.statistics.sites import sites_of
 from sightline.statistics.study_plan import Components
 from sightline.statistics.survey_design import Design
 from sightline.statistics.wording import holding
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 _SHAPE = 0.1  # of a correction for random error: what a density of another shape may change it by (k = 1)
 _SMOOTHED = 0.5  # spreads, on either side of a percentile: heights by which sites are compared there

@@ -4,12 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from sightline.arrays import Bools, Floats
 from sightline.messages.said import Said
-
-Floats = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 
 CANNOT_FIT_P = 0.001
 SAME_CLASS = 0.9  # the share of vehicles whose class, as a person gave it, is that of their row (estimate)

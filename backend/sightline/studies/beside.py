@@ -1,7 +1,5 @@
 """Two studies beside each other: is the difference of their figures more than noise?"""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from typing import Any
 

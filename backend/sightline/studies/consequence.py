@@ -1,7 +1,5 @@
 """The one sentence that says what a study's heights change on the road."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from sightline.enums import LengthUnit

@@ -1,7 +1,5 @@
 """What is stored of a study's result: the rows of its package's tables, and what its page draws and says."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from sightline.enums import JsonObject

@@ -1,7 +1,5 @@
 """The tables that a person gives a study: shares of the fleet (`--weights`), facts of sites (`--sites`)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The packages of a study: found, verified, told apart, and refused in one sentence where they do not fit."""
 
-from __future__ import annotations
-
 import json
 import re
 import shutil

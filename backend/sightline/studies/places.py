@@ -1,15 +1,14 @@
 """The sites of a study and how they were drawn: strata, how many sites each has, their traffic."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from sightline.arrays import Floats, Ints
 from sightline.errors import BadInput
 from sightline.statistics.survey_design import Design
-from sightline.studies.records import Floats, Ints, SiteFacts, StudiedSurvey
+from sightline.studies.records import SiteFacts, StudiedSurvey
 
 _ONE_STRATUM = "all"
 

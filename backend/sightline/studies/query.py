@@ -11,10 +11,11 @@ import duckdb
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.arrays import Floats, Ints
 from sightline.enums import StatisticsTarget
 from sightline.infra.csv_package.schema import parquet_path
 from sightline.results.measured_columns_query import CATEGORIES, CLASS_SETS, LIGHTING, UNCERTAINTY, Heights
-from sightline.studies.records import Floats, Ints, StudiedPackage
+from sightline.studies.records import StudiedPackage
 from sightline.vehicles.records import BY_SIZE
 
 #: The tables that a study reads of a package.

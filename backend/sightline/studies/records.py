@@ -1,14 +1,9 @@
 """What a study is made of and what comes out of it."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
-
-import numpy as np
-from numpy.typing import NDArray
 
 from sightline.enums import ComparisonVerdict, JsonObject, StatisticsTarget
 from sightline.infra.audit.records import Who
@@ -16,9 +11,6 @@ from sightline.messages.said import Said
 from sightline.statistics.figures import TotalFigure, TotalPercentile
 from sightline.statistics.rules import RuleToday
 from sightline.statistics.standards import Standard
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True)

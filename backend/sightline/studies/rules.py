@@ -1,7 +1,5 @@
 """The rules of standards on a study's heights: each on its class, as the class is in the fleet."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Sequence
 
 import numpy as np

@@ -4,14 +4,13 @@ The surveys' tables come from packages (`query.StudyTables`) or from this instal
 (`stored_query.StoredTables`); what is made of them is the same to the last digit.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Protocol, get_args
 
 import numpy as np
 
+from sightline.arrays import Ints
 from sightline.enums import StatisticsTarget
 from sightline.errors import BadInput
 from sightline.messages.said import Said
@@ -27,7 +26,6 @@ from sightline.studies.places import Places, places_of
 from sightline.studies.records import (
     Curve,
     Fleet,
-    Ints,
     PlanRow,
     SiteFacts,
     StudiedSurvey,

@@ -1,16 +1,15 @@
 """What a study says of its vehicles themselves: shares of their classes, errors of their roofs."""
 
-from __future__ import annotations
-
 import numpy as np
 
+from sightline.arrays import Floats, Ints
 from sightline.results.measured_columns_query import CATEGORIES, LIGHTING, Heights
 from sightline.statistics.drawn import Drawn, ordered, share_of
 from sightline.statistics.error_totals import ErrorTotals
 from sightline.statistics.figures import TotalFigure
 from sightline.statistics.shared_errors import SharedErrors
 from sightline.studies.places import Places, design_of
-from sightline.studies.records import ClassShare, ErrorFigure, Fleet, Floats, Ints
+from sightline.studies.records import ClassShare, ErrorFigure, Fleet
 from sightline.studies.weighted import LEAST, sample_of
 
 LEAST_ERRORS = 5  # for a figure of them

@@ -13,7 +13,7 @@ from sightline.infra.audit import trail
 from sightline.infra.audit.changing import alter_row, change_since, make_rows, take_out_row
 from sightline.infra.audit.written import written_once, written_rows
 from sightline.infra.by_name import record_of
-from sightline.infra.database.rows import change_row, get_row, missing
+from sightline.infra.database.rows import change_row, get_row, the_one
 from sightline.infra.version import code_version
 from sightline.studies.records import StoredStudy, StudyFacts, StudyResult, StudySurvey
 from sightline.studies.tables import studies, study_results
@@ -103,10 +103,7 @@ def add_study_result(
 
 def get_study_result(session: Session, study_id: int, result_id: int) -> StudyResult:
     """One result of a study. Raises NotFound."""
-    found = _results(session, study_id, study_results.c.id == result_id)
-    if not found:
-        raise missing("result", result_id)
-    return found[0]
+    return the_one(_results(session, study_id, study_results.c.id == result_id), "result", result_id)
 
 
 def newest_result(session: Session, study_id: int) -> StudyResult | None:

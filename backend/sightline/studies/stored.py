@@ -1,7 +1,5 @@
 """Studies of this installation's own surveys: what they say held together, and what comes out of them."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace

@@ -3,8 +3,6 @@
 Lengths are those of a package, to the micrometre, so that a study gives the same here and from packages.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import fields, replace
 from typing import get_args
@@ -13,10 +11,10 @@ import numpy as np
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
+from sightline.arrays import Ints
 from sightline.enums import AcceptedVerdict, StatisticsTarget
 from sightline.poses.tables import road_poses
 from sightline.results.measured_columns_query import TARGETS, VERDICTS, Heights, load_measured_columns
-from sightline.studies.records import Ints
 
 _COUNTED = tuple(VERDICTS.index(word) for word in get_args(AcceptedVerdict))
 

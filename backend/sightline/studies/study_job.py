@@ -1,7 +1,5 @@
 """The job that computes a study: its figures, its package and its report, stored together or not at all."""
 
-from __future__ import annotations
-
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.arrays import Ints
 from sightline.errors import BadInput
 from sightline.messages.said import Said
 from sightline.results.measured_columns_query import CATEGORIES, LIGHTING, Heights
@@ -17,7 +18,7 @@ from sightline.statistics.survey_design import Design
 from sightline.statistics.survey_weights import Margin, calibrated
 from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty, sample_of_measurements
 from sightline.studies.places import Places, design_of
-from sightline.studies.records import Fleet, Ints
+from sightline.studies.records import Fleet
 
 LEAST = 2  # heights for a figure
 

@@ -1,7 +1,5 @@
 """A study on the disk: its tables as CSV and Parquet, described, with the sums of all files."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from sightline.infra.csv_package.files import Staging

@@ -6,8 +6,6 @@ axles), all of them are named. A sport utility vehicle counts as a passenger car
 counts it with the light trucks, as class 3 of FHWA may be read, changes its set.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, get_args

@@ -1,7 +1,5 @@
 """The tables of a survey's insets and of its classes of vehicles in the package."""
 
-from __future__ import annotations
-
 from operator import itemgetter
 from typing import get_args
 
@@ -46,20 +44,10 @@ INSETS: Table[InForce] = Table(
     "insets",
     "The insets in force in this survey: used for every measurement that does not carry its own.",
     (
-        text(
-            "target",
-            "what is measured; of a driver's eye for the driver on the near or on the far side",
-            itemgetter(0),
-            required=True,
-            enum=get_args(InsetName),
-        ),
+        text("target", "column-insets-target", itemgetter(0), required=True, enum=get_args(InsetName)),
         *within(
             itemgetter(1),
-            metres(
-                "inset_m",
-                "inset: distance from the vertical plane through the contact point to the target, along road"
-                " Y",
-            ),
+            metres("inset_m", "column-measurements-inset-m"),
             metres("u_inset_m", "standard uncertainty of the inset (k = 1)"),
             text("note", "where the figure comes from"),
         ),

@@ -1,7 +1,5 @@
 """Holding what a package says of its survey against the audit chain: place, insets, classes, sampling."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any

@@ -6,8 +6,6 @@ the speeds' u that the rig gives to all alike is known from JSON alone; elsewher
 the recording's vehicles of that direction and lane stands for it, which it cannot exceed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from datetime import datetime, timedelta

@@ -1,7 +1,5 @@
 """Recordings as the command line writes them: `sightline linescan --json`, or the lines of `stream`."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import math

@@ -1,6 +1,5 @@
 """Calibrations as they go in and out."""
 
-from datetime import datetime
 from typing import Any
 
 import numpy as np
@@ -9,12 +8,11 @@ from pydantic import Field
 from sightline.cameras.board_bodies import Markers
 from sightline.cameras.calibrations.calibrating import CHECKS
 from sightline.cameras.calibrations.records import Calibration
-from sightline.enums import CalibrationSource, LensModel, Point
+from sightline.enums import LensModel, Point
 from sightline.geometry.camera import View
 from sightline.geometry.height_effect import HeightDifference
 from sightline.geometry.reshoot import places_missing
-from sightline.infra.audit.records import Who
-from sightline.infra.web.bodies import FrameNumber, Out
+from sightline.infra.web.bodies import FrameNumber, Out, of_record
 from sightline.infra.web.named import RecordingId
 from sightline.messages.said import Said
 
@@ -73,22 +71,14 @@ class CameraDocument(Out):
     views: list[View]
 
 
+@of_record(Calibration)
 class CalibrationBody(Out):
-    id: int
-    camera_id: int
-    created_at: datetime
-    created_by: Who | None
-    source: CalibrationSource
-    trusted: bool
-    summary: Said
     document: CameraDocument
     cross_validation: CrossValidationBody | None = Field(description="Null for an import.")
     board_shape: BoardShapeBody | None
     reshoot: list[Said] = Field(description="What pictures are missing.")
-    warnings: list[Said]
     coverage: list[list[int]] = Field(description="Corners per cell, 12 rows of 16; empty for an import.")
     views: list[ViewBody]
-    recording_id: int | None
 
 
 class CalibrationWish(Markers):

@@ -1,7 +1,5 @@
 """The table of calibrations in the package."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import get_args
@@ -9,7 +7,7 @@ from typing import get_args
 from sightline.cameras.calibrations.records import Calibration
 from sightline.enums import CalibrationSource, LensModel
 from sightline.infra.csv_package.columns import flag, integer, key, moment, number, person, text, within
-from sightline.infra.csv_package.schema import Cell, Column, Table
+from sightline.infra.csv_package.schema import Cell, Column, Table, ids_of
 
 
 def calibration_path(calibration_id: int) -> str:
@@ -77,5 +75,5 @@ CALIBRATIONS: Table[NamedCalibration] = Table(
         ),
     ),
     primary=("id",),
-    foreign=((("created_by_id",), "people", ("id",)),),
+    foreign=ids_of(created_by_id="people"),
 )

@@ -13,7 +13,7 @@ from sightline.cameras.tables import cameras
 from sightline.enums import JsonObject
 from sightline.infra.audit.written import written_once, written_rows
 from sightline.infra.by_name import record_of
-from sightline.infra.database.rows import change_row, get_row, missing
+from sightline.infra.database.rows import change_row, get_row, the_one
 
 
 def add_calibration(
@@ -51,10 +51,7 @@ def _images(session: Session, views: Sequence[JsonObject]) -> dict[str, str]:
 
 def get_calibration(session: Session, calibration_id: int) -> Calibration:
     """One calibration, whole. Raises NotFound."""
-    found = _whole(session, calibrations.c.id == calibration_id)
-    if not found:
-        raise missing("calibration", calibration_id)
-    return found[0]
+    return the_one(_whole(session, calibrations.c.id == calibration_id), "calibration", calibration_id)
 
 
 def list_calibrations(session: Session, survey_id: int) -> tuple[Calibration, ...]:

@@ -11,9 +11,9 @@ from sightline.geometry.plan import Curve
 from sightline.geometry.plan_passing import Passing
 from sightline.geometry.plan_targets import TwoFrames
 from sightline.geometry.site import Outlook
-from sightline.infra.web.bodies import Out
+from sightline.infra.web.bodies import Out, of_record
 from sightline.linescan.exposure import ExposurePlan
-from sightline.linescan.planner import PlannedValue
+from sightline.linescan.planner import LinePlan, PlannedValue
 from sightline.messages.said import Said
 
 
@@ -96,12 +96,10 @@ class LineFormBody(Out):
     error_mps: float
 
 
+@of_record(LinePlan, "wanted", "expected", "words")
 class LinePlanBody(Out):
     """What a line rate and a baseline are worth for a vehicle; `u_` are standard uncertainties."""
 
-    speed_mps: float
-    baseline_m: float
-    u_baseline_m: float
     line_rate_hz: float = Field(description="As given, else fine_hz.")
     fine_hz: float = Field(description="At which the vehicle moves 10 mm from line to line.")
     error: float = Field(description="Share that the speed's U95 may be, as wanted.")
@@ -110,9 +108,6 @@ class LinePlanBody(Out):
     corrected: LineFormBody = Field(description="The equation's middle term, 2 / n.")
     one_line_m: float = Field(description="What the vehicle travels in one line.")
     u_strips_mps: float = Field(description="Of registering both strips, as the default method does.")
-    u_baseline_mps: float
-    u_speed_mps: float
-    U95_speed_mps: float
     values: list[PlannedValue] = Field(description="Speed, length, time gap, distance gap: m/s, m, s, m.")
     exposure: ExposurePlan | None = Field(description="null: pixels, lens or distance were not given.")
     advice: list[Said]

@@ -1,7 +1,5 @@
 """The set-up sheet of a planned site: one page with the drawing to scale, the numbers, and a check list."""
 
-from __future__ import annotations
-
 import json
 from math import degrees, pi, tan
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Boards to print: a PDF at true size, with a bar by which the print is checked."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any

@@ -4,8 +4,6 @@ A document holds what a decision rests on (`measurement`, `before`, `gap`, `revi
 not carry one, there is no answer, and the reason is said.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import asdict
 from math import floor, log10

@@ -5,8 +5,6 @@ made it: the baseline at the vehicle, the gap to the vehicle before, the time of
 `decision`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, fields
 from typing import Any
@@ -17,13 +15,13 @@ from sightline.infra.audit.records import AuditEvent, AuditHead, Who, survey_cha
 from sightline.infra.version import code_version
 from sightline.linescan.clock import since_start_s
 from sightline.linescan.gaps import gaps
-from sightline.linescan.rig import baseline_of
+from sightline.linescan.rig import baseline_of, rig_from
 from sightline.messages import SOURCE
 from sightline.messages.said import Said
 from sightline.scans.clock import clock_of, passing_of
 from sightline.scans.records import Scan, ScanMeasurement, ScanValues, ScanVehicle
 from sightline.scans.store import rig_for
-from sightline.scans.vehicles.motion import crossings_of, motion_of, rig_of
+from sightline.scans.vehicles.motion import crossings_of, motion_of
 from sightline.surveys.records import Survey
 
 FORMAT = "sightline-evidence-1"
@@ -104,7 +102,7 @@ def values_of_document(told: Document) -> ScanValues:
 
 
 def _at_vehicle(document: Document) -> JsonObject:
-    baseline_m, u_m = baseline_of(rig_of(document["measurement"]["rig"]))
+    baseline_m, u_m = baseline_of(rig_from(document["measurement"]["rig"]))
     return {"baseline_m": baseline_m, "u_baseline_m": u_m}
 
 
@@ -112,7 +110,7 @@ def _gap(document: Document) -> JsonObject | None:
     if document["before"] is None:
         return None
     pair = [values_of_document(document[name]) for name in ("before", "measurement")]
-    found = gaps([(crossings_of(one), motion_of(one)) for one in pair], rig_of(document["rig_now"]))
+    found = gaps([(crossings_of(one), motion_of(one)) for one in pair], rig_from(document["rig_now"]))
     gap: JsonObject = plain(asdict(found[1]))
     return gap
 
@@ -166,17 +164,11 @@ def _before(vehicle: ScanVehicle | None) -> JsonObject | None:
 
 def _event(one: AuditEvent) -> JsonObject:
     """An event's row, as the chain hashes it: before and after as canonical text."""
+    same = ("chain", "number", "action", "entity", "entity_id", "survey_id", "previous_hash", "hash")
     return {
-        "chain": one.chain,
-        "number": one.number,
+        **{name: getattr(one, name) for name in same},
         "at": plain(one.at),
         "actor_id": None if one.actor is None else one.actor.id,
-        "action": one.action,
-        "entity": one.entity,
-        "entity_id": one.entity_id,
-        "survey_id": one.survey_id,
         "before": None if one.before is None else canonical_json(one.before),
         "after": None if one.after is None else canonical_json(one.after),
-        "previous_hash": one.previous_hash,
-        "hash": one.hash,
     }

@@ -4,8 +4,6 @@ The document stands in the page as its canonical JSON (RFC 8785), with "<" writt
 of it can end its element; the signature is that of the canonical JSON itself.
 """
 
-from __future__ import annotations
-
 import base64
 import binascii
 import json

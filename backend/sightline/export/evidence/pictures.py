@@ -1,7 +1,5 @@
 """Both pictures of an evidence file: the strips about one vehicle as PNG, eight bits, all rows."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

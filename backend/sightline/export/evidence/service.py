@@ -1,7 +1,5 @@
 """Evidence of one line-scanned vehicle: made of its stored measurement, both strips and the chain, signed."""
 
-from __future__ import annotations
-
 import re
 
 from sightline.enums import JsonObject
@@ -22,13 +20,14 @@ from sightline.infra.database import Session
 from sightline.infra.database.types import now
 from sightline.infra.services import Services
 from sightline.linescan.gaps import Leaders
+from sightline.linescan.rig import rig_from
 from sightline.messages import SOURCE
 from sightline.messages.said import Said
 from sightline.people.store import get_person
 from sightline.scans.records import ScanMeasurement, ScanVehicle
 from sightline.scans.service import open_strips
 from sightline.scans.store import get_scan
-from sightline.scans.vehicles.motion import crossings_of, motion_of, rig_of
+from sightline.scans.vehicles.motion import crossings_of, motion_of
 from sightline.scans.vehicles.review_store import scan_reviews_of_vehicle
 from sightline.scans.vehicles.store import get_scan_vehicle, list_scan_vehicles
 from sightline.surveys.store import get_survey
@@ -91,7 +90,7 @@ def _stated(
 
 def _before(session: Session, vehicle: ScanVehicle) -> ScanVehicle | None:
     """The vehicle that a gap is measured to (`gaps.Leaders`), of those measured; None where none is known."""
-    leaders = Leaders(rig_of(_measured(vehicle).values.rig))
+    leaders = Leaders(rig_from(_measured(vehicle).values.rig))
     there = [
         (one, one.measurement.values)
         for one in list_scan_vehicles(session, vehicle.scan_id)

@@ -3,8 +3,6 @@
 These texts are signed with the rest of the document. Names and what people wrote stay as they are.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

@@ -6,8 +6,6 @@ budget that the rig brings. Of direct registration, speed and acceleration carry
 to camera 2 over the baseline, and what is left over is in the budget's boundaries (`linescan.budget`).
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """A sheet to draw on: one look for all figures, greys only, and SVG whose bytes depend on the data alone."""
 
-from __future__ import annotations
-
 import io
 from collections.abc import Callable
 from dataclasses import dataclass, field

@@ -2,8 +2,6 @@
 crest, how well heights are known, what was not covered. The report opens with it, and so do README and page.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """What heights change on a crest, in one sentence: the same on page, report, package and study."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from sightline.enums import CrestVerdict, LengthUnit

@@ -1,7 +1,5 @@
 """Figures of the error against reference heights: its size, its share, its density, its trend."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any, Protocol, TypeVar

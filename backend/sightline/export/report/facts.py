@@ -5,8 +5,6 @@ drawing shows them as they are, whatever signs they hold. An empty tuple or None
 none", and the report says so in words.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import date, datetime

@@ -3,8 +3,6 @@
 Names are those that the statistics page gives to its downloads.
 """
 
-from __future__ import annotations
-
 from sightline.enums import LengthUnit
 from sightline.export.report.canvas import Drawing
 from sightline.export.report.error_figures import error_figures

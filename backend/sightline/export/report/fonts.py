@@ -5,8 +5,6 @@ Cyrillic, Hebrew and Arabic are among them; no font of all Chinese, Japanese and
 to be installed along.
 """
 
-from __future__ import annotations
-
 import unicodedata
 from functools import cache
 

@@ -1,7 +1,5 @@
 """Figures of heights: each target's distribution, its density, and its groups."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Words beside the curves that they name, where no other curve runs and no other word stands."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -9,11 +7,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.text import Annotation
 from matplotlib.transforms import Bbox
-from numpy.typing import NDArray
 
+from sightline.arrays import Floats
 from sightline.export.report.canvas import INK, TEXT_PT
 
-Floats = NDArray[np.float64]
 _ALONG = np.linspace(0.04, 0.96, 93)
 _DENSE = 800
 _AIR_PX = 1.5

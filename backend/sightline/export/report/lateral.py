@@ -1,7 +1,5 @@
 """Where vehicles drive across the road, by lane and class: the report's figure and table."""
 
-from __future__ import annotations
-
 from matplotlib.axes import Axes
 
 from sightline.enums import LengthUnit

@@ -1,7 +1,5 @@
 """Marks of the figures. Dashes, greys and words tell lines apart, never a hue."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any

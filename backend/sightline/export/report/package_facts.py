@@ -1,7 +1,5 @@
 """What the report of an export shows, read from the export's own files: so a check can draw it again."""
 
-from __future__ import annotations
-
 import json
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping

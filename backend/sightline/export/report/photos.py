@@ -1,7 +1,5 @@
 """Photographs for the report: turned upright, small enough for print, wrapped as Typst takes them."""
 
-from __future__ import annotations
-
 import base64
 import io
 

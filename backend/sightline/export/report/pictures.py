@@ -1,7 +1,5 @@
 """The pictures of a report: figures and photographs as files beside the templates, and what names them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 
 from sightline.export.report.canvas import Drawing

@@ -5,8 +5,6 @@ sentences of the catalogue (`said.py`), and from fonts that come along, so that 
 language give the same bytes on every machine.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping
 from datetime import UTC, datetime

@@ -1,7 +1,5 @@
 """Values of the report about the sample: the rule in words, and what became of the passes."""
 
-from __future__ import annotations
-
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.said import said
 from sightline.export.report.settable import Values

@@ -1,7 +1,5 @@
 """Values of the report about results: at a glance, errors against reference heights, distributions."""
 
-from __future__ import annotations
-
 from sightline.enums import LengthUnit, StatisticsTarget
 from sightline.export.report import words
 from sightline.export.report.conclusion import verdict_of, whose_heights

@@ -4,8 +4,6 @@ The language is a context, as decimal's precision is: it says how everything bel
 what is found. Outside of any it is that of the source, in which tables and descriptions are.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from contextlib import contextmanager

@@ -1,7 +1,5 @@
 """Figures of line scans: what the scanned vehicles drive, measure and keep apart, as cumulative curves."""
 
-from __future__ import annotations
-
 from matplotlib.axes import Axes
 
 from sightline.enums import LengthUnit

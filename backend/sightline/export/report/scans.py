@@ -1,7 +1,5 @@
 """Values of the report about line scans: rigs, speeds, lengths, gaps, and the paper's Table I."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from sightline.enums import KnownLength, LengthUnit

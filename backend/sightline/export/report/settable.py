@@ -3,8 +3,6 @@
 People's words travel as JSON strings and are set as text, so that no character in them means anything.
 """
 
-from __future__ import annotations
-
 import re
 import unicodedata
 from collections.abc import Mapping, Sequence

@@ -1,7 +1,5 @@
 """Values of the report about the survey itself and what counts for none of its results."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from datetime import UTC, datetime, timedelta
 

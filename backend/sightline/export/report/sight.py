@@ -1,7 +1,5 @@
 """Values and figure of the report's section on sight distance: what the heights mean for crests."""
 
-from __future__ import annotations
-
 from matplotlib.axes import Axes
 
 from sightline.enums import LengthUnit

@@ -4,8 +4,6 @@
 `frontend/src/core/units.ts` does.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from decimal import ROUND_HALF_UP, Decimal
 from typing import Any

@@ -1,7 +1,5 @@
 """The words that figures and report call things by."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from datetime import date
 from functools import reduce

@@ -1,7 +1,5 @@
 """Checking the audit chain of an export, and what its events say of every row."""
 
-from __future__ import annotations
-
 import json
 from collections import Counter
 from collections.abc import Collection, Mapping

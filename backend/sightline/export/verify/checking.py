@@ -1,7 +1,5 @@
 """What the checks of a package's tables read and what they found."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property

@@ -1,7 +1,5 @@
 """Making again what an export derived from its own tables, and comparing: what was replaced is found."""
 
-from __future__ import annotations
-
 import tempfile
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager

@@ -1,7 +1,5 @@
 """What a package says of itself in datapackage.json: which program made it, its format and its tables."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

@@ -14,8 +14,6 @@ What is left: who holds the installation's key can write and sign another chain;
 with a key of their own, which is told by the key that the installation shows (`--key`).
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 

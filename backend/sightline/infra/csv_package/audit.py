@@ -1,7 +1,5 @@
 """The table of a survey's audit chain in the package."""
 
-from __future__ import annotations
-
 from sightline.infra.csv_package.columns import integer, key, text
 from sightline.infra.csv_package.schema import Row, Table
 

@@ -1,7 +1,5 @@
 """The audit chain of a package: its events, each checked against its hash and the one before."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from typing import Any
 

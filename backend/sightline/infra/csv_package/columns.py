@@ -2,8 +2,6 @@
 name; `within` takes it from a part of the record.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import replace

@@ -5,8 +5,6 @@ its cells (line feeds, quotes only where RFC 4180 needs them); a JSON file has t
 gives, and no key twice.
 """
 
-from __future__ import annotations
-
 import csv
 import io
 import json

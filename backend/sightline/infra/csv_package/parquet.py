@@ -5,8 +5,6 @@ Texts are those of the CSV, the apostrophe before a formula included. Units and 
 each column (Arrow), and the whole Table Schema stands in the file's own as `sightline.schema`.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any

@@ -4,8 +4,6 @@ A slice declares each of its tables of rows that events make (`Replayed`); what 
 and what is computed again, it checks by itself on the rows that were held.
 """
 
-from __future__ import annotations
-
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field

@@ -4,8 +4,6 @@ Nothing here knows what is exported (each slice's `csv.py` does) or touches a di
 file knows how a value becomes a cell (docs/formats.md) and how a Frictionless Data Package describes a file.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
 from collections import Counter
@@ -20,6 +18,7 @@ import orjson
 from typing_extensions import TypeVar
 
 from sightline.errors import Damaged
+from sightline.messages import SOURCE, say_or
 from sightline.messages.said import Said
 
 Cell = str | int | float | bool | Said | None
@@ -46,18 +45,24 @@ _LOOKED_AT = frozenset((*_FORMULA_STARTS, *_SKIPPED))
 class Column(Generic[Record]):
     """One column: `type` is a Frictionless type, `unit` is empty for text and counts.
 
+    `says`: what it means, or, of what a page explains at length, the key of that sentence in the catalogue.
     `of` gives its value of a record; None: what the record has under the column's name, an object as its
     attribute and a mapping as its value.
     """
 
     name: str
     type: str
-    meaning: str
+    says: str
     unit: str = ""
     required: bool = False
     enum: tuple[str, ...] = ()
     minimum: float | None = None
     of: Callable[[Record], Cell] | None = field(default=None, compare=False, kw_only=True)
+
+    @cached_property
+    def meaning(self) -> str:
+        """What it means, in English."""
+        return say_or(self.says, self.says, SOURCE)
 
     @cached_property
     def of_object(self) -> Callable[[Record], Cell]:
@@ -126,6 +131,11 @@ class Table(Generic[Record]):
                 for mine, table, theirs in self.foreign
             ]
         return schema
+
+
+def ids_of(**tables: str) -> tuple[tuple[tuple[str, ...], str, tuple[str, ...]], ...]:
+    """`foreign` of columns that hold the `id` of a row of a table each."""
+    return tuple(((column,), table, ("id",)) for column, table in tables.items())
 
 
 #: A table whose rows nobody makes here, whatever records they are made of.

@@ -1,7 +1,5 @@
 """Holding the tables of a package against each other and against what audit events say."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache, lru_cache
-from typing import Any
+from typing import Any, TypeVar
 
 from sqlalchemy import Column, ColumnElement, Table, insert, select, update
 from sqlalchemy.orm import Session
@@ -14,6 +14,8 @@ from sightline.infra.audit.records import Who
 from sightline.infra.database.people import people
 from sightline.infra.database.types import HOLDS, metadata
 from sightline.infra.slices import load_tables
+
+Found = TypeVar("Found")
 
 
 def add_row(session: Session, table: Table, values: Mapping[str, Any]) -> int:
@@ -83,6 +85,13 @@ def missing(word: str, row_id: int | None = None) -> NotFound:
     """The error for a thing that is not there."""
     number = "" if row_id is None else f" {row_id}"
     return NotFound("database-row-missing", word=word, number=number)
+
+
+def the_one(found: Sequence[Found], word: str, row_id: int) -> Found:
+    """What was found by its number, which is one. Raises NotFound where there is none."""
+    if not found:
+        raise missing(word, row_id)
+    return found[0]
 
 
 @lru_cache(maxsize=1024)

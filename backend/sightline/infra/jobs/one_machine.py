@@ -1,7 +1,5 @@
 """The engine of one machine: the supervisor hands queued jobs to its worker processes over socket pairs."""
 
-from __future__ import annotations
-
 import fcntl
 import socket
 from collections.abc import Sequence

@@ -5,8 +5,6 @@ side ends with each delivery and is deleted then; progress, result and history a
 process that is not heard of for `heartbeat_limit_s` has its jobs delivered again by any other.
 """
 
-from __future__ import annotations
-
 import asyncio
 import logging
 import os

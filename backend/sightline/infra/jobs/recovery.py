@@ -8,7 +8,7 @@ from sightline.errors import SightlineError
 from sightline.infra.database.engine import SessionFactory, reading, writing
 from sightline.infra.jobs.engine import engine_of_session
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.registry import registered
+from sightline.infra.jobs.registry import STOPPED, registered
 from sightline.infra.jobs.store import (
     MAX_ATTEMPTS,
     JobLost,
@@ -23,8 +23,6 @@ from sightline.infra.jobs.store import (
 from sightline.messages.said import Said
 
 log = logging.getLogger("sightline.jobs")
-
-STOPPED = Said("jobs-cancelled")
 
 
 def clean_up(session: Session, job: Job, error: Said) -> None:

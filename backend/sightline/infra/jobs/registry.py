@@ -29,7 +29,8 @@ if TYPE_CHECKING:
 Finish = Callable[[Session], Mapping[str, Any]]
 Outcome = Mapping[str, Any] | Finish
 Failed = Callable[[Session, Job, Said], None]
-OnCancel = Callable[[Session, Job], None]
+#: The error of a job that was stopped because somebody asked for it.
+STOPPED = Said("jobs-cancelled")
 
 
 class Cancelled(SightlineError):
@@ -73,28 +74,25 @@ class Registered:
 
     run: Handler
     failed: Failed | None
-    on_cancel: OnCancel | None
     long: bool = False
 
 
 _handlers: dict[str, Registered] = {}
 
 
-def handler(
-    kind: str, *, failed: Failed | None = None, on_cancel: OnCancel | None = None, long: bool = False
-) -> Callable[[Handler], Handler]:
+def handler(kind: str, *, failed: Failed | None = None, long: bool = False) -> Callable[[Handler], Handler]:
     """Register the function that does jobs of this kind.
 
-    `failed(session, job, error)` cleans up after a job that began, `on_cancel(session, job)` after
-    one that was cancelled before it began. `long`: it goes through whole videos or surveys; such jobs wait
-    behind all others, and one place of the workers is never theirs.
+    `failed(session, job, error)` cleans up after a job that came to nothing, or was stopped before it began.
+    `long`: it goes through whole videos or surveys; such jobs wait behind all others, and one place of the
+    workers is never theirs.
     """
 
     def register(function: Handler) -> Handler:
         known = _handlers.get(kind)
         if known is not None and known.run.__qualname__ != function.__qualname__:
             raise ValueError(f"two handlers for jobs of kind {kind}")
-        _handlers[kind] = Registered(function, failed, on_cancel, long)
+        _handlers[kind] = Registered(function, failed, long)
         return function
 
     return register
@@ -120,8 +118,8 @@ def cancel(session: Session, job: Job, actor: int) -> Job:
     """Stop a queued job at once, a running one when it next looks. Raises Conflict for one that has ended."""
     asked = request_job_cancel(session, job.id, actor=actor)
     kind = registered(job.kind)
-    if asked.state == "cancelled" and kind is not None and kind.on_cancel is not None:
-        kind.on_cancel(session, asked)
+    if asked.state == "cancelled" and kind is not None and kind.failed is not None:
+        kind.failed(session, asked, STOPPED)
     return asked
 
 

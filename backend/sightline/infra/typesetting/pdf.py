@@ -1,7 +1,5 @@
 """PDF by Typst, from templates and values, set in the fonts that come along with Matplotlib and Typst."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

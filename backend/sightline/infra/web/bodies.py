@@ -36,16 +36,16 @@ class In(BaseModel):
         return value
 
 
-Body = TypeVar("Body", bound=In)
+Body = TypeVar("Body", bound=BaseModel)
 
 
 def of_record(
-    record: type[Any], *but: str, given: Mapping[str, Any], optional: bool = False
+    record: type[Any], *but: str, given: Mapping[str, Any] = {}, optional: bool = False
 ) -> Callable[[type[Body]], type[Body]]:
     """A body that has, beside its own fields, those of a record `but` for some, with its defaults.
 
-    `given`: the types of fields by a pattern of their names, with the limits of what comes in; else they are
-    the record's. `optional`: each may be left out.
+    `given`: the types of fields by a pattern of their names, with the limits of what comes in or what is said
+    of what goes out; else they are the record's. `optional`: each may be left out.
     """
     hints, plain = get_type_hints(record, include_extras=True), get_type_hints(record)
 

@@ -1,7 +1,5 @@
 """What Prometheus reads on a port of its own: requests, turns, jobs, decoder, connections."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from typing import Protocol
 from wsgiref.simple_server import WSGIServer

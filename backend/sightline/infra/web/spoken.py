@@ -6,8 +6,6 @@ The rooms below and what is stored say codes; here, at the edge, what is read is
 signed page), which are the same for everybody. Who asks for no language gets what is stored.
 """
 
-from __future__ import annotations
-
 import json
 from typing import Any
 

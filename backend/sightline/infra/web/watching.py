@@ -1,7 +1,5 @@
 """Around every request: its number, how long it took, a line in the log, and what Prometheus counts."""
 
-from __future__ import annotations
-
 import logging
 import re
 import time

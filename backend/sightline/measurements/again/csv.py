@@ -1,12 +1,10 @@
 """The table of heights computed again in the package."""
 
-from __future__ import annotations
-
 from typing import Any, get_args
 
 from sightline.enums import ComputingCause, ComputingKind
 from sightline.infra.csv_package.columns import integer, joined, key, metres, moment, person, text
-from sightline.infra.csv_package.schema import Column, Table
+from sightline.infra.csv_package.schema import Column, Table, ids_of
 from sightline.measurements.again.records import Computing
 
 _CAUSES: tuple[tuple[ComputingCause, str], ...] = (
@@ -66,5 +64,5 @@ COMPUTINGS: Table[Computing] = Table(
         moment("created_at", "when"),
     ),
     primary=("id",),
-    foreign=((("created_by_id",), "people", ("id",)),),
+    foreign=ids_of(created_by_id="people"),
 )

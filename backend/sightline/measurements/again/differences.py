@@ -2,8 +2,6 @@
 numbers; and which verdict holds for it then.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields
 from typing import Protocol, TypeVar

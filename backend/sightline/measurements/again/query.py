@@ -1,7 +1,5 @@
 """What computing a survey's heights again needs to know, for thousands of them in a few queries."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -14,7 +12,7 @@ from sightline.enums import Category, Target
 from sightline.geometry.sides import FoundSide, driver_side
 from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people
-from sightline.infra.database.rows import missing, who
+from sightline.infra.database.rows import the_one, who
 from sightline.measurements.again.differences import Facts
 from sightline.measurements.again.records import Computing
 from sightline.measurements.click_context_query import ClickContext, context_of_row
@@ -129,10 +127,7 @@ def list_computings(session: Session, survey_id: int) -> tuple[Computing, ...]:
 
 def get_computing(session: Session, computing_id: int) -> Computing:
     """One of them. Raises NotFound."""
-    found = _computings(session, computings.c.id == computing_id)
-    if not found:
-        raise missing("computing", computing_id)
-    return found[0]
+    return the_one(_computings(session, computings.c.id == computing_id), "computing", computing_id)
 
 
 def _computings(session: Session, condition: Any) -> tuple[Computing, ...]:

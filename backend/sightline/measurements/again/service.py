@@ -4,8 +4,6 @@ others before; and asking a worker to compute again, or to undo.
 The work itself is done in `scans/again`, which knows the heights in line scans too.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field

@@ -1,7 +1,5 @@
 """The record of heights computed again in one go; rows are only added. Its revisions name it."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Holding what was computed again in a package against the audit chain, and the verdicts that went over."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence, Set

@@ -3,8 +3,6 @@
 Nothing is stored here. A click is taken to a tyre only where `geometry.snap` is sure of it.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Annotated
 

@@ -1,7 +1,5 @@
 """A vehicle followed through its pass from the points confirmed on one frame. Nothing is stored here."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace

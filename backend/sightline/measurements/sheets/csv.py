@@ -1,7 +1,5 @@
 """The table of vehicles in the package."""
 
-from __future__ import annotations
-
 from typing import get_args
 
 from sightline.enums import (
@@ -17,7 +15,7 @@ from sightline.enums import (
 )
 from sightline.infra.csv_package.columns import flag, integer, key, metres, number, text
 from sightline.infra.csv_package.files import Files, read_rows
-from sightline.infra.csv_package.schema import Column, Table
+from sightline.infra.csv_package.schema import Column, Table, ids_of
 from sightline.measurements.records import VehicleSheet
 from sightline.vehicles.records import KNOWN, NOT_VISIBLE
 
@@ -49,57 +47,28 @@ VEHICLES: Table[VehicleSheet] = Table(
         text("make", "manufacturer"),
         text("model", "model"),
         integer("year", "model year"),
-        text(
-            "model_chosen_by",
-            "size: the model was chosen because it fits what was measured, so no height known of the vehicle "
-            "is a reference; seen: it was then recognised on the vehicle; empty: neither",
-            enum=get_args(ModelChosenBy),
-        ),
+        text("model_chosen_by", "column-vehicles-model-chosen-by", enum=get_args(ModelChosenBy)),
         text("model_sizes", "of a model chosen by size: by which sizes, a space between them"),
         text("category", "body type", enum=get_args(Category)),
         metres("manufacturer_height_m", "manufacturer's overall height"),
         metres("u_manufacturer_height_m", "standard uncertainty of that height (k = 1)"),
         text("height_source", "where that height comes from"),
         *(column for target in get_args(KnownTarget) for column in _known(target)),
-        flag(
-            "check_target",
-            "present to check the measurement: own rows in errors_by_target.csv, not part of the traffic",
-            required=True,
-        ),
+        flag("check_target", "column-vehicles-check-target", required=True),
         text("lighting", "light at the time of the pass", enum=get_args(Lighting)),
         text("direction", "travel direction in the image", enum=get_args(Direction)),
-        text(
-            "driver_side",
-            "side of the driver as entered, seen from the camera; empty: it follows from the direction",
-            enum=get_args(DriverSide),
-        ),
+        text("driver_side", "column-vehicles-driver-side", enum=get_args(DriverSide)),
         *(_not_visible(target) for target in NOT_VISIBLE),
-        number(
-            "first_s", "time of first_frame since the first frame of its recording, from the frame table", "s"
-        ),
-        Column(
-            "filmed_at",
-            "datetime",
-            "when its first frame was filmed, by the clocks of the place (ISO 8601 with offset): first_s "
-            "after started_at of its recording; empty while nobody has confirmed that start",
-        ),
+        number("first_s", "column-vehicles-first-s", "s"),
+        Column("filmed_at", "datetime", "column-vehicles-filmed-at"),
         flag("in_sample", "whether the rule of sampling.csv selects it", required=True),
-        flag(
-            "counts",
-            "whether its heights count in the results: not a check target, and in the sample, unless "
-            "sampling.csv counts others too",
-            required=True,
-        ),
-        text(
-            "discarded",
-            "why this is not the pass of a vehicle to be measured; empty if it is",
-            enum=get_args(Discarded),
-        ),
+        flag("counts", "column-vehicles-counts", required=True),
+        text("discarded", "column-vehicles-discarded", enum=get_args(Discarded)),
         text("notes", "remarks"),
         text("state", "how far the work on it has come, given what the survey asks for", required=True),
     ),
     primary=("id",),
-    foreign=((("recording_id",), "recordings", ("id",)),),
+    foreign=ids_of(recording_id="recordings"),
 )
 
 

@@ -7,7 +7,7 @@ from sqlalchemy import ColumnElement, func, select
 from sqlalchemy.orm import Session
 
 from sightline.enums import AcceptedVerdict, AskedTarget, VehicleState
-from sightline.infra.database.rows import missing
+from sightline.infra.database.rows import the_one
 from sightline.measurements.query import measurements_of_vehicles
 from sightline.measurements.records import Measurement, VehicleSheet
 from sightline.measurements.tables import measurement_series, measurements, wheel_pairs
@@ -19,9 +19,7 @@ from sightline.vehicles.tables import vehicles
 def get_sheet(session: Session, vehicle_id: int) -> VehicleSheet:
     """One vehicle with its measurements; two queries. Raises NotFound."""
     found = _fetch(session, [vehicles.c.id == vehicle_id], [measurement_series.c.vehicle_id == vehicle_id])
-    if not found:
-        raise missing("vehicle", vehicle_id)
-    return found[0]
+    return the_one(found, "vehicle", vehicle_id)
 
 
 def list_sheets(

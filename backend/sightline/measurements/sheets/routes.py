@@ -10,7 +10,6 @@ from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
 from sightline.infra.web.named import RecordingId
 from sightline.measurements.bodies import VehicleBody, vehicle_body
 from sightline.measurements.sheets import query, service
-from sightline.surveys.store import get_survey
 from sightline.vehicles import store
 from sightline.vehicles.bodies import ChangedVehicle, NewVehicle, VehicleFields
 from sightline.vehicles.records import VehicleChanges
@@ -40,7 +39,6 @@ def list_vehicles(
     recording_id: Annotated[RecordingId | None, Query(description="Only passes of this recording.")] = None,
 ) -> list[VehicleBody]:
     """The vehicles of a survey by number, with their standing measurements."""
-    get_survey(session, survey_id)
     found = query.list_sheets(session, survey_id, recording_id=recording_id)
     return [vehicle_body(one) for one in found]
 

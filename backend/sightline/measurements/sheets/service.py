@@ -1,7 +1,5 @@
 """Changing a vehicle's record, and what follows from it for its heights."""
 
-from __future__ import annotations
-
 from sightline.enums import Target
 from sightline.errors import BadInput
 from sightline.geometry.insets import inset_name

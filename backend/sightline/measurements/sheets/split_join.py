@@ -1,7 +1,5 @@
 """Passes taken apart and put together; measurements never change their vehicle."""
 
-from __future__ import annotations
-
 from sightline.errors import BadInput, Conflict
 from sightline.infra.database import Session
 from sightline.measurements.sheets.query import frames_used_of_vehicle

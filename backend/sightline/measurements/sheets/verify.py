@@ -1,7 +1,5 @@
 """Holding the vehicles of a package against the audit chain."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 from sightline.errors import Damaged

@@ -1,7 +1,5 @@
 """Pairs of lines from a file that another program is writing."""
 
-from __future__ import annotations
-
 import os
 import time
 from collections.abc import Iterator

@@ -5,8 +5,6 @@ packet was lost counts as lost whole, for which of its lines arrived is not told
 the frames of a stream from 1, so its first number tells what was lost before.
 """
 
-from __future__ import annotations
-
 import time
 import warnings
 from collections import deque

@@ -1,7 +1,5 @@
 """Pairs of lines from an open file (standard input): taken off as they come, whatever is being measured."""
 
-from __future__ import annotations
-
 import fcntl
 import os
 import select

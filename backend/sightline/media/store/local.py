@@ -1,7 +1,5 @@
 """Where media files are kept: a local folder or S3-compatible storage, behind one small interface."""
 
-from __future__ import annotations
-
 import errno
 import hashlib
 import os

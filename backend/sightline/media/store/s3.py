@@ -1,7 +1,5 @@
 """Media in S3-compatible storage, with a local cache bounded in bytes for what needs a file."""
 
-from __future__ import annotations
-
 import io
 import os
 import threading

@@ -8,8 +8,6 @@ silent for ever, so a newer one at the same offset takes over: it puts its name 
 one sees that with its next chunk (an empty one says only that nothing came) and lets go.
 """
 
-from __future__ import annotations
-
 import fcntl
 import os
 import re

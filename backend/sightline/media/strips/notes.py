@@ -4,8 +4,6 @@ Lost lines are put back as copies of the line before, so that line n was always 
 `column_of` leads back to the file's own lines, `lost_lines` says where nothing can be measured.
 """
 
-from __future__ import annotations
-
 import json
 import math
 from collections import deque

@@ -4,8 +4,6 @@ Sizes, chunks and filters: PNG Specification (Third Edition), W3C. The filters r
 a band together with the last row of the band before is a small PNG of its own, which libpng decodes.
 """
 
-from __future__ import annotations
-
 import struct
 import zlib
 from collections.abc import Iterator

@@ -8,8 +8,6 @@ Lines that the recorder says it lost are put back as copies of the line before, 
 taken at n / line rate (`strips_notes`).
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, Protocol

@@ -1,7 +1,5 @@
 """A grey picture of any size, read in pieces: what every reader of line-scan files offers, and its limits."""
 
-from __future__ import annotations
-
 import os
 import tempfile
 from collections.abc import Callable, Iterator

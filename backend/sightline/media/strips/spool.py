@@ -6,8 +6,6 @@ so that a program that is killed leaves a picture of all lines until then. The d
 lines that were lost, has two places in turn: the directory points to the new one once it is written.
 """
 
-from __future__ import annotations
-
 import json
 import struct
 from collections.abc import Iterator, Sequence

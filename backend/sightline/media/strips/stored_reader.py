@@ -1,7 +1,5 @@
 """Reading the stored form of a strip: any lines, and pictures of it at any zoom in time."""
 
-from __future__ import annotations
-
 import json
 import os
 import threading

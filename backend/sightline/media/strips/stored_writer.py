@@ -5,8 +5,6 @@ horizontal predictor; overviews as SubIFDs of the one page, each with a quarter 
 before (means of four) and all rows, down to one tile. Over Zarr, HDF5 and lossless video: DECISIONS.md.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field

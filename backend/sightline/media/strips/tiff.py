@@ -3,8 +3,6 @@
 tifffile reads the tags; the pieces are read and unpacked one by one (TIFF Revision 6.0, sections 13 to 15).
 """
 
-from __future__ import annotations
-
 import logging
 import os
 from collections.abc import Iterator

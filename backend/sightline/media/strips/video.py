@@ -4,8 +4,6 @@ A line scan needs a steady clock, so only a recording of constant frame rate wil
 frame rate. Frames are counted as everywhere (the n-th that a sequential decode puts out), pixels are upright.
 """
 
-from __future__ import annotations
-
 import os
 import tempfile
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """Least-recently-used caches bounded in bytes: one in memory, one on disk."""
 
-from __future__ import annotations
-
 import os
 import threading
 import zlib

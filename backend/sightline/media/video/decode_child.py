@@ -5,8 +5,6 @@ server is gone, also while a decoder holds every lock: an alarm of the kernel is
 is well.
 """
 
-from __future__ import annotations
-
 import os
 import resource
 import signal

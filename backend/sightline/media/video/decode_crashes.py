@@ -1,7 +1,5 @@
 """Which recording ended the decoding process, and which is set aside for having done so again and again."""
 
-from __future__ import annotations
-
 import threading
 import time
 from collections.abc import Callable, Iterator, Set

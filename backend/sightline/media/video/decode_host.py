@@ -5,8 +5,6 @@ memory it is ended; what it was decoding then is refused in one sentence, everyt
 new child, and a recording that does so repeatedly is set aside.
 """
 
-from __future__ import annotations
-
 import hashlib
 import itertools
 import logging

@@ -3,8 +3,6 @@
 The decoding process reads hostile files, so nothing that it sends may be more than data.
 """
 
-from __future__ import annotations
-
 import json
 import struct
 import threading

@@ -1,7 +1,5 @@
 """Stills by frame number: what a decoder gives, and caches of encoded pictures bounded in bytes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from contextlib import nullcontext
 from pathlib import Path

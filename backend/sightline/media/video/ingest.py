@@ -1,7 +1,5 @@
 """Ingest: one sequential decode of a recording that fixes what "frame n" means from then on."""
 
-from __future__ import annotations
-
 from contextlib import closing
 from dataclasses import dataclass, field, replace
 from pathlib import Path

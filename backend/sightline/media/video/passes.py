@@ -2,8 +2,6 @@
 down it.
 """
 
-from __future__ import annotations
-
 from contextlib import closing
 from dataclasses import dataclass
 from functools import partial

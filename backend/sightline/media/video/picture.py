@@ -5,8 +5,6 @@ Everything that shows or measures a picture goes through `upright`, so a click, 
 calibration speak of the same pixels.
 """
 
-from __future__ import annotations
-
 import math
 import struct
 import threading

@@ -1,7 +1,5 @@
 """Stills made while nobody waits, of the frames that the operator's next steps will show."""
 
-from __future__ import annotations
-
 import logging
 import threading
 from collections import deque

@@ -1,7 +1,5 @@
 """Proposals for the passes of a video: one decode, which keeps a few frames of each pass and of the road."""
 
-from __future__ import annotations
-
 from collections import deque
 from collections.abc import Iterator, Sequence
 from contextlib import closing

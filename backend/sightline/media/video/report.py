@@ -1,7 +1,5 @@
 """What an ingest noticed about a recording, as counts and in sayings for an operator."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

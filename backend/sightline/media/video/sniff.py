@@ -4,8 +4,6 @@ FFmpeg answers "Invalid data found" to an empty file, a letter and a film cut be
 people need to be told which of these it is.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path

@@ -1,7 +1,5 @@
 """What a container states of how it was filmed: when it was begun, at what rate, with what focal length."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Small pictures for the timeline, with the mean luminance of each."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 

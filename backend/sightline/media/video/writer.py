@@ -1,7 +1,5 @@
 """Writing video: H.264 in MP4 for the demonstration survey."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from contextlib import closing
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """What a survey knows that adjusts a pose: tyres of vehicles of known wheelbase, roofs of known height."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 

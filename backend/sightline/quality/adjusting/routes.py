@@ -11,7 +11,6 @@ from sightline.infra.web.bodies import Finite, In, JobBody
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
 from sightline.quality.adjusting import service
 from sightline.quality.adjusting.records import KnownUncertainties, PoseAdjustment
-from sightline.surveys.store import get_survey
 
 router = APIRouter()
 
@@ -52,7 +51,6 @@ def check_adjustment(
     asked: Annotated[Known, Query()],
 ) -> list[PoseAdjustment]:
     """Each road pose in force as the traffic's known wheelbases and roofs adjust it; nothing is stored."""
-    get_survey(session, survey_id)
     known = KnownUncertainties(**asked.model_dump())
     return list(service.check_adjustments(session, survey_id, known))
 

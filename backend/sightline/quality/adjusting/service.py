@@ -1,7 +1,5 @@
 """A road pose adjusted by its traffic: what it says, put in force by a person, taken back as a whole."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import replace
 

@@ -1,9 +1,7 @@
 """The table of both tyre contacts in an export: what the direction of travel was checked with."""
 
-from __future__ import annotations
-
 from sightline.infra.csv_package.columns import integer, key, moment, number, person, pixel
-from sightline.infra.csv_package.schema import Table
+from sightline.infra.csv_package.schema import Table, ids_of
 from sightline.quality.checks.records import WheelPair
 
 WHEEL_PAIRS: Table[WheelPair] = Table(
@@ -30,9 +28,5 @@ WHEEL_PAIRS: Table[WheelPair] = Table(
         moment("created_at", "when it was stored"),
     ),
     primary=("id",),
-    foreign=(
-        (("vehicle_id",), "vehicles", ("id",)),
-        (("recording_id",), "recordings", ("id",)),
-        (("created_by_id",), "people", ("id",)),
-    ),
+    foreign=ids_of(vehicle_id="vehicles", recording_id="recordings", created_by_id="people"),
 )

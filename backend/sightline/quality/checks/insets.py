@@ -1,7 +1,5 @@
 """What a survey says of its own insets: from manufacturers' heights, the trend with distance, two frames."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby

@@ -18,7 +18,6 @@ from sightline.quality.checks.bodies import (
     TurnWanted,
 )
 from sightline.quality.checks.records import WheelPair
-from sightline.surveys.store import get_survey
 
 router = APIRouter()
 
@@ -32,7 +31,6 @@ def check_insets(survey_id: PathId, who: Viewer, session: Reading) -> insets.Ins
 @router.get("/surveys/{survey_id}/checks/traffic")
 def check_traffic(survey_id: PathId, who: Viewer, session: Reading) -> TrafficCheckBody:
     """The direction of travel of each vehicle against the road poses in force, and all tyre contacts."""
-    get_survey(session, survey_id)
     found = traffic.check_traffic(session, survey_id)
     named = [[RecordingNameBody.model_validate(of) for of in one.recordings] for one in found]
     poses = [

@@ -1,7 +1,5 @@
 """Self-check of road poses: the direction of travel of a survey's vehicles, and pairs of tyre contacts."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 

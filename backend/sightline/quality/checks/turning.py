@@ -1,7 +1,5 @@
 """Turning a road pose to the direction of the traffic: what it would change, and the new pose."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 

@@ -1,7 +1,5 @@
 """Holding the tyre contacts of a package against the audit chain."""
 
-from __future__ import annotations
-
 from sightline.infra.csv_package.files import Files
 from sightline.infra.csv_package.replay import Replay, hold_all
 from sightline.quality.checks.csv import WHEEL_PAIRS

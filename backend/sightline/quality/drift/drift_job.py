@@ -1,7 +1,5 @@
 """Did the camera move? The background of the road pose's frames, looked for over the whole recording."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any, cast

@@ -1,7 +1,5 @@
 """How far people lean on what they are shown: heights of proposals shown against those measured free."""
 
-from __future__ import annotations
-
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """What was clicked again, as clicks that can be compared: whose, on what, the height of that one frame."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import groupby

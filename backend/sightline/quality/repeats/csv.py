@@ -1,9 +1,7 @@
 """The table of repeats in an export: what repeatability and reproducibility are computed from."""
 
-from __future__ import annotations
-
 from sightline.infra.csv_package.columns import flag, integer, key, metres, moment, person, text, within
-from sightline.infra.csv_package.schema import Table
+from sightline.infra.csv_package.schema import Table, ids_of
 from sightline.measurements.again.csv import out_of_date
 from sightline.measurements.csv import FRAME, PASS, POINTS, POSE, REASON
 from sightline.measurements.records import Measurement
@@ -36,11 +34,11 @@ REPEATS: Table[Measurement] = Table(
         out_of_date("recording's road pose"),
     ),
     primary=("id",),
-    foreign=(
-        (("measurement_id",), "measurements", ("id",)),
-        (("vehicle_id",), "vehicles", ("id",)),
-        (("recording_id",), "recordings", ("id",)),
-        (("pose_id",), "poses", ("id",)),
-        (("created_by_id",), "people", ("id",)),
+    foreign=ids_of(
+        measurement_id="measurements",
+        vehicle_id="vehicles",
+        recording_id="recordings",
+        pose_id="poses",
+        created_by_id="people",
     ),
 )

@@ -14,7 +14,6 @@ from sightline.measurements.records import ClickSigma
 from sightline.quality.repeats import service
 from sightline.quality.repeats.anchoring import Anchoring, anchoring
 from sightline.quality.repeats.query import Blind
-from sightline.surveys.store import get_survey
 
 router = APIRouter()
 
@@ -33,14 +32,12 @@ class SigmaChoice(In):
 @router.get("/surveys/{survey_id}/repeats")
 def repeats_of_survey(survey_id: PathId, who: Viewer, session: Reading) -> service.Findings:
     """Repeatability and reproducibility per target and per person, and every difference."""
-    get_survey(session, survey_id)
     return service.findings(session, survey_id)
 
 
 @router.get("/surveys/{survey_id}/anchoring")
 def anchoring_of_survey(survey_id: PathId, who: Viewer, session: Reading) -> Anchoring:
     """How far showing proposals moves heights: those of vehicles shown against those measured free."""
-    get_survey(session, survey_id)
     return anchoring(session, survey_id)
 
 
@@ -53,7 +50,6 @@ def sample_to_click_again(
     only_own: Annotated[bool, Query(description="Only what you clicked yourself.")] = True,
 ) -> tuple[Blind, ...]:
     """Measurements for you to click again without seeing, in random order; repeat them with `repeat_of`."""
-    get_survey(session, survey_id)
     return service.sample(session, survey_id, person_id=who.id, count=count, only_own=only_own)
 
 

@@ -1,7 +1,5 @@
 """What repeats say of a survey: figures per target and person, differences, and people's own click sigma."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace

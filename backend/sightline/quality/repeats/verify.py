@@ -1,7 +1,5 @@
 """Computing every repeat of a package again, and holding its rows against their events."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from sightline.errors import Damaged

@@ -1,7 +1,5 @@
 """Joins the sizes measured of a vehicle with the catalogue."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

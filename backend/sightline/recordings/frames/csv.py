@@ -1,12 +1,10 @@
 """The table of the frames that were clicked on, in the package."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from sightline.infra.csv_package.columns import integer, key, number
-from sightline.infra.csv_package.schema import Table
+from sightline.infra.csv_package.schema import Table, ids_of
 from sightline.recordings.frames.records import FrameTable
 
 
@@ -45,5 +43,5 @@ FRAMES: Table[ClickedFrame] = Table(
         integer("crc32", "CRC-32 of the decoded luma", required=True),
     ),
     primary=("recording_id", "frame"),
-    foreign=((("recording_id",), "recordings", ("id",)),),
+    foreign=ids_of(recording_id="recordings"),
 )

@@ -10,7 +10,7 @@ from sightline.errors import Conflict
 from sightline.infra.audit import trail
 from sightline.infra.audit.written import written_rows
 from sightline.infra.by_name import record_of
-from sightline.infra.database.rows import add_row, change_row, get_row, missing
+from sightline.infra.database.rows import add_row, change_row, get_row, the_one
 from sightline.infra.database.types import now
 from sightline.recordings.uploads.records import Upload
 from sightline.recordings.uploads.tables import uploads
@@ -40,10 +40,7 @@ def create_upload(
 
 def get_upload(session: Session, upload_id: int) -> Upload:
     """One upload. Raises NotFound."""
-    found = _where(session, uploads.c.id == upload_id)
-    if not found:
-        raise missing("upload", upload_id)
-    return found[0]
+    return the_one(_where(session, uploads.c.id == upload_id), "upload", upload_id)
 
 
 def unfinished_uploads(

@@ -1,7 +1,5 @@
 """What became of the passes of a survey: read in one query, judged by what the survey asks for and takes."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from sqlalchemy import ColumnElement, Select, and_, case, func, select

@@ -1,7 +1,5 @@
 """How far a survey's sample has come."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Annotated
 

@@ -1,7 +1,5 @@
 """How far a survey's sample has come: its quotas, and what became of its passes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 from sightline.infra.database import Session

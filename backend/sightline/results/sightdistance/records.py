@@ -1,7 +1,5 @@
 """What the sight-distance page and the report show of a survey's heights."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated

@@ -5,8 +5,6 @@ takes `case_of` with its rules' figures. Both give THE figure (`statistics.rules
 class that the rule names, with total uncertainty.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import get_args

@@ -1,14 +1,12 @@
 """The tables of lots in the package: each lot with its plan, draw and decision, and what it holds."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import get_args
 
 from sightline.enums import Lighting, LotLeaving, LotRole, LotState, Target
 from sightline.infra.csv_package.columns import integer, key, moment, number, person, text, within
-from sightline.infra.csv_package.schema import Column, Table
+from sightline.infra.csv_package.schema import Column, Table, ids_of
 from sightline.reviews.lots.records import Decision, Lot, LotItem
 
 
@@ -93,11 +91,7 @@ LOTS: Table[Lot] = Table(
         moment("decided_at", "when", lambda lot: lot.decision.created_at if lot.decision else None),
     ),
     primary=("id",),
-    foreign=(
-        (("operator_id",), "people", ("id",)),
-        (("created_by_id",), "people", ("id",)),
-        (("decided_by_id",), "people", ("id",)),
-    ),
+    foreign=ids_of(operator_id="people", created_by_id="people", decided_by_id="people"),
 )
 
 LOT_ITEMS: Table[ItemOfLot] = Table(
@@ -126,8 +120,7 @@ LOT_ITEMS: Table[ItemOfLot] = Table(
     ),
     primary=("lot_id", "place"),
     foreign=(
-        (("lot_id",), "lots", ("id",)),
-        (("measurement_id",), "measurements", ("id",)),
+        *ids_of(lot_id="lots", measurement_id="measurements"),
         (("measurement_id", "revision"), "revisions", ("measurement_id", "revision")),
     ),
 )

@@ -1,7 +1,5 @@
 """The draw of a lot: an order that follows from the audit chain, so that nobody chooses whom it hits."""
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import Iterable
 

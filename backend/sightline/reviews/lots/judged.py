@@ -5,8 +5,6 @@ fixed by more, or its height went. What is said first of the lot's revision coun
 item changed before anybody judged it leaves the lot, and the next of the draw takes its place in the sample.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 

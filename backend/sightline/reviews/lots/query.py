@@ -1,7 +1,5 @@
 """Reading lots: what could be drawn, what was, and what became of the items, for all of a survey at once."""
 
-from __future__ import annotations
-
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields
@@ -13,7 +11,7 @@ from sqlalchemy.orm import Session
 from sightline.enums import AcceptedVerdict, LotLeaving
 from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people
-from sightline.infra.database.rows import missing, names, who
+from sightline.infra.database.rows import names, the_one, who
 from sightline.measurements.query import is_current, is_first, verdict, waits, with_verdict
 from sightline.measurements.tables import (
     lot_decisions,
@@ -72,10 +70,7 @@ def list_lots(session: Session, survey_id: int) -> tuple[Lot, ...]:
 
 def get_lot(session: Session, lot_id: int) -> Lot:
     """One of them. Raises NotFound."""
-    found = _lots(session, lots.c.id == lot_id)
-    if not found:
-        raise missing("lot", lot_id)
-    return found[0]
+    return the_one(_lots(session, lots.c.id == lot_id), "lot", lot_id)
 
 
 def open_lots(session: Session, survey_id: int) -> tuple[Lot, ...]:

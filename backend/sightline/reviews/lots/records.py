@@ -1,7 +1,5 @@
 """Lots of heights that are judged by a sample: what they hold, how far they are, what became of them."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import datetime

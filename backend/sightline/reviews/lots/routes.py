@@ -12,7 +12,6 @@ from sightline.reviews.lots import service
 from sightline.reviews.lots.query import get_lot
 from sightline.reviews.lots.records import LotSummary, PlannedLot, ShownLot
 from sightline.statistics.acceptance import USUAL_RISKS, RiskPoints
-from sightline.surveys.store import get_survey
 
 router = APIRouter()
 
@@ -28,14 +27,12 @@ class NewLots(In):
 @router.get("/surveys/{survey_id}/lots")
 def list_lots(survey_id: PathId, who: Viewer, session: Reading) -> tuple[ShownLot, ...]:
     """Every lot of a survey with its plan, its curve and how far it is; newest first."""
-    get_survey(session, survey_id)
     return service.shown_lots(session, survey_id, actor=who.id)
 
 
 @router.get("/surveys/{survey_id}/lots/summary")
 def lot_summary(survey_id: PathId, who: Viewer, session: Reading) -> LotSummary:
     """How many accepted heights rest on a verdict of their own and how many on their lot's sample."""
-    get_survey(session, survey_id)
     return service.lot_summary(session, survey_id)
 
 
@@ -51,7 +48,6 @@ def plan_lots(
     consumer_risk: float = USUAL_RISKS.consumer_risk,
 ) -> tuple[PlannedLot, ...]:
     """The lots that could be drawn from what waits now, each with its plan."""
-    get_survey(session, survey_id)
     risks = RiskPoints(producer_quality, producer_risk, consumer_quality, consumer_risk)
     return service.planned_lots(session, survey_id, by, risks)
 
@@ -59,7 +55,6 @@ def plan_lots(
 @router.post("/surveys/{survey_id}/lots", status_code=201)
 def draw_lots(survey_id: PathId, body: NewLots, who: Reviewer, session: Writing) -> tuple[ShownLot, ...]:
     """Draw lots and their samples; the seed follows from the audit chain. Lots that save nothing are left."""
-    get_survey(session, survey_id)
     risks = RiskPoints(body.producer_quality, body.producer_risk, body.consumer_quality, body.consumer_risk)
     made = service.draw_lots(session, survey_id, body.by, risks, actor=who.id)
     return tuple(service.shown_lot(session, get_lot(session, one), actor=who.id) for one in made)

@@ -1,7 +1,5 @@
 """Review by lots: what could be drawn, the draw, how far a sample is, and what becomes of the lot."""
 
-from __future__ import annotations
-
 from collections import Counter, defaultdict
 from collections.abc import Collection, Sequence
 from typing import Any
@@ -286,12 +284,4 @@ def _groups(session: Session, survey_id: int, by: Collection[LotGrouping]) -> li
 
 def _planned(common: dict[str, Any], size: int, risks: RiskPoints, people: dict[int, str]) -> PlannedLot:
     plan = single_plan(size, risks)
-    return PlannedLot(
-        common=query.common_of(common, people),
-        size=size,
-        sample_size=plan.sample_size,
-        acceptance_number=plan.acceptance_number,
-        producer_risk=plan.producer_risk,
-        consumer_risk=plan.consumer_risk,
-        saves=plan.saves,
-    )
+    return filled_from(PlannedLot, plan, common=query.common_of(common, people), size=size, saves=plan.saves)

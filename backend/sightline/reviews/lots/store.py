@@ -3,8 +3,6 @@
 A lot's verdicts are written together: a few statements for a lot, however many heights it holds.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any

@@ -1,7 +1,5 @@
 """Holding the lots of a package against the audit chain: draw, sample and verdicts by lot."""
 
-from __future__ import annotations
-
 from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field

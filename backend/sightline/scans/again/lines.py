@@ -1,7 +1,5 @@
 """Which heights of a survey's line scans come out as others with the facts that hold now, or were others."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 
 from sightline.infra.database import Session

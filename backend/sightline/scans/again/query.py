@@ -1,7 +1,5 @@
 """What computing the heights of line scans again needs to know, for thousands of them in a few queries."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from sqlalchemy import and_, case, func, select

@@ -12,7 +12,6 @@ from sightline.measurements.again.query import list_computings
 from sightline.measurements.again.records import ComputedHeights, Computing, OutOfDate
 from sightline.measurements.again.service import ask_to_compute, ask_to_undo
 from sightline.scans.again.service import heights_of, out_of_date
-from sightline.surveys.store import get_survey
 
 router = APIRouter()
 
@@ -28,7 +27,6 @@ class ComputingsBody:
 @router.get("/surveys/{survey_id}/computings")
 def list_all(survey_id: PathId, who: Viewer, session: Reading) -> ComputingsBody:
     """Heights that follow from other facts than hold now, and what was computed again before."""
-    get_survey(session, survey_id)
     return ComputingsBody(out_of_date(session, survey_id), list(list_computings(session, survey_id)))
 
 
@@ -38,7 +36,6 @@ def compute_again(survey_id: PathId, who: Operator, session: Writing) -> JobBody
 
     The job's result names the computing; only what moved by more than its u is to be reviewed again.
     """
-    get_survey(session, survey_id)
     return JobBody.model_validate(ask_to_compute(session, survey_id, actor=who.id))
 
 

@@ -2,8 +2,6 @@
 recordings and those of line scans, as one computing.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace

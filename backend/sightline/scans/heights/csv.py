@@ -1,7 +1,5 @@
 """The tables of heights in line scans in an export: what every column holds, and what rows they have."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, get_args
@@ -19,7 +17,7 @@ from sightline.infra.csv_package.columns import (
     within,
 )
 from sightline.infra.csv_package.files import Staging
-from sightline.infra.csv_package.schema import Column, Table
+from sightline.infra.csv_package.schema import Column, Table, ids_of
 from sightline.infra.database import Session
 from sightline.measurements.again.csv import out_of_date
 from sightline.measurements.csv import MEASUREMENTS, given_verdict
@@ -36,8 +34,6 @@ from sightline.surveys.records import Inset
 _MADE = "version of the program that computed it"
 _MAKER = "who made it; empty for the program itself"
 _MADE_AT = "when the revision was stored"
-_MAKER_KEY = (("created_by_id",), "people", ("id",))
-_REVIEWER_KEY = (("reviewer_id",), "people", ("id",))
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,7 +100,7 @@ LINE_POSES: Table[StoredLinePose] = Table(
         moment("created_at", _MADE_AT),
     ),
     primary=("id",),
-    foreign=((("scan_id",), "line_scans", ("id",)), _MAKER_KEY),
+    foreign=ids_of(scan_id="line_scans", created_by_id="people"),
 )
 LINE_MARKS: Table[RodMark] = Table(
     "line_marks",
@@ -124,7 +120,7 @@ LINE_MARKS: Table[RodMark] = Table(
         number("residual_px", "the model's row minus row_px", "px", required=True),
     ),
     primary=("pose_id", "mark"),
-    foreign=((("pose_id",), "line_poses", ("id",)),),
+    foreign=ids_of(pose_id="line_poses"),
 )
 
 
@@ -186,13 +182,13 @@ LINE_HEIGHTS: Table[ListedHeight] = Table(
         *within("height", out_of_date("line camera's calibration")),
     ),
     primary=("id",),
-    foreign=(
-        (("vehicle_id",), "scan_vehicles", ("id",)),
-        (("pose_id",), "line_poses", ("id",)),
-        (("computing_id",), "computings", ("id",)),
-        (("verdict_of_id",), "line_heights", ("id",)),
-        _MAKER_KEY,
-        _REVIEWER_KEY,
+    foreign=ids_of(
+        vehicle_id="scan_vehicles",
+        pose_id="line_poses",
+        computing_id="computings",
+        verdict_of_id="line_heights",
+        created_by_id="people",
+        reviewer_id="people",
     ),
 )
 
@@ -206,7 +202,7 @@ LINE_HEIGHT_REVIEWS: Table[JudgedHeight] = Table(
         *within("review", *given_verdict(get_args(ScanVerdict))),
     ),
     primary=("id",),
-    foreign=((("height_id",), "line_heights", ("id",)), _REVIEWER_KEY),
+    foreign=ids_of(height_id="line_heights", reviewer_id="people"),
 )
 LINE_BUDGET: Table[HeightBudgetEntry] = Table(
     "line_height_budget",
@@ -217,7 +213,7 @@ LINE_BUDGET: Table[HeightBudgetEntry] = Table(
         metres("u_m", "its contribution to the standard uncertainty of the height", required=True),
     ),
     primary=("height_id", "source"),
-    foreign=((("height_id",), "line_heights", ("id",)),),
+    foreign=ids_of(height_id="line_heights"),
 )
 TABLES: tuple[Table[Any], ...] = (LINE_POSES, LINE_MARKS, LINE_HEIGHTS, LINE_BUDGET, LINE_HEIGHT_REVIEWS)
 

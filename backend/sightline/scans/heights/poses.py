@@ -1,7 +1,5 @@
 """The pose of a scan's line camera from rod marks: solved to look at, and stored."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from datetime import datetime

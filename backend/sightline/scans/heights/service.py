@@ -4,8 +4,6 @@ What is shown while the pointer moves, what is stored and what a check recompute
 Points are (line, row) of strip 1.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 

@@ -1,7 +1,5 @@
 """Computing every calibration and height of an export's line scans again from its marks and clicks."""
 
-from __future__ import annotations
-
 import math
 from collections import defaultdict
 from collections.abc import Mapping

@@ -4,8 +4,6 @@ First what was recorded and how, then every vehicle that was told, and every sec
 vehicles are told ("settled"). A journal without its last line, "ended", is that of a stream that was killed.
 """
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Iterator

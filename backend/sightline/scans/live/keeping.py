@@ -1,7 +1,5 @@
 """A stream's vehicles on their way into a survey: a recording that grows, its strips once it has ended."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import AbstractContextManager

@@ -1,7 +1,5 @@
 """A live stream from its source to what is told: segments, what a killed run left, health."""
 
-from __future__ import annotations
-
 import os
 import secrets
 import time

@@ -1,7 +1,5 @@
 """One stretch of a live stream: lines in, vehicles out, both cameras' lines kept in a pair of files."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, replace
 from datetime import datetime, timedelta

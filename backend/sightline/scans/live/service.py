@@ -1,7 +1,5 @@
 """The live page of a survey: each stream with its health, its last vehicles and its flow."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from datetime import datetime, timedelta
 

@@ -1,7 +1,5 @@
 """The table of reference values in an export: every revision, and ours beside those that stand."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import get_args
@@ -9,7 +7,7 @@ from typing import get_args
 from sightline.coverage import COVERAGE_95
 from sightline.enums import ReferenceQuantity, ReferenceSource
 from sightline.infra.csv_package.columns import flag, key, moment, number, person, text, within
-from sightline.infra.csv_package.schema import Table
+from sightline.infra.csv_package.schema import Table, ids_of
 from sightline.scans.references.records import UNITS, StoredReference
 from sightline.statistics.references import Agreement
 
@@ -77,10 +75,7 @@ SCAN_REFERENCES: Table[ListedReference] = Table(
         ),
     ),
     primary=("id",),
-    foreign=(
-        (("vehicle_id",), "scan_vehicles", ("id",)),
-        (("created_by_id",), "people", ("id",)),
-    ),
+    foreign=ids_of(vehicle_id="scan_vehicles", created_by_id="people"),
 )
 #: The columns that follow from others.
 FOLLOWING = ("current", "unit", "difference", "u_difference", "U95_difference", "E_n", "within")

@@ -4,8 +4,6 @@ A line names its vehicle by number, or by the time of day at which it passed: by
 must fit the line and one line alone the vehicle, else neither is taken.
 """
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence

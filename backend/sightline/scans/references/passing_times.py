@@ -1,7 +1,5 @@
 """Which vehicle a reference is of, by the time that its line gives: one alone within a tolerance, or none."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Reference values beside our own: the difference, and whether it is within the combined uncertainty."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Making again what follows from the reference values of an export: which stand, and ours beside them."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from datetime import UTC, datetime
 from typing import Any

@@ -1,7 +1,5 @@
 """What the package holds of rigs' calibrations: their figures, and the passes that they are solved from."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass, fields
 from typing import Any, get_args
@@ -9,7 +7,7 @@ from typing import Any, get_args
 from sightline.enums import RigPassKind
 from sightline.infra.csv_package.columns import integer, key, metres, moment, number, person, text, within
 from sightline.infra.csv_package.files import Staging
-from sightline.infra.csv_package.schema import Column, Table
+from sightline.infra.csv_package.schema import Column, Table, ids_of
 from sightline.infra.database import Session
 from sightline.linescan.rig_calibration import FittedPass, RigPass
 from sightline.scans.rig.calibrating import found_of
@@ -85,7 +83,7 @@ RIG_CALIBRATIONS: Table[StoredRigCalibration] = Table(
         moment("created_at", "when it was stored"),
     ),
     primary=("id",),
-    foreign=((("scan_id",), "line_scans", ("id",)), (("created_by_id",), "people", ("id",))),
+    foreign=ids_of(scan_id="line_scans", created_by_id="people"),
 )
 RIG_PASSES: Table[ListedPass] = Table(
     "rig_passes",
@@ -107,7 +105,7 @@ RIG_PASSES: Table[ListedPass] = Table(
         ),
     ),
     primary=("calibration_id", "number"),
-    foreign=((("calibration_id",), "rig_calibrations", ("id",)),),
+    foreign=ids_of(calibration_id="rig_calibrations"),
 )
 TABLES: tuple[Table[Any], ...] = (RIG_CALIBRATIONS, RIG_PASSES)
 

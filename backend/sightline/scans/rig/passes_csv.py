@@ -1,7 +1,5 @@
 """Passes of a staff or board from a CSV (docs/formats.md); a row that tells nothing has its reason."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 

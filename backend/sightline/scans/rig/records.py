@@ -1,7 +1,5 @@
 """Calibrations of a rig, as they are stored and as they are answered."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from datetime import datetime
 from typing import Annotated

@@ -1,7 +1,5 @@
 """What the traffic of a scan says of its rig, beside what was entered; nothing is changed by asking."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated, get_args
@@ -19,11 +17,11 @@ from sightline.linescan.rig import (
     common_baseline_of,
     gain,
     misalignment,
+    rig_from,
 )
 from sightline.messages.said import Said
 from sightline.scans.records import Scan, ScanValues, ScanVehicle
 from sightline.scans.store import get_scan
-from sightline.scans.vehicles.motion import rig_of
 from sightline.scans.vehicles.store import list_scan_vehicles
 
 _GIVEN = Said("rig-misalignment-given")
@@ -91,7 +89,7 @@ def _implied(scan: Scan, vehicles: Sequence[ScanVehicle], of: KnownLength) -> Im
         size, true = getattr(values, f"{of}_m"), getattr(one, f"true_{of}_m")
         if size is None or true is None:
             continue
-        baseline_m, u_baseline_m = common_baseline_of(rig_of(values.rig))
+        baseline_m, u_baseline_m = common_baseline_of(rig_from(values.rig))
         u = alone(size, getattr(values, f"u_{of}_m"), baseline_m, u_baseline_m)
         scale = baseline_of(at_lane(scan.rig, values.lane, values.direction))[0] / baseline_m
         rows.append((scale * size, scale * u, true, getattr(one, f"u_true_{of}_m") or 0.0))

@@ -1,7 +1,5 @@
 """Solving every calibration of a rig again from its passes."""
 
-from __future__ import annotations
-
 import math
 from collections import defaultdict
 from collections.abc import Mapping

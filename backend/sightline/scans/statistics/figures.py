@@ -1,10 +1,9 @@
 """Statistics of a survey's line scans from what is stored: errors, speeds, gaps, the paper's layout."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from sightline.infra.database import Session
+from sightline.linescan.rig import rig_from
 from sightline.recordings.filming import FilmedWithin
 from sightline.scans.heights.store import list_scan_heights
 from sightline.scans.records import Scan
@@ -20,7 +19,6 @@ from sightline.scans.statistics.service import (
 from sightline.scans.statistics.traffic import ScanTraffic, Watched, traffic_of_seen
 from sightline.scans.store import list_scans
 from sightline.scans.vehicles.listing import ShownVehicle, vehicles_of
-from sightline.scans.vehicles.motion import rig_of
 
 
 def scan_statistics(
@@ -78,7 +76,7 @@ def _seen(scan: Scan, one: ShownVehicle) -> VehicleMotion:
     where: dict[str, Any] = {}
     if values:
         ends = values.front_line_1, values.rear_line_1
-        where = when_passed(rig_of(values.rig), *ends, values.reason)
+        where = when_passed(rig_from(values.rig), *ends, values.reason)
     return VehicleMotion(
         vehicle_id=vehicle.id,
         scan_id=vehicle.scan_id,

@@ -1,7 +1,5 @@
 """What the heights clicked in a survey's line scans say together: pure of where they are."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass
 from statistics import fmean, median, stdev

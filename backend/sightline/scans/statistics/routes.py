@@ -29,7 +29,6 @@ from sightline.scans.statistics.paper import TABLE_I, PaperCar
 from sightline.scans.statistics.service import CarRuns, ReferenceGroup, ScanRow
 from sightline.scans.statistics.traffic import ScanTraffic
 from sightline.statistics.distributions import Percentile
-from sightline.surveys.store import get_survey
 
 router = APIRouter()
 NOTHING = Said("stat-no-value")
@@ -94,7 +93,6 @@ def get_scan_statistics(
     accepted_only: Annotated[bool, Query(description="false: those that wait for a review too.")] = True,
 ) -> ScanStatisticsBody:
     """Errors of length and wheelbase, distributions of speed and gaps, the paper's Table I beside it."""
-    get_survey(session, survey_id)
     heights = scan_height_statistics(session, survey_id, accepted_only=accepted_only, filmed=filmed)
     found = scan_statistics(session, survey_id, accepted_only=accepted_only, filmed=filmed)
     paper = [filled_from(PaperCarBody, one, length_error_m=one.size_m - one.true_length_m) for one in TABLE_I]
@@ -120,7 +118,6 @@ def get_scan_traffic(
     accepted_only: Annotated[bool, Query(description="false: speeds that wait for a review too.")] = True,
 ) -> ScanFlows:
     """Flow, headways, speeds, occupancy and length classes per interval, by scan, direction and lane."""
-    get_survey(session, survey_id)
     if minutes not in MINUTES:
         raise BadInput("scans-traffic-other-minutes", minutes=minutes)
     found = scan_traffic(session, survey_id, minutes, accepted_only=accepted_only, filmed=filmed)

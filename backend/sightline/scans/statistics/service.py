@@ -13,6 +13,7 @@ from typing import Any, get_args
 
 import numpy as np
 
+from sightline.arrays import Floats
 from sightline.enums import KnownLength, ReferenceQuantity, ReferenceSource, ScanDirection, ScanVehicleState
 from sightline.infra.by_name import filled_from
 from sightline.linescan.clock import since_start_s
@@ -32,7 +33,6 @@ from sightline.scans.references.service import LOOKED_AT, beside
 from sightline.statistics.distributions import (
     Density,
     Ecdf,
-    Floats,
     Percentile,
     density,
     ecdf,

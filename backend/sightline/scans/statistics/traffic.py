@@ -1,7 +1,5 @@
 """Traffic of line scans by intervals, from the database or from a package: pure of where they are."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime

@@ -1,7 +1,5 @@
 """What a person changes of scanned vehicles: boundaries, wheels, facts, a vehicle by hand."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 

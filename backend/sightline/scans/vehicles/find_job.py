@@ -1,7 +1,5 @@
 """Finding and measuring the vehicles of a scan, as a job; what people placed or took out stays as it is."""
 
-from __future__ import annotations
-
 from bisect import bisect_left
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """Scans and their vehicles as they are shown: with gaps, errors against the catalogue, what is outdated."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 

@@ -1,7 +1,5 @@
 """Measuring a scanned vehicle: its pictures from the stored strips, its motion by either method."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 

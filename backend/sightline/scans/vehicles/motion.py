@@ -1,7 +1,5 @@
 """Between the line-scan room and the store: a motion as stored values and back, gaps of stored vehicles."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import asdict, fields, replace
 from typing import Any
@@ -16,6 +14,7 @@ from sightline.scans.records import ScanMeasurement, ScanValues, ScanVehicle
 from sightline.scans.store import rig_for
 
 _NUMBERS = tuple(one.name for one in fields(Motion) if one.type == float | None)
+_AS_STORED = ("method", "status", "reason", "lane", "lane_by", "u_boundaries_m")
 _WHEELS = ("front_wheel_line", "rear_wheel_line", "wheelbase_m", "u_wheelbase_m")
 _NO_WHEELS: dict[str, Any] = dict.fromkeys(_WHEELS)
 
@@ -53,15 +52,9 @@ def values_of(
 def motion_of(values: ScanValues) -> Motion:
     """A stored revision as a motion again, without its profile."""
     return Motion(
-        method=values.method,
         crossings=crossings_of(values),
-        status=values.status,
-        reason=values.reason,
-        lane=values.lane,
-        lane_by=values.lane_by,
-        u_boundaries_m=values.u_boundaries_m,
         budget=tuple(Entry(**entry) for entry in values.budget),
-        **{name: getattr(values, name) for name in _NUMBERS},
+        **{name: getattr(values, name) for name in (*_AS_STORED, *_NUMBERS)},
     )
 
 
@@ -78,7 +71,7 @@ def with_wheels(values: ScanValues, lines: tuple[float, float] | None) -> ScanVa
     if lines is None:
         return replace(values, **_NO_WHEELS)
     front, rear = sorted(lines)
-    found = wheelbase(motion_of(values), rig_of(values.rig), front, rear)
+    found = wheelbase(motion_of(values), rig_from(values.rig), front, rear)
     why = [Said("scan-motion-no-wheelbase", reason=found.reason)] if found.reason else []
     return replace(
         values,
@@ -113,11 +106,6 @@ def wheels_of(values: ScanValues) -> tuple[float, float] | None:
     if values.front_wheel_line is None or values.rear_wheel_line is None:
         return None
     return values.front_wheel_line, values.rear_wheel_line
-
-
-def rig_of(document: JsonObject) -> Rig:
-    """The rig of a stored revision."""
-    return rig_from(document)
 
 
 def gaps_of(rig: Rig, found: Sequence[ScanVehicle]) -> list[Gap | None]:

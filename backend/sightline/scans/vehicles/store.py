@@ -17,7 +17,7 @@ from sightline.infra.audit.changing import (
     make_rows,
     take_out_row,
 )
-from sightline.infra.database.rows import get_row, last_change, missing
+from sightline.infra.database.rows import get_row, last_change, the_one
 from sightline.infra.database.types import document_text
 from sightline.scans.query import scan_vehicle_of_row, scan_vehicle_rows, scan_vehicle_states
 from sightline.scans.records import Changes, KnownOfScanned, ScanCounts, ScanVehicle, state_of
@@ -54,9 +54,7 @@ def create_scan_vehicles(
 def get_scan_vehicle(session: Session, vehicle_id: int, *, deleted: bool = False) -> ScanVehicle:
     """One vehicle with its current measurement, profile and all. Raises NotFound (also with its scan)."""
     found = _fetch(session, scan_vehicles.c.id == vehicle_id, deleted=deleted, profile=True)
-    if not found:
-        raise missing("scanned vehicle", vehicle_id)
-    return found[0]
+    return the_one(found, "scanned vehicle", vehicle_id)
 
 
 def list_scan_vehicles(session: Session, scan_id: int, *, deleted: bool = False) -> tuple[ScanVehicle, ...]:

@@ -1,7 +1,5 @@
 """The figure of a study's report: a target's distribution with its band, beside the heights of standards."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

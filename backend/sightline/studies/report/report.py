@@ -3,8 +3,6 @@
 Set as a survey's report is (`export.report`), from a template of its own beside this file.
 """
 
-from __future__ import annotations
-
 from datetime import UTC, datetime
 from pathlib import Path
 

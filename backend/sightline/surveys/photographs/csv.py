@@ -1,12 +1,10 @@
 """Photographs of the set-up in an export: the files, a table that describes them, and back for the report."""
 
-from __future__ import annotations
-
 from operator import itemgetter
 
 from sightline.infra.csv_package.columns import integer, key, moment, person, text, within
 from sightline.infra.csv_package.files import Files, read_rows, read_whole, unsafe
-from sightline.infra.csv_package.schema import Table
+from sightline.infra.csv_package.schema import Table, ids_of
 from sightline.surveys.photographs.records import Photograph, PhotographFile
 
 FOLDER = "photographs/"
@@ -40,7 +38,7 @@ PHOTOGRAPHS: Table[Placed] = Table(
         ),
     ),
     primary=("id",),
-    foreign=((("created_by_id",), "people", ("id",)),),
+    foreign=ids_of(created_by_id="people"),
 )
 
 

@@ -1,7 +1,5 @@
 """Holding the photographs of an export against the audit chain."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from sightline.errors import Damaged

@@ -1,7 +1,5 @@
 """The catalogue as a table: the whole of it, to be imported again, and a survey's models in its package."""
 
-from __future__ import annotations
-
 import io
 from collections.abc import Iterable
 from typing import get_args

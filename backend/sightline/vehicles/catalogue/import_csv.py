@@ -4,8 +4,6 @@
 unit is doubtful: lengths in feet that pass for metres are wrong numbers that look right.
 """
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence

@@ -1,7 +1,5 @@
 """Finding the vehicle passes of a recording, as a job; what is there or was discarded stays as it is."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Any
 

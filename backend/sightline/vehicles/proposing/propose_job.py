@@ -1,7 +1,5 @@
 """What a person would click of every found pass of a recording, as a job; stored as proposals, as a whole."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Any
 
