@@ -12,6 +12,7 @@ from sightline.measurements.again.query import list_computings
 from sightline.measurements.again.records import ComputedHeights, Computing, OutOfDate
 from sightline.measurements.again.service import ask_to_compute, ask_to_undo
 from sightline.scans.again.service import heights_of, out_of_date
+from sightline.surveys.store import get_survey
 
 router = APIRouter()
 
@@ -36,6 +37,7 @@ def compute_again(survey_id: PathId, who: Operator, session: Writing) -> JobBody
 
     The job's result names the computing; only what moved by more than its u is to be reviewed again.
     """
+    get_survey(session, survey_id)
     return JobBody.model_validate(ask_to_compute(session, survey_id, actor=who.id))
 
 
