@@ -8,10 +8,9 @@ import numpy as np
 import pytest
 
 from sightline.linescan.direct import NO_ORDER, NO_TEXTURE, baseline_of, measure_direct
-from sightline.linescan.finding import CUT
 from sightline.linescan.masks import Sheet, sampled, shifted
 from sightline.linescan.paper import measure_paper
-from sightline.linescan.parts import Crossings, Passage, Rig
+from sightline.linescan.parts import CUT, Crossings, Passage, Rig
 from sightline.linescan.warp import Course, solved_by_boundaries
 from tests.linescan.scenes import RIG, SITE, cars, found, plain_found, plain_truth
 from tests.simulation.scan_strips import strips

@@ -8,7 +8,7 @@ from sightline.errors import BadInput
 from sightline.linescan.equations import corrected, printed, solve_crossings
 from sightline.linescan.finding import STOPPED
 from sightline.linescan.gaps import REAR_UNSEEN, gaps
-from sightline.linescan.parts import STOOD, Crossings, Entry, Motion, Rig
+from sightline.linescan.parts import CUT, STOOD, Crossings, Entry, Motion, Rig
 from sightline.linescan.planner import line_rate_for, speed_error
 
 BASELINE_M, RATE_HZ = 0.593, 4882.8
@@ -139,6 +139,9 @@ def test_a_gap_that_cannot_be_known_has_its_reason() -> None:
     gap = gaps([(ahead, none), (behind, after)], rig)[1]
     assert gap.time_gap_s is not None and gap.distance_gap_m is None and "motion" in str(gap.reason)
     assert gap.u_time_gap_s is None
+    # nobody saw its front: 12.3 s, from line 0, were a headway
+    begun = gaps([(ahead, Motion("direct", ahead, "not_measurable", CUT)), (behind, after)], rig)[1]
+    assert (begun.headway_s, begun.time_gap_s) == (None, gap.time_gap_s) and gap.headway_s is not None
     braking = gaps([(ahead, motion(ahead, 9.0, -1.4, 4.2)), (behind, after)], rig)[1]
     assert braking.distance_gap_m is None and "stopped" in str(braking.reason)
     close = crossings(9.0, 0.0, 4.2, start=100.0)

@@ -17,10 +17,10 @@ from sightline.linescan.background import (
     same_but_moved,
 )
 from sightline.linescan.direct import measure_direct
-from sightline.linescan.finding import CUT, NO_ROAD, STOPPED, Finder
+from sightline.linescan.finding import NO_ROAD, STOPPED, Finder
 from sightline.linescan.gaps import REAR_UNSEEN, gaps
 from sightline.linescan.methods import MEASURE
-from sightline.linescan.parts import STOOD, TOO_LONG, Rig
+from sightline.linescan.parts import CUT, STOOD, TOO_LONG, Rig
 from sightline.linescan.passing import measured
 from tests.linescan.scenes import (
     RIG,
@@ -364,6 +364,13 @@ def test_a_train_is_refused_for_its_length():
     passages, finder = found(of_one_long_thing(80.0))
     assert len(passages) == 1 and finder.alone == 0
     assert "length is 79 m" in str(passages[0].reason) and "the limit is 32 m" in str(passages[0].reason)
+
+
+def test_the_rest_of_one_that_was_too_long_in_view_is_no_other(monkeypatch):
+    """A truck in view for 2 s, where lines of 1.2 s are kept: its rest was a second vehicle."""
+    monkeypatch.setattr(finding, "KEPT_BYTES", 128 * round(1.2 * RIG.line_rate_hz))
+    passages, finder = found(of_one_long_thing(20.0, speed_mps=10.0))
+    assert [passage.reason for passage in passages] == [TOO_LONG] and finder.alone == 0
 
 
 @pytest.mark.parametrize("length_m", [6.0, 80.0])

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import struct
+from collections.abc import Callable, Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from fractions import Fraction
@@ -125,6 +126,45 @@ def cut_copy(source: Path, target: Path, from_s: float) -> Path:
             packet.dts -= shift
             packet.stream = copy
             out.mux(packet)
+    return target
+
+
+def _boxed(kind: bytes, content: bytes) -> bytes:
+    return struct.pack(">I4s", 8 + len(content), kind) + content
+
+
+def _boxes(content: bytes) -> list[tuple[bytes, bytes]]:
+    """Kind and content of the boxes in a piece of an MP4 file."""
+    found, at = [], 0
+    while at < len(content):
+        size, kind = struct.unpack_from(">I4s", content, at)
+        found.append((kind, content[at + 8 : at + size]))
+        at += size
+    return found
+
+
+def edited(source: Path, target: Path, edits: Sequence[tuple[float, float | None]]) -> Path:
+    """An MP4 file with another edit list: how many seconds each edit lasts, and from what second of the
+    picture on it plays (None: it is empty).
+    """
+    every = _boxes(source.read_bytes())
+    assert every[-1][0] == b"moov", "so that no picture is moved"
+    inside = _boxes(every[-1][1])
+    movie_hz = struct.unpack_from(">I", dict(inside)[b"mvhd"], 12)[0]
+    out = b""
+    for kind, content in inside:
+        if kind == b"trak":
+            track = [one for one in _boxes(content) if one[0] != b"edts"]
+            own_hz = struct.unpack_from(">I", dict(_boxes(dict(track)[b"mdia"]))[b"mdhd"], 12)[0]
+            rows = [
+                struct.pack(">IiI", round(last * movie_hz), -1 if at is None else round(at * own_hz), 1 << 16)
+                for last, at in edits
+            ]
+            listed = _boxed(b"elst", struct.pack(">II", 0, len(rows)) + b"".join(rows))
+            track.insert(1, (b"edts", listed))
+            content = b"".join(_boxed(*one) for one in track)
+        out += _boxed(kind, content)
+    target.write_bytes(b"".join(_boxed(*one) for one in [*every[:-1], (b"moov", out)]))
     return target
 
 

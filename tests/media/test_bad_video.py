@@ -15,7 +15,8 @@ import pytest
 from sightline.errors import BadInput
 from sightline.media.video.decode import frames_of, open_container
 from sightline.media.video.frames import FrameServer
-from tests.media.clips import Spec, read_number, write
+from sightline.media.video.passing import frames_between
+from tests.media.clips import Spec, edited, read_number, write
 from tests.media.conftest import Clip, Ingest, media_of
 
 
@@ -172,6 +173,32 @@ def test_a_cut_matroska_file_is_told_by_its_duration(tmp_path: Path, take_in: In
     report = take_in(path).report
     assert report.damaged
     assert any("3.6 s" in note and "truncated" in note for note in map(str, report.notes)), report.notes
+
+
+@pytest.mark.parametrize(
+    ("edits", "parts"),
+    [
+        ([(0.4, 0.0), (1.2, None), (0.4, 0.4)], True),  # a hole: its times ran on without it
+        ([(0.4, 0.0), (0.4, 1.6)], True),  # 1.6 s were told as 0.4 s
+        ([(0.5, 0.4), (0.4, 0.0)], True),
+        ([(0.4, 0.0), (0.4, 0.4)], False),
+        ([(0.8, None), (0.4, 0.8), (0.3, None)], False),
+        ([(2.0, 0.0)], False),
+    ],
+)
+def test_a_file_that_an_edit_list_puts_together_has_no_times_of_filming(
+    edits: list[tuple[float, float | None]], parts: bool, tmp_path: Path, take_in: Ingest
+) -> None:
+    whole = write(tmp_path / "whole.mp4", Spec("whole.mp4"), 50)
+    path = edited(whole, tmp_path / "edited.mp4", edits)
+    if parts:
+        with pytest.raises(BadInput, match="is put together of several parts by an edit list"):
+            take_in(path)
+        with pytest.raises(BadInput, match="several parts"):
+            frames_between(path, 0, 9, (320, 240), "edited.mp4")
+    else:
+        steps_s = np.diff(take_in(path).frames.time_s)
+        assert steps_s == pytest.approx(0.04, abs=1e-4)
 
 
 def test_a_late_first_stamp_is_no_cut(tmp_path: Path, take_in: Ingest) -> None:

@@ -7,7 +7,7 @@ import pytest
 
 from sightline.infra.services import Services
 from sightline.linescan.clock import u_passing_s
-from sightline.linescan.finding import CUT
+from sightline.linescan.parts import CUT
 from sightline.scans.records import StripSource
 from sightline.scans.store import create_scan, note_scan_read
 from sightline.scans.vehicles.measurement_store import append_scan_measurement

@@ -12,7 +12,7 @@ from sightline.errors import BadInput
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.local_time import instant_of
 from sightline.infra.services import Services
-from sightline.linescan.finding import CUT
+from sightline.linescan.parts import CUT
 from sightline.recordings.filming import Filming
 from sightline.scans.records import StripSource
 from sightline.scans.references.passing_times import Matching, PassedAt

@@ -1,9 +1,10 @@
 """Rules of scanned vehicles: append-only, somebody else reviews, a scan on which people worked stays."""
 
 from dataclasses import replace
-from typing import cast
+from typing import Any, cast
 
 import pytest
+from sqlalchemy import event
 from sqlalchemy.orm import Session
 
 from sightline.errors import BadInput, Conflict, NotAllowed, NotFound
@@ -119,6 +120,26 @@ def test_who_stood_until_the_last_ones_came_is_beside_them(session: Session) -> 
     every = list_scan_vehicles(session, scan_id)
     rig = get_scan(session, scan_id).rig
     assert gaps_of(rig, last)[-3:] == gaps_of(rig, every)[-3:]
+
+
+def test_where_nobody_stood_the_last_ones_are_read_once(session: Session) -> None:
+    one = samples.sample(session)
+    scan_id, actor = scans_samples.ready(session, one).id, one.olga.id
+    for number, vehicle_id in enumerate(
+        create_scan_vehicles(session, scan_id, 4, origin="found", actor=actor)
+    ):
+        seen = values(front_line_1=1000.0 * number, rear_line_1=1000.0 * number + 300.0)
+        append_scan_measurement(session, vehicle_id, seen, actor=actor)
+    read: list[str] = []
+
+    def note(*told: Any) -> None:
+        read.append(told[2])
+
+    event.listen(session.get_bind(), "before_cursor_execute", note)
+    last = last_scan_vehicles(session, scan_id, 2)
+    event.remove(session.get_bind(), "before_cursor_execute", note)
+    assert [vehicle.number for vehicle in last] == [3, 4]
+    assert sum("scan_reviews" in statement for statement in read) == 1
 
 
 def test_who_passed_beside_one_that_stands_is_not_taken_for_it(session: Session) -> None:

@@ -15,7 +15,7 @@ from math import hypot, sqrt
 
 from sightline.enums import ScanDirection
 from sightline.linescan.boundaries import SAME_END, U_LINE_LINES
-from sightline.linescan.parts import Crossings, Gap, Motion, Rig, rear_seen
+from sightline.linescan.parts import CUT, Crossings, Gap, Motion, Rig, rear_seen
 from sightline.linescan.rig import u_travelled_m
 from sightline.messages.said import Said
 
@@ -80,7 +80,8 @@ def _gap(before: tuple[Crossings, Motion], this: tuple[Crossings, Motion], rig: 
         return Gap(None, None, None, reason=Said("scan-gap-overlap"))
     if not rear_seen(leader.reason):
         return Gap(None, None, headway_s, reason=REAR_UNSEEN)
-    known = Gap(time_s, None, headway_s)
+    # one that was in view when the recording began has no front
+    known = Gap(time_s, None, None if leader.reason == CUT and ahead.front_line_1 <= 0 else headway_s)
     if leader.speed_mps is None or leader.acceleration_mps2 is None:
         return replace(known, reason=Said("scan-gap-leader-unmeasured"))
     since_front_s = (ahead.rear_line_1 - ahead.front_line_1) / rate

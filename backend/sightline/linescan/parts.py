@@ -135,6 +135,8 @@ STANDS_S = 60.0
 #: Why there is no motion of a vehicle that was in view for longer, and that nobody saw leave.
 STOOD = Said("scan-motion-stood")
 TOO_LONG = Said("scan-motion-too-long-in-view")
+#: Of one that is in view where the recording begins or ends.
+CUT = Said("scan-motion-cut")
 
 
 def rear_seen(reason: Said | None) -> bool:

@@ -138,7 +138,10 @@ class Watcher:
         events += self._watch_stillness(cells, there, block)
         self._before = cells
         if self._open and self.lines + len(block) - self._open.front > self.spans.longest:
-            events += self._end(self._open.last, cut=True)
+            events.append(self._open.event(self._open.last, cut=True))
+            # its rest is no vehicle of its own
+            end = self.lines + len(block)
+            self._open = _Open(end, end, self._open.road, told=True)
         self._refresh(block, there)
         top = 255 if block.dtype == np.uint8 else 65535
         self.saturated_lines += len(block) * float(np.mean(block[::32] >= top))

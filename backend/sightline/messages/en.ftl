@@ -5378,6 +5378,7 @@ video-size-too-large = { $name } states a frame of { $width } x { $height } pixe
 video-aspect-implausible = { $name } states a pixel aspect ratio of { $aspect }, which is not plausible; convert it to MP4 with H.264 or choose another file.
 video-not-a-video = { $name } is not a video that can be read here; convert it to MP4 with H.264 or choose another file.
 video-no-times-follow = { $name } does not state the times of its frames, so a vehicle cannot be followed in it; convert it to MP4.
+video-in-parts = { $name } is put together of several parts by an edit list, so its frame times are not those of filming; export every part as a file of its own.
 video-times-not-filming = The time stamps of { $name } are not the times of filming (its notes give the reason), so motion is not measured. Enter its filming rate.
 video-no-frame = { $name } contains no frame that can be decoded; convert it to MP4 with H.264 or choose another file.
 video-set-aside = This recording crashed the decoder { $count } times and is not tried again; convert it to MP4 with H.264 and upload it again.

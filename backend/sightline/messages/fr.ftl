@@ -5418,6 +5418,7 @@ video-size-too-large = { $name } annonce une image de { $width } x { $height } p
 video-aspect-implausible = { $name } annonce des pixels au rapport largeur sur hauteur de { $aspect }, ce qui n’est pas plausible ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
 video-not-a-video = { $name } n’est pas une vidéo lisible ici ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
 video-no-times-follow = { $name } ne donne pas l’instant de ses images : un véhicule ne peut pas y être suivi ; convertissez-le en MP4.
+video-in-parts = { $name } est monté en plusieurs parties par une liste de montage ; les instants de ses images ne sont donc pas ceux de la prise de vue. Exportez chaque partie dans un fichier à part.
 video-times-not-filming = Les instants de { $name } ne sont pas ceux de la prise de vue (ses remarques en donnent le motif) : aucun mouvement n’est mesuré. Saisissez sa cadence de prise de vue.
 video-no-frame = { $name } ne contient aucune image décodable ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
 video-set-aside = Cet enregistrement a fait planter le décodeur { $count } fois et est mis de côté ; convertissez-le en MP4 avec H.264 et envoyez-le à nouveau.

@@ -19,7 +19,7 @@ from sightline.media.store.local import check_room, no_room_told
 from sightline.media.strips.notes import StripNotes
 from sightline.media.strips.reader import Strip, strip_of
 from sightline.media.strips.sheet import RawSheet
-from sightline.media.video.decode import frames_of
+from sightline.media.video.decode import frames_of, require_whole
 from sightline.media.video.picture import Gray
 from sightline.media.video.report import JITTER, ROUNDING
 
@@ -65,6 +65,7 @@ def cut_strips(
     same twice, another number of frames than the table has), NoRoom, IngestCancelled.
     """
     name = name or path.name
+    require_whole(path, name)
     rate_hz = line_rate(time_s, name, tick_s)
     folder = work_dir or Path(tempfile.gettempdir())
     with (

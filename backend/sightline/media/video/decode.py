@@ -16,7 +16,7 @@ from av.video.stream import VideoStream
 
 from sightline.errors import BadInput
 from sightline.media.video.picture import Gray, Layout, layout_of, upright_gray
-from sightline.media.video.sniff import why_not_video
+from sightline.media.video.sniff import played_in_parts, why_not_video
 from sightline.messages.said import Said
 
 #: What is said of a file that is no video, by what it is.
@@ -140,6 +140,12 @@ def open_container(path: Path, name: str | None = None) -> InputContainer:
         return av.open(f"file:{path}", options=options)
     except (av.error.FFmpegError, ValueError, UnicodeError) as error:
         raise BadInput("video-not-a-video", name=name) from error
+
+
+def require_whole(path: Path, name: str) -> None:
+    """Raise BadInput before times are read from a file whose edit list makes it of several parts."""
+    if played_in_parts(path):
+        raise BadInput("video-in-parts", name=name)
 
 
 def video_stream(

@@ -22,6 +22,7 @@ from sightline.media.video.decode import (
     numbered,
     open_container,
     picture_read,
+    require_whole,
     video_stream,
 )
 from sightline.media.video.picture import luma_crc
@@ -105,6 +106,7 @@ def ingest(
     folder = work_dir or path.parent
     copy: WorkingCopy | None = None
     with closing(open_container(path, name)) as original:
+        require_whole(path, name)
         stated = stated_of(original, path)
         number, pictures = picture_read(original, name, stream_number)
         kind = original.format.name

@@ -9,7 +9,14 @@ import numpy as np
 
 from sightline.errors import BadInput
 from sightline.geometry.follow_pass import PassFrame
-from sightline.media.video.decode import NO_PTS, frame_pts, numbered, open_container, video_stream
+from sightline.media.video.decode import (
+    NO_PTS,
+    frame_pts,
+    numbered,
+    open_container,
+    require_whole,
+    video_stream,
+)
 from sightline.media.video.picture import Gray, upright_gray
 from sightline.media.video.report import clock_doubt_of, require_clock_of_filming, times_of_filming
 from sightline.media.video.stated import stated_of
@@ -36,6 +43,7 @@ def frames_between(
     stamps: list[Fraction] = []
     seen: list[tuple[int, Gray, float]] = []
     with closing(open_container(path, name)) as container:
+        require_whole(path, name)
         stream = video_stream(container, name, number=stream_number)
         for n, frame, layout in numbered(container, stream, name, size_px):
             if n > last + _MOST_EARLY:

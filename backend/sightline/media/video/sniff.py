@@ -4,11 +4,15 @@ FFmpeg answers "Invalid data found" to an empty file, a letter and a film cut be
 people need to be told which of these it is.
 """
 
+import struct
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
+from typing import BinaryIO
 
 HEAD_BYTES = 4096
+_MOST_EDITS = 10_000
 _STILLS = (
     (b"\x89PNG\r\n\x1a\n", "png"),
     (b"\xff\xd8\xff", "jpeg"),
@@ -194,3 +198,75 @@ def _vint(data: bytes, at: int) -> tuple[int, int]:
     width = 9 - data[at].bit_length()
     value = int.from_bytes(data[at : at + width], "big") & (1 << 7 * width) - 1
     return (-1 if value == (1 << 7 * width) - 1 else value), at + width
+
+
+def played_in_parts(path: Path) -> bool:
+    """Whether an MP4 or QuickTime file's edit list plays its picture as several parts, with a hole or a jump
+    between them: readers leave out the hole, or let the times run on over the jump.
+
+    An empty beginning or end, and parts that follow each other as they were filmed, are none.
+    """
+    moov = next((one for one in boxes(path) if one.kind == b"moov"), None)
+    if moov is None:
+        return False
+    with path.open("rb") as file:
+        try:
+            inside = list(_within(file, moov))
+            ticks_hz = next(_ticks_hz(file, one) for one in inside if one.kind == b"mvhd")
+            tracks = [list(_within(file, one)) for one in inside if one.kind == b"trak"]
+            return any(_in_parts(file, track, ticks_hz) for track in tracks)
+        except (StopIteration, struct.error, ZeroDivisionError):
+            return False
+
+
+def _in_parts(file: BinaryIO, track: list[Box], ticks_hz: int) -> bool:
+    media = [one for box in track if box.kind == b"mdia" for one in _within(file, box)]
+    lists = [one for box in track if box.kind == b"edts" for one in _within(file, box) if one.kind == b"elst"]
+    picture = any(one.kind == b"hdlr" and _read(file, one, 12)[8:] == b"vide" for one in media)
+    if not picture or not lists:
+        return False
+    own_hz = next(_ticks_hz(file, one) for one in media if one.kind == b"mdhd")
+    edits = _edits(file, lists[0])
+    while edits and edits[0][1] < 0:
+        edits.pop(0)
+    while edits and edits[-1][1] < 0:
+        edits.pop()
+    return any(
+        begins < 0 or abs((begins - began) / own_hz - lasted / ticks_hz) > 1 / own_hz + 1 / ticks_hz
+        for (lasted, began), (_, begins) in pairwise(edits)
+    )
+
+
+def _edits(file: BinaryIO, box: Box) -> list[tuple[int, int]]:
+    """How long each edit is, in ticks of the file, and where it begins in its track's; below 0: empty."""
+    head = _read(file, box, 8)
+    each = struct.Struct(">QqI" if head[0] == 1 else ">IiI")
+    count = min(struct.unpack(">I", head[4:])[0], _MOST_EDITS, (box.end - box.start) // each.size)
+    told = _read(file, box, 8 + count * each.size)[8:]
+    return [(lasted, begins) for lasted, begins, _ in each.iter_unpack(told)]
+
+
+def _ticks_hz(file: BinaryIO, box: Box) -> int:
+    """Of a header of the file or of a track."""
+    head = _read(file, box, 24)
+    ticks_hz: int = struct.unpack_from(">I", head, 20 if head[0] == 1 else 12)[0]
+    return ticks_hz
+
+
+def _read(file: BinaryIO, box: Box, count: int) -> bytes:
+    """The first bytes inside a box."""
+    file.seek(box.start + 8)
+    return file.read(count)
+
+
+def _within(file: BinaryIO, outer: Box) -> Iterator[Box]:
+    """The boxes inside one."""
+    start = outer.start + 8
+    while start + 8 <= outer.end:
+        file.seek(start)
+        head = file.read(8)
+        size = int.from_bytes(head[:4], "big")
+        if len(head) < 8 or size < 8:
+            return
+        yield Box(head[4:], start, start + size)
+        start += size

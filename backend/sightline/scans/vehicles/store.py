@@ -19,7 +19,7 @@ from sightline.infra.audit.changing import (
 )
 from sightline.infra.database.rows import get_row, last_change, the_one
 from sightline.infra.database.types import document_text
-from sightline.scans.query import scan_vehicle_of_row, scan_vehicle_rows, scan_vehicle_states
+from sightline.scans.query import is_current, scan_vehicle_of_row, scan_vehicle_rows, scan_vehicle_states
 from sightline.scans.records import Changes, KnownOfScanned, ScanCounts, ScanVehicle, state_of
 from sightline.scans.tables import scan_measurements, scan_vehicles, scans
 
@@ -71,9 +71,19 @@ def last_scan_vehicles(session: Session, scan_id: int, count: int) -> tuple[Scan
     late = scan_vehicles.c.number > newest - count
     found = _fetch(session, of_scan & late)
     fronts = [one.measurement.values.front_line_1 for one in found if one.measurement]
-    stood = scan_measurements.c.rear_line_1 >= min(fronts, default=0.0)
-    near = scan_vehicles.c.number > newest - count - _PASSED_BESIDE
-    return _fetch(session, of_scan & near & (late | stood)) if fronts else found
+    if not fronts:
+        return found
+    stood = is_current & (scan_measurements.c.rear_line_1 >= min(fronts))
+    near = of_scan & (scan_vehicles.c.number > newest - count - _PASSED_BESIDE)
+    beside = (
+        select(scan_vehicles.c.id)
+        .join(scan_measurements, scan_measurements.c.vehicle_id == scan_vehicles.c.id)
+        .where(near, stood, ~late, _ALIVE)
+        .limit(1)
+    )
+    if session.execute(beside).first() is None:
+        return found
+    return _fetch(session, near & (late | stood))
 
 
 def counts_of_scans(session: Session, rigs: Mapping[int, RigFor]) -> dict[int, ScanCounts]:
