@@ -79,6 +79,10 @@ def test_not_visible_is_an_answer_until_it_is_measured(operator: Client, ground:
     assert both["state"] == "not_visible"
     counts = operator.seen(f"/surveys/{ground.survey_id}")["counts"]
     assert (counts["vehicles_measured"], counts["not_visible"]) == (2, 2)
+    (step,) = (
+        one for one in operator.seen(f"/surveys/{ground.survey_id}")["steps"] if one["key"] == "vehicles"
+    )
+    assert step["summary"][0]["message"] == "All 2 vehicles are measured or not visible."
 
 
 def test_a_target_may_be_hidden_by_its_own_body(operator: Client, ground: Ground) -> None:

@@ -309,6 +309,13 @@ TAMPERED = {
     "whose run it is": ("scan_vehicles.csv", "Golf", "Polo", "run_of of row 1"),
     "a speed": ("scan_measurements.csv", "19.31415", "18.31415", "scan_measurements.csv: speed_mps of row 1"),
     "a speed in the list": ("scan_vehicles.csv", "19.31415", "18.31415", "vehicle 1 is not its newest"),
+    "a speed's interval": (
+        "scan_measurements.csv",
+        "0.021559603829940592",
+        "0.011559603829940592",
+        "U95_speed_mps of row 1",
+    ),
+    "a length's interval": ("scan_measurements.csv", "0.015680", "0.005680", "U95_length_m of row 1"),
     "a boundary": ("scan_measurements.csv", "2201.0", "2203.0", "rear_line_1 of row 2"),
     "a baseline": ("line_scans.csv", "0.593000", "0.600000", "baseline_m of row"),
     "a start": ("line_scans.csv", "08:10:00.000", "08:10:01.000", "started_at of row 1"),

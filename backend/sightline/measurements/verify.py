@@ -218,9 +218,9 @@ def check_measurements(
         if current["withdrawn"] != "true":
             path = clicks_path(int(current["pose_id"]))
             alone = of_poses.setdefault(path, _Lockstep(files, path, "id"))
-            for at, row in (("clicks.csv", clicks.next(f"m{name}")), (path, alone.next(f"m{name}"))):
-                _same_clicks(at, row, current)
-                vehicles.check(at, row, current)
+            for at, clicked in (("clicks.csv", clicks.next(f"m{name}")), (path, alone.next(f"m{name}"))):
+                _same_clicks(at, clicked, current)
+                vehicles.check(at, clicked, current)
     if next(revisions, None) is not None:
         raise Damaged("measurements-row-missing")
     budget.end()

@@ -3913,8 +3913,8 @@ overview-mark-board = { $count ->
 overview-mark-board-later = Mark the frames with the board at rest, once a recording is ready.
 overview-find-vehicles = Find the vehicles and measure the targets of the survey on each.
 overview-measured = { $count ->
-    [one] All 1 vehicle measured.
-   *[other] All { $count } vehicles measured.
+    [one] The 1 vehicle is measured or not visible.
+   *[other] All { $count } vehicles are measured or not visible.
 }
 overview-measure = { $count ->
     [one] Measure { $left } of 1 vehicle.
@@ -4002,7 +4002,7 @@ survey-count-vehicles = { $count ->
     [one] vehicle
    *[other] vehicles
 }
-survey-count-measured = of { NUMBER($count) } measured
+survey-count-measured = of { NUMBER($count) } measured or not visible
 survey-count-accepted = { $count ->
    *[other] accepted
 }
@@ -4220,7 +4220,7 @@ surveys-card-with-site = { $site } · <made>{ $recordings ->
     [one] { $recordings } recording
    *[other] { $recordings } recordings
 } · { $day }</made>
-surveys-vehicles-measured = Vehicles measured
+surveys-vehicles-measured = Vehicles measured or not visible
 surveys-heights-reviewed = Heights reviewed
 surveys-scans-reviewed = Line-scan vehicles reviewed
 surveys-scans = Line scans: { $summary }

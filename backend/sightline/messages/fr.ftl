@@ -3908,8 +3908,8 @@ overview-mark-board = { $count ->
 overview-mark-board-later = Marquez les images où la mire est immobile, dès qu’un enregistrement est prêt.
 overview-find-vehicles = Détectez les véhicules et mesurez sur chacun les cibles du relevé.
 overview-measured = { $count ->
-    [one] Le véhicule est mesuré.
-   *[other] Les { $count } véhicules sont mesurés.
+    [one] Le véhicule est mesuré ou non visible.
+   *[other] Les { $count } véhicules sont mesurés ou non visibles.
 }
 overview-measure = Véhicules à mesurer : { $left } sur { $count }.
 overview-not-visible = { $count ->
@@ -3991,7 +3991,7 @@ survey-count-vehicles = { $count ->
     [one] véhicule
    *[other] véhicules
 }
-survey-count-measured = sur { NUMBER($count) } mesurés
+survey-count-measured = sur { NUMBER($count) } mesurés ou non visibles
 survey-count-accepted = { $count ->
     [one] validée
    *[other] validées
@@ -4212,7 +4212,7 @@ surveys-card-with-site = { $site } · <made>{ $recordings ->
     [one] { $recordings } enregistrement
    *[other] { $recordings } enregistrements
 } · { $day }</made>
-surveys-vehicles-measured = Véhicules mesurés
+surveys-vehicles-measured = Véhicules mesurés ou non visibles
 surveys-heights-reviewed = Hauteurs vérifiées
 surveys-scans-reviewed = Véhicules de balayages vérifiés
 surveys-scans = Balayages : { $summary }

@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from sightline.coverage import expanded
 from sightline.errors import Damaged
 from sightline.infra.audit.hashing import canonical_json
 from sightline.infra.csv_package.columns import joined
@@ -42,9 +43,13 @@ def _scan_cells(told: Told) -> Cells:
     return {**cells, "notes_code": canonical_json(told["notes"]) if told["notes"] else None}
 
 
+_WITH_U = ("speed_mps", "acceleration_mps2", "length_m", "wheelbase_m")
+
+
 def _motion_cells(told: Told) -> Cells:
     lines, reason = told["axle_lines"], told["reason"]
-    cells = {**told, "axle_lines": axle_words(lines), "axles": len(lines or ()) or None}
+    wide = {f"U95_{name}": expanded(told.get(f"u_{name}")) for name in _WITH_U}
+    cells = {**told, **wide, "axle_lines": axle_words(lines), "axles": len(lines or ()) or None}
     if not isinstance(reason, str):  # an event of an earlier program has words
         del cells["reason"]
         cells["reason_code"] = reason and canonical_json(reason)

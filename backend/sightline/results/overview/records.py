@@ -10,7 +10,9 @@ from sightline.surveys.records import Survey
 
 @dataclass(frozen=True, slots=True)
 class SurveyCounts:
-    """Computed when asked, never stored. `measurements`: in frames; verdicts: of line scans too."""
+    """Computed when asked, never stored. `vehicles_measured`: of `vehicles`, those of which all that is asked
+    for is measured or said not to be visible; `measurements`: in frames; verdicts: of line scans too.
+    """
 
     recordings: int = 0
     vehicles: int = 0
