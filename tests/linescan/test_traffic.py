@@ -162,6 +162,13 @@ def test_vehicles_near_an_edge_or_a_limit_are_counted() -> None:
     assert second.unclassed == 1
 
 
+def test_the_ends_of_a_recording_are_no_edges_of_the_clock() -> None:
+    """It begins 100 s into an interval and ends 100 s before another; or 3 s after an edge, which is one."""
+    passed = [Passed(5.0, 0.3, 20.0), Passed(395.0, 0.3, 20.0)]
+    assert [one.near_edge for one in intervals(passed, 400.0, clock(100.0), 5)] == [0, 0]
+    assert [one.near_edge for one in intervals(passed, 400.0, clock(3.0), 5)] == [1, 0]
+
+
 def test_an_occupancy_is_as_unsure_as_those_who_came_before_and_still_stand() -> None:
     """One that came at 50 s stands until 200 s, alone in the second and third minute."""
     for moving in (True, False):
