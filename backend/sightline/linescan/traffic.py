@@ -103,11 +103,8 @@ def streams_of(vehicles: Sequence[V]) -> dict[Stream, list[V]]:
 
 
 def headways_s(fronts_s: Sequence[float]) -> list[float | None]:
-    """From the front before to each of a stream's fronts (N,), rising; None for the first, and after one that
-    was in view when the recording began, at 0.
-    """
-    told = (behind - ahead if ahead > 0 else None for ahead, behind in pairwise(fronts_s))
-    return [None, *told][: len(fronts_s)]
+    """From the front before to each of a stream's fronts (N,), rising; None for the first."""
+    return [None, *(behind - ahead for ahead, behind in pairwise(fronts_s))][: len(fronts_s)]
 
 
 @dataclass(frozen=True, slots=True)
