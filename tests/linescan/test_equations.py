@@ -7,7 +7,7 @@ import pytest
 from sightline.errors import BadInput
 from sightline.linescan.equations import corrected, printed, solve_crossings
 from sightline.linescan.finding import STOPPED
-from sightline.linescan.gaps import REAR_UNSEEN, gaps
+from sightline.linescan.gaps import OVERLAP, REAR_UNSEEN, Leaders, gaps
 from sightline.linescan.parts import CUT, STOOD, Crossings, Entry, Motion, Rig
 from sightline.linescan.planner import line_rate_for, speed_error
 
@@ -129,6 +129,17 @@ def test_after_two_beside_each_other_a_gap_runs_from_the_rear_that_left_last() -
     assert gap.headway_s == pytest.approx(2.5)
     unseen = gaps([(lorry, Motion("direct", lorry, "not_measurable", STOOD)), *vehicles[1:]], rig)[2]
     assert (unseen.time_gap_s, unseen.reason, unseen.headway_s) == (None, REAR_UNSEEN, gap.headway_s)
+
+
+def test_beside_one_that_is_told_later_nobody_before_that_is_in_front() -> None:
+    """A gap from the one that came before who stands would be none; the next one has its own."""
+    leaders = Leaders(Rig(BASELINE_M, RATE_HZ))
+    told = [
+        leaders.next(seen := crossings(12.0, 0.0, 4.0, start=at), motion(seen, 12.0, 0.0, 4.0), since)
+        for at, since in ((0.0, None), (90_000.0, 20_000.0), (99_000.0, 20_000.0))
+    ]
+    assert (told[1].time_gap_s, told[1].reason) == (None, OVERLAP)
+    assert told[2].time_gap_s == pytest.approx(9000.0 / RATE_HZ - 4.0 / 12.0)
 
 
 def test_a_gap_that_cannot_be_known_has_its_reason() -> None:

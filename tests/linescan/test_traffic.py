@@ -89,8 +89,6 @@ def test_a_vehicle_without_a_direction_follows_those_of_the_first_stream() -> No
     assert streams_of([other, nowhere]) == {("camera_2_first", None): [nowhere, other]}
     assert streams_of([never]) == {("camera_1_first", None): [never]}
     assert (headways_s([1.0, 4.0, 9.0]), headways_s([])) == ([None, 3.0, 5.0], [])
-    # nobody saw the front of one that was in view when the recording began
-    assert headways_s([0.0, 4.0, 9.0]) == [None, None, 5.0]
 
 
 def test_figures_of_a_steady_stream() -> None:
@@ -160,6 +158,13 @@ def test_vehicles_near_an_edge_or_a_limit_are_counted() -> None:
     assert second.occupancy_percent.value == pytest.approx(100 * (0.19 + 30.0) / 60)
     assert second.occupancy_percent.u is None and "1 of the vehicles" in str(second.reasons[0])
     assert second.unclassed == 1
+
+
+def test_the_ends_of_a_recording_are_no_edges_of_the_clock() -> None:
+    """It begins 100 s into an interval and ends 100 s before another; or 3 s after an edge, which is one."""
+    passed = [Passed(5.0, 0.3, 20.0), Passed(395.0, 0.3, 20.0)]
+    assert [one.near_edge for one in intervals(passed, 400.0, clock(100.0), 5)] == [0, 0]
+    assert [one.near_edge for one in intervals(passed, 400.0, clock(3.0), 5)] == [1, 0]
 
 
 def test_an_occupancy_is_as_unsure_as_those_who_came_before_and_still_stand() -> None:

@@ -345,6 +345,7 @@ class Finder:
             background_2=two.road.line,
             noise_dn=max(one.road.noise_dn, two.road.noise_dn),
             reason=reason,
+            beside_since=self.watchers[0].stands_since(one.front),
         )
         if reason:
             return passage

@@ -22,6 +22,7 @@ from sightline.messages.said import Said
 NONE_BEFORE = Said("scan-gap-none-before")
 LANE_UNKNOWN = Said("scan-gap-lane-unknown")
 BEFORE_UNKNOWN = Said("scan-gap-before-unknown")
+OVERLAP = Said("scan-gap-overlap")
 REAR_UNSEEN = Said("scan-gap-rear-unseen")
 
 
@@ -38,11 +39,19 @@ class Leaders:
         self._unknown: dict[ScanDirection, int] = {}
         self._count = 0
 
-    def next(self, crossings: Crossings, motion: Motion) -> Gap:
-        """The gap before this vehicle, which is the one before from now on unless that one leaves later."""
+    def next(self, crossings: Crossings, motion: Motion, beside_since: float | None = None) -> Gap:
+        """The gap before this vehicle, which is the one before from now on unless that one leaves later.
+
+        `beside_since`: the front of one that stands there and is told later; who came before that is not in
+        front of this vehicle.
+        """
         leader = self.leader(crossings, motion)
         if isinstance(leader, Said):
+            if beside_since is not None and leader == NONE_BEFORE:
+                leader = OVERLAP
             return Gap(None, None, None, reason=leader)
+        if beside_since is not None and leader[1].front_line_1 < beside_since:
+            return Gap(None, None, None, reason=OVERLAP)
         return _gap(leader[1:], (crossings, motion), self._rig)
 
     def leader(self, crossings: Crossings, motion: Motion) -> tuple[int, Crossings, Motion] | Said:
@@ -77,7 +86,7 @@ def _gap(before: tuple[Crossings, Motion], this: tuple[Crossings, Motion], rig: 
     time_s = (behind.front_line_1 - ahead.rear_line_1) / rate
     headway_s = (behind.front_line_1 - ahead.front_line_1) / rate
     if time_s <= 0 or headway_s <= 0:
-        return Gap(None, None, None, reason=Said("scan-gap-overlap"))
+        return Gap(None, None, None, reason=OVERLAP)
     if not rear_seen(leader.reason):
         return Gap(None, None, headway_s, reason=REAR_UNSEEN)
     # one that was in view when the recording began has no front

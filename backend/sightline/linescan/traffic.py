@@ -103,11 +103,8 @@ def streams_of(vehicles: Sequence[V]) -> dict[Stream, list[V]]:
 
 
 def headways_s(fronts_s: Sequence[float]) -> list[float | None]:
-    """From the front before to each of a stream's fronts (N,), rising; None for the first, and after one that
-    was in view when the recording began, at 0.
-    """
-    told = (behind - ahead if ahead > 0 else None for ahead, behind in pairwise(fronts_s))
-    return [None, *told][: len(fronts_s)]
+    """From the front before to each of a stream's fronts (N,), rising; None for the first."""
+    return [None, *(behind - ahead for ahead, behind in pairwise(fronts_s))][: len(fronts_s)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,12 +179,15 @@ def intervals(
     fronts_s = [max(one.since_s, 0.0) for one in passed]
     end_s = max([watched_s, *fronts_s])
     headways = headways_s(fronts_s)
-    covered, spans = _covered(passed), _spans(into_hour_s, long_s, end_s)
+    covered, edges = _covered(passed), _edges(into_hour_s, long_s, end_s)
+    spans = [(max(begin_s, 0.0), min(stop_s, end_s)) for begin_s, stop_s in edges]
     unsure = _unsure(passed, fronts_s, end_s)
     begins, stops = np.searchsorted(np.array(fronts_s), np.array(spans).reshape(-1, 2).T).tolist()
     still = _still_there(passed, spans)
     out = []
-    for begin, before_stop, (begin_s, stop_s), before in zip(begins, stops, spans, still, strict=True):
+    for begin, before_stop, (begin_s, stop_s), before, of_clock in zip(
+        begins, stops, spans, still, edges, strict=True
+    ):
         stop = len(passed) if stop_s == end_s else before_stop
         out.append(
             _interval(
@@ -196,6 +196,7 @@ def intervals(
                 [gap for gap in headways[begin:stop] if gap is not None],
                 None if _overlap(unsure, begin_s, stop_s) else _overlap(covered, begin_s, stop_s),
                 (begin_s, stop_s),
+                of_clock,
                 stop_s - begin_s < long_s,
                 limits_m,
             )
@@ -212,15 +213,16 @@ def _unsure(passed: Sequence[Passed], fronts_s: Sequence[float], end_s: float) -
     return np.stack([since_s, np.array([*fronts_s, end_s])[given_up]], 1)
 
 
-def _spans(into_hour_s: Callable[[float], float], long_s: float, end_s: float) -> list[tuple[float, float]]:
-    """Where the intervals begin and stop, seconds after line 0. Clocks that are put forward or back by less
+def _edges(into_hour_s: Callable[[float], float], long_s: float, end_s: float) -> list[tuple[float, float]]:
+    """Where the intervals begin and stop by the clocks, seconds after line 0 (the first may begin before it,
+    the last stop after the recording). Clocks that are put forward or back by less
     than an hour (Lord Howe Island: half of one) make one of them shorter.
     """
     out, at = list[tuple[float, float]](), -(into_hour_s(0.0) % long_s)
     while at < end_s:
         into_s = (into_hour_s(at) + _CLOCK_STEP_S) % long_s if at > 0 else 0.0
         stop = at + long_s - (into_s - _CLOCK_STEP_S if into_s > 2 * _CLOCK_STEP_S else 0.0)
-        out.append((max(at, 0.0), min(stop, end_s)))
+        out.append((at, stop))
         at = stop
     return out
 
@@ -231,6 +233,7 @@ def _interval(
     headways: Sequence[float],
     occupied_s: float | None,
     span: tuple[float, float],
+    edges: tuple[float, float],
     partial: bool,
     limits_m: Sequence[float],
 ) -> Interval:
@@ -254,7 +257,7 @@ def _interval(
         watched_s=watched_s,
         partial=partial,
         vehicles=len(inside),
-        near_edge=sum(_near_edge(one, span) for one in inside),
+        near_edge=sum(_near_edge(one, edges) for one in inside),
         refused=sum(one.refused for one in inside),
         measured=len(moving),
         flow_per_hour=flow,
@@ -341,9 +344,9 @@ def _density(flow_per_hour: float, space_mean: Figure) -> Figure:
     return Figure(value, value * space_mean.u / space_mean.value)
 
 
-def _near_edge(one: Passed, span: tuple[float, float]) -> bool:
+def _near_edge(one: Passed, edges: tuple[float, float]) -> bool:
     reach_s = COVERAGE_95 * (one.u_since_s or 0.0)
-    return any(abs(one.since_s - edge) <= reach_s for edge in span)
+    return any(abs(one.since_s - edge) <= reach_s for edge in edges)
 
 
 def _still_there(passed: Sequence[Passed], spans: Sequence[tuple[float, float]]) -> list[list[Passed]]:

@@ -163,6 +163,11 @@ class Watcher:
         self._given_up = []
         return out
 
+    def stands_since(self, line: float) -> float | None:
+        """Since when one stands, before a line, that was given up and is still to be told."""
+        fronts = [one.front for one in self._given_up if not one.told and one.front < line]
+        return max(fronts, default=None)
+
     def given_up_beside(self, event: Event) -> Event | None:
         """What was given up while the other camera saw this `event`, and did not leave as that did."""
         for one in self._given_up:
