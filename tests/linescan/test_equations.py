@@ -116,7 +116,7 @@ def test_an_end_is_known_to_so_many_metres_so_a_slow_vehicles_gap_is_less_sure()
 def test_after_two_beside_each_other_a_gap_runs_from_the_rear_that_left_last() -> None:
     """A lorry of 18 m is passed by a car; the next one comes 1 s after the lorry's rear."""
     rig = Rig(BASELINE_M, RATE_HZ)
-    lorry, car = crossings(12.0, 0.0, 18.0), crossings(20.0, 0.0, 4.0, start=600.0)
+    lorry, car = crossings(12.0, 0.0, 18.0, start=50.0), crossings(20.0, 0.0, 4.0, start=650.0)
     behind = crossings(12.0, 0.0, 4.0, start=lorry.rear_line_1 + RATE_HZ)
     vehicles = [
         (lorry, motion(lorry, 12.0, 0.0, 18.0)),
@@ -131,30 +131,35 @@ def test_after_two_beside_each_other_a_gap_runs_from_the_rear_that_left_last() -
     assert (unseen.time_gap_s, unseen.reason, unseen.headway_s) == (None, REAR_UNSEEN, gap.headway_s)
 
 
-def test_beside_one_that_is_told_later_nobody_before_that_is_in_front() -> None:
-    """A gap from the one that came before who stands would be none; the next one has its own."""
-    leaders = Leaders(Rig(BASELINE_M, RATE_HZ))
-    told = [
-        leaders.next(seen := crossings(12.0, 0.0, 4.0, start=at), motion(seen, 12.0, 0.0, 4.0), since)
-        for at, since in ((0.0, None), (90_000.0, 20_000.0), (99_000.0, 20_000.0))
-    ]
-    assert (told[1].time_gap_s, told[1].reason) == (None, OVERLAP)
-    assert told[2].time_gap_s == pytest.approx(9000.0 / RATE_HZ - 4.0 / 12.0)
+def test_beside_one_that_is_told_later_there_is_no_gap_as_in_the_list() -> None:
+    """Who stands is the leader of a list, in which it comes by its front: those beside it overlap with it."""
+    rig = Rig(BASELINE_M, RATE_HZ)
+    seen = [crossings(12.0, 0.0, 4.0, start=at) for at in (0.0, 90_000.0, 99_000.0)]
+    passed = [(one, motion(one, 12.0, 0.0, 4.0)) for one in seen]
+    stood = replace(crossings(12.0, 0.0, 4.0, start=20_000.0), rear_line_1=200_000.0, rear_line_2=200_000.0)
+    listed = gaps([passed[0], (stood, Motion("direct", stood, "not_measurable", STOPPED)), *passed[1:]], rig)
+    leaders = Leaders(rig)
+    told = [leaders.next(*one, beside=at > 0) for at, one in enumerate(passed)]
+    assert [(one.time_gap_s, one.reason) for one in told[1:]] == [(None, OVERLAP)] * 2
+    assert [one.reason for one in listed[2:]] == [OVERLAP] * 2
 
 
 def test_a_gap_that_cannot_be_known_has_its_reason() -> None:
     rig = Rig(BASELINE_M, RATE_HZ)
-    ahead, behind = crossings(9.0, 0.0, 4.2), crossings(9.0, 0.0, 4.2, start=60_000.0)
+    ahead, behind = crossings(9.0, 0.0, 4.2, start=50.0), crossings(9.0, 0.0, 4.2, start=60_000.0)
     none = Motion("direct", ahead, "not_measurable", STOPPED)
     after = motion(behind, 9.0, 0.0, 4.2)
     gap = gaps([(ahead, none), (behind, after)], rig)[1]
     assert gap.time_gap_s is not None and gap.distance_gap_m is None and "motion" in str(gap.reason)
     assert gap.u_time_gap_s is None
     # nobody saw its front: 12.3 s, from line 0, were a headway
-    begun = gaps([(ahead, Motion("direct", ahead, "not_measurable", CUT)), (behind, after)], rig)[1]
-    assert (begun.headway_s, begun.time_gap_s) == (None, gap.time_gap_s) and gap.headway_s is not None
+    assert gap.headway_s is not None
+    there = replace(ahead, front_line_1=0.0)
+    for reason, time_gap_s in ((CUT, gap.time_gap_s), (STOPPED, gap.time_gap_s), (STOOD, None)):
+        begun = gaps([(there, Motion("direct", there, "not_measurable", reason)), (behind, after)], rig)[1]
+        assert (begun.headway_s, begun.time_gap_s) == (None, time_gap_s)
     braking = gaps([(ahead, motion(ahead, 9.0, -1.4, 4.2)), (behind, after)], rig)[1]
     assert braking.distance_gap_m is None and "stopped" in str(braking.reason)
-    close = crossings(9.0, 0.0, 4.2, start=100.0)
+    close = crossings(9.0, 0.0, 4.2, start=150.0)
     overlap = gaps([(ahead, motion(ahead, 9.0, 0.0, 4.2)), (close, after)], rig)[1]
     assert overlap.time_gap_s is None and "overlap" in str(overlap.reason)

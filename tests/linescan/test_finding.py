@@ -369,10 +369,11 @@ def test_a_train_is_refused_for_its_length():
     assert "length is 79 m" in str(passages[0].reason) and "the limit is 32 m" in str(passages[0].reason)
 
 
-def test_the_rest_of_one_that_was_too_long_in_view_is_no_other(monkeypatch):
-    """A truck in view for 2 s, where lines of 1.2 s are kept: its rest was a second vehicle."""
+@pytest.mark.parametrize("length_m", [20.0, 40.0])
+def test_the_rest_of_one_that_was_too_long_in_view_is_no_other(monkeypatch, length_m):
+    """In view for 2 or 4 s, where lines of 1.2 s are kept: the rest was a second vehicle, and a third."""
     monkeypatch.setattr(finding, "KEPT_BYTES", 128 * round(1.2 * RIG.line_rate_hz))
-    passages, finder = found(of_one_long_thing(20.0, speed_mps=10.0))
+    passages, finder = found(of_one_long_thing(length_m, speed_mps=10.0))
     assert [passage.reason for passage in passages] == [TOO_LONG] and finder.alone == 0
 
 

@@ -136,8 +136,8 @@ def test_values_that_no_rig_has_are_refused(field: str, value: float, says: str)
 @pytest.mark.parametrize(
     ("away", "says"),
     [
-        ({"distance_m": 12.0}, "planes cross before the vehicles, which are 12 m away; correct"),
-        ({"lanes": (Lane("near", 5.0), Lane("far", 12.0))}, "planes cross before the vehicles, which"),
+        ({"distance_m": 12.0}, "planes cross in front of the vehicles, which are 12 m away; correct"),
+        ({"lanes": (Lane("near", 5.0), Lane("far", 12.0))}, "planes cross in front of the vehicles, which"),
         ({"lanes": (Lane("far", 11.8), Lane("near", 5.0))}, "planes are 0.003 m apart at 11.8 m"),
     ],
 )

@@ -16,6 +16,7 @@ from sightline.errors import BadInput
 from sightline.media.video.decode import frames_of, open_container
 from sightline.media.video.frames import FrameServer
 from sightline.media.video.passing import frames_between
+from sightline.media.video.sniff import played_in_parts
 from tests.media.clips import Spec, edited, read_number, write
 from tests.media.conftest import Clip, Ingest, media_of
 
@@ -199,6 +200,15 @@ def test_a_file_that_an_edit_list_puts_together_has_no_times_of_filming(
     else:
         steps_s = np.diff(take_in(path).frames.time_s)
         assert steps_s == pytest.approx(0.04, abs=1e-4)
+
+
+@pytest.mark.parametrize("header", [b"mdhd", b"mvhd"])
+def test_an_edit_list_without_the_header_of_its_times_tells_nothing(header: bytes, tmp_path: Path) -> None:
+    whole = write(tmp_path / "whole.mp4", Spec("whole.mp4"), 50)
+    path = edited(whole, tmp_path / "edited.mp4", [(0.4, 0.0), (0.4, 1.6)])
+    assert played_in_parts(path)
+    path.write_bytes(path.read_bytes().replace(header, b"free"))
+    assert not played_in_parts(path)
 
 
 def test_a_late_first_stamp_is_no_cut(tmp_path: Path, take_in: Ingest) -> None:

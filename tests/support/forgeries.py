@@ -120,7 +120,8 @@ def a_makers_height(place: Path, drawings: bool = False) -> str:
         lambda row: row["manufacturer_height_m"] != "",
         manufacturer_height_m="1.310000",
     )
-    edit(place, "clicks.csv", lambda row: row["target"] == "roof", reference_height_m="1.310000")
+    for name in ("clicks.csv", *(f"clicks/{one.name}" for one in (place / "clicks").glob("pose-*.csv"))):
+        edit(place, name, lambda row: row["target"] == "roof", reference_height_m="1.310000")
     rederive(place, drawings)
     return "vehicles.csv: manufacturer_height_m of row 1 differs from its audit events"
 

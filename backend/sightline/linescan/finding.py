@@ -345,7 +345,7 @@ class Finder:
             background_2=two.road.line,
             noise_dn=max(one.road.noise_dn, two.road.noise_dn),
             reason=reason,
-            beside_since=self.watchers[0].stands_since(one.front),
+            beside=self.watchers[0].one_stands_before(one.front),
         )
         if reason:
             return passage

@@ -15,7 +15,7 @@ from math import hypot, sqrt
 
 from sightline.enums import ScanDirection
 from sightline.linescan.boundaries import SAME_END, U_LINE_LINES
-from sightline.linescan.parts import CUT, Crossings, Gap, Motion, Rig, rear_seen
+from sightline.linescan.parts import Crossings, Gap, Motion, Rig, rear_seen
 from sightline.linescan.rig import u_travelled_m
 from sightline.messages.said import Said
 
@@ -39,19 +39,16 @@ class Leaders:
         self._unknown: dict[ScanDirection, int] = {}
         self._count = 0
 
-    def next(self, crossings: Crossings, motion: Motion, beside_since: float | None = None) -> Gap:
+    def next(self, crossings: Crossings, motion: Motion, *, beside: bool = False) -> Gap:
         """The gap before this vehicle, which is the one before from now on unless that one leaves later.
 
-        `beside_since`: the front of one that stands there and is told later; who came before that is not in
-        front of this vehicle.
+        `beside`: this one passes one that stands and is told later, which is then the leader of a list.
         """
         leader = self.leader(crossings, motion)
+        if beside and (leader == NONE_BEFORE or not isinstance(leader, Said)):
+            leader = OVERLAP
         if isinstance(leader, Said):
-            if beside_since is not None and leader == NONE_BEFORE:
-                leader = OVERLAP
             return Gap(None, None, None, reason=leader)
-        if beside_since is not None and leader[1].front_line_1 < beside_since:
-            return Gap(None, None, None, reason=OVERLAP)
         return _gap(leader[1:], (crossings, motion), self._rig)
 
     def leader(self, crossings: Crossings, motion: Motion) -> tuple[int, Crossings, Motion] | Said:
@@ -84,17 +81,18 @@ def _gap(before: tuple[Crossings, Motion], this: tuple[Crossings, Motion], rig: 
     (ahead, leader), (behind, follower) = before, this
     rate = rig.line_rate_hz
     time_s = (behind.front_line_1 - ahead.rear_line_1) / rate
-    headway_s = (behind.front_line_1 - ahead.front_line_1) / rate
-    if time_s <= 0 or headway_s <= 0:
+    since_front_s = (behind.front_line_1 - ahead.front_line_1) / rate
+    if time_s <= 0 or since_front_s <= 0:
         return Gap(None, None, None, reason=OVERLAP)
+    # one that was in view when the recording began has no front
+    headway_s = None if leader.reason is not None and ahead.front_line_1 <= 0 else since_front_s
     if not rear_seen(leader.reason):
         return Gap(None, None, headway_s, reason=REAR_UNSEEN)
-    # one that was in view when the recording began has no front
-    known = Gap(time_s, None, None if leader.reason == CUT and ahead.front_line_1 <= 0 else headway_s)
+    known = Gap(time_s, None, headway_s)
     if leader.speed_mps is None or leader.acceleration_mps2 is None:
         return replace(known, reason=Said("scan-gap-leader-unmeasured"))
-    since_front_s = (ahead.rear_line_1 - ahead.front_line_1) / rate
-    leaving_mps = leader.speed_mps + leader.acceleration_mps2 * since_front_s
+    passing_s = (ahead.rear_line_1 - ahead.front_line_1) / rate
+    leaving_mps = leader.speed_mps + leader.acceleration_mps2 * passing_s
     u_rear_s = _u_crossing_s(leader, leaving_mps, rate)
     paper_m = u_time_s = None
     if follower.speed_mps is not None:
@@ -106,7 +104,7 @@ def _gap(before: tuple[Crossings, Motion], this: tuple[Crossings, Motion], rig: 
     if now_mps <= 0:
         return replace(known, paper_distance_gap_m=paper_m, reason=Said("scan-gap-leader-stopped"))
     distance_m = (leaving_mps + now_mps) / 2 * time_s
-    u_motion_m = u_travelled_m(leader, since_front_s, headway_s, rig.u_line_rate_ratio)
+    u_motion_m = u_travelled_m(leader, passing_s, since_front_s, rig.u_line_rate_ratio)
     u_m = hypot(u_motion_m, now_mps * u_rear_s)
     if follower.speed_mps is not None:
         u_m = hypot(u_m, now_mps * _u_crossing_s(follower, follower.speed_mps, rate))

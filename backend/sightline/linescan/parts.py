@@ -92,7 +92,7 @@ class Passage:
     `background_1`, `background_2`: (rows,) float32, the empty road as last seen before the vehicle.
     `noise_dn`: standard deviation of a pixel of the empty road. `reason`: why it cannot be measured, or None.
     `u_boundaries_m`: what noise and doubt about the boundaries bring to the length's uncertainty.
-    `beside_since`: since which line one stands before camera 1 that is told later, as long as it does.
+    `beside`: it passes one that stands before camera 1 and is told later.
     """
 
     crossings: Crossings
@@ -105,7 +105,7 @@ class Passage:
     noise_dn: float
     reason: Said | None = None
     u_boundaries_m: float = 0.0
-    beside_since: float | None = None
+    beside: bool = False
 
 
 @dataclass(frozen=True)

@@ -44,7 +44,7 @@ class Follower:
     def next(self, passage: Passage, *, counted: bool = True) -> Vehicle:
         """The vehicle of a passage. One that is not `counted` is only the one before for the next."""
         motion = MEASURE[self._method](passage, self._rig)
-        gap = self._leaders.next(passage.crossings, replace(motion, profile=None), passage.beside_since)
+        gap = self._leaders.next(passage.crossings, replace(motion, profile=None), beside=passage.beside)
         self._number += counted
         at, rate = passage.crossings, self._rig.line_rate_hz
         rear_s = at.rear_line_1 / rate if rear_seen(motion.reason) else None

@@ -138,7 +138,8 @@ class Watcher:
         events += self._watch_stillness(cells, there, block)
         self._before = cells
         if self._open and self.lines + len(block) - self._open.front > self.spans.longest:
-            events.append(self._open.event(self._open.last, cut=True))
+            if not self._open.told:
+                events.append(self._open.event(self._open.last, cut=True))
             # its rest is no vehicle of its own
             end = self.lines + len(block)
             self._open = _Open(end, end, self._open.road, told=True)
@@ -163,10 +164,9 @@ class Watcher:
         self._given_up = []
         return out
 
-    def stands_since(self, line: float) -> float | None:
-        """Since when one stands, before a line, that was given up and is still to be told."""
-        fronts = [one.front for one in self._given_up if not one.told and one.front < line]
-        return max(fronts, default=None)
+    def one_stands_before(self, line: float) -> bool:
+        """Whether one has stood since before a line that was given up and is still to be told."""
+        return any(not one.told and one.front < line for one in self._given_up)
 
     def given_up_beside(self, event: Event) -> Event | None:
         """What was given up while the other camera saw this `event`, and did not leave as that did."""

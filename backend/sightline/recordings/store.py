@@ -26,12 +26,12 @@ from sightline.recordings.drift import (
 from sightline.recordings.frames.records import FrameTable, lasting_s
 from sightline.recordings.frames.store import (
     change_times,
-    ends_of_frames,
     frame_table_fingerprint,
     get_frame_table,
     remove_frames,
     replace_frames,
 )
+from sightline.recordings.frames.tables import frames
 from sightline.recordings.records import Facts, Recording, RecordingChanges
 from sightline.recordings.tables import recordings
 from sightline.surveys.tables import surveys
@@ -159,13 +159,16 @@ def durations_to_correct(session: Session) -> dict[int, float]:
     They let the last frame last as long as the mean one, with every pause in it.
     """
     found = {}
-    query = select(recordings.c.id, recordings.c.duration_s, recordings.c.frame_count).where(
-        _ALIVE, recordings.c.state == "ready", recordings.c.vfr, recordings.c.frame_count > 1
+    first, last = frames.alias(), frames.alias()
+    lasts_s = last.c.time_s - first.c.time_s
+    query = (
+        select(recordings.c.id, recordings.c.duration_s, lasts_s, recordings.c.frame_count)
+        .join(first, (first.c.recording_id == recordings.c.id) & (first.c.n == 0))
+        .join(last, (last.c.recording_id == recordings.c.id) & (last.c.n == recordings.c.frame_count - 1))
+        .where(_ALIVE, recordings.c.state == "ready", recordings.c.vfr, recordings.c.frame_count > 1)
     )
-    for recording_id, stored_s, count in session.execute(query).all():
-        first_s, last_s = ends_of_frames(session, recording_id, count)
-        mean_s = (last_s - first_s) / (count - 1)
-        if stored_s is None or abs(stored_s - (last_s - first_s) - mean_s) > _SAME_S:
+    for recording_id, stored_s, between_s, count in session.execute(query).all():
+        if stored_s is None or abs(stored_s - between_s - between_s / (count - 1)) > _SAME_S:
             continue
         true_s = lasting_s(get_frame_table(session, recording_id).time_s)
         if abs(stored_s - true_s) > _SAME_S:

@@ -95,6 +95,8 @@ class GigeLines:
 
     def _say_unpaired(self) -> None:
         """What one camera sent alone has no partner."""
+        if any(camera.began_with is not None for camera in self._cameras):
+            return
         for camera in self._cameras:
             if camera.held_lines:
                 self.notes.append(
@@ -204,6 +206,8 @@ class _Camera:
         if self._next_id is None:
             self._next_id = min(number, 1)
             self.began_with = number if number - self._next_id > self._buffers else None
+        if self.began_with is not None:
+            return  # nobody can tell where its lines belong
         missing = (number - self._next_id) % _FRAME_IDS if number <= _FRAME_IDS else number - self._next_id
         if missing < 0 or missing > _FRAME_IDS // 2:
             return  # an older one that came late: its place is filled already

@@ -5,7 +5,7 @@ people need to be told which of these it is.
 """
 
 import struct
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
@@ -212,11 +212,11 @@ def played_in_parts(path: Path) -> bool:
     with path.open("rb") as file:
         try:
             inside = list(_within(file, moov))
-            ticks_hz = next(_ticks_hz(file, one) for one in inside if one.kind == b"mvhd")
+            ticks_hz = _ticks_hz(file, inside, b"mvhd")
             tracks = [list(_within(file, one)) for one in inside if one.kind == b"trak"]
             return any(_in_parts(file, track, ticks_hz) for track in tracks)
-        except (StopIteration, struct.error, ZeroDivisionError):
-            return False
+        except (LookupError, struct.error, ZeroDivisionError):
+            return False  # a header that says less than it must
 
 
 def _in_parts(file: BinaryIO, track: list[Box], ticks_hz: int) -> bool:
@@ -225,7 +225,7 @@ def _in_parts(file: BinaryIO, track: list[Box], ticks_hz: int) -> bool:
     picture = any(one.kind == b"hdlr" and _read(file, one, 12)[8:] == b"vide" for one in media)
     if not picture or not lists:
         return False
-    own_hz = next(_ticks_hz(file, one) for one in media if one.kind == b"mdhd")
+    own_hz = _ticks_hz(file, media, b"mdhd")
     edits = _edits(file, lists[0])
     while edits and edits[0][1] < 0:
         edits.pop(0)
@@ -246,9 +246,9 @@ def _edits(file: BinaryIO, box: Box) -> list[tuple[int, int]]:
     return [(lasted, begins) for lasted, begins, _ in each.iter_unpack(told)]
 
 
-def _ticks_hz(file: BinaryIO, box: Box) -> int:
-    """Of a header of the file or of a track."""
-    head = _read(file, box, 24)
+def _ticks_hz(file: BinaryIO, inside: Sequence[Box], kind: bytes) -> int:
+    """Of the header of a file or of a track. Raises KeyError where there is none."""
+    head = _read(file, {box.kind: box for box in inside}[kind], 24)
     ticks_hz: int = struct.unpack_from(">I", head, 20 if head[0] == 1 else 12)[0]
     return ticks_hz
 

@@ -36,11 +36,6 @@ def get_frame_table(
     )
 
 
-def ends_of_frames(session: Session, recording_id: int, count: int) -> tuple[float, float]:
-    """The times of the first and the last of `count` frames, s. Raises NotFound."""
-    return get_frame(session, recording_id, 0).time_s, get_frame(session, recording_id, count - 1).time_s
-
-
 def get_frame(session: Session, recording_id: int, n: int) -> Frame:
     """One frame. Raises NotFound."""
     query = select(frames).where(frames.c.recording_id == recording_id, frames.c.n == n)

@@ -24,7 +24,7 @@ from sightline.scans.records import Changes, KnownOfScanned, ScanCounts, ScanVeh
 from sightline.scans.tables import scan_measurements, scan_vehicles, scans
 
 _ALIVE: ColumnElement[bool] = scan_vehicles.c.deleted_at.is_(None)
-_PASSED_BESIDE = 200  # at most beside one that stands; each is given up after a minute
+_PASSED_BESIDE = 200  # at most beside one that stands
 _FIELDS = frozenset(one.name for one in fields(KnownOfScanned))
 _LENGTHS = ("true_length_m", "u_true_length_m", "true_wheelbase_m", "u_true_wheelbase_m")
 RigFor = Callable[[str | None, ScanDirection], JsonObject]
