@@ -13,6 +13,7 @@ from sightline.infra.audit.verification import verify_records
 from sightline.linescan.parts import STOOD, Crossings, Motion
 from sightline.scans.store import get_scan, remove_scan, update_scan
 from sightline.scans.vehicles.find_job import Search, plan
+from sightline.scans.vehicles.listing import shown
 from sightline.scans.vehicles.measure import Readers
 from sightline.scans.vehicles.measurement_store import (
     append_scan_measurement,
@@ -20,7 +21,7 @@ from sightline.scans.vehicles.measurement_store import (
     get_scan_measurement,
     scan_measurement_history,
 )
-from sightline.scans.vehicles.motion import gaps_of, motion_of
+from sightline.scans.vehicles.motion import motion_of
 from sightline.scans.vehicles.review_store import add_scan_review, scan_reviews_of_vehicle
 from sightline.scans.vehicles.store import (
     change_scan_vehicle,
@@ -118,8 +119,8 @@ def test_who_stood_until_the_last_ones_came_is_beside_them(session: Session) -> 
     last = last_scan_vehicles(session, scan_id, 3)
     assert [vehicle.number for vehicle in last] == [1, 5, 6, 7]
     every = list_scan_vehicles(session, scan_id)
-    rig = get_scan(session, scan_id).rig
-    assert gaps_of(rig, last)[-3:] == gaps_of(rig, every)[-3:]
+    told = [[one.gap for one in shown(get_scan(session, scan_id), found, {})] for found in (last, every)]
+    assert told[0][-3:] == told[1][-3:]
 
 
 def test_where_nobody_stood_the_last_ones_are_read_once(session: Session) -> None:

@@ -12,7 +12,6 @@ from sightline.enums import QueueState, ReviewVerdict, Verdict
 from sightline.errors import BadInput, Conflict, NotAllowed
 from sightline.infra.audit.written import written_once
 from sightline.infra.database.rows import missing
-from sightline.infra.database.types import now
 from sightline.measurements.query import (
     fetch_measurements,
     is_current,
@@ -68,7 +67,6 @@ def add_review(
         content["result_revision"] = append_measurement_revision(
             session, before, fixed, withdrawn=False, action="fix", actor=actor
         ).revision
-    content["created_at"] = now()
     written_once(
         session,
         reviews,

@@ -165,7 +165,8 @@ _PASSING: tuple[Column[Passing], ...] = (
         "s",
     ),
 )
-_GAP: tuple[Column[Gap], ...] = (
+#: What stands of the gap before a vehicle.
+GAP: tuple[Column[Gap], ...] = (
     number(
         "time_gap_s",
         "from the rear of the vehicle before it of its direction and lane to this front, at camera 1",
@@ -243,7 +244,7 @@ SCAN_VEHICLES: Table[ShownVehicle] = Table(
             required=False,
         ),
         *within("passing", *_PASSING),  # none where the recording's start was not confirmed
-        *within("gap", *_GAP),  # none before the first
+        *within("gap", *GAP),  # none before the first
         *within("vehicle.measurement", *_VERDICT, required=False),
     ),
     primary=("id",),

@@ -31,25 +31,32 @@ from sightline.scans.references.csv import SCAN_REFERENCES
 from sightline.scans.references.verify import check_references
 from sightline.scans.rig.csv import RIG_CALIBRATIONS
 from sightline.scans.rig.verify import check_rig_calibrations
+from sightline.scans.vehicles.verify import check_gaps
 
 
 def _scan_cells(told: Told) -> Cells:
     """A start is told in UTC and written by the clocks of its zone; lanes are one cell, notes another."""
     clock = clock_of(told)
     start = {} if clock is None else {"started_at": clock.filming.at()}
-    cells = {**told, "lanes": lanes_text(told.get("lanes")), **start}
-    if any(isinstance(one, str) for one in cells.pop("notes")):  # an event of an earlier program has words
-        return {**cells, "notes": joined(told["notes"])}
-    return {**cells, "notes_code": canonical_json(told["notes"]) if told["notes"] else None}
+    notes = told.get("notes", ())  # none yet where it was not read
+    cells = {**_UNTOLD, **told, "lanes": lanes_text(told.get("lanes")), **start}
+    if any(isinstance(one, str) for one in notes):  # an event of an earlier program has words
+        return {**cells, "notes": joined(notes)}
+    return {**cells, "notes_code": canonical_json(notes) if notes else None}
 
 
+#: What the events of strips, or of a recording that was not read, do not tell: there is none.
+_UNTOLD = dict.fromkeys(("recording_id", "rows_px", "lines", "bits", "first_sha256", "second_sha256"))
 _WITH_U = ("speed_mps", "acceleration_mps2", "length_m", "wheelbase_m")
 
 
 def _motion_cells(told: Told) -> Cells:
-    lines, reason = told["axle_lines"], told["reason"]
+    lines, reason, warnings = told["axle_lines"], told["reason"], told.get("warnings")
     wide = {f"U95_{name}": expanded(told.get(f"u_{name}")) for name in _WITH_U}
-    cells = {**told, **wide, "axle_lines": axle_words(lines), "axles": len(lines or ()) or None}
+    cells = {**told, **told.get("rig", {}), **wide}
+    cells |= {"axle_lines": axle_words(lines), "axles": len(lines or ()) or None}
+    if warnings is not None:
+        cells["warnings_code"] = canonical_json(warnings) if warnings else None
     if not isinstance(reason, str):  # an event of an earlier program has words
         del cells["reason"]
         cells["reason_code"] = reason and canonical_json(reason)
@@ -57,12 +64,13 @@ def _motion_cells(told: Told) -> Cells:
 
 
 def _vehicle_cells(told: Told) -> Cells:
-    """Who made the row is told of its motion, whose own row is held to its event."""
-    return {name: one for name, one in told.items() if name != "created_by_id"}
+    """Who made the row and when is told of its motion, whose own row is held to its event."""
+    return {name: one for name, one in told.items() if name not in ("created_by_id", "created_at")}
 
 
 def _verdict_cells(told: Told) -> Cells:
-    return {**told, "reviewer_id": told["actor_id"]}
+    at = {"at": told["created_at"]} if "created_at" in told else {}
+    return {**told, "reviewer_id": told["actor_id"], **at}
 
 
 _SCAN, _VEHICLE = ("scan_id", "scan"), ("vehicle_id", "scan_vehicle")
@@ -90,17 +98,20 @@ _OF_PUTTING_BACK = (
 )
 
 
-def check_scans(files: Files, replay: Replay, computings: Mapping[str, str], recomputing: Recomputing) -> int:
+def check_scans(
+    files: Files, replay: Replay, computings: Mapping[str, str], recomputing: Recomputing, program: str
+) -> int:
     """Every row is what its events say, none is missing and none too many; how many were held against them.
 
-    The current revision of a vehicle is its newest. `computings`: the kind of each, by its number.
-    Raises Damaged.
+    The current revision of a vehicle is its newest. `computings`: the kind of each, by its number; `program`:
+    the version that made the package. Raises Damaged.
     """
     rows = {one.entity: {int(row["id"]): row for row in replay.hold(files, one)} for one in _REPLAYED}
     told = {one.entity: replay.of(one.entity) for one in _REPLAYED}
     _directions(rows["scan_measurement"])
     _current(rows["scan_vehicle"], rows["scan_measurement"])
     _passings(rows["scan_vehicle"], rows["scan_measurement"], told)
+    check_gaps(rows["scan_vehicle"], told["scan"], told["scan_measurement"], recomputing, program)
     _verdicts(SCAN_MEASUREMENTS, rows["scan_measurement"], "measurement_id", rows["scan_review"])
     _verdicts(LINE_HEIGHTS, rows["line_height"], "height_id", rows["line_height_review"])
     check_references(rows["scan_reference"], rows["scan_vehicle"], told)
@@ -144,11 +155,9 @@ def _current(vehicles: Mapping[int, Mapping[str, str]], revisions: Mapping[int, 
         name for name in SCAN_MEASUREMENTS.header if name in SCAN_VEHICLES.header and name not in skipped
     ]
     for number, vehicle in vehicles.items():
-        measured = newest.get(str(number))
-        if measured is None:
-            continue
-        if vehicle["measurement_id"] != measured["id"] or any(
-            vehicle[name] != measured[name] for name in shared
+        measured = newest.get(str(number), {})
+        if vehicle["measurement_id"] != measured.get("id", "") or any(
+            vehicle[name] != measured.get(name, "") for name in shared
         ):
             raise Damaged("scans-vehicle-not-newest", path=SCAN_VEHICLES.key, number=number)
 

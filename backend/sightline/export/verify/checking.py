@@ -97,7 +97,7 @@ def check_computed_again(c: Checking) -> None:
 
 def check_line_scans(c: Checking) -> None:
     """The tables of line scans. Raises Damaged."""
-    check_scans(c.files, c.told.replay, c.computings, c.recomputing)
+    check_scans(c.files, c.told.replay, c.computings, c.recomputing, c.described.program)
 
 
 def check_pictures(c: Checking) -> None:

@@ -32,12 +32,10 @@ from sightline.infra.csv_package.columns import CODE, check_words
 from sightline.infra.csv_package.files import (
     Files,
     InFolder,
-    Tick,
     checksum_lines,
     is_plain,
     is_stray,
     missing,
-    no_tick,
     open_package,
     package_inside,
     read_whole,
@@ -52,20 +50,18 @@ from sightline.messages import say
 _LEAST_OF_HEAD = 16
 
 
-def verify_place(
-    place: Path, head: str | None = None, key: str | None = None, tick: Tick = no_tick
-) -> PackageCheck:
+def verify_place(place: Path, head: str | None = None, key: str | None = None) -> PackageCheck:
     """Check an exported folder or ZIP, in a ZIP also one that lies in a folder. Raises BadInput for anything
     else, and for a folder that holds a package one level down, which it names.
     """
     files = open_package(place)
     if CHECKSUMS in files.paths or (inner := package_inside(files.paths)) is None:
-        return verify_package(files, head, key, tick)
+        return verify_package(files, head, key)
     if place.is_dir():
         raise BadInput("export-package-is-inside", inner=place / inner)
     if inner.lower().endswith(".zip"):
         raise BadInput("export-zip-in-zip", place=place, inner=inner)
-    found = verify_package(InFolder(files, inner), head, key, tick)
+    found = verify_package(InFolder(files, inner), head, key)
     found.notes.append(
         f"In the ZIP the package lies in the folder {inner}: this is not the file that Sightline wrote, but "
         "one that somebody packed anew."
@@ -73,15 +69,13 @@ def verify_place(
     return found
 
 
-def verify_package(
-    files: Files, head: str | None = None, key: str | None = None, tick: Tick = no_tick
-) -> PackageCheck:
+def verify_package(files: Files, head: str | None = None, key: str | None = None) -> PackageCheck:
     """Check everything; the first problem found is told. `head`: (the beginning of) the chain's last hash,
     `key`: (the beginning of) a key of the installation that made the package, as they were kept elsewhere.
     """
     found = PackageCheck(ok=False, files=len(files.paths))
     try:
-        _check(files, head, key, found, tick)
+        _check(files, head, key, found)
         found.ok = True
     except (Damaged, BadInput) as error:
         found.problem = error.message
@@ -92,9 +86,8 @@ def verify_package(
     return found
 
 
-def _check(files: Files, head: str | None, key: str | None, found: PackageCheck, tick: Tick) -> None:
+def _check(files: Files, head: str | None, key: str | None, found: PackageCheck) -> None:
     written = checksums(files)
-    tick(0.1)
     described = read_description(files)
     check_forms(files, {CLICKS_FOLDER: CLICKS.key})
     seal = read_seal(files)
@@ -104,14 +97,11 @@ def _check(files: Files, head: str | None, key: str | None, found: PackageCheck,
     check_seal(seal, written)
     found.signed_at, found.key = _signed(files, told, seal.survey_id, key)
     found.notes += _of_key(found.key, key)
-    tick(0.2)
     tables = tables_of(described.most_frames)
     checking = Checking(described.read_in_its_format(files, tables), described, told, written, found)
     _check_rows(checking)
-    tick(0.6)
     found.tell("description", check_description(files, described, told, written, tables))
     _check_parts(MADE, checking)
-    tick(0.8)
     if checking.statistics is not None and described.is_made_alike(DRAWING):
         found.drawings = check_drawn(files, seal.as_of, checking.statistics, written, described.language)
     else:

@@ -25,12 +25,14 @@ def make_rows(
     untold: Mapping[str, Any] = {},
     actor: int | None,
 ) -> list[int]:
-    """The ids of new rows of these contents, which their events tell; `untold`: what else stands in each."""
+    """The ids of new rows of these contents, which their events tell, and when they were made; `untold`: what
+    else stands in each.
+    """
     moment = now()
-    stamps = {"version": 1, "created_at": moment, "created_by": actor}
-    stamps |= {"updated_at": moment, "updated_by": actor}
-    row_ids = add_rows(session, table, [{**stamps, **content, **untold} for content in contents])
-    events = [(row_id, None, content) for row_id, content in zip(row_ids, contents, strict=True)]
+    stamps = {"version": 1, "created_by": actor, "updated_at": moment, "updated_by": actor}
+    told = [{**content, "created_at": moment} for content in contents]
+    row_ids = add_rows(session, table, [{**stamps, **one, **untold} for one in told])
+    events = [(row_id, None, one) for row_id, one in zip(row_ids, told, strict=True)]
     trail.record_many(session, actor, "create", entity_of(table), survey_id, events)
     return row_ids
 

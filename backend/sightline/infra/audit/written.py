@@ -28,12 +28,14 @@ def written_once(
     untold: Iterable[str] = (),
     actor: int | None,
 ) -> int:
-    """The id of a new row of `content`, whose event tells it, but for what is `untold`, and `also`.
+    """The id of a new row of `content`, whose event tells it and when it was made, but for what is `untold`,
+    and `also`.
 
     `survey_id`: whose chain has the event, where no column says so; else it is of no survey.
     """
-    row_id = add_row(session, table, {"created_at": now(), **content, "created_by": actor})
-    told = {name: value for name, value in content.items() if name not in untold}
+    made = {**content, "created_at": now()}
+    row_id = add_row(session, table, {**made, "created_by": actor})
+    told = {name: value for name, value in made.items() if name not in untold}
     after = {**told, **also, "content_sha256": stored_hash(session, table, row_id)}
     chain = content.get("survey_id") if survey_id is None else survey_id
     trail.record(session, actor, action, entity_of(table), row_id, chain, before, after)

@@ -9,7 +9,6 @@ from sqlalchemy.orm import Session
 
 from sightline.enums import ComputingCause, ComputingKind
 from sightline.infra.audit.written import written_once
-from sightline.infra.database.types import now
 from sightline.infra.version import code_version
 from sightline.measurements.again.differences import HeightChange
 from sightline.measurements.again.query import get_computing
@@ -57,6 +56,5 @@ def add_computing(
         "largest_m": max((one.size_m for one in changes if one.size_m is not None), default=None),
         "causes": dict(Counter(cause for one in changes for cause in one.causes)),
         "code_version": code_version(),
-        "created_at": now(),
     }
     return get_computing(session, written_once(session, computings, content, "create", actor=actor))

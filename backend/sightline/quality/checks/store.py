@@ -12,7 +12,6 @@ from sightline.infra.audit.written import written_once
 from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import get_row, missing, who
-from sightline.infra.database.types import now
 from sightline.measurements.tables import wheel_pairs
 from sightline.quality.checks.records import WheelPair
 from sightline.recordings.frames.store import get_frame
@@ -89,7 +88,7 @@ def _append(
     actor: int | None,
 ) -> WheelPair:
     place = {"survey_id": vehicle["survey_id"], "recording_id": vehicle["recording_id"]}
-    content = {**place, "vehicle_id": vehicle["id"], **values, "withdrawn": withdrawn, "created_at": now()}
+    content = {**place, "vehicle_id": vehicle["id"], **values, "withdrawn": withdrawn}
     row_id = written_once(session, wheel_pairs, content, action, actor=actor)
     return _fetch(session, wheel_pairs.c.id == row_id)[0]
 

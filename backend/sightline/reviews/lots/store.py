@@ -49,7 +49,6 @@ def add_lot(
         "acceptance_number": plan.acceptance_number,
         **asdict(risks),
         "seed": seed,
-        "created_at": now(),
         "created_by": actor,
     }
     lot_id = written_once(session, lots, content, "draw", also={"items": drawn}, actor=actor)
@@ -91,7 +90,7 @@ def add_taking_back(session: Session, lot: Lot, accepted: Decision, rest: int, *
 def _add_decision(
     session: Session, lot: Lot, choice: LotChoice, told: Mapping[str, Any], actor: int | None
 ) -> int:
-    content = {"lot_id": lot.id, "choice": choice, **told, "created_at": now(), "created_by": actor}
+    content = {"lot_id": lot.id, "choice": choice, **told, "created_by": actor}
     then = {"choice": lot.state}
     return written_once(
         session, lot_decisions, content, choice, survey_id=lot.survey_id, before=then, actor=actor

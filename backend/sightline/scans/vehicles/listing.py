@@ -12,7 +12,7 @@ from sightline.scans.references.service import beside_ours
 from sightline.scans.references.store import standing_references, standing_references_of
 from sightline.scans.store import get_scan
 from sightline.scans.vehicles.measurement_store import scan_measurement_history
-from sightline.scans.vehicles.motion import gaps_of
+from sightline.scans.vehicles.motion import gaps_of, motion_of
 from sightline.scans.vehicles.review_store import scan_reviews_of_vehicle
 from sightline.scans.vehicles.store import get_scan_vehicle, list_scan_vehicles
 from sightline.statistics.references import Agreement
@@ -72,7 +72,8 @@ def shown(
     scan: Scan, found: Sequence[ScanVehicle], references: Mapping[int, tuple[StoredReference, ...]]
 ) -> list[ShownVehicle]:
     """The same for vehicles that are at hand, in the order in which they passed; `references` by vehicle."""
-    gaps = gaps_of(scan.rig, found)
+    measured = (one.measurement for one in found)
+    gaps = gaps_of(scan.rig, [None if one is None else motion_of(one.values) for one in measured])
     return [
         ShownVehicle(vehicle, scan.rig, gap, _passing(scan.clock, vehicle), references.get(vehicle.id, ()))
         for vehicle, gap in zip(found, gaps, strict=True)

@@ -19,12 +19,11 @@ from sightline.scans.vehicles.store import require_scan_vehicle_version
 
 # rows of one statement; each has some forty columns
 _AT_ONCE = 500
-# What stands in the row alone, or is said of the event beside it.
-_UNTOLD = (
-    *("misalignment_px", "u_misalignment_px", "gain", "warnings", "code_version"),
-    *("placed_by", "run_id", "rig", "correlation", "budget", "profile"),
-)
-_TOLD = tuple(one.name for one in fields(ScanValues) if one.name not in _UNTOLD)
+# What stands in the row alone.
+_UNTOLD = ("misalignment_px", "u_misalignment_px", "gain", "placed_by", "profile")
+# What an event tells of its own revision, and not of the one before.
+_OWN = ("run_id", "rig", "warnings", "code_version", "correlation", "budget")
+_TOLD = tuple(one.name for one in fields(ScanValues) if one.name not in (*_UNTOLD, *_OWN))
 
 
 def append_scan_measurement(
@@ -94,6 +93,7 @@ def _appended(
                 {
                     **_after(one, values, before.get(one), hashes[row_id]),
                     "verdict_of_id": verdict_of[one],
+                    "created_at": moment,
                 },
             )
             for row_id, (one, values) in zip(row_ids, found, strict=True)
@@ -116,8 +116,9 @@ def _then(before: ScanMeasurement | None) -> dict[str, Any] | None:
 def _after(
     vehicle_id: int, values: ScanValues, before: ScanMeasurement | None, content_sha256: str
 ) -> dict[str, Any]:
-    told: dict[str, Any] = {name: getattr(values, name) for name in _TOLD} | {"revision": _next(before)}
-    return told | {"vehicle_id": vehicle_id, "run_id": values.run_id, "content_sha256": content_sha256}
+    told: dict[str, Any] = {name: getattr(values, name) for name in (*_TOLD, *_OWN)}
+    place = {"vehicle_id": vehicle_id, "revision": _next(before)}
+    return told | place | {"content_sha256": content_sha256}
 
 
 def get_scan_measurement(session: Session, measurement_id: int) -> ScanMeasurement:

@@ -1,6 +1,6 @@
 """Between the line-scan room and the store: a motion as stored values and back, gaps of stored vehicles."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, fields, replace
 from typing import Any
 
@@ -10,11 +10,13 @@ from sightline.linescan.gaps import NONE_BEFORE, gaps
 from sightline.linescan.parts import Crossings, Entry, Gap, Motion, Rig
 from sightline.linescan.rig import rig_from, wheelbase
 from sightline.messages.said import Said
-from sightline.scans.records import ScanMeasurement, ScanValues, ScanVehicle
+from sightline.scans.records import ScanMeasurement, ScanValues
 from sightline.scans.store import rig_for
 
 _NUMBERS = tuple(one.name for one in fields(Motion) if one.type == float | None)
 _AS_STORED = ("method", "status", "reason", "lane", "lane_by", "u_boundaries_m")
+_LINES = tuple(one.name for one in fields(Crossings))
+_OF_MOTION = (*_AS_STORED, *_NUMBERS, *_LINES, "budget")
 _WHEELS = ("front_wheel_line", "rear_wheel_line", "wheelbase_m", "u_wheelbase_m")
 _NO_WHEELS: dict[str, Any] = dict.fromkeys(_WHEELS)
 
@@ -51,16 +53,21 @@ def values_of(
 
 def motion_of(values: ScanValues) -> Motion:
     """A stored revision as a motion again, without its profile."""
+    return motion_told({name: getattr(values, name) for name in _OF_MOTION})
+
+
+def motion_told(told: Mapping[str, Any]) -> Motion:
+    """The same of what is told of a revision by name; what is not told is None."""
     return Motion(
-        crossings=crossings_of(values),
-        budget=tuple(Entry(**entry) for entry in values.budget),
-        **{name: getattr(values, name) for name in (*_AS_STORED, *_NUMBERS)},
+        crossings=Crossings(*(told[name] for name in _LINES)),
+        budget=tuple(Entry(**entry) for entry in told.get("budget", ())),
+        **{name: told[name] for name in (*_AS_STORED, *_NUMBERS) if name in told},
     )
 
 
 def crossings_of(values: ScanValues) -> Crossings:
     """Where front and rear cross the cameras, as stored."""
-    return Crossings(values.front_line_1, values.rear_line_1, values.front_line_2, values.rear_line_2)
+    return Crossings(*(getattr(values, name) for name in _LINES))
 
 
 def with_wheels(values: ScanValues, lines: tuple[float, float] | None) -> ScanValues:
@@ -108,14 +115,13 @@ def wheels_of(values: ScanValues) -> tuple[float, float] | None:
     return values.front_wheel_line, values.rear_wheel_line
 
 
-def gaps_of(rig: Rig, found: Sequence[ScanVehicle]) -> list[Gap | None]:
+def gaps_of(rig: Rig, motions: Sequence[Motion | None]) -> list[Gap | None]:
     """The gap before each vehicle, in the order of the vehicles; None for the first of its direction and
     lane, and for the unmeasured.
     """
-    measured = [one.measurement.values for one in found if one.measurement is not None]
-    told = gaps([(crossings_of(values), motion_of(values)) for values in measured], rig)
+    told = gaps([(one.crossings, one) for one in motions if one is not None], rig)
     after = iter(None if one.reason == NONE_BEFORE else one for one in told)
-    return [None if one.measurement is None else next(after) for one in found]
+    return [None if one is None else next(after) for one in motions]
 
 
 def _profile(motion: Motion) -> JsonObject | None:

@@ -18,7 +18,6 @@ from sightline.infra.audit.changing import (
 from sightline.infra.audit.written import written_rows
 from sightline.infra.by_name import record_of
 from sightline.infra.database.rows import change_row, get_row, missing
-from sightline.infra.database.types import now
 from sightline.surveys.photographs.records import Photograph
 from sightline.surveys.photographs.tables import survey_photographs as photographs
 from sightline.surveys.tables import surveys
@@ -53,7 +52,6 @@ def add_photograph(
         "size_bytes": size_bytes,
         "width_px": width_px,
         "height_px": height_px,
-        "created_at": now(),
     }
     of = {"survey_id": survey_id}
     (new_id,) = make_rows(session, photographs, [content], **of, untold=of, actor=actor)
