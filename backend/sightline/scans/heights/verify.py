@@ -129,7 +129,8 @@ def _rod(row: Row, marks: list[Row], told: Mapping[str, Any]) -> Rod:
     """What was marked, as the event tells it."""
     numbers = ("distance_m", "height_m", "row_px", "line")
     clicked = tuple(Mark(*(float(mark[column]) for column in numbers)) for mark in marks)
-    if [asdict(mark) for mark in clicked] != told["marks"]:
+    numbered = all(mark["mark"] == str(number) for number, mark in enumerate(marks, 1))
+    if not numbered or [asdict(mark) for mark in clicked] != told["marks"]:
         raise Damaged("scans-marks-differ", path=LINE_MARKS.key, id=row["id"])
     sigma_px = float(row["sigma_px"]) if row["sigma_px"] else None
     return Rod(clicked, sigma_px, float(row["u_distance_m"]), float(row["u_lean_rad"]))
