@@ -126,6 +126,12 @@ def a_makers_height(place: Path, drawings: bool = False) -> str:
     return "vehicles.csv: manufacturer_height_m of row 1 differs from its audit events"
 
 
+def a_vehicles_state(place: Path) -> str:
+    edit(place, "vehicles.csv", lambda row: row["state"] == "rejected", state="accepted")
+    rederive(place)
+    return "vehicles.csv: 1 is accepted, its measurements make it rejected"
+
+
 def an_operator(place: Path) -> str:
     for name in ("measurements.csv", "revisions.csv"):
         edit(place, name, roof, created_by_id="3")
@@ -241,6 +247,7 @@ def clicks_that_do_not_count(place: Path) -> str:
 def a_verdict(place: Path) -> str:
     for name in ("measurements.csv", "reviews.csv"):
         edit(place, name, lambda row: row["verdict"] == "rejected", verdict="accepted")
+    edit(place, "vehicles.csv", lambda row: row["state"] == "rejected", state="accepted")
     rederive(place)
     return "differs from its audit event"
 
@@ -447,6 +454,7 @@ WAYS: tuple[Callable[[Path], str], ...] = (
     a_row_taken_out,
     a_row_put_in,
     a_makers_height,
+    a_vehicles_state,
     an_operator,
     an_uncertainty,
     a_share_of_u,

@@ -85,7 +85,14 @@ def about_of(name: str, site: str, description: str, created: str | None, only: 
 
 WORDS, STATISTICS, DRAWING = "words", "statistics", "drawing"
 PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
-    HEIGHTS: (("sightline.measurements.height_of_clicks", "sightline.measurements.moved"), ()),
+    HEIGHTS: (
+        (
+            "sightline.measurements.height_of_clicks",
+            "sightline.measurements.moved",
+            "sightline.measurements.sheets.states",
+        ),
+        (),
+    ),
     LINES: (
         ("sightline.scans.heights.service", "sightline.scans.rig.calibrating", "sightline.linescan.gaps"),
         (),

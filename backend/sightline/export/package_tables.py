@@ -121,7 +121,11 @@ STORED = (
     Part((CALIBRATIONS,), filling.fill_calibrations, _replayed(check_calibrations)),
     Part((POSES,), filling.fill_poses, _replayed(check_poses)),
     Part(_MEASURED, filling.fill_measurements, checking.check_heights, _with_frames),
-    Part((VEHICLES, CATALOGUE), filling.fill_vehicles, _replayed(check_vehicles)),
+    Part(
+        (VEHICLES, CATALOGUE),
+        filling.fill_vehicles,
+        lambda c: check_vehicles(c.files, c.told.replay, c.recomputing, c.described.program),
+    ),
     _one(
         RECORDINGS,
         lambda f: map(described, f.of_survey(list_recordings)),

@@ -5463,6 +5463,7 @@ local-time-skipped = { $time } does not exist in { $zone }, where clocks were se
 local-time-twice = { $time } occurs twice in { $zone }, where clocks were set back; choose the first ({ $first }) or the second ({ $second }).
 local-time-other-offset = At { $time } clocks in { $zone } have the offset { $offset }; give that offset or none.
 measurements-filmed-time = measurements.csv: { $id } has another time of filming than its recording’s start gives; one of them was changed.
+measurements-state-differs = vehicles.csv: { $id } is { $told }, its measurements make it { $state }; one of them was changed.
 measurements-vehicle-time = vehicles.csv: { $id } has another time of filming than its recording’s start gives; one of them was changed.
 recordings-lighting-unknown = The lighting is daytime or low_light; choose one.
 recordings-measured = This recording has measurements and cannot be deleted: an audit needs its frames.

@@ -5503,6 +5503,7 @@ local-time-skipped = { $time } n’existe pas dans le fuseau { $zone }, où les 
 local-time-twice = { $time } se présente deux fois dans le fuseau { $zone }, où les horloges ont reculé ; dites si c’est la première ({ $first }) ou la seconde ({ $second }).
 local-time-other-offset = À { $time }, les horloges du fuseau { $zone } sont à { $offset } ; indiquez ce décalage ou aucun.
 measurements-filmed-time = measurements.csv : { $id } a été filmé à une autre heure que ne le donne le début de son enregistrement ; l’un des deux a été modifié.
+measurements-state-differs = vehicles.csv : { $id } est { $told }, ses mesures en font { $state } ; l’un des deux a été modifié.
 measurements-vehicle-time = vehicles.csv : { $id } a été filmé à une autre heure que ne le donne le début de son enregistrement ; l’un des deux a été modifié.
 recordings-lighting-unknown = La luminosité est daytime ou low_light ; choisissez.
 recordings-measured = Cet enregistrement a des mesures et ne peut pas être supprimé : un audit a besoin de ses images.

@@ -1,15 +1,15 @@
 """Sheets of vehicles: the facts of a record with its standing measurements. The state is never stored."""
 
-from collections.abc import Iterable, Sequence
-from typing import Any, get_args
+from collections.abc import Iterable
+from typing import Any
 
 from sqlalchemy import ColumnElement, func, select
 from sqlalchemy.orm import Session
 
-from sightline.enums import AcceptedVerdict, AskedTarget, VehicleState
 from sightline.infra.database.rows import the_one
 from sightline.measurements.query import measurements_of_vehicles
 from sightline.measurements.records import Measurement, VehicleSheet
+from sightline.measurements.sheets.states import state_of
 from sightline.measurements.tables import measurement_series, measurements, wheel_pairs
 from sightline.vehicles.records import NOT_VISIBLE
 from sightline.vehicles.store import facts_of_row, headways_needed, vehicle_rows
@@ -59,23 +59,6 @@ def frames_used_of_vehicle(session: Session, vehicle_id: int) -> tuple[tuple[int
     return (*clicked, *((int(frame),) for frame in session.execute(pairs).scalars()))
 
 
-def state_of(
-    found: Sequence[Measurement], asked: Iterable[AskedTarget], not_visible: Iterable[AskedTarget]
-) -> VehicleState:
-    """What a vehicle's standing measurements make of it, by what is asked for: heights and `not_visible`
-    answer, clicks that give no height do not.
-    """
-    verdicts = {one.review.verdict for one in found}
-    if "rejected" in verdicts:
-        return "rejected"
-    unseen = set(not_visible)
-    if not set(asked) <= {one.values.target for one in found if one.values.status == "ok"} | unseen:
-        return "partial" if found or unseen else "to_do"
-    if not found:
-        return "not_visible"
-    return "accepted" if verdicts <= {*get_args(AcceptedVerdict)} else "measured"
-
-
 def _fetch(
     session: Session, where: Iterable[ColumnElement[bool]], of_these: Iterable[ColumnElement[bool]]
 ) -> tuple[VehicleSheet, ...]:
@@ -87,9 +70,11 @@ def _fetch(
 
 def _sheet(facts: dict[str, Any], measured: tuple[Measurement, ...]) -> VehicleSheet:
     unseen = [target for target, name in NOT_VISIBLE.items() if facts[name] is not None]
-    state = state_of(measured, facts["asked"], unseen)
-    if facts["discarded"] is not None:
-        state = "discarded"
-    elif not measured and not facts["in_sample"] and not facts["check_target"]:
-        state = "out_of_sample"
+    state = state_of(
+        [(one.values.target, one.values.status, one.review.verdict) for one in measured],
+        facts["asked"],
+        unseen,
+        discarded=facts["discarded"] is not None,
+        wanted=facts["in_sample"] or facts["check_target"],
+    )
     return VehicleSheet(**facts, state=state, measurements=measured)
