@@ -60,7 +60,8 @@ def _part(gap: Lost, start: int, stop: int) -> Lost | None:
 
 def live_run(source: Callable[[int], LineSource], folder: Path | None = None, **more: object) -> LiveRun:
     options = {"folder": folder, "keeper": Keeper(), "say": print, "name": "played", **more}
-    return LiveRun(source, SITE.rows, RIG, "direct", **options)  # type: ignore[arg-type]
+    rig = options.pop("rig", RIG)
+    return LiveRun(source, SITE.rows, rig, "direct", **options)  # type: ignore[arg-type]
 
 
 def run_of(source: Played, folder: Path | None = None, **more: object) -> tuple[list[LiveVehicle], list[str]]:
@@ -263,6 +264,59 @@ def test_segments_begin_where_the_road_is_empty_and_lose_nothing(
     assert sum(kept) == len(twice[0]) + overlap * (len(kept) - 1)
     for one, same in zip(live, whole, strict=True):
         assert one.vehicle.motion.speed_mps == pytest.approx(same.vehicle.motion.speed_mps, rel=2e-3)
+
+
+@pytest.mark.parametrize("can_go_back", [False, True])
+def test_who_stands_when_a_stream_is_killed_is_told_by_the_next_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, can_go_back: bool
+) -> None:
+    """It was given up, and waited for its leaving in memory alone; also where the next one is killed too."""
+    monkeypatch.setattr(finding, "STANDS_S", 4.0)
+    monkeypatch.setattr("sightline.scans.live.run.LEAD_S", 2.0)
+    pair, _ = standing(1.6, wait_s=12.0)
+    killed_at, leaves_at = 16_000, 18_500
+
+    def played(begin: int) -> Played:
+        part = slice(begin if can_go_back else killed_at, leaves_at)
+        return Played((pair[0][part], pair[1][part]))
+
+    def stream(source: Callable[[int], Played]) -> LiveRun:
+        ticks = stopped_at(1e9)
+        return live_run(source, tmp_path, rig=SLOW_RIG, can_go_back=can_go_back, clock=ticks)
+
+    killed = stream(lambda _: Played((pair[0][:killed_at], pair[1][:killed_at])))
+    monkeypatch.setattr(killed, "_end", lambda: iter(()))
+    found = list(killed.vehicles())
+    for one in found:
+        killed.told(one)
+    assert [one.vehicle.motion.status for one in found] == ["ok"]
+    kill(killed)
+    second = stream(played)
+    stood = next(second.vehicles())
+    second.told(stood)
+    assert (stood.segment, stood.vehicle.number) == (1, 2)
+    assert stood.vehicle.motion.reason == STOOD and stood.vehicle.rear_s is None
+    assert stood.vehicle.front_s == pytest.approx(1905.5 / SLOW_RIG.line_rate_hz)
+    assert stood.at.timestamp() == pytest.approx(1e9 + stood.vehicle.front_s - 500 / SLOW_RIG.line_rate_hz)
+    assert list(stream(played).vehicles()) == []
+
+
+def test_who_left_before_a_stream_was_killed_is_not_told_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The journal's last second says that it stands; since then it was told."""
+    monkeypatch.setattr(finding, "STANDS_S", 4.0)
+    pair, _ = standing(1.6, wait_s=12.0)
+    run = live_run(lambda _: Played(pair), tmp_path, rig=SLOW_RIG, clock=stopped_at(1e9))
+    for one in run.vehicles():
+        run.told(one)
+        if one.vehicle.number == 2:
+            break
+    assert one.vehicle.rear_s == pytest.approx(20375.5 / SLOW_RIG.line_rate_hz)
+    kill(run)
+    nothing = Played((pair[0][:0], pair[1][:0]))
+    rest = list(live_run(lambda _: nothing, tmp_path, rig=SLOW_RIG).vehicles())
+    assert [one.vehicle.motion.reason for one in rest if one.vehicle.front_s < 18] == []
 
 
 def test_what_still_stands_where_a_segment_ends_is_told(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -135,17 +135,27 @@ class Finder:
 
     def give_up(self) -> list[Passage]:
         """What was given up and still stands, where the lines go on in another finder."""
-        ones, twos = (watcher.give_up() for watcher in self.watchers)
-        out = []
+        pairs, alone = self._pairs_given_up()
+        self.alone += alone
+        for watcher in self.watchers:
+            watcher.give_up()
+        return [self._passage(*pair) for pair in pairs]
+
+    @property
+    def given_up(self) -> list[Crossings]:
+        """Of those that `give_up` would return now: the fronts, and where nobody waited any longer."""
+        return [Crossings(one.front, one.rear, two.front, two.rear) for one, two in self._pairs_given_up()[0]]
+
+    def _pairs_given_up(self) -> tuple[list[tuple[Event, Event]], int]:
+        """What both cameras gave up, and how many one camera alone did."""
+        ones, twos = (watcher.given_up for watcher in self.watchers)
+        pairs = []
         for one in ones:
             partner = next((two for two in twos if self._direction(one, two) is not None), None)
-            if partner is None:
-                self.alone += 1
-                continue
-            twos.remove(partner)
-            out.append(self._passage(one, partner))
-        self.alone += len(twos)
-        return out
+            if partner is not None:
+                twos.remove(partner)
+                pairs.append((one, partner))
+        return pairs, len(ones) - len(pairs) + len(twos)
 
     def finish(self) -> list[Passage]:
         """The recording ends here: returns what is left."""

@@ -158,10 +158,14 @@ class Watcher:
         self._waiting += self._end(self._open.last, cut=True) if self._open else []
         return self._released(len(self._waiting)) + self.give_up()
 
+    @property
+    def given_up(self) -> list[Event]:
+        """What was given up and nobody saw leave, as it was then."""
+        return [one.event(one.given_up, cut=True) for one in self._given_up if not one.told]
+
     def give_up(self) -> list[Event]:
-        """What was given up and nobody saw leave, as it was then; it is not told any more."""
-        out = [one.event(one.given_up, cut=True) for one in self._given_up if not one.told]
-        self._given_up = []
+        """The same, which is not told any more."""
+        out, self._given_up = self.given_up, []
         return out
 
     def one_stands_before(self, line: float) -> bool:

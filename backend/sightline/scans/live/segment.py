@@ -10,13 +10,13 @@ import numpy as np
 
 from sightline.enums import ScanMethod
 from sightline.linescan.finding import Finder
-from sightline.linescan.parts import Crossings, Passage, Rig
+from sightline.linescan.parts import STOOD, Crossings, Passage, Rig
 from sightline.linescan.passing import Follower
 from sightline.media.lines.source import Lines, Lost, Piece
 from sightline.media.strips.notes import Dropped, columns_of
 from sightline.media.strips.spool import Spool, SpooledLines
 from sightline.messages.said import Said
-from sightline.scans.live.journal import Journal, journal_path, spool_paths
+from sightline.scans.live.journal import Journal, journal_path, spool_paths, told_line
 from sightline.scans.live.records import LiveVehicle, SegmentFacts
 from sightline.scans.vehicles.measure import without_losses
 
@@ -111,12 +111,12 @@ class Segment:
 
     def note(self, at: datetime) -> None:
         """Say in the journal how far everything is told."""
-        self._write({"settled": self.finder.settled_line, "lines": self.lines, "at": at.isoformat()})
+        settled, stand = self.finder.settled_line, self._stand()
+        self._write({"settled": settled, "stand": stand, "lines": self.lines, "at": at.isoformat()})
 
     def told(self, one: LiveVehicle) -> None:
         """Say in the journal that a vehicle has been told."""
-        rear = one.vehicle.motion.crossings.rear_line_1
-        self._write({"vehicles": one.vehicle.number, "rear_line": float(rear)})
+        self._write({**told_line(one), "stand": self._stand()})
 
     def belongs_to(self, scan_id: int | None) -> None:
         self._write({"scan_id": scan_id})
@@ -164,6 +164,10 @@ class Segment:
                 at = self.time_of(passage.crossings.front_line_1)
                 yield LiveVehicle(self.facts.number, self.begin, vehicle, at)
 
+    def _stand(self) -> list[list[float]]:
+        """Lines of those that nobody waits for, and that are told when they have left."""
+        return [[float(line) for line in asdict(one).values()] for one in self.finder.given_up]
+
     def _columns(self, crossings: Crossings) -> Crossings:
         return columns_of(crossings, *(camera.dropped for camera in self.cameras))
 
@@ -183,7 +187,7 @@ class Segment:
 
 
 class Remainder:
-    """What a killed stream had taken and not told: its spooled lines, looked through again."""
+    """What a killed stream had taken and not told: who stood, and its spooled lines, looked through again."""
 
     def __init__(
         self,
@@ -202,6 +206,24 @@ class Remainder:
         dropped = (self._spooled[0].dropped, self._spooled[1].dropped)
         self._follower = Follower(rig, method, lambda crossings: columns_of(crossings, *dropped), first_id)
 
+    def stood(self, stand: Sequence[Crossings]) -> Iterator[LiveVehicle]:
+        """Those whom nobody saw leave: all that is known of them are their lines, far before `after`."""
+        rows = self._spooled[0].rows
+        nothing, road = np.empty((0, rows), np.uint8), np.zeros(rows, np.float32)
+        for at in stand:
+            passage = Passage(
+                crossings=at,
+                first=nothing,
+                second=nothing,
+                start_1=0,
+                start_2=0,
+                background_1=road,
+                background_2=road,
+                noise_dn=0.0,
+                reason=STOOD,
+            )
+            yield self._vehicle(passage, counted=True)
+
     def vehicles(self) -> Iterator[LiveVehicle]:
         """The vehicles whose front came after line `after`, the last of them cut off where the lines end."""
         first, second = self._spooled
@@ -215,11 +237,14 @@ class Remainder:
         for passage in passages:
             moved = _moved(passage, self._start)
             counted = moved.crossings.front_line_1 >= self._after
-            vehicle = self._follower.next(without_losses(moved, dropped), counted=counted)
+            vehicle = self._vehicle(without_losses(moved, dropped), counted=counted)
             if counted:
-                seconds = moved.crossings.front_line_1 / self._rig.line_rate_hz
-                at = self._facts.began_at + timedelta(seconds=seconds)
-                yield LiveVehicle(self._facts.number, self._begin, vehicle, at)
+                yield vehicle
+
+    def _vehicle(self, passage: Passage, *, counted: bool) -> LiveVehicle:
+        vehicle = self._follower.next(passage, counted=counted)
+        at = self._facts.began_at + timedelta(seconds=vehicle.front_s)
+        return LiveVehicle(self._facts.number, self._begin, vehicle, at)
 
 
 def trimmed(paths: tuple[Path, Path], stop: int | None = None) -> int:
