@@ -266,19 +266,20 @@ def test_segments_begin_where_the_road_is_empty_and_lose_nothing(
         assert one.vehicle.motion.speed_mps == pytest.approx(same.vehicle.motion.speed_mps, rel=2e-3)
 
 
+@pytest.mark.parametrize("killed_again", [False, True])
 @pytest.mark.parametrize("can_go_back", [False, True])
 def test_who_stands_when_a_stream_is_killed_is_told_by_the_next_once(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, can_go_back: bool
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, can_go_back: bool, killed_again: bool
 ) -> None:
     """It was given up, and waited for its leaving in memory alone; also where the next one is killed too."""
     monkeypatch.setattr(finding, "STANDS_S", 4.0)
     monkeypatch.setattr("sightline.scans.live.run.LEAD_S", 2.0)
-    pair, _ = standing(1.6, wait_s=12.0)
-    killed_at, leaves_at = 16_000, 18_500
+    pair, (_, next_s) = standing(1.6, wait_s=12.0)
+    killed_at = 16_000
 
     def played(begin: int) -> Played:
-        part = slice(begin if can_go_back else killed_at, leaves_at)
-        return Played((pair[0][part], pair[1][part]))
+        begin = begin if can_go_back else killed_at
+        return Played((pair[0][begin:], pair[1][begin:]))
 
     def stream(source: Callable[[int], Played]) -> LiveRun:
         ticks = stopped_at(1e9)
@@ -292,13 +293,23 @@ def test_who_stands_when_a_stream_is_killed_is_told_by_the_next_once(
     assert [one.vehicle.motion.status for one in found] == ["ok"]
     kill(killed)
     second = stream(played)
-    stood = next(second.vehicles())
+    told = second.vehicles()
+    stood = next(told)
     second.told(stood)
     assert (stood.segment, stood.vehicle.number) == (1, 2)
     assert stood.vehicle.motion.reason == STOOD and stood.vehicle.rear_s is None
     assert stood.vehicle.front_s == pytest.approx(1905.5 / SLOW_RIG.line_rate_hz)
     assert stood.at.timestamp() == pytest.approx(1e9 + stood.vehicle.front_s - 500 / SLOW_RIG.line_rate_hz)
-    assert list(stream(played).vehicles()) == []
+    if killed_again:
+        told = stream(played).vehicles()
+        assert all(one.segment > 1 for one in told)
+        return
+    # neither is its leaving told
+    (after,) = told
+    front = after.begin / SLOW_RIG.line_rate_hz + after.vehicle.front_s
+    front += 0.0 if can_go_back else killed_at / SLOW_RIG.line_rate_hz
+    assert (front, after.vehicle.motion.status) == (pytest.approx(next_s, abs=0.01), "ok")
+    assert after.vehicle.number == 3
 
 
 def test_who_left_before_a_stream_was_killed_is_not_told_again(
@@ -323,7 +334,7 @@ def test_what_still_stands_where_a_segment_ends_is_told(monkeypatch: pytest.Monk
     """Another segment begins before it; nobody waits for it any longer."""
     monkeypatch.setattr(finding, "STANDS_S", 4.0)
     pair, _ = standing(1.6, wait_s=12.0)
-    played, rig = Played(tuple(one[:9000] for one in pair)), SLOW_RIG  # type: ignore[arg-type]
+    played, rig = Played(pair), SLOW_RIG
     run = LiveRun(
         lambda _: played,
         64,
@@ -336,6 +347,7 @@ def test_what_still_stands_where_a_segment_ends_is_told(monkeypatch: pytest.Monk
         segment_s=6.5,
     )
     told = list(run.vehicles())
-    assert [(one.segment, one.vehicle.number) for one in told] == [(1, 1), (2, 2)]
+    # the one that stood is told once, not again as it leaves
+    assert [(one.segment, one.vehicle.number) for one in told] == [(1, 1), (2, 2), (3, 3)]
     assert told[0].vehicle.motion.reason == STOOD and told[0].vehicle.rear_s is None
     assert told[1].vehicle.motion.speed_mps == pytest.approx(14.0, abs=0.1)

@@ -15,6 +15,7 @@ import numpy as np
 from sightline.enums import ScanMethod
 from sightline.errors import BadInput
 from sightline.linescan import faults
+from sightline.linescan.finding import Behind
 from sightline.linescan.parts import Rig
 from sightline.linescan.rig import rig_from
 from sightline.media.lines.source import LineSource, Piece
@@ -71,6 +72,7 @@ class LiveRun:
         self._stream = secrets.token_hex(8)
         self._begin, self._skip, self._first_id = 0, -1.0, 1
         self._resumed_at: datetime | None = None
+        self._behind: Behind = ((), ())
         self._ticked = self._clock.steady()
         self._apart = self._clock.wall() - self._ticked
         self._began, self._number = 0.0, 0
@@ -129,6 +131,7 @@ class LiveRun:
         yield from before.give_up()
         stop = before.finder.settled_line
         start = max(0, stop - 2 * before.finder.margin)
+        self._behind = before.finder.behind
         self._close(before, stop)
         again = before.lines - start
         since_s = again / self.rig.line_rate_hz
@@ -154,6 +157,7 @@ class LiveRun:
                 begin=begin,
                 skip=self._skip,
                 first_id=self._first_id,
+                behind=self._behind,
             )
         except OSError as error:
             raise BadInput("commands-not-writable", path=self.folder, strerror=error.strerror) from None
@@ -243,9 +247,11 @@ class LiveRun:
         again, kept = self._go_back and left.source == self._name, all(path.is_file() for path in paths)
         lines = 0
         if kept or not again:
-            rest = Remainder(paths, facts, self.rig, self.method, after, self._first_id, left.begin)
-            lines = rest.lines
-            for one in chain(rest.stood(left.stand), () if again else rest.vehicles()):
+            rest = Remainder(
+                paths, facts, self.rig, self.method, after, self._first_id, left.begin, left.stand
+            )
+            lines, self._behind = rest.lines, rest.behind
+            for one in chain(rest.stood(), () if again else rest.vehicles()):
                 self._first_id = one.vehicle.number + 1
                 yield one
         if again:
