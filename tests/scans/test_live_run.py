@@ -60,7 +60,8 @@ def _part(gap: Lost, start: int, stop: int) -> Lost | None:
 
 def live_run(source: Callable[[int], LineSource], folder: Path | None = None, **more: object) -> LiveRun:
     options = {"folder": folder, "keeper": Keeper(), "say": print, "name": "played", **more}
-    return LiveRun(source, SITE.rows, RIG, "direct", **options)  # type: ignore[arg-type]
+    rig = options.pop("rig", RIG)
+    return LiveRun(source, SITE.rows, rig, "direct", **options)  # type: ignore[arg-type]
 
 
 def run_of(source: Played, folder: Path | None = None, **more: object) -> tuple[list[LiveVehicle], list[str]]:
@@ -265,11 +266,75 @@ def test_segments_begin_where_the_road_is_empty_and_lose_nothing(
         assert one.vehicle.motion.speed_mps == pytest.approx(same.vehicle.motion.speed_mps, rel=2e-3)
 
 
+@pytest.mark.parametrize("killed_again", [False, True])
+@pytest.mark.parametrize("can_go_back", [False, True])
+def test_who_stands_when_a_stream_is_killed_is_told_by_the_next_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, can_go_back: bool, killed_again: bool
+) -> None:
+    """It was given up, and waited for its leaving in memory alone; also where the next one is killed too."""
+    monkeypatch.setattr(finding, "STANDS_S", 4.0)
+    monkeypatch.setattr("sightline.scans.live.run.LEAD_S", 2.0)
+    pair, (_, next_s) = standing(1.6, wait_s=12.0)
+    killed_at = 16_000
+
+    def played(begin: int) -> Played:
+        begin = begin if can_go_back else killed_at
+        return Played((pair[0][begin:], pair[1][begin:]))
+
+    def stream(source: Callable[[int], Played]) -> LiveRun:
+        ticks = stopped_at(1e9)
+        return live_run(source, tmp_path, rig=SLOW_RIG, can_go_back=can_go_back, clock=ticks)
+
+    killed = stream(lambda _: Played((pair[0][:killed_at], pair[1][:killed_at])))
+    monkeypatch.setattr(killed, "_end", lambda: iter(()))
+    found = list(killed.vehicles())
+    for one in found:
+        killed.told(one)
+    assert [one.vehicle.motion.status for one in found] == ["ok"]
+    kill(killed)
+    second = stream(played)
+    told = second.vehicles()
+    stood = next(told)
+    second.told(stood)
+    assert (stood.segment, stood.vehicle.number) == (1, 2)
+    assert stood.vehicle.motion.reason == STOOD and stood.vehicle.rear_s is None
+    assert stood.vehicle.front_s == pytest.approx(1905.5 / SLOW_RIG.line_rate_hz)
+    assert stood.at.timestamp() == pytest.approx(1e9 + stood.vehicle.front_s - 500 / SLOW_RIG.line_rate_hz)
+    if killed_again:
+        told = stream(played).vehicles()
+        assert all(one.segment > 1 for one in told)
+        return
+    # neither is its leaving told
+    (after,) = told
+    front = after.begin / SLOW_RIG.line_rate_hz + after.vehicle.front_s
+    front += 0.0 if can_go_back else killed_at / SLOW_RIG.line_rate_hz
+    assert (front, after.vehicle.motion.status) == (pytest.approx(next_s, abs=0.01), "ok")
+    assert after.vehicle.number == 3
+
+
+def test_who_left_before_a_stream_was_killed_is_not_told_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The journal's last second says that it stands; since then it was told."""
+    monkeypatch.setattr(finding, "STANDS_S", 4.0)
+    pair, _ = standing(1.6, wait_s=12.0)
+    run = live_run(lambda _: Played(pair), tmp_path, rig=SLOW_RIG, clock=stopped_at(1e9))
+    for one in run.vehicles():
+        run.told(one)
+        if one.vehicle.number == 2:
+            break
+    assert one.vehicle.rear_s == pytest.approx(20375.5 / SLOW_RIG.line_rate_hz)
+    kill(run)
+    nothing = Played((pair[0][:0], pair[1][:0]))
+    rest = list(live_run(lambda _: nothing, tmp_path, rig=SLOW_RIG).vehicles())
+    assert [one.vehicle.motion.reason for one in rest if one.vehicle.front_s < 18] == []
+
+
 def test_what_still_stands_where_a_segment_ends_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     """Another segment begins before it; nobody waits for it any longer."""
     monkeypatch.setattr(finding, "STANDS_S", 4.0)
     pair, _ = standing(1.6, wait_s=12.0)
-    played, rig = Played(tuple(one[:9000] for one in pair)), SLOW_RIG  # type: ignore[arg-type]
+    played, rig = Played(pair), SLOW_RIG
     run = LiveRun(
         lambda _: played,
         64,
@@ -282,6 +347,7 @@ def test_what_still_stands_where_a_segment_ends_is_told(monkeypatch: pytest.Monk
         segment_s=6.5,
     )
     told = list(run.vehicles())
-    assert [(one.segment, one.vehicle.number) for one in told] == [(1, 1), (2, 2)]
+    # the one that stood is told once, not again as it leaves
+    assert [(one.segment, one.vehicle.number) for one in told] == [(1, 1), (2, 2), (3, 3)]
     assert told[0].vehicle.motion.reason == STOOD and told[0].vehicle.rear_s is None
     assert told[1].vehicle.motion.speed_mps == pytest.approx(14.0, abs=0.1)

@@ -167,6 +167,26 @@ def test_a_rear_that_nobody_saw_is_of_its_recording_and_goes_over_midnight(tmp_p
     assert hour["occupancy_ratio"] == 0.0 and hour["reason"] == "no vehicle"
 
 
+@pytest.mark.parametrize("rear_s", [None, 1800.0 + 2 * 86400.0 + 450.0])
+def test_who_came_days_before_those_asked_for_stands_on_them(tmp_path: Path, rear_s: float | None) -> None:
+    """Came on 4 May at 23:45, and nobody saw it leave, or it left on 7 May at 00:07:30."""
+    stands = standing_passing(1, 900.0, rear_s or 900.0)
+    if rear_s is None:
+        stands = replace(stands, rear_s=None, rear_line_1=None, reason=str(STOOD))
+    cars = (stands, standing_passing(2, 90_000.0, 90_004.0))
+    add_recorded(tmp_path, Recorded("days", "ab" * 32, 3.2 * 86400.0, cars, ()), stood("2026-05-04T23:30"))
+    add_recorded(tmp_path, Recorded("next", "cd" * 32, 3600.0, (), ()), stood("2026-05-08T12:00"))
+    with ArchiveTables(tmp_path) as tables:
+        rows = {row["from"][8:16]: row for row in tables.intervals(Asked(minutes=15))}
+        for day in (5, 6, 7, 8):
+            later = list(tables.intervals(Asked(first_day=date(2026, 5, day), minutes=15)))
+            assert later == [row for row in rows.values() if row["from"] >= f"2026-05-{day:02}"]
+    told = [
+        rows[at]["occupancy_ratio"] for at in ("05T12:00", "06T12:00", "07T00:00", "07T12:00", "08T12:00")
+    ]
+    assert told == ([None, None, None, None, 0.0] if rear_s is None else [1.0, 1.0, 0.5, 0.0, 0.0])
+
+
 def test_u_of_the_means_is_none_too_small_for_the_space_mean(tmp_path: Path) -> None:
     slow, fast = (
         replace(standing_passing(n, 60.0 * n, 60.5 * n), speed_mps=v, u_speed_mps=0.3)

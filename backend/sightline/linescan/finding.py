@@ -4,13 +4,14 @@ Memory is bounded: lines are kept only as long as an event under way or waiting 
 """
 
 from collections import deque
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import cast
 
 import numpy as np
 
 from sightline.errors import BadInput
-from sightline.linescan.background import MOST_UNREST, Grid, enough_lines
+from sightline.linescan.background import MOST_UNREST, Grid, Road, enough_lines
 from sightline.linescan.boundaries import refined
 from sightline.linescan.depth import brightest_of, depth_of, in_8_bits
 from sightline.linescan.lanes import lane_of
@@ -28,6 +29,8 @@ KEPT_BYTES = 48 << 20
 # what a vehicle may be: from a motorcycle to a road train, from walking pace to 300 km/h
 LENGTHS_M = (1.0, 32.0)
 SPEEDS_MPS = (1.0, 85.0)
+
+Behind = tuple[Sequence[Road], Sequence[Road]]
 
 STOPPED = Said("scan-motion-stopped")
 NO_ROAD = Said("scan-motion-no-road")
@@ -73,11 +76,12 @@ class Finder:
     """Vehicles of a pair of strips, pushed in pieces of any size; `notes` tells what else was seen.
 
     rows: height of both strips; rig: baseline and line rate tell how far apart the crossings may be; bits: of
-    the cameras, as the whole strips tell, or else the brightest pixel so far. `baseline_m`: at the vehicles,
-    in the middle of the rig's lanes.
+    the cameras, as the whole strips tell, or else the brightest pixel so far; behind: the roads behind what
+    stands and was told before, of both cameras. `baseline_m`: at the vehicles, in the middle of the rig's
+    lanes.
     """
 
-    def __init__(self, rows: int, rig: Rig, bits: int = 8) -> None:
+    def __init__(self, rows: int, rig: Rig, bits: int = 8, behind: Behind = ((), ())) -> None:
         if rows < 8:
             raise BadInput("linescan-strips-too-low", rows=rows)
         rate = rig.line_rate_hz
@@ -102,6 +106,8 @@ class Finder:
         )
         self.margin = max(2 * step, round(0.02 * rate))
         self.watchers = (Watcher(self.grid, self.spans), Watcher(self.grid, self.spans))
+        for watcher, roads in zip(self.watchers, behind, strict=True):
+            watcher.leave_untold(roads)
         self.bits = bits
         self.found = 0
         self.reversed = 0
@@ -135,17 +141,32 @@ class Finder:
 
     def give_up(self) -> list[Passage]:
         """What was given up and still stands, where the lines go on in another finder."""
-        ones, twos = (watcher.give_up() for watcher in self.watchers)
-        out = []
+        pairs, alone = self._pairs_given_up()
+        self.alone += alone
+        for watcher, told in zip(self.watchers, zip(*pairs, strict=True), strict=False):
+            watcher.tell([event.front for event in told])
+        return [self._passage(*pair) for pair in pairs]
+
+    @property
+    def behind(self) -> Behind:
+        """Of both cameras, the roads behind those that were told and have not left: another finder's."""
+        return self.watchers[0].behind, self.watchers[1].behind
+
+    @property
+    def given_up(self) -> list[Crossings]:
+        """Of those that `give_up` would return now: the fronts, and where nobody waited any longer."""
+        return [Crossings(one.front, one.rear, two.front, two.rear) for one, two in self._pairs_given_up()[0]]
+
+    def _pairs_given_up(self) -> tuple[list[tuple[Event, Event]], int]:
+        """What both cameras gave up, and how many one camera alone did."""
+        ones, twos = (watcher.given_up for watcher in self.watchers)
+        pairs = []
         for one in ones:
             partner = next((two for two in twos if self._direction(one, two) is not None), None)
-            if partner is None:
-                self.alone += 1
-                continue
-            twos.remove(partner)
-            out.append(self._passage(one, partner))
-        self.alone += len(twos)
-        return out
+            if partner is not None:
+                twos.remove(partner)
+                pairs.append((one, partner))
+        return pairs, len(ones) - len(pairs) + len(twos)
 
     def finish(self) -> list[Passage]:
         """The recording ends here: returns what is left."""

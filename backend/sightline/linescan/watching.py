@@ -1,5 +1,6 @@
 """Watches one strip: from blocks of lines to events, the spans in which something hid the road."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -156,13 +157,28 @@ class Watcher:
             assert self._open is not None
             self._open.last = self.lines
         self._waiting += self._end(self._open.last, cut=True) if self._open else []
-        return self._released(len(self._waiting)) + self.give_up()
+        left = self.given_up
+        self.tell([one.front for one in left])
+        return self._released(len(self._waiting)) + left
 
-    def give_up(self) -> list[Event]:
-        """What was given up and nobody saw leave, as it was then; it is not told any more."""
-        out = [one.event(one.given_up, cut=True) for one in self._given_up if not one.told]
-        self._given_up = []
-        return out
+    @property
+    def given_up(self) -> list[Event]:
+        """What was given up and nobody saw leave, as it was then."""
+        return [one.event(one.given_up, cut=True) for one in self._given_up if not one.told]
+
+    def tell(self, fronts: Sequence[float]) -> None:
+        """Those with these fronts were told, and are not told any more when they leave."""
+        for one in self._given_up:
+            one.told |= one.event(one.given_up, cut=True).front in fronts
+
+    @property
+    def behind(self) -> list[Road]:
+        """The roads behind those that were told and have not left."""
+        return [one.road for one in self._given_up if one.told]
+
+    def leave_untold(self, behind: Sequence[Road]) -> None:
+        """What stands before these roads when the lines begin was told before."""
+        self._given_up = [_Open(0, 0, road, told=True) for road in behind]
 
     def one_stands_before(self, line: float) -> bool:
         """Whether one has stood since before a line that was given up and is still to be told."""
@@ -220,9 +236,9 @@ class Watcher:
             edges = np.flatnonzero(np.diff(np.concatenate([[0], absent.astype(np.int8), [0]]))).reshape(-1, 2)
             if not (edges @ [-step, step] > self.spans.close).any():
                 continue
-            assert self._before is not None
-            before = np.flatnonzero(present(self._before, stood.road, self.grid.upper_part))
-            seen = len(self._before) - (int(before[-1]) + 1 if len(before) else 0)
+            last = cells[:0] if self._before is None else self._before
+            before = np.flatnonzero(present(last, stood.road, self.grid.upper_part))
+            seen = len(last) - (int(before[-1]) + 1 if len(before) else 0)
             gone = self._has_left(stood)
             stood.last = self.lines - step * seen
             # it has left since it last stood still

@@ -99,16 +99,20 @@ class ArchiveTables:
                 yield _told(row, site, asked)
 
     def _rows(self, query: str, site: str, asked: Asked) -> list[dict[str, Any]]:
-        """Rows of a query over one site's `vehicles` and `watched`, with those of the day before the first:
-        who stands over its midnight came then.
+        """Rows of a query over one site's `vehicles` and `watched`, of recordings on the days asked for from
+        their beginnings on: who stands may have come days before.
         """
-        first = asked.first_day
-        days = first and first - timedelta(days=first > date.min), asked.last_day
-        watched = files_of(self._folder, WATCHED, site, *days)
-        if not watched:
+        shown = files_of(self._folder, WATCHED, site, asked.first_day, asked.last_day)
+        if not shown:
             return []
+        recordings = {Path(one).name for one in shown}
+        watched, passed = (
+            [one for one in files if Path(one).name in recordings]
+            for files in (
+                files_of(self._folder, table, site, None, asked.last_day) for table in (WATCHED, VEHICLES)
+            )
+        )
         self._db.execute(f"CREATE OR REPLACE TEMP VIEW watched AS {_read(watched)}")
-        passed = files_of(self._folder, VEHICLES, site, *days)
         self._db.execute(f"CREATE OR REPLACE TEMP VIEW vehicles AS {_read(passed) if passed else _NOBODY}")
         result = self._db.execute(query)
         names = [one[0] for one in result.description or ()]
@@ -190,13 +194,16 @@ def _intervals_sql(asked: Asked) -> str:
     ), passed AS (
       SELECT lane, length_m, time_gap_s, speed_mps, u_speed_mps, {_kind_sql(asked.limits_m)} AS kind,
         {begins} + least(floor(since_midnight_s / {step}), ceil(day_s / {step}) - 1)::BIGINT AS cell
-      FROM vehicles JOIN days USING (day)
+      FROM vehicles JOIN days USING (day) WHERE day >= DATE '{asked.first_day or date.min}'
     ), came AS (SELECT *, since_midnight_s + occupied_s AS until_s FROM vehicles JOIN days USING (day)
     ), standing AS (
       SELECT lane, day, length_m, since_midnight_s AS from_s, least(until_s, day_s) AS until_s
       FROM came WHERE occupied_s > 0
       UNION ALL
-      SELECT lane, day + 1, length_m, 0, until_s - day_s FROM came WHERE until_s > day_s
+      SELECT lane, on_day.day, length_m, 0, least(until_s - on_day.begin_s + came.begin_s, on_day.day_s)
+      FROM came JOIN days AS on_day ON on_day.begin_s > came.begin_s
+        AND on_day.begin_s < came.begin_s + until_s
+      WHERE until_s > came.day_s
     ), in_days AS (
       SELECT lane, day, length_m, until_s, greatest(from_s, coalesce(max(until_s) OVER (PARTITION BY lane, day
         ORDER BY from_s, until_s ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING), 0)) AS from_s

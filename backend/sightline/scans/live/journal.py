@@ -1,7 +1,8 @@
 """What a stream writes beside its spooled strips, a JSON line each, so that it can be taken up when killed.
 
 First what was recorded and how, then every vehicle that was told, and every second the line before which all
-vehicles are told ("settled"). A journal without its last line, "ended", is that of a stream that was killed.
+vehicles are told ("settled"), but for those that stand for too long ("stand"). A journal without its last
+line, "ended", is that of a stream that was killed.
 """
 
 import json
@@ -12,6 +13,9 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
+from sightline.linescan.parts import Crossings
+from sightline.scans.live.records import LiveVehicle
+
 FORMAT = "sightline-live-1"
 _NAME = re.compile(r"(\d{4,})\.jsonl")
 
@@ -21,8 +25,8 @@ class Told:
     """What is known of a segment from its journal.
 
     `began_at`: time of line 0; `begin`: number of line 0 in the followed file; `last_at`: when lines last
-    came; `settled`: all vehicles before this line are told; `rear_line`: rear at camera 1 of the last
-    one told.
+    came; `settled`: all vehicles before this line are told; `rear_line`: last rear at camera 1 of those
+    told; `stand`: of those that stood for too long and are not told, where they came and were given up.
     """
 
     number: int
@@ -36,6 +40,7 @@ class Told:
     vehicles: int
     settled: int
     rear_line: float
+    stand: tuple[Crossings, ...]
     scan_id: int | None
     ended: bool
 
@@ -78,10 +83,17 @@ def interrupted(folder: Path) -> Told | None:
     return told if told is not None and not told.ended else None
 
 
-def end_interrupted(folder: Path, number: int) -> None:
-    """Say in a killed stream's journal that it has been answered for."""
+def append(folder: Path, number: int, said: dict[str, Any]) -> None:
+    """Say in a killed stream's journal what was told of it since, or that it has been answered for."""
     with journal_path(folder, number).open("a", encoding="utf-8") as file:
-        file.write("\n" + json.dumps({"ended": "taken up"}) + "\n")
+        file.write("\n" + json.dumps(said) + "\n")
+
+
+def told_line(one: LiveVehicle) -> dict[str, Any]:
+    """What is said of a vehicle that was told."""
+    at = one.vehicle.motion.crossings
+    lines = {"front_line": float(at.front_line_1), "rear_line": float(at.rear_line_1)}
+    return {"vehicles": one.vehicle.number, **lines}
 
 
 def _read(path: Path, number: int) -> Told | None:
@@ -91,17 +103,23 @@ def _read(path: Path, number: int) -> Told | None:
         return None
     known: dict[str, Any] = {"vehicles": head["first_id"] - 1, "settled": 0, "rear_line": -1.0}
     known |= {"scan_id": None, "last_at": head["began_at"], "ended": False}
+    stand = dict[float, Crossings]()
     for said in lines:
+        if "settled" in said:
+            stand.clear()
+        # of several that are complete at once, those that follow stand no longer and are not yet told
+        stand |= {one[0]: Crossings(*one) for one in said.get("stand", ())}
+        stand.pop(said.get("front_line", -1.0), None)
         known |= {"ended": "ended" in said or known["ended"]}
-        known |= {
-            name: said[name] for name in ("vehicles", "settled", "rear_line", "scan_id") if name in said
-        }
+        known |= {name: said[name] for name in ("vehicles", "settled", "scan_id") if name in said}
+        known["rear_line"] = max(known["rear_line"], said.get("rear_line", -1.0))
         known["last_at"] = said.get("at", known["last_at"])
     return Told(
         number=number,
         began_at=datetime.fromisoformat(head["began_at"]),
         last_at=datetime.fromisoformat(known.pop("last_at")),
         **{name: head[name] for name in ("stream", "source", "rows", "rig", "begin")},
+        stand=tuple(stand.values()),
         **known,
     )
 

@@ -7,6 +7,7 @@ from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime, timedelta
+from itertools import chain
 from pathlib import Path
 
 import numpy as np
@@ -14,11 +15,12 @@ import numpy as np
 from sightline.enums import ScanMethod
 from sightline.errors import BadInput
 from sightline.linescan import faults
+from sightline.linescan.finding import Behind
 from sightline.linescan.parts import Rig
 from sightline.linescan.rig import rig_from
 from sightline.media.lines.source import LineSource, Piece
 from sightline.messages.said import Said
-from sightline.scans.live.journal import Told, end_interrupted, interrupted, last_number, spool_paths
+from sightline.scans.live.journal import Told, append, interrupted, last_number, spool_paths, told_line
 from sightline.scans.live.records import Keeper, LiveHealth, LiveVehicle, SegmentFacts
 from sightline.scans.live.segment import LEAD_S, Remainder, Segment
 
@@ -70,6 +72,7 @@ class LiveRun:
         self._stream = secrets.token_hex(8)
         self._begin, self._skip, self._first_id = 0, -1.0, 1
         self._resumed_at: datetime | None = None
+        self._behind: Behind = ((), ())
         self._ticked = self._clock.steady()
         self._apart = self._clock.wall() - self._ticked
         self._began, self._number = 0.0, 0
@@ -96,6 +99,8 @@ class LiveRun:
         """After a vehicle was told: it is kept, and no later run tells it again."""
         if self._segment is not None:
             self._segment.told(one)
+        elif self.folder is not None:
+            append(self.folder, one.segment, told_line(one))
         self._keeper.add(one)
         self.found += one.vehicle.motion.status == "ok"
 
@@ -126,6 +131,7 @@ class LiveRun:
         yield from before.give_up()
         stop = before.finder.settled_line
         start = max(0, stop - 2 * before.finder.margin)
+        self._behind = before.finder.behind
         self._close(before, stop)
         again = before.lines - start
         since_s = again / self.rig.line_rate_hz
@@ -151,6 +157,7 @@ class LiveRun:
                 begin=begin,
                 skip=self._skip,
                 first_id=self._first_id,
+                behind=self._behind,
             )
         except OSError as error:
             raise BadInput("commands-not-writable", path=self.folder, strerror=error.strerror) from None
@@ -236,20 +243,26 @@ class LiveRun:
         self._first_id, self._stream = left.vehicles + 1, left.stream
         paths = spool_paths(self.folder, left.number)
         self._keeper.take_up(left.scan_id)
-        if self._go_back and left.source == self._name:
+        facts = SegmentFacts(left.number, left.stream, left.source, left.began_at)
+        again, kept = self._go_back and left.source == self._name, all(path.is_file() for path in paths)
+        lines = 0
+        if kept or not again:
+            rest = Remainder(
+                paths, facts, self.rig, self.method, after, self._first_id, left.begin, left.stand
+            )
+            lines, self._behind = rest.lines, rest.behind
+            for one in chain(rest.stood(), () if again else rest.vehicles()):
+                self._first_id = one.vehicle.number + 1
+                yield one
+        if again:
             lead = max(0, int(after - LEAD_S * self.rig.line_rate_hz))
             self._begin, self._skip = left.begin + lead, after - lead
             self._resumed_at = left.began_at + timedelta(seconds=lead / self.rig.line_rate_hz)
             self._say(Said("stream-resumed", begin=left.begin + int(after), name=self._name))
         else:
-            facts = SegmentFacts(left.number, left.stream, left.source, left.began_at)
-            rest = Remainder(paths, facts, self.rig, self.method, after, self._first_id, left.begin)
-            for one in rest.vehicles():
-                self._first_id = one.vehicle.number + 1
-                yield one
-            self._say(self._missing(left, rest.lines))
-        self._keeper.end(paths if all(path.is_file() for path in paths) else None, [])
-        end_interrupted(self.folder, left.number)
+            self._say(self._missing(left, lines))
+        self._keeper.end(paths if kept else None, [])
+        append(self.folder, left.number, {"ended": "taken up"})
 
     def _missing(self, left: Told, lines: int) -> Said:
         end = left.began_at.timestamp() + lines / self.rig.line_rate_hz

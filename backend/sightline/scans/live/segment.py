@@ -7,16 +7,18 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sightline.enums import ScanMethod
-from sightline.linescan.finding import Finder
-from sightline.linescan.parts import Crossings, Passage, Rig
+from sightline.linescan.background import Road, first_road
+from sightline.linescan.finding import BEGIN_S, Behind, Finder
+from sightline.linescan.parts import STOOD, Crossings, Passage, Rig
 from sightline.linescan.passing import Follower
 from sightline.media.lines.source import Lines, Lost, Piece
 from sightline.media.strips.notes import Dropped, columns_of
 from sightline.media.strips.spool import Spool, SpooledLines
 from sightline.messages.said import Said
-from sightline.scans.live.journal import Journal, journal_path, spool_paths
+from sightline.scans.live.journal import Journal, journal_path, spool_paths, told_line
 from sightline.scans.live.records import LiveVehicle, SegmentFacts
 from sightline.scans.vehicles.measure import without_losses
 
@@ -58,7 +60,7 @@ class Segment:
     """Lines that are counted from 0, one finder, a pair of files (`folder` None: not kept).
 
     `begin`: number of line 0 in a followed file; `skip`: vehicles whose front comes before this line are
-    already told; `first_id`: number of the first vehicle.
+    already told; `first_id`: number of the first vehicle; `behind`: roads behind who stands and was told.
     """
 
     def __init__(
@@ -72,10 +74,11 @@ class Segment:
         begin: int = 0,
         skip: float = -1.0,
         first_id: int = 1,
+        behind: Behind = ((), ()),
     ) -> None:
         self.facts, self.rig, self.lines = facts, rig, 0
         self.full: Said | None = None
-        self.finder = Finder(rows, rig)
+        self.finder = Finder(rows, rig, behind=behind)
         self.vehicles = first_id - 1
         self.found = 0
         self._skip, self.begin = skip, begin
@@ -111,12 +114,12 @@ class Segment:
 
     def note(self, at: datetime) -> None:
         """Say in the journal how far everything is told."""
-        self._write({"settled": self.finder.settled_line, "lines": self.lines, "at": at.isoformat()})
+        settled, stand = self.finder.settled_line, self._stand()
+        self._write({"settled": settled, "stand": stand, "lines": self.lines, "at": at.isoformat()})
 
     def told(self, one: LiveVehicle) -> None:
         """Say in the journal that a vehicle has been told."""
-        rear = one.vehicle.motion.crossings.rear_line_1
-        self._write({"vehicles": one.vehicle.number, "rear_line": float(rear)})
+        self._write({**told_line(one), "stand": self._stand()})
 
     def belongs_to(self, scan_id: int | None) -> None:
         self._write({"scan_id": scan_id})
@@ -164,6 +167,10 @@ class Segment:
                 at = self.time_of(passage.crossings.front_line_1)
                 yield LiveVehicle(self.facts.number, self.begin, vehicle, at)
 
+    def _stand(self) -> list[list[float]]:
+        """Lines of those that nobody waits for, and that are told when they have left."""
+        return [[float(line) for line in asdict(one).values()] for one in self.finder.given_up]
+
     def _columns(self, crossings: Crossings) -> Crossings:
         return columns_of(crossings, *(camera.dropped for camera in self.cameras))
 
@@ -183,7 +190,7 @@ class Segment:
 
 
 class Remainder:
-    """What a killed stream had taken and not told: its spooled lines, looked through again."""
+    """What a killed stream had taken and not told: who stood, and its spooled lines, looked through again."""
 
     def __init__(
         self,
@@ -194,6 +201,7 @@ class Remainder:
         after: float,
         first_id: int,
         begin: int,
+        stand: Sequence[Crossings],
     ) -> None:
         self.lines = trimmed(paths)
         self._spooled = [SpooledLines(path) for path in paths]
@@ -201,11 +209,34 @@ class Remainder:
         self._after, self._facts, self._rig, self._begin = after, facts, rig, begin
         dropped = (self._spooled[0].dropped, self._spooled[1].dropped)
         self._follower = Follower(rig, method, lambda crossings: columns_of(crossings, *dropped), first_id)
+        self.behind = (
+            self._roads(0, [at.front_line_1 for at in stand]),
+            self._roads(1, [at.front_line_2 for at in stand]),
+        )
+        self._stand = stand
+
+    def stood(self) -> Iterator[LiveVehicle]:
+        """Those whom nobody saw leave: all that is known of them are their lines, far before `after`."""
+        rows, stand = self._spooled[0].rows, self._stand
+        nothing, road = np.empty((0, rows), np.uint8), np.zeros(rows, np.float32)
+        for at in stand:
+            passage = Passage(
+                crossings=at,
+                first=nothing,
+                second=nothing,
+                start_1=0,
+                start_2=0,
+                background_1=road,
+                background_2=road,
+                noise_dn=0.0,
+                reason=STOOD,
+            )
+            yield self._vehicle(passage, counted=True)
 
     def vehicles(self) -> Iterator[LiveVehicle]:
         """The vehicles whose front came after line `after`, the last of them cut off where the lines end."""
         first, second = self._spooled
-        finder = Finder(first.rows, self._rig)
+        finder = Finder(first.rows, self._rig, behind=self.behind)
         for one, two in zip(first.chunks(self._start), second.chunks(self._start), strict=True):
             yield from self._told(finder.push(one, two))
         yield from self._told(finder.finish())
@@ -215,11 +246,31 @@ class Remainder:
         for passage in passages:
             moved = _moved(passage, self._start)
             counted = moved.crossings.front_line_1 >= self._after
-            vehicle = self._follower.next(without_losses(moved, dropped), counted=counted)
+            vehicle = self._vehicle(without_losses(moved, dropped), counted=counted)
             if counted:
-                seconds = moved.crossings.front_line_1 / self._rig.line_rate_hz
-                at = self._facts.began_at + timedelta(seconds=seconds)
-                yield LiveVehicle(self._facts.number, self._begin, vehicle, at)
+                yield vehicle
+
+    def _roads(self, camera: int, fronts: Sequence[float]) -> list[Road]:
+        """What the lines before these fronts show."""
+        finder, roads = Finder(self._spooled[0].rows, self._rig), list[Road]()
+        for front in fronts:
+            stop = int(front) - finder.spans.guard
+            start = max(0, stop - round(BEGIN_S * self._rig.line_rate_hz))
+            pieces, lines = list[NDArray[np.uint8]](), 0
+            for piece in self._spooled[camera].chunks(start):
+                pieces.append(piece[: max(0, stop - start - lines)])
+                lines += len(piece)
+                if lines >= stop - start:
+                    break
+            block = np.concatenate([np.empty((0, finder.rows), np.uint8), *pieces])
+            if len(block) >= finder.spans.road:
+                roads.append(first_road(block, finder.grid, finder.spans.road))
+        return roads
+
+    def _vehicle(self, passage: Passage, *, counted: bool) -> LiveVehicle:
+        vehicle = self._follower.next(passage, counted=counted)
+        at = self._facts.began_at + timedelta(seconds=vehicle.front_s)
+        return LiveVehicle(self._facts.number, self._begin, vehicle, at)
 
 
 def trimmed(paths: tuple[Path, Path], stop: int | None = None) -> int:
