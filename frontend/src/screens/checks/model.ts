@@ -256,9 +256,9 @@ export class TrafficModel {
     this.preview.value = null;
     try {
       await this.history.inTurn(() =>
-        this.history.run(say(what, { vehicle: String(vehicle.number) }), async (changes) => {
-          await changes.write(this.pairs, vehicle.id, clicks);
-        }),
+        this.history.run(say(what, { vehicle: String(vehicle.number) }), (changes) =>
+          changes.write(this.pairs, vehicle.id, clicks),
+        ),
       );
     } catch (error) {
       this.refused.value = error;
