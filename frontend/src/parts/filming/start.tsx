@@ -27,8 +27,8 @@ export interface StartTyped {
   setOffset: (offset: string) => void;
   /** What is to be stored; null where nothing was typed. */
   said: () => { local: string; time_zone: string } | null;
-  /** A refusal that asks which of two hours is meant. */
-  learn: (error: unknown) => void;
+  /** Stores it, and asks which of two hours is meant where that was the refusal. */
+  learning: (store: () => Promise<unknown>) => Promise<void>;
 }
 
 /** That of the survey's place, else the browser's. */
@@ -77,10 +77,15 @@ export function useStart(of: Started): StartTyped {
     setOffset,
     said: () =>
       local ? { local: local + (twice.length > 0 || unchanged ? offset : ""), time_zone: zone.trim() } : null,
-    learn: (error) => {
-      const values =
-        error instanceof ApiError && error.said?.code === "local-time-twice" ? error.said.values : null;
-      if (values) setTwice([String(values["first"]), String(values["second"])]);
+    learning: async (store) => {
+      try {
+        await store();
+      } catch (error) {
+        const values =
+          error instanceof ApiError && error.said?.code === "local-time-twice" ? error.said.values : null;
+        if (values) setTwice([String(values["first"]), String(values["second"])]);
+        throw error;
+      }
     },
   };
 }

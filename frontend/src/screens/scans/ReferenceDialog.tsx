@@ -28,17 +28,16 @@ export function ReferenceDialog({ model, vehicle, before, onClose }: Props) {
   const [asked, setAsked] = useState(false);
   const units = scales(quantity);
   const read = { value: parsed(value, units.value), u: parsed(u, units.u) };
-  const submit = (): Promise<void> | null => {
+  const submit = async () => {
     setAsked(true);
-    if (read.value === null || read.u === null) return null;
-    return store(read.value, read.u);
-  };
-  const store = async (value_si: number, u_si: number): Promise<void> => {
+    if (read.value === null || read.u === null) return;
     const known = vehicle.references.find((one) => one.quantity === quantity && one.source === source);
     await api.write(
       "PUT /scan-vehicles/{vehicle_id}/references/{quantity}/{source}",
       { vehicle_id: vehicle.id, quantity, source },
-      { body: { value: value_si, u: u_si, device: device.trim() || null, revision: known?.revision ?? 0 } },
+      {
+        body: { value: read.value, u: read.u, device: device.trim() || null, revision: known?.revision ?? 0 },
+      },
     );
     onClose();
     await model.refresh();
