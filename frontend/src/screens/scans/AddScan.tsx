@@ -189,11 +189,12 @@ interface TypedCuts {
   readonly two: string;
 }
 
-const ALONG: Readonly<Record<CutAlong, string>> = wordsOf({
-  columns: "scans-new-cut-along-columns",
-  rows_left_up: "scans-new-cut-along-left",
-  rows_right_up: "scans-new-cut-along-right",
-});
+const ALONG: Readonly<Record<CutAlong, string>> = wordsOf(
+  "scans-new-cut-along-",
+  "columns",
+  "rows_left_up",
+  "rows_right_up",
+);
 
 function sameStrip({ first, second }: PickedStrips): boolean {
   return first !== null && first === second;

@@ -162,8 +162,8 @@ function Errors({ rows }: { rows: Found["errors"] }) {
           say("study-lighting"),
           num(say("study-vehicles")),
           num(say("study-bias")),
-          num(say("statistics-mae")),
-          num(say("statistics-rmse")),
+          num(say("statistics-error-mae_m")),
+          num(say("statistics-error-rmse_m")),
           num(say("study-sd")),
         ]}
       >
