@@ -1,4 +1,3 @@
-/** The chosen vehicle: its numbers, what is known of it, profile, match, budget, history, and the verdict. */
 import {
   Button,
   type Fact,
@@ -12,11 +11,12 @@ import {
 import { Said } from "../../components/Said";
 import { hint } from "../../core/commands";
 import { say, sentenceOf } from "../../core/messages";
-import { canWork } from "../../core/session";
+import { canWork, may } from "../../core/session";
 import { formatPlaceDay, formatPlaceTime, secondDigits } from "../../core/times";
 import type { ScanMotion, ScanVehicle } from "../../core/types";
 import { fixed, formatAcceleration, formatLength, formatSpeed } from "../../core/units";
 import { vehicleName } from "../../core/words";
+import { JudgeButton, Reject } from "../../parts/verdicts/Reject";
 import { EvidenceButton } from "./EvidenceDialog";
 import { HeightList } from "./HeightList";
 import { laneByPerson } from "./kinds";
@@ -26,7 +26,6 @@ import type { ScanModel } from "./model";
 import { ProfileFigure } from "./ProfileFigure";
 import { References } from "./References";
 import { Budget, History, Known } from "./VehicleParts";
-import { Verdict } from "./Verdict";
 import { causeWords, formatMeasured, formatSeconds, stateOf } from "./words";
 
 export function VehiclePanel({ model }: { model: ScanModel }) {
@@ -248,4 +247,47 @@ function Tools({ model, m }: { model: ScanModel; m: ScanMotion | null }) {
       />
     </div>
   );
+}
+
+/** Accept or reject a motion; a second person's work, as for heights. */
+function Verdict({ model, m }: { model: ScanModel; m: ScanMotion }) {
+  if (m.status !== "ok" || !may("reviewer")) return null;
+  if (m.mine) return <Notice>{say("scan-verdict-mine")}</Notice>;
+  const { judging } = model;
+  if (judging.rejection.begun.value) return <Reject rejection={judging.rejection} busy={model.busy.value} />;
+  const given = givenWords(m.review);
+  if (given) {
+    return (
+      <div class="row row--wrap">
+        <span class="small grow">{given}</span>
+        <Button
+          says="scan-verdict-reopen"
+          small
+          busy={model.busy.value}
+          onClick={() => void judging.review("reopened")}
+        />
+      </div>
+    );
+  }
+  return (
+    <div class="row row--wrap">
+      <JudgeButton
+        of="reviewAccept"
+        testId="scan-accept"
+        kind="primary"
+        icon="check"
+        disabled={model.busy.value}
+        onClick={() => void judging.review("accepted")}
+      />
+      <JudgeButton of="reviewReject" testId="scan-reject" onClick={() => judging.reject()} />
+    </div>
+  );
+}
+
+/** Who said what; null while it waits. */
+function givenWords({ verdict, reason, reviewer }: ScanMotion["review"]): string | null {
+  if (verdict !== "accepted" && verdict !== "rejected") return null;
+  const person = reviewer?.name ?? say("scan-by-somebody");
+  if (!reason) return say("scan-verdict-given", { verdict, person });
+  return say("scan-verdict-given-why", { verdict, person, reason });
 }
