@@ -55,15 +55,15 @@ export function useResource<T>(
   return { ...state, reload: load, set };
 }
 
-/** The answer to a question, asked again when another thing is asked, or when one of `also` is another. */
+/** The answer to a question, asked again when another thing is asked, or when one of `also` is another; null: nothing is. */
 export function useAsked<R extends Question>(
-  route: R,
+  route: R | null,
   params: ParamsOf<R> = {} as ParamsOf<R>,
   { also = [], ...options }: Options & { also?: readonly unknown[] } = {},
 ): Resource<AnswerOf<R>> {
   const ask = api.ask as (route: R, params: ParamsOf<R>, how: RequestOptions) => Promise<AnswerOf<R>>;
   return useResource(
-    (signal) => ask(route, params, { signal }),
+    async (signal) => (route === null ? (null as unknown as AnswerOf<R>) : ask(route, params, { signal })),
     [route, JSON.stringify(params), ...also],
     options,
   );

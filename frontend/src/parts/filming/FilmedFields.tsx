@@ -31,18 +31,12 @@ export function FilmedFields({
   value: Filmed;
   onChange(change: Partial<Filmed>): void;
 }) {
-  const labels = {
-    filmed_from: say("statistics-filter-filmed-from"),
-    filmed_to: say("statistics-filter-filmed-to"),
-    hour_from: say("statistics-filter-hour-from"),
-    hour_to: say("statistics-filter-hour-to"),
-  };
   return (
     <>
       {DAYS.map((name) => (
         <DateField
           key={name}
-          label={labels[name]}
+          says={`statistics-filter-${name}`}
           value={value[name] ?? ""}
           onChange={(day) => onChange({ [name]: day || null })}
         />
@@ -50,7 +44,7 @@ export function FilmedFields({
       {HOURS.map((name, ends) => (
         <OptionalField
           key={name}
-          label={labels[name]}
+          says={`statistics-filter-${name}`}
           value={value[name] === null ? null : String(value[name])}
           none={say("statistics-filter-any")}
           options={Array.from({ length: DAY_H }, (_, hour) => ({

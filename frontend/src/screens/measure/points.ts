@@ -111,11 +111,8 @@ export class Points implements ClickTool {
     const { contact, awaiting: awaited, reel, flow, seenFrame, geometry } = this.desk;
     const target = flow.value.target;
     const recordingId = reel.player.value?.recordingId;
-    if (!point || awaited.value !== "point" || !contact.value || recordingId === undefined || !target) {
-      geometry.forgetHeight();
-      return true;
-    }
-    if (this.desk.snapping.isAtContact(point)) {
+    const atPoint = point && awaited.value === "point" && !this.desk.snapping.isAtContact(point);
+    if (!atPoint || !contact.value || recordingId === undefined || !target) {
       geometry.forgetHeight();
       return true;
     }

@@ -2,6 +2,7 @@ import { say, sentenceOf } from "../../core/messages";
 import { lengthScale, smallScale } from "../../core/units";
 import {
   type Curve,
+  DENSITY_COLUMNS,
   densityMarks,
   densityRows,
   ECDF_COLUMNS,
@@ -151,14 +152,7 @@ function DensityFigure({ errors }: { errors: Errors }) {
         };
       }}
       table={() => ({
-        columns: [
-          "lighting",
-          "signed_error_m",
-          "density_per_m",
-          "band95_low_per_m",
-          "band95_high_per_m",
-          "n",
-        ],
+        columns: ["lighting", "signed_error_m", ...DENSITY_COLUMNS],
         rows: list.flatMap((one) => densityRows(one.group, one.part)),
       })}
     />
