@@ -112,7 +112,6 @@ function Runs({ computings, shown }: { computings: readonly Computing[]; shown: 
   );
 }
 
-/** One computing: what it changed in words, as a figure, and height by height, with the undo of all. */
 interface Props {
   surveyId: number;
   computing: Computing;
@@ -120,6 +119,7 @@ interface Props {
   undo(): Promise<unknown>;
 }
 
+/** One computing: what it changed in words, as a figure, and height by height, with the undo of all. */
 function ComputedHeightsPanel({ surveyId, computing, busy, undo }: Props) {
   const read = useAsked(
     "GET /computings/{computing_id}",

@@ -163,9 +163,9 @@ function Row({ vehicle, stream, surveyId, lanes }: RowProps) {
   );
 }
 
-/** How a stream is, in figures: what came, what was lost, the light, the clock, the memory. */
 const MOST_DN = 255;
 
+/** How a stream is, in figures: what came, what was lost, the light, the clock, the memory. */
 function Health({ stream }: { stream: LiveStream }) {
   const { health } = stream;
   if (!health) return null;
@@ -205,10 +205,10 @@ function percentOf(share: number): string {
   return `${fixed(100 * share, 0)} %`;
 }
 
-/** Vehicles a minute over the last hour; minutes that were not watched whole are hatched. */
 type Minutes = LiveStream["flow"];
 const LEAST_TOP = 5;
 
+/** Vehicles a minute over the last hour; minutes that were not watched whole are hatched. */
 function Flow({ flow }: { flow: Minutes }) {
   const top = Math.max(LEAST_TOP, ...flow.map((one) => one.vehicles));
   const whole = flow.filter((one) => one.whole).at(-1);

@@ -214,11 +214,11 @@ function Said({ model, entry }: { model: MeasureModel; entry: Entry }) {
   );
 }
 
-/** A target that cannot be measured: asked why by one key and one digit, said in its row, taken back by a button. */
 const REASONS = Object.keys(NOT_VISIBLE_WORDS) as NotVisible[];
 /** The reason given last is the first to take again. */
 const last = stored<NotVisible>("unseen.reason", "hidden", (value) => REASONS.includes(value as NotVisible));
 
+/** A target that cannot be measured: asked why by one key and one digit, said in its row, taken back by a button. */
 function Unseen({ model, target }: { model: MeasureModel; target: Target }) {
   const vehicle = model.vehicle.value;
   const asked = ASKABLE.find((one) => one === target);

@@ -291,11 +291,10 @@ function Sigma({ one, busy, choose }: { one: PersonRepeats } & Pick<Props, "busy
   );
 }
 
-/** Each repeat's difference from what it repeats, with the bar that the clicks' uncertainty lets one expect. */
-
 /** Symbols tell the targets apart: colours belong to the road's axes. */
 const SYMBOLS: readonly Dot[] = ["triangle", "circle", "square", "cross", "diamond"];
 
+/** Each repeat's difference from what it repeats, with the bar that the clicks' uncertainty lets one expect. */
 function DifferenceFigure({ differences }: { differences: readonly RepeatDifference[] }) {
   const unit = lengthUnit.value;
   const shown = TARGETS.filter((target) => differences.some((one) => one.target === target));

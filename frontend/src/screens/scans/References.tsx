@@ -91,7 +91,6 @@ async function withdraw(model: ScanModel, vehicle: ScanVehicle, one: ScanReferen
   await model.refresh();
 }
 
-/** One reference value of a vehicle, with its uncertainty and what measured it. */
 interface Props {
   model: ScanModel;
   vehicle: ScanVehicle;
@@ -100,6 +99,7 @@ interface Props {
   onClose: () => void;
 }
 
+/** One reference value of a vehicle, with its uncertainty and what measured it. */
 function ReferenceDialog({ model, vehicle, before, onClose }: Props) {
   const form = useForm(() => {
     const { quantity = "speed", source = "radar", device = null } = before ?? {};

@@ -271,11 +271,11 @@ function SamplePlan({ sdM }: { sdM: number | null }) {
   );
 }
 
-/** Where vehicles drive across the road: by lane as a figure, by lane and class as a table. */
 const PERCENTS = [5, 50, 95];
 const laneWord = (word: string) => groupWord("lane", word);
 const classWord = (word: string) => groupWord("category", word);
 
+/** Where vehicles drive across the road: by lane as a figure, by lane and class as a table. */
 function LateralSection({ lateral }: { lateral: Lateral }) {
   const lanes = lateral.lanes.groups;
   const curves = drawn(lanes, "lane");

@@ -87,9 +87,9 @@ export default function SystemScreen() {
   );
 }
 
-/** What the installation signed: where its audit chains ended, to be kept in another place. */
 type Listed = AnswerOf<"GET /audit/checkpoints">;
 
+/** What the installation signed: where its audit chains ended, to be kept in another place. */
 function Checkpoints() {
   const found = useAsked("GET /audit/checkpoints");
   const { busy, problem, run } = useAction();
