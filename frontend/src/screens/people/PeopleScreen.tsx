@@ -29,7 +29,7 @@ export default function PeopleScreen() {
   const people = useAsked(may("admin") ? "GET /people" : null);
   const [adding, setAdding] = useState(false);
   const [invitation, setInvitation] = useState<Invitation | null>(null);
-  const { problem, run: attempt } = useAction();
+  const { problem, run } = useAction(people.reload);
   if (!may("admin")) {
     return (
       <div class="page page--alone">
@@ -37,10 +37,6 @@ export default function PeopleScreen() {
       </div>
     );
   }
-  const run = async (work: () => Promise<unknown>) => {
-    await attempt(work);
-    await people.reload();
-  };
   const put = (person: Person, part: Partial<Person>) =>
     run(() => {
       const { name, role, active } = { ...person, ...part };
