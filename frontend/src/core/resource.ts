@@ -3,10 +3,7 @@ import { api, type RequestOptions } from "./api";
 import { language } from "./messages";
 import type { AnswerOf, ParamsOf, Question } from "./routes";
 
-export interface Resource<T> {
-  data: T | null;
-  error: unknown;
-  loading: boolean;
+export interface Resource<T> extends State<T> {
   reload: () => Promise<void>;
   /** Puts in a newer value that an answer brought, or changes the value that is there now, without asking again. */
   set: (next: T | ((now: T) => T)) => void;
