@@ -205,13 +205,7 @@ function Lists() {
   );
 }
 
-interface Library {
-  name: string;
-  version: string;
-  licence: string | null;
-}
-
-function LicencesList({ title, libraries }: { title: string; libraries: readonly Library[] }) {
+function LicencesList({ title, libraries }: { title: string; libraries: typeof inPages }) {
   return (
     <DataTable
       label={title}
