@@ -1,16 +1,12 @@
 /** Days and hours of filming, by the clocks of the place: one form for figures, packages and motions. */
+
 import { DateField, OptionalField } from "../../components";
 import { say } from "../../core/messages";
-
-export interface Filmed {
-  filmed_from: string | null;
-  filmed_to: string | null;
-  hour_from: number | null;
-  hour_to: number | null;
-}
+import type { ExportPackage } from "../../core/types";
 
 const DAYS = ["filmed_from", "filmed_to"] as const;
 const HOURS = ["hour_from", "hour_to"] as const;
+export type Filmed = Pick<ExportPackage["selection"], (typeof DAYS | typeof HOURS)[number]>;
 const DAY_H = 24;
 
 /** What an address says of it. */

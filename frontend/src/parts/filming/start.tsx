@@ -1,4 +1,5 @@
 /** The start of a recording as a person confirms it: by the clocks of its place, with the zone they show. */
+
 import type { VNode } from "preact";
 import { useState } from "preact/hooks";
 import { Button, Field, Segments, TextField } from "../../components";
@@ -6,13 +7,10 @@ import { ApiError } from "../../core/api";
 import { say, wordsOf } from "../../core/messages";
 import { survey } from "../../core/survey";
 import { formatPlaceMoment, ownZone, placeTime, TIME_ZONES } from "../../core/times";
+import type { Recording } from "../../core/types";
 
 /** What is known of a start: confirmed, or proposed. */
-export interface Started {
-  started_local: string | null;
-  time_zone: string | null;
-  start_proposed: string | null;
-}
+export type Started = Pick<Recording, "started_local" | "time_zone" | "start_proposed">;
 
 /** A start as it is being typed. */
 export interface StartTyped {
