@@ -4,7 +4,7 @@ import { useForm } from "../../core/form";
 import { say } from "../../core/messages";
 import type { Camera, CameraDetail } from "../../core/types";
 
-interface AddProps {
+export interface AddProps {
   surveyId: number;
   count: number;
   close: () => void;

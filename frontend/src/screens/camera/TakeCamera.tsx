@@ -3,16 +3,10 @@ import { FormDialog, Loading, Notice, named, Problem, SelectField } from "../../
 import { api } from "../../core/api";
 import { say, sentenceOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
-import type { Camera } from "../../core/types";
-
-interface Props {
-  surveyId: number;
-  close: () => void;
-  added: (camera: Camera) => Promise<void>;
-}
+import type { AddProps } from "./AddCamera";
 
 /** A camera of another survey, with its calibration, for this one too. */
-export function TakeCamera({ surveyId, close, added }: Props) {
+export function TakeCamera({ surveyId, close, added }: Omit<AddProps, "count">) {
   const surveys = useAsked("GET /surveys");
   const others = (surveys.data ?? []).filter((one) => one.id !== surveyId);
   const [from, setFrom] = useState<number | null>(null);
