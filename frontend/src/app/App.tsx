@@ -1,19 +1,18 @@
-import { useEffect } from "preact/hooks";
-import { AskDialog, Loading, Problem } from "../components";
+import { useEffect, useRef, useState } from "preact/hooks";
+import { AskDialog, Icon, type IconName, Loading, Problem, StateMark } from "../components";
 import { late } from "../components/late";
 import { Toasts } from "../components/Toasts";
 import { current, navigate, pathname, surveyHere } from "../core/address";
 import { useCommands } from "../core/commands";
 import { language, say } from "../core/messages";
-import { addressCalled, titleOf } from "../core/places";
+import { addressCalled, type PlaceName, titleOf } from "../core/places";
 import { loadSession, me, sessionProblem } from "../core/session";
 import { loadSurvey, survey, surveyProblem } from "../core/survey";
-import { Arrival } from "./arrival";
+import { type EntryName, groupsOf, holds, stepState } from "../core/work";
 import { keysShown } from "./KeysDialog.state";
 import "./kinds";
 import { tour } from "../core/tour";
 import { Offline } from "./Offline";
-import { Rail } from "./Rail";
 import { NotFound, Screen } from "./Screen";
 import { TopBar } from "./TopBar";
 import { Unsaved } from "./Unsaved";
@@ -147,5 +146,94 @@ function SurveyProblem({ id }: { id: number }) {
         <a href="/">{say("app-to-surveys")}</a>
       </p>
     </div>
+  );
+}
+
+/** Coming to another page: its title is announced and its heading gets the focus, so that nobody is left where the link was. */
+function Arrival() {
+  const here = current.value;
+  const [title, setTitle] = useState("");
+  const loading = useRef(true);
+  useEffect(() => {
+    // the browser itself announces a page that it loads
+    if (loading.current) {
+      loading.current = false;
+      return;
+    }
+    setTitle(here ? titleOf(here.place.name) : say("app-not-found"));
+    const main = document.getElementById("main");
+    return main ? focusHeading(main) : undefined;
+  }, [here?.place.name, here?.surveyId]);
+  return (
+    <p class="visually-hidden" role="status" data-testid="arrival">
+      {title}
+    </p>
+  );
+}
+
+/** The page's heading may come later than the page: until then the focus waits on `main`, unless the person moves it. */
+function focusHeading(main: HTMLElement): () => void {
+  main.focus({ preventScroll: true });
+  const watch = new MutationObserver(() => settle());
+  const settle = (): void => {
+    const heading = main.querySelector("h1");
+    const waits = document.activeElement === main;
+    if (heading && waits) {
+      heading.tabIndex = -1;
+      heading.focus({ preventScroll: true });
+    }
+    if (heading || !waits) watch.disconnect();
+  };
+  watch.observe(main, { childList: true, subtree: true });
+  settle();
+  return () => watch.disconnect();
+}
+
+const ICONS: Record<EntryName, IconName> = {
+  survey: "overview",
+  planning: "search",
+  camera: "camera",
+  recordings: "film",
+  pose: "road",
+  measure: "ruler",
+  scans: "scan",
+  review: "review",
+  checks: "check",
+  statistics: "chart",
+  export: "package",
+  history: "audit",
+  settings: "settings",
+};
+
+/** The pages of a survey beside the quiet screens, in groups: each step of the work with its state. */
+function Rail({ surveyId, name }: { surveyId: number; name: PlaceName }) {
+  return (
+    <nav class="rail" aria-label={say("app-work")}>
+      {groupsOf(survey.value, name).map((group) => (
+        <section key={group.key} class={`rail__${group.key}`}>
+          {group.key !== "overview" && group.key !== "aside" && (
+            <h2 class="rail__group">{say(`rail-${group.key}`)}</h2>
+          )}
+          <ul>
+            {group.entries.map((entry) => {
+              const state = stepState(survey.value, entry.step);
+              return (
+                <li key={entry.name}>
+                  <a
+                    class="rail__item"
+                    href={entry.address(surveyId)}
+                    aria-current={holds(entry, name) ? "page" : undefined}
+                  >
+                    <Icon name={ICONS[entry.name]} />
+                    <span class="grow">{titleOf(entry.name)}</span>
+                    {state && <StateMark state={state} hideWord />}
+                  </a>
+                </li>
+              );
+            })}
+          </ul>
+        </section>
+      ))}
+    </nav>
   );
 }

@@ -1,20 +1,21 @@
 import { Fragment } from "preact";
-import { Button, choices, LanguageChoice, Mark, Menu } from "../components";
+import { Button, choices, LanguageChoice, Mark, Menu, Select } from "../components";
 import { current, surveyHere } from "../core/address";
 import { hint } from "../core/commands";
+import { held } from "../core/form";
 import { say, wordsOf } from "../core/messages";
 import { outbox } from "../core/outbox";
 import { guideAddress, type PlaceName, titleOf } from "../core/places";
 import { saveState } from "../core/save";
 import { me, signOut } from "../core/session";
 import { survey } from "../core/survey";
-import { type ThemeChoice, themeChoice } from "../core/theme";
+import { themeChoice } from "../core/theme";
 import { formatClock } from "../core/times";
 import { toastProblem } from "../core/toasts";
 import { topTools } from "../core/topbar";
 import { beginTour } from "../core/tour";
 import { ROLE_NAMES } from "../core/types";
-import { type LengthUnit, lengthUnit } from "../core/units";
+import { lengthUnit } from "../core/units";
 import { groupsOf, holds } from "../core/work";
 import { keysShown } from "./KeysDialog.state";
 
@@ -187,12 +188,6 @@ function SaveWord() {
   );
 }
 
-const themes = (): { value: ThemeChoice; label: string }[] => [
-  { value: "system", label: say("menu-theme-system") },
-  { value: "light", label: say("menu-theme-light") },
-  { value: "dark", label: say("menu-theme-dark") },
-];
-
 function PersonMenu() {
   const person = me.value?.person;
   if (!person) return null;
@@ -219,22 +214,14 @@ function PersonMenu() {
         {titleOf("account")}
       </a>
       <div class="menu__sep" />
-      <Choice
-        label={say("menu-theme")}
-        value={themeChoice.value}
-        options={themes()}
-        set={(v) => {
-          themeChoice.value = v;
-        }}
-      />
-      <Choice<LengthUnit>
-        label={say("menu-lengths")}
-        value={lengthUnit.value}
-        options={choices(wordsOf("menu-lengths-", "m", "ft"))}
-        set={(v) => {
-          lengthUnit.value = v;
-        }}
-      />
+      <label class="menu__choice">
+        {say("menu-theme")}
+        <Select options={choices(wordsOf("menu-theme-", "system", "light", "dark"))} {...held(themeChoice)} />
+      </label>
+      <label class="menu__choice">
+        {say("menu-lengths")}
+        <Select options={choices(wordsOf("menu-lengths-", "m", "ft"))} {...held(lengthUnit)} />
+      </label>
       <LanguageChoice class="menu__choice" />
       <div class="menu__sep" />
       <button type="button" class="menu__item" onClick={() => beginTour().catch(toastProblem)}>
@@ -244,28 +231,6 @@ function PersonMenu() {
         {say("menu-sign-out")}
       </button>
     </Menu>
-  );
-}
-
-interface ChoiceProps<T extends string> {
-  label: string;
-  value: T;
-  options: { value: T; label: string }[];
-  set: (value: T) => void;
-}
-
-function Choice<T extends string>({ label, value, options, set }: ChoiceProps<T>) {
-  return (
-    <label class="menu__choice">
-      {label}
-      <select class="input" value={value} onChange={(event) => set(event.currentTarget.value as T)}>
-        {options.map((option) => (
-          <option key={option.value} value={option.value}>
-            {option.label}
-          </option>
-        ))}
-      </select>
-    </label>
   );
 }
 

@@ -22,6 +22,7 @@ type CommitFieldProps = Named & {
 };
 
 export function CommitField(props: CommitFieldProps) {
+  const { unit, numeric, rows, disabled } = props;
   const typing = useTyping(props.value);
   const hold = useContext(TypingHold);
   const [problem, setProblem] = useState<string | null>(null);
@@ -46,12 +47,8 @@ export function CommitField(props: CommitFieldProps) {
     <Field label={nameOf(props)} problem={problem} hint={props.hint}>
       {(wiring) => (
         <TextControl
-          {...wiring}
+          {...{ ...wiring, unit, numeric, rows, disabled }}
           value={typing.text}
-          unit={props.unit}
-          numeric={props.numeric}
-          rows={props.rows}
-          disabled={props.disabled}
           onInput={typing.type}
           onBlur={() => void commit()}
           onKeyDown={onKeyDown}

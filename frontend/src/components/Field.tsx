@@ -68,26 +68,12 @@ type TextFieldProps = Named & {
 };
 
 export function TextField(props: TextFieldProps) {
-  const { hint, problem, hideLabel, suggestions } = props;
+  const { says: _says, label: _label, hint, problem, hideLabel, suggestions, ...control } = props;
   return (
     <Field label={nameOf(props)} hint={hint} problem={problem} hideLabel={hideLabel}>
       {(wiring) => (
         <>
-          <TextControl
-            {...wiring}
-            value={props.value}
-            unit={props.unit}
-            numeric={props.numeric}
-            rows={props.rows}
-            type={props.type}
-            placeholder={props.placeholder}
-            autoComplete={props.autoComplete}
-            required={props.required}
-            disabled={props.disabled}
-            list={suggestions && `${wiring.id}-list`}
-            onInput={props.onInput}
-            onChange={props.onChange}
-          />
+          <TextControl {...wiring} {...control} list={suggestions && `${wiring.id}-list`} />
           {suggestions && (
             <datalist id={`${wiring.id}-list`}>
               {suggestions.map((one) => (
@@ -103,13 +89,9 @@ export function TextField(props: TextFieldProps) {
 
 interface TextControlProps
   extends Partial<Wiring>,
-    Pick<TextFieldProps, "type" | "numeric" | "unit" | "rows" | "placeholder" | "autoComplete" | "required"> {
-  value: string;
-  disabled?: boolean;
+    Omit<TextFieldProps, keyof Named | "hint" | "problem" | "hideLabel" | "suggestions"> {
   /** The list of what may be meant, by its id. */
   list?: string;
-  onInput: (text: string) => void;
-  onChange?: (text: string) => void;
   onBlur?: () => void;
   onKeyDown?: (event: KeyboardEvent & Typed) => void;
 }
@@ -192,28 +174,15 @@ export function DateField({ value, onChange, ...name }: DateFieldProps) {
   );
 }
 
-interface SelectFieldProps<T extends string> {
-  value: T;
-  options: readonly { value: T; label: string; disabled?: boolean }[];
-  onInput: (value: T) => void;
-  hint?: ComponentChildren;
-  problem?: string | null;
-  hideLabel?: boolean;
-  disabled?: boolean;
-}
+interface SelectFieldProps<T extends string>
+  extends Pick<SelectProps<T>, "value" | "options" | "onInput" | "disabled">,
+    Pick<TextFieldProps, "hint" | "problem" | "hideLabel"> {}
 
 export function SelectField<T extends string>(props: Named & SelectFieldProps<T>) {
+  const { says: _says, label: _label, hint, problem, hideLabel, ...control } = props;
   return (
-    <Field label={nameOf(props)} hint={props.hint} problem={props.problem} hideLabel={props.hideLabel}>
-      {(wiring) => (
-        <Select
-          {...wiring}
-          value={props.value}
-          disabled={props.disabled}
-          options={props.options}
-          onInput={props.onInput}
-        />
-      )}
+    <Field label={nameOf(props)} hint={hint} problem={problem} hideLabel={hideLabel}>
+      {(wiring) => <Select {...wiring} {...control} />}
     </Field>
   );
 }

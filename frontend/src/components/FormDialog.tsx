@@ -11,9 +11,9 @@ type FormDialogProps = Named<string> & {
   /** The verb on the button. */
   action: string;
   onClose: () => void;
-  /** Does it, and closes the dialog when it is done; what it throws is shown and the dialog stays. Null: something that was
-   *  entered is wrong, and its field says so. */
-  submit: () => Promise<void> | null;
+  /** Does it, and closes the dialog when it is done; what it throws is shown and the dialog stays, as it does where
+   *  something that was entered is wrong, and its field says so. */
+  submit: () => Promise<unknown>;
   disabled?: boolean;
   wide?: boolean;
   children: ComponentChildren;
@@ -32,9 +32,7 @@ export function FormDialog(props: FormDialogProps) {
   };
   const send = async (event: Event) => {
     event.preventDefault();
-    if (busy || disabled) return;
-    const sent = submit();
-    if (sent !== null) await run(() => sent);
+    if (!busy && !disabled) await run(submit);
   };
   return (
     <Dialog

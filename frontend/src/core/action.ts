@@ -9,7 +9,8 @@ export interface Action {
   run: (work: () => Promise<unknown>) => Promise<boolean>;
 }
 
-export function useAction(): Action {
+/** `after`: done behind every one, also where it failed: what the page shows is read again. */
+export function useAction(after?: () => Promise<unknown>): Action {
   const [busy, setBusy] = useState(false);
   const [problem, setProblem] = useState<unknown>(null);
   const run = async (work: () => Promise<unknown>) => {
@@ -23,6 +24,7 @@ export function useAction(): Action {
       return false;
     } finally {
       setBusy(false);
+      await after?.();
     }
   };
   return { busy, problem, setProblem, run };

@@ -312,20 +312,10 @@ window.addEventListener("keyup", (event) => {
 
 // A list that was chosen from with the pointer is left: else the next key, meant as a command, chooses another of its lines.
 let pointed: EventTarget | null = null;
-window.addEventListener(
-  "pointerdown",
-  ({ target }) => {
-    pointed = target;
-  },
-  true,
-);
-window.addEventListener(
-  "keydown",
-  () => {
-    pointed = null;
-  },
-  true,
-);
+const noted = ({ type, target }: Event): void => {
+  pointed = type === "pointerdown" ? target : null;
+};
+for (const type of ["pointerdown", "keydown"]) window.addEventListener(type, noted, true);
 window.addEventListener("change", ({ target }) => {
   if (target instanceof HTMLSelectElement && target === pointed) target.blur();
 });

@@ -110,8 +110,6 @@ export class History {
   }
 
   /** Does something as one step. Work that fails leaves no step. */
-  run(label: string, work: (changes: ChangeSet) => Promise<void>): Promise<void>;
-  run(label: string, work: (changes: ChangeSet) => void): void;
   run(label: string, work: (changes: ChangeSet) => Promise<void> | void): Promise<void> | void {
     const changes = this.begin(label);
     const under = work(changes);
@@ -135,7 +133,7 @@ export class History {
   }
 
   /** Work that must see what the steps before it stored: it waits for an undo that is still under way. */
-  inTurn<T>(work: () => Promise<T>): Promise<T> {
+  inTurn<T>(work: () => Promise<T> | T): Promise<T> {
     const turn = this.running.then(work);
     this.running = turn.then(
       () => {},

@@ -3,10 +3,7 @@ import { api, type RequestOptions } from "./api";
 import { language } from "./messages";
 import type { AnswerOf, ParamsOf, Question } from "./routes";
 
-export interface Resource<T> {
-  data: T | null;
-  error: unknown;
-  loading: boolean;
+export interface Resource<T> extends State<T> {
   reload: () => Promise<void>;
   /** Puts in a newer value that an answer brought, or changes the value that is there now, without asking again. */
   set: (next: T | ((now: T) => T)) => void;
@@ -55,15 +52,15 @@ export function useResource<T>(
   return { ...state, reload: load, set };
 }
 
-/** The answer to a question, asked again when another thing is asked, or when one of `also` is another. */
+/** The answer to a question, asked again when another thing is asked, or when one of `also` is another; null: nothing is. */
 export function useAsked<R extends Question>(
-  route: R,
+  route: R | null,
   params: ParamsOf<R> = {} as ParamsOf<R>,
   { also = [], ...options }: Options & { also?: readonly unknown[] } = {},
 ): Resource<AnswerOf<R>> {
   const ask = api.ask as (route: R, params: ParamsOf<R>, how: RequestOptions) => Promise<AnswerOf<R>>;
   return useResource(
-    (signal) => ask(route, params, { signal }),
+    async (signal) => (route === null ? (null as unknown as AnswerOf<R>) : ask(route, params, { signal })),
     [route, JSON.stringify(params), ...also],
     options,
   );

@@ -3,28 +3,15 @@ import { computed } from "@preact/signals";
 import { region, say } from "./messages";
 import { fixed } from "./units";
 
-const clock = format({ hour: "2-digit", minute: "2-digit", second: "2-digit" });
-const hour = format({ hour: "2-digit", minute: "2-digit" });
-const day = format({ day: "numeric", month: "short", year: "numeric" });
-const dayTime = format({
-  day: "numeric",
-  month: "short",
-  year: "numeric",
-  hour: "2-digit",
-  minute: "2-digit",
-});
+const DAY = { day: "numeric", month: "short", year: "numeric" } as const;
+const HOUR = { hour: "2-digit", minute: "2-digit" } as const;
 
-const placeDayTime = format({
-  day: "numeric",
-  month: "short",
-  year: "numeric",
-  hour: "2-digit",
-  minute: "2-digit",
-  second: "2-digit",
-  timeZone: "UTC",
-});
-
-const placeDay = format({ day: "numeric", month: "short", year: "numeric", timeZone: "UTC" });
+const clock = format({ ...HOUR, second: "2-digit" });
+const hour = format(HOUR);
+const day = format(DAY);
+const dayTime = format({ ...DAY, ...HOUR });
+const placeDayTime = format({ ...DAY, ...HOUR, second: "2-digit", timeZone: "UTC" });
+const placeDay = format({ ...DAY, timeZone: "UTC" });
 
 function format(options: Intl.DateTimeFormatOptions) {
   return computed(() => new Intl.DateTimeFormat(region.value, options));

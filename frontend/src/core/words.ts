@@ -54,12 +54,7 @@ export const LIGHTING_WORDS: Readonly<Record<Lighting, string>> = wordsOf(
 export const LIGHTING_NOUNS: Readonly<Record<Lighting, string>> = wordsOf("lighting-noun-");
 
 /** How a live stream is. */
-export const LIVE_WORDS = wordsOf({
-  running: "live-running",
-  silent: "live-silent-state",
-  stopped: "live-stopped-state",
-  ended: "live-ended",
-});
+export const LIVE_WORDS = wordsOf("live-state-");
 
 /** Why a target cannot be measured. */
 export const NOT_VISIBLE_WORDS: Readonly<Record<NotVisible, string>> = wordsOf("not-visible-");

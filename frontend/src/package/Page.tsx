@@ -139,18 +139,21 @@ function FolderChoice() {
   useEffect(() => (usable ? dropsTaken() : undefined), [usable]);
   if (!usable) return null;
   const busy = folder.value === "checking";
+  const choice = (kind: "folder" | "zip") => ({
+    type: "file" as const,
+    "data-choice": kind,
+    disabled: busy,
+    onClick: afresh,
+  });
   return (
     <div class="opened__choices">
       <p>{busy ? say("opened-folder-checking") : say("opened-folder-choose")}</p>
       <label class="opened__choice">
         <span>{say("opened-folder-folder")}</span>
         <input
-          type="file"
+          {...choice("folder")}
           multiple
-          data-choice="folder"
           ref={(input) => input?.setAttribute("webkitdirectory", "")}
-          disabled={busy}
-          onClick={afresh}
           onChange={(event) => {
             const chosen = [...(event.currentTarget.files ?? [])];
             return checkPieces(async () => ofChosen(chosen));
@@ -160,11 +163,8 @@ function FolderChoice() {
       <label class="opened__choice">
         <span>{say("opened-folder-zip")}</span>
         <input
-          type="file"
+          {...choice("zip")}
           accept=".zip"
-          data-choice="zip"
-          disabled={busy}
-          onClick={afresh}
           onChange={(event) => {
             const [zip] = event.currentTarget.files ?? [];
             return zip && checkPieces(() => ofZip(zip));
@@ -182,18 +182,15 @@ function afresh(event: { currentTarget: HTMLInputElement }): void {
 
 /** What is dropped anywhere on the page is checked, and not opened in its place. Returns what ends it. */
 function dropsTaken(): () => void {
-  const over = (event: DragEvent) => event.preventDefault();
+  const ends = new AbortController();
   const drop = (event: DragEvent) => {
     event.preventDefault();
     const { dataTransfer } = event;
     if (dataTransfer) void checkPieces(() => ofDropped(dataTransfer));
   };
-  addEventListener("dragover", over);
-  addEventListener("drop", drop);
-  return () => {
-    removeEventListener("dragover", over);
-    removeEventListener("drop", drop);
-  };
+  addEventListener("dragover", (event) => event.preventDefault(), { signal: ends.signal });
+  addEventListener("drop", drop, { signal: ends.signal });
+  return () => ends.abort();
 }
 
 /** The figures that the conclusion rests on come first. */

@@ -1,11 +1,7 @@
 /** The files of a package however they came: of a chosen or dropped folder, or within a ZIP. */
-import { entriesOf } from "./zip";
+import { type Entry, entriesOf } from "./zip";
 
-export interface Piece {
-  readonly path: string;
-  readonly size: number;
-  readonly bytes: () => Promise<Uint8Array<ArrayBuffer>>;
-}
+export type Piece = Entry;
 
 /** The files of a folder that somebody chose; paths within it. */
 export function ofChosen(chosen: readonly File[]): Piece[] {

@@ -134,12 +134,10 @@ function useSpaceHeld(): { current: boolean } {
     const set = (event: KeyboardEvent): void => {
       if (event.code === "Space") held.current = event.type === "keydown";
     };
-    window.addEventListener("keydown", set, true);
-    window.addEventListener("keyup", set, true);
-    return () => {
-      window.removeEventListener("keydown", set, true);
-      window.removeEventListener("keyup", set, true);
-    };
+    const ends = new AbortController();
+    for (const type of ["keydown", "keyup"] as const)
+      window.addEventListener(type, set, { capture: true, signal: ends.signal });
+    return () => ends.abort();
   }, []);
   return held;
 }

@@ -3,17 +3,14 @@ import { api } from "../core/api";
 import { type Kind, outbox, type Wanted } from "../core/outbox";
 import type { Measurement, Target } from "../core/types";
 import { heightWords, STATE_WORDS, TARGET_WORDS } from "../core/words";
-import { type ImagePoint, pair } from "./points";
-import { isMeasurement } from "./values";
+import { pair } from "./points";
+import { type FramePoints, isMeasurement } from "./values";
 
 export const REPEAT = "repeat";
 
 /** What was clicked again; nothing of the first clicks is in it. */
-export interface Repeat {
+export interface Repeat extends FramePoints {
   readonly target: Target;
-  readonly frame: number;
-  readonly contact: ImagePoint;
-  readonly point: ImagePoint;
   readonly repeat_of: number;
 }
 

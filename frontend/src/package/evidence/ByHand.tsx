@@ -42,13 +42,7 @@ export function ByHand({ file }: { file: Held }) {
         ))}
         <label class="opened__filter">
           {say("opened-evidence-zoom")}
-          <input
-            type="range"
-            min={1}
-            max={MOST_ZOOM}
-            value={zoom}
-            onInput={(event) => setZoom(event.currentTarget.valueAsNumber)}
-          />
+          <input type="range" min={1} max={MOST_ZOOM} value={zoom} onInput={taken(setZoom)} />
         </label>
         <label class="opened__filter">
           <input type="checkbox" checked={own} onChange={() => showOwn(!own)} />
@@ -71,6 +65,13 @@ export function ByHand({ file }: { file: Held }) {
       <Overlay evidence={evidence} addresses={addresses} hand={hand} zoom={zoom} />
     </section>
   );
+}
+
+/** What is typed or slid; what is no number is not taken. */
+function taken(set: (value: number) => void) {
+  return ({ currentTarget: { valueAsNumber } }: { currentTarget: HTMLInputElement }) => {
+    if (Number.isFinite(valueAsNumber)) set(valueAsNumber);
+  };
 }
 
 interface StripProps {
@@ -167,10 +168,7 @@ function Table({ evidence, hand, place }: TableProps) {
                   step={1}
                   aria-label={say("opened-evidence-line", { edge, camera })}
                   value={hand[name] ?? ""}
-                  onInput={(event) => {
-                    const { valueAsNumber } = event.currentTarget;
-                    if (Number.isFinite(valueAsNumber)) place(name, valueAsNumber);
-                  }}
+                  onInput={taken((line) => place(name, line))}
                 />
               </td>
               <td>{decimal(m[name].toFixed(1))}</td>
@@ -250,7 +248,7 @@ function Overlay({ evidence, addresses, hand, zoom }: OverlayProps) {
             step={0.5}
             value={shift}
             data-shift="range"
-            onInput={(event) => setShift(event.currentTarget.valueAsNumber)}
+            onInput={taken(setShift)}
           />
           <input
             type="number"
@@ -259,22 +257,12 @@ function Overlay({ evidence, addresses, hand, zoom }: OverlayProps) {
             value={shift}
             data-shift="number"
             aria-label={say("opened-evidence-shift")}
-            onInput={(event) => {
-              const { valueAsNumber } = event.currentTarget;
-              if (Number.isFinite(valueAsNumber)) setShift(valueAsNumber);
-            }}
+            onInput={taken(setShift)}
           />
         </label>
         <label class="opened__filter">
           {say("opened-evidence-opacity")}
-          <input
-            type="range"
-            min={0}
-            max={1}
-            step={0.05}
-            value={opacity}
-            onInput={(event) => setOpacity(event.currentTarget.valueAsNumber)}
-          />
+          <input type="range" min={0} max={1} step={0.05} value={opacity} onInput={taken(setOpacity)} />
         </label>
         <label class="opened__filter">
           <input type="checkbox" checked={difference} onChange={() => setDifference(!difference)} />

@@ -2,8 +2,8 @@
 import type { Json } from "../canonical";
 import type { Handing } from "../chain";
 
+/** Of each thing what the page reads; the file holds more. */
 interface Who {
-  readonly id: number;
   readonly name: string;
 }
 
@@ -18,8 +18,6 @@ interface Rig {
   readonly misalignment_px: number | null;
   readonly u_misalignment_px: number;
   readonly shadow_share: number;
-  readonly baseline_correlation: number;
-  readonly u_distance_m: number;
   readonly lanes?: readonly unknown[];
 }
 
@@ -48,7 +46,6 @@ export interface Measured extends Lines {
   readonly id: number;
   readonly revision: number;
   readonly created_at: string;
-  readonly created_by: Who | null;
   readonly placed_by: number | null;
   readonly direction: "camera_1_first" | "camera_2_first";
   readonly lane: string | null;
@@ -56,7 +53,6 @@ export interface Measured extends Lines {
   readonly axles_by: "machine" | "person" | null;
   readonly method: "direct" | "paper";
   readonly code_version: string;
-  readonly status: string;
   readonly speed_mps: number | null;
   readonly u_speed_mps: number | null;
   readonly acceleration_mps2: number | null;
@@ -89,7 +85,6 @@ export interface AuditEvent extends Record<string, Json> {
 
 export interface PictureFacts {
   readonly name: string;
-  readonly camera: number;
   readonly sha256: string;
   readonly first_line: number;
   readonly columns: number;
@@ -101,9 +96,8 @@ export interface Evidence {
   readonly made_at: string;
   readonly made_by: Who | null;
   readonly program: string;
-  readonly survey: { readonly id: number; readonly name: string; readonly site: string };
+  readonly survey: { readonly name: string; readonly site: string };
   readonly scan: {
-    readonly id: number;
     readonly name: string;
     readonly lines: number;
     readonly rows_px: number;
@@ -115,11 +109,9 @@ export interface Evidence {
     readonly number: number;
     readonly make: string | null;
     readonly model: string | null;
-    readonly category: string | null;
   };
   readonly measurement: Measured;
   readonly review: Review;
-  readonly before: (Measured & { readonly number: number; readonly review: Review }) | null;
   readonly gap: {
     readonly time_gap_s: number | null;
     readonly u_time_gap_s: number | null;

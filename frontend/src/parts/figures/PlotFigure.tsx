@@ -60,14 +60,10 @@ function useOnPaper(before: () => void, after: () => void): void {
   const latest = useRef({ before, after });
   latest.current = { before, after };
   useEffect(() => {
-    const toPaper = () => latest.current.before();
-    const toScreen = () => latest.current.after();
-    window.addEventListener("beforeprint", toPaper);
-    window.addEventListener("afterprint", toScreen);
-    return () => {
-      window.removeEventListener("beforeprint", toPaper);
-      window.removeEventListener("afterprint", toScreen);
-    };
+    const ends = new AbortController();
+    window.addEventListener("beforeprint", () => latest.current.before(), { signal: ends.signal });
+    window.addEventListener("afterprint", () => latest.current.after(), { signal: ends.signal });
+    return () => ends.abort();
   }, []);
 }
 

@@ -56,7 +56,7 @@ export function Reader({ title, drawn, place }: Props) {
   const [x, setX] = useState<number | null>(null);
   const [low, high] = ends(drawn.x.domain);
   const [top, bottom] = ends(drawn.y.range);
-  const read = x === null ? [] : readOf(drawn, x, (high - low) * 0.015);
+  const read = x === null ? [] : drawn.curves.flatMap((one) => readAt(one, x, (high - low) * 0.015) ?? []);
   const words = x === null ? null : wordsOf(drawn, x, read, place);
   const at = x === null ? 0 : drawn.x.apply(x as never);
   const goTo = (to: number) => setX(Math.min(high, Math.max(low, to)));
@@ -131,10 +131,6 @@ const KEYS: Readonly<Record<string, number>> = {
   PageDown: -PAGE,
   PageUp: PAGE,
 };
-
-function readOf(drawn: Drawn, x: number, near: number): Read[] {
-  return drawn.curves.flatMap((one) => readAt(one, x, near) ?? []);
-}
 
 function wordsOf(drawn: Drawn, x: number, read: readonly Read[], place?: (x: number) => string) {
   const [xLow, xHigh] = ends(drawn.x.domain);

@@ -216,6 +216,8 @@ export function ecdfRows(word: string, ecdf: Ecdf): Cell[][] {
   return ecdf.value.map((value, i) => [word, value, ecdf.share[i], ecdf.low[i], ecdf.high[i], ecdf.n]);
 }
 
+export const DENSITY_COLUMNS = ["density_per_m", "band95_low_per_m", "band95_high_per_m", "n"] as const;
+
 export function densityRows(word: string, density: Density): Cell[][] {
   return density.value.map((value, i) => [
     word,

@@ -1,16 +1,12 @@
 /** Days and hours of filming, by the clocks of the place: one form for figures, packages and motions. */
+
 import { DateField, OptionalField } from "../../components";
 import { say } from "../../core/messages";
-
-export interface Filmed {
-  filmed_from: string | null;
-  filmed_to: string | null;
-  hour_from: number | null;
-  hour_to: number | null;
-}
+import type { ExportPackage } from "../../core/types";
 
 const DAYS = ["filmed_from", "filmed_to"] as const;
 const HOURS = ["hour_from", "hour_to"] as const;
+export type Filmed = Pick<ExportPackage["selection"], (typeof DAYS | typeof HOURS)[number]>;
 const DAY_H = 24;
 
 /** What an address says of it. */
@@ -31,18 +27,12 @@ export function FilmedFields({
   value: Filmed;
   onChange(change: Partial<Filmed>): void;
 }) {
-  const labels = {
-    filmed_from: say("statistics-filter-filmed-from"),
-    filmed_to: say("statistics-filter-filmed-to"),
-    hour_from: say("statistics-filter-hour-from"),
-    hour_to: say("statistics-filter-hour-to"),
-  };
   return (
     <>
       {DAYS.map((name) => (
         <DateField
           key={name}
-          label={labels[name]}
+          says={`statistics-filter-${name}`}
           value={value[name] ?? ""}
           onChange={(day) => onChange({ [name]: day || null })}
         />
@@ -50,7 +40,7 @@ export function FilmedFields({
       {HOURS.map((name, ends) => (
         <OptionalField
           key={name}
-          label={labels[name]}
+          says={`statistics-filter-${name}`}
           value={value[name] === null ? null : String(value[name])}
           none={say("statistics-filter-any")}
           options={Array.from({ length: DAY_H }, (_, hour) => ({

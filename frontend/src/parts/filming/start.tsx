@@ -1,4 +1,5 @@
 /** The start of a recording as a person confirms it: by the clocks of its place, with the zone they show. */
+
 import type { VNode } from "preact";
 import { useState } from "preact/hooks";
 import { Button, Field, Segments, TextField } from "../../components";
@@ -6,13 +7,10 @@ import { ApiError } from "../../core/api";
 import { say, wordsOf } from "../../core/messages";
 import { survey } from "../../core/survey";
 import { formatPlaceMoment, ownZone, placeTime, TIME_ZONES } from "../../core/times";
+import type { Recording } from "../../core/types";
 
 /** What is known of a start: confirmed, or proposed. */
-export interface Started {
-  started_local: string | null;
-  time_zone: string | null;
-  start_proposed: string | null;
-}
+export type Started = Pick<Recording, "started_local" | "time_zone" | "start_proposed">;
 
 /** A start as it is being typed. */
 export interface StartTyped {
@@ -27,8 +25,8 @@ export interface StartTyped {
   setOffset: (offset: string) => void;
   /** What is to be stored; null where nothing was typed. */
   said: () => { local: string; time_zone: string } | null;
-  /** A refusal that asks which of two hours is meant. */
-  learn: (error: unknown) => void;
+  /** Stores it, and asks which of two hours is meant where that was the refusal. */
+  learning: (store: () => Promise<unknown>) => Promise<void>;
 }
 
 /** That of the survey's place, else the browser's. */
@@ -77,10 +75,15 @@ export function useStart(of: Started): StartTyped {
     setOffset,
     said: () =>
       local ? { local: local + (twice.length > 0 || unchanged ? offset : ""), time_zone: zone.trim() } : null,
-    learn: (error) => {
-      const values =
-        error instanceof ApiError && error.said?.code === "local-time-twice" ? error.said.values : null;
-      if (values) setTwice([String(values["first"]), String(values["second"])]);
+    learning: async (store) => {
+      try {
+        await store();
+      } catch (error) {
+        const values =
+          error instanceof ApiError && error.said?.code === "local-time-twice" ? error.said.values : null;
+        if (values) setTwice([String(values["first"]), String(values["second"])]);
+        throw error;
+      }
     },
   };
 }

@@ -18,11 +18,9 @@ export function AddPerson({
   const { name, email, role } = form.values;
   const [tried, setTried] = useState(false);
   const emailWrong = !/^\S+@\S+$/.test(email.trim());
-  const submit = () => {
+  const submit = async () => {
     setTried(true);
-    return !name.trim() || emailWrong ? null : add();
-  };
-  const add = async () => {
+    if (!name.trim() || emailWrong) return;
     const body = { name: name.trim(), email: email.trim(), role };
     const made = await api.write("POST /people", {}, { body });
     added({ name: made.person.name, link: made.link }, made.person);

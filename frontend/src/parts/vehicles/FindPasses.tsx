@@ -15,7 +15,6 @@ export function FindPasses({ recording, found }: Props) {
     <RecordingJob
       recording={recording}
       kind="passes"
-      icon="search"
       start={() => api.write("POST /recordings/{recording_id}/find-passes", { recording_id: recording.id })}
       words={{
         action: say("passes-find"),

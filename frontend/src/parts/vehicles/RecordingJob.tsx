@@ -1,6 +1,5 @@
 /** A button that starts work on a recording, follows it, and says what came of it. */
 import { Button, JobProgress, Problem } from "../../components";
-import type { IconName } from "../../components/Icon";
 import { isOver, lastWords, useJobAction } from "../../core/jobs";
 import { may } from "../../core/session";
 import { toast } from "../../core/toasts";
@@ -10,7 +9,6 @@ import "./passes.css";
 export interface RecordingJobProps {
   recording: Pick<Recording, "id" | "name" | "state" | "job">;
   kind: string;
-  icon: IconName;
   start(): Promise<Job>;
   words: {
     action: string;
@@ -24,7 +22,7 @@ export interface RecordingJobProps {
   over(): void | Promise<void>;
 }
 
-export function RecordingJob({ recording, kind, icon, start, words, over }: RecordingJobProps) {
+export function RecordingJob({ recording, kind, start, words, over }: RecordingJobProps) {
   const known = recording.job;
   const work = useJobAction({
     // work that began by itself when the video was read, too
@@ -43,7 +41,7 @@ export function RecordingJob({ recording, kind, icon, start, words, over }: Reco
       ) : (
         <Button
           kind="plain"
-          icon={icon}
+          icon="search"
           disabled={work.underWay}
           title={words.title}
           onClick={() => void work.start(start)}

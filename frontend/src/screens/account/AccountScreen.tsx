@@ -7,7 +7,7 @@ import { me } from "../../core/session";
 import { toast } from "../../core/toasts";
 import { ROLE_NAMES } from "../../core/types";
 import "./account.css";
-import { useForm } from "../../core/form";
+import { sent, useForm } from "../../core/form";
 import { Tokens } from "./Tokens";
 
 const LEAST = 10;
@@ -45,8 +45,7 @@ function PasswordForm({ hasPassword }: { hasPassword: boolean }) {
   const { busy, problem, run } = useAction();
   const short = next.length < LEAST;
   const differs = next !== again;
-  const submit = async (event: Event) => {
-    event.preventDefault();
+  const submit = async () => {
     setTried(true);
     if (short || differs) return;
     await run(async () => {
@@ -62,7 +61,7 @@ function PasswordForm({ hasPassword }: { hasPassword: boolean }) {
   };
   return (
     <Panel says={hasPassword ? "account-password-change" : "account-password-choose"}>
-      <form class="panel__body stack" onSubmit={submit} noValidate>
+      <form class="panel__body stack" onSubmit={sent(submit)} noValidate>
         {!hasPassword && !tried && <Notice>{say("account-no-password")}</Notice>}
         <input type="email" autoComplete="username" value={me.value?.person.email} readOnly hidden />
         {hasPassword && (

@@ -14,18 +14,12 @@ export function MakeToken({ close, made }: { close: () => void; made: (token: Ma
   const { name, days } = form.values;
   const [scopes, setScopes] = useState<readonly Scope[]>(["read"]);
   const [tried, setTried] = useState(false);
-  const submit = () => {
+  const submit = async () => {
     setTried(true);
-    return !name.trim() || scopes.length === 0 ? null : make();
+    if (!name.trim() || scopes.length === 0) return;
+    const body = { name: name.trim(), scopes: [...scopes], days: Number(days) };
+    made(await api.write("POST /session/tokens", {}, { body }));
   };
-  const make = async () =>
-    made(
-      await api.write(
-        "POST /session/tokens",
-        {},
-        { body: { name: name.trim(), scopes: [...scopes], days: Number(days) } },
-      ),
-    );
   const choose = (scope: Scope, yes: boolean) =>
     setScopes(yes ? [...scopes, scope] : scopes.filter((one) => one !== scope));
   return (

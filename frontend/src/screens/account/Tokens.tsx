@@ -14,16 +14,14 @@ export function Tokens() {
   const tokens = useAsked("GET /session/tokens");
   const [making, setMaking] = useState(false);
   const [made, setMade] = useState<MadeToken | null>(null);
-  const { problem, run } = useAction();
+  const { problem, run } = useAction(tokens.reload);
   const revoke = async (token: ApiToken) => {
     const yes = await ask({
       title: say("account-token-revoke-title", { name: token.name }),
       body: say("account-token-revoke-body"),
       action: say("account-token-revoke"),
     });
-    if (!yes) return;
-    await run(() => api.write("DELETE /session/tokens/{token_id}", { token_id: token.id }));
-    await tokens.reload();
+    if (yes) await run(() => api.write("DELETE /session/tokens/{token_id}", { token_id: token.id }));
   };
   return (
     <Panel

@@ -8,10 +8,4 @@ export const SCOPES: readonly Scope[] = ["read", "upload", "measure", "review", 
 
 export const SCOPE_NAMES = wordsOf("token-scope-", "read", "upload", "measure", "review", "export");
 
-export const SCOPE_HINTS = wordsOf({
-  read: "token-scope-read-hint",
-  upload: "token-scope-upload-hint",
-  measure: "token-scope-measure-hint",
-  review: "token-scope-review-hint",
-  export: "token-scope-export-hint",
-});
+export const SCOPE_HINTS = wordsOf("token-scope-hint-");

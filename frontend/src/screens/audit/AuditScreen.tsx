@@ -128,30 +128,31 @@ function Filters({ surveyId }: ScreenProps) {
   const surveys = useAsked("GET /surveys");
   const people = useAsked("GET /audit/people");
   const at = (name: (typeof FILTERS)[number]): string => query.value.get(name) ?? "";
+  const filter = (name: (typeof FILTERS)[number]) => ({
+    value: at(name) || null,
+    onInput: (value: string | null) => setQuery({ [name]: value }),
+  });
   return (
     <div class="audit__filters">
       {!surveyId && (
         <OptionalField
           says="audit-survey"
-          value={at("survey_id") || null}
           none={say("audit-survey-all")}
           options={named(surveys.data ?? [])}
-          onInput={(survey_id) => setQuery({ survey_id })}
+          {...filter("survey_id")}
         />
       )}
       <OptionalField
         says="audit-what"
-        value={at("entity") || null}
         none={say("audit-what-all")}
         options={choices<string>(ENTITY_WORDS)}
-        onInput={(entity) => setQuery({ entity })}
+        {...filter("entity")}
       />
       <OptionalField
         says="audit-person"
-        value={at("person_id") || null}
         none={say("audit-person-all")}
         options={named(people.data ?? [])}
-        onInput={(person_id) => setQuery({ person_id })}
+        {...filter("person_id")}
       />
       <DateField says="audit-day" value={at("day")} onChange={(day) => setQuery({ day })} />
       <CommitField

@@ -1,10 +1,10 @@
-import { useState } from "preact/hooks";
 import { FormDialog, TextField } from "../../components";
 import { api } from "../../core/api";
+import { useForm } from "../../core/form";
 import { say } from "../../core/messages";
 import type { Camera, CameraDetail } from "../../core/types";
 
-interface AddProps {
+export interface AddProps {
   surveyId: number;
   count: number;
   close: () => void;
@@ -52,15 +52,11 @@ interface DialogProps {
 }
 
 function CameraDialog({ title, action, first, send, close }: DialogProps) {
-  const [words, setWords] = useState<CameraWords>(() => {
+  const { values: words, field } = useForm<CameraWords>(() => {
     const { name, notes, lens, zoom, focus } = first;
     return { name, notes, lens, zoom, focus };
   });
   const name = words.name.trim();
-  const field = (key: keyof CameraWords) => ({
-    value: words[key],
-    onInput: (text: string) => setWords({ ...words, [key]: text }),
-  });
   return (
     <FormDialog
       label={title}

@@ -89,9 +89,7 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
           {...form.field("model")}
           options={choices(wordsOf("camera-lens-", "brown", "fisheye"))}
         />
-        <span class="muted small grow">
-          {say(model === "brown" ? "camera-lens-brown-hint" : "camera-lens-fisheye-hint")}
-        </span>
+        <span class="muted small grow">{say(`camera-lens-${model}-hint`)}</span>
       </div>
       <div class="row row--wrap calibrate__choices">
         <Segments
@@ -99,9 +97,7 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
           {...form.field("shape")}
           options={choices(wordsOf("camera-board-", "flat", "bent"))}
         />
-        <span class="muted small grow">
-          {say(shape === "flat" ? "camera-board-flat-hint" : "camera-board-bent-hint")}
-        </span>
+        <span class="muted small grow">{say(`camera-board-${shape}-hint`)}</span>
         <Button says="camera-calibrate" kind="primary" busy={busy} disabled={!possible} onClick={go} />
       </div>
       {source === "images" && usable < 3 && <p class="muted small">{say("camera-three-images")}</p>}

@@ -1,13 +1,12 @@
 import { useState } from "preact/hooks";
-import { Button, Loading, Notices, Problem, StateMark } from "../../components";
+import { Button, DataTable, Loading, Notices, Problem, StateMark } from "../../components";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { formatMoment } from "../../core/times";
 import type { Calibration, CameraDetail, CameraView } from "../../core/types";
-import { fixed } from "../../core/units";
-import { Checks } from "./Checks";
+import { fixed, formatAway, formatLength } from "../../core/units";
 import { CoverageMap } from "./CoverageMap";
-import { px } from "./checks";
+import { apart, boardInWords, halvesInWords, heldOutInWords, px } from "./checks";
 import { angleOfView, coveredShare, type Figure, figuresOf, worstView } from "./lens";
 import { ViewPicture } from "./ViewPicture";
 
@@ -227,5 +226,51 @@ function Views({ calibration, camera }: { calibration: Calibration; camera: Came
         />
       )}
     </div>
+  );
+}
+
+/** What speaks for or against a calibration: two halves calibrated separately, and how flat the board was. */
+function Checks({ calibration }: { calibration: Calibration }) {
+  const { cross_validation: halves, board_shape: shape } = calibration;
+  if (!halves && !shape) return null;
+  return (
+    <section class="lens-checks" aria-label={say("camera-checks")}>
+      {halves && (
+        <div>
+          <h3>{say("camera-halves")}</h3>
+          <p>{halvesInWords(halves)}</p>
+          {halves.held_out_rms_px !== null && <p>{heldOutInWords(halves)}</p>}
+          {halves.height_differences.length > 0 && (
+            <>
+              <DataTable
+                class="lens-checks__table"
+                rows={halves.height_differences}
+                keyOf={(d) => d.distance_m}
+                columns={({ col, num }) => [
+                  col(say("camera-vehicle-at"), (d) => formatAway(d.distance_m)),
+                  num(say("camera-heights-differ"), (d) =>
+                    d.difference_m === null ? say("camera-not-in-picture") : apart(d.difference_m),
+                  ),
+                  num(say("camera-expected"), (d) => apart(d.expected_m ?? null), "muted"),
+                ]}
+              />
+              <p class="small muted">
+                {say("camera-halves-note", {
+                  eye: formatLength(1.16, 2),
+                  camera: formatLength(1.5, 1),
+                  board: formatAway(3),
+                })}
+              </p>
+            </>
+          )}
+        </div>
+      )}
+      {shape && (
+        <div>
+          <h3>{say("camera-flatness")}</h3>
+          <p>{boardInWords(shape)}</p>
+        </div>
+      )}
+    </section>
   );
 }

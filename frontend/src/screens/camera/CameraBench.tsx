@@ -2,26 +2,30 @@ import { useState } from "preact/hooks";
 import {
   Button,
   choices,
+  DataTable,
   DropFiles,
   Icon,
+  IconButton,
   JobProgress,
   Notice,
   Panel,
   Problem,
   Segments,
+  StateMark,
 } from "../../components";
 import { Said } from "../../components/Said";
-import { say, wordsOf } from "../../core/messages";
+import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { may } from "../../core/session";
+import { formatMoment } from "../../core/times";
 import type { CalibrationImage, CameraDetail } from "../../core/types";
+import { STATE_WORDS } from "../../core/words";
 import { SampleLink } from "../../parts/samples/SampleLink";
 import { EditCamera } from "./AddCamera";
 import { BoardFields, useTypedBoard } from "./BoardFields";
 import { type Board, readBoard } from "./board";
 import { CalibrateForm, type Source } from "./CalibrateForm";
 import { CalibrationPanel } from "./CalibrationPanel";
-import { History } from "./History";
-import { ImageGrid } from "./ImageGrid";
+import { CornerMarks } from "./CornerMarks";
 import { type CameraWork, useCameraWork } from "./useCameraWork";
 
 interface Props {
@@ -202,5 +206,108 @@ function Words({ camera, changed }: { camera: CameraDetail; changed: () => Promi
       {may("operator") && <Button says="camera-edit" small kind="quiet" onClick={() => setEditing(true)} />}
       {editing && <EditCamera camera={camera} changed={changed} close={() => setEditing(false)} />}
     </div>
+  );
+}
+
+/** Each image with what was found in it drawn over. */
+function ImageGrid({
+  images,
+  remove,
+}: {
+  images: CalibrationImage[];
+  remove: (image: CalibrationImage) => void;
+}) {
+  return (
+    <ul class="shots">
+      {images.map((image) => (
+        <li key={image.id} class="shot">
+          <div class="shot__picture" style={{ aspectRatio: `${image.width_px} / ${image.height_px}` }}>
+            <img src={image.url} alt={image.found ? "" : image.name} loading="lazy" />
+            {image.found && (
+              <CornerMarks
+                width={image.width_px}
+                height={image.height_px}
+                corners={image.corners_px}
+                columns={image.columns}
+                ids={image.ids}
+                label={say("camera-corners-found", { count: image.corners_px.length, image: image.name })}
+              />
+            )}
+          </div>
+          <div class="shot__words">
+            <span class="clip" title={image.name}>
+              {image.name}
+            </span>
+            <IconButton
+              icon="close"
+              label={say("camera-remove", { image: image.name })}
+              onClick={() => remove(image)}
+            />
+          </div>
+          <p class="shot__state">
+            <StateMark
+              state={image.found ? "used" : "left_out"}
+              word={image.found ? foundInWords(image) : STATE_WORDS.left_out}
+            />
+          </p>
+          {image.reason && <p class="small muted">{sentenceOf(image.reason)}</p>}
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+function foundInWords({ ids, columns, rows }: CalibrationImage): string {
+  return ids
+    ? say("camera-found-some", { found: ids.length, all: columns * rows })
+    : say("camera-found-all", { columns, rows });
+}
+
+interface HistoryProps {
+  camera: CameraDetail;
+  shownId: number | null;
+  show: (id: number) => void;
+}
+
+const SOURCES = wordsOf("camera-source-");
+
+/** Every calibration this camera ever had; results name the one they were computed with, so none goes away. */
+function History({ camera, shownId, show }: HistoryProps) {
+  const newestFirst = [...camera.calibrations].sort((a, b) => b.id - a.id);
+  if (newestFirst.length < 2) return null;
+  return (
+    <Panel says="camera-calibrations">
+      <DataTable
+        label={say("camera-calibrations")}
+        class="table--hover"
+        rows={newestFirst}
+        keyOf={(entry) => entry.id}
+        columns={({ col, actions }) => [
+          col(say("camera-history-made"), (entry) => formatMoment(entry.created_at), "nowrap"),
+          col(say("camera-history-by"), (entry) => entry.created_by?.name ?? "–", "nowrap"),
+          col(say("camera-history-from"), (entry) => SOURCES[entry.source], "nowrap"),
+          col(say("camera-history-verdict"), (entry) => (
+            <StateMark state={entry.trusted ? "trusted" : "not_trusted"} />
+          )),
+          col(say("camera-history-summary"), (entry) => sentenceOf(entry.summary)),
+          actions(
+            say("camera-history-show"),
+            (entry) => (
+              <>
+                {entry.id === camera.current_calibration_id && (
+                  <span class="badge badge--solid">{say("in-use")}</span>
+                )}{" "}
+                {entry.id === shownId ? (
+                  <span class="muted small">{say("camera-history-shown")}</span>
+                ) : (
+                  <Button says="camera-show" small onClick={() => show(entry.id)} />
+                )}
+              </>
+            ),
+            "num",
+          ),
+        ]}
+      />
+    </Panel>
   );
 }

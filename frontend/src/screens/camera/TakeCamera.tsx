@@ -2,28 +2,18 @@ import { useState } from "preact/hooks";
 import { FormDialog, Loading, Notice, named, Problem, SelectField } from "../../components";
 import { api } from "../../core/api";
 import { say, sentenceOf } from "../../core/messages";
-import { useAsked, useResource } from "../../core/resource";
-import type { Camera } from "../../core/types";
-
-interface Props {
-  surveyId: number;
-  close: () => void;
-  added: (camera: Camera) => Promise<void>;
-}
+import { useAsked } from "../../core/resource";
+import type { AddProps } from "./AddCamera";
 
 /** A camera of another survey, with its calibration, for this one too. */
-export function TakeCamera({ surveyId, close, added }: Props) {
+export function TakeCamera({ surveyId, close, added }: Omit<AddProps, "count">) {
   const surveys = useAsked("GET /surveys");
   const others = (surveys.data ?? []).filter((one) => one.id !== surveyId);
   const [from, setFrom] = useState<number | null>(null);
   const there = from ?? others[0]?.id ?? null;
-  const cameras = useResource(
-    (signal) =>
-      there === null
-        ? Promise.resolve([])
-        : api.ask("GET /surveys/{survey_id}/cameras", { survey_id: there }, { signal }),
-    [there],
-  );
+  const cameras = useAsked(there === null ? null : "GET /surveys/{survey_id}/cameras", {
+    survey_id: there ?? 0,
+  });
   const calibrated = (cameras.data ?? []).filter((one) => one.current_calibration_id !== null);
   const [picked, setPicked] = useState<number | null>(null);
   const camera = calibrated.find((one) => one.id === picked) ?? calibrated[0] ?? null;

@@ -8,17 +8,13 @@ import {
   parseSmall,
   smallText,
 } from "../../core/units";
-import { type BoardKind, markerProblem, markersTold } from "../../parts/boards/markers";
+import { markerProblem, markersTold, type TypedMarkers } from "../../parts/boards/markers";
 
-export interface TypedBoard {
+export interface TypedBoard extends TypedMarkers {
   columns: string;
   rows: string;
   /** side of one square, as a small length in the shown unit */
   square: string;
-  kind: BoardKind;
-  dictionary: string;
-  /** side of one marker, likewise */
-  marker: string;
 }
 
 export interface Board {
@@ -28,13 +24,6 @@ export interface Board {
   board_kind?: "charuco";
   dictionary?: string;
   marker_m?: number;
-}
-
-export interface BoardProblems {
-  columns: string | null;
-  rows: string | null;
-  square: string | null;
-  marker: string | null;
 }
 
 const EXAMPLES: Record<LengthUnit, { square: string; marker: string }> = {
@@ -49,7 +38,7 @@ function countProblem(text: string, what: "columns" | "rows"): string | null {
   return null;
 }
 
-export function problemsOf(typed: TypedBoard): BoardProblems {
+export function problemsOf(typed: TypedBoard) {
   const square = parseSmall(typed.square);
   const example = EXAMPLES[lengthUnit.value];
   return {

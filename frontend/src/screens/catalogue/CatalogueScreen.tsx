@@ -25,13 +25,13 @@ export default function CatalogueScreen() {
   const found = useAsked("GET /catalogue/page", { q, retired, offset }, { keep: true });
   const [edited, setEdited] = useState<CatalogueRow | "new" | null>(null);
   const [importing, setImporting] = useState(false);
-  const { problem, run } = useAction();
+  const { problem, run } = useAction(found.reload);
   const put = (row: CatalogueRow) => {
     const body = { version: row.version, retired: row.retired_at === null };
     return api.write("POST /catalogue/{entry_id}/retire", { entry_id: row.id }, { body });
   };
-  const retire = async (row: CatalogueRow) => {
-    await run(async () => {
+  const retire = (row: CatalogueRow) =>
+    run(async () => {
       const now = await put(row);
       const model = `${now.make} ${now.model}`;
       const run = () => void put(now).catch(toastProblem).then(found.reload);
@@ -39,8 +39,6 @@ export default function CatalogueScreen() {
         action: { label: say("command-undo"), run },
       });
     });
-    await found.reload();
-  };
   return (
     <div class="page page--alone catalogue-page">
       <PageHead says="page-catalogue" lead={say("catalogue-lead")}>
@@ -106,7 +104,7 @@ export default function CatalogueScreen() {
 interface ModelsProps {
   rows: readonly CatalogueRow[];
   edit: (row: CatalogueRow) => void;
-  retire: (row: CatalogueRow) => Promise<void>;
+  retire: (row: CatalogueRow) => Promise<unknown>;
 }
 
 function Models({ rows, edit, retire }: ModelsProps) {

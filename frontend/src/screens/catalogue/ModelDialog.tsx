@@ -33,14 +33,12 @@ export function ModelDialog({ row, close, saved }: Props) {
   const sizes = read(typed);
   const years = [from, to].map(yearOf);
   const wrong = !make.trim() || !model.trim() || sizes === null || years.includes(undefined);
-  const submit = () => {
+  const submit = async () => {
     setTried(true);
-    return wrong || sizes === null ? null : send(sizes);
-  };
-  const send = async (values: Partial<ModelIn>) => {
+    if (wrong || sizes === null) return;
     const body = {
       ...(row ? bodyOf(row) : {}),
-      ...values,
+      ...sizes,
       make,
       model,
       source,

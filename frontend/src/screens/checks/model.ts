@@ -224,7 +224,7 @@ export class TrafficModel {
   private readonly pairs: Ledger<number, Clicks | null> = {
     read: (vehicleId) => {
       const stored = this.check.value?.pairs.find((one) => one.vehicle_id === vehicleId);
-      return stored ? clicksOf(stored) : null;
+      return stored ? { frame: stored.frame, first: stored.first, second: stored.second } : null;
     },
     write: async (vehicleId, clicks) => {
       // taken back from elsewhere, it is shown where it happens
@@ -256,9 +256,9 @@ export class TrafficModel {
     this.preview.value = null;
     try {
       await this.history.inTurn(() =>
-        this.history.run(say(what, { vehicle: String(vehicle.number) }), async (changes) => {
-          await changes.write(this.pairs, vehicle.id, clicks);
-        }),
+        this.history.run(say(what, { vehicle: String(vehicle.number) }), (changes) =>
+          changes.write(this.pairs, vehicle.id, clicks),
+        ),
       );
     } catch (error) {
       this.refused.value = error;
@@ -293,8 +293,4 @@ function withWishes(
     else all.delete(vehicle_id);
   }
   return [...all.values()];
-}
-
-function clicksOf(stored: WheelPair): Clicks {
-  return { frame: stored.frame, first: stored.first, second: stored.second };
 }

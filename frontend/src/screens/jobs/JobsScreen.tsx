@@ -31,12 +31,8 @@ export default function JobsScreen() {
   const state = query.value.get("state");
   const jobs = useAsked("GET /jobs", fromAddress<"GET /jobs">({ state: state ?? undefined }), { keep: true });
   const surveys = useAsked("GET /surveys");
-  const { problem, run: attempt } = useAction();
+  const { problem, run } = useAction(jobs.reload);
   useEvery(EVERY_MS, jobs.reload);
-  const run = async (work: () => Promise<unknown>) => {
-    await attempt(work);
-    await jobs.reload();
-  };
   const nameOf = (id: number | null): string => surveys.data?.find((survey) => survey.id === id)?.name ?? "–";
   return (
     <div class="page page--alone">
@@ -88,7 +84,7 @@ function pageLink(job: Job, survey: string) {
   return page ? <a href={page}>{survey}</a> : survey;
 }
 
-function Actions({ job, run }: { job: Job; run(work: () => Promise<unknown>): Promise<void> }) {
+function Actions({ job, run }: { job: Job; run(work: () => Promise<unknown>): Promise<unknown> }) {
   if (!may("operator")) return null;
   if (!isOver(job)) {
     return (

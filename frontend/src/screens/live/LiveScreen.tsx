@@ -1,16 +1,13 @@
-/** Line cameras at work: the last vehicles, the flow, and how the stream is; read again every second. */
 import { Fragment } from "preact";
 import { Button, Empty, Loaded, Notice, Notices, num, PageHead, StateMark, Table } from "../../components";
 import { say, sentenceOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useAsked, useEvery } from "../../core/resource";
-import { formatAgo, formatClock, formatMoment } from "../../core/times";
+import { formatAgo, formatClock, formatDuration, formatMoment } from "../../core/times";
 import type { LiveStream, LiveVehicle } from "../../core/types";
-import { fixed, formatLength, formatSpeed } from "../../core/units";
+import { fixed, formatCount, formatLength, formatSpeed } from "../../core/units";
 import { LIVE_WORDS, vehicleName } from "../../core/words";
 import { OtherWay } from "../../parts/OtherWay";
-import { Flow } from "./Flow";
-import { Health } from "./Health";
 import "./live.css";
 
 const EVERY_MS = 1000;
@@ -164,4 +161,99 @@ function Row({ vehicle, stream, surveyId, lanes }: RowProps) {
       {lanes && <td>{vehicle.lane ?? "–"}</td>}
     </tr>
   );
+}
+
+const MOST_DN = 255;
+
+/** How a stream is, in figures: what came, what was lost, the light, the clock, the memory. */
+function Health({ stream }: { stream: LiveStream }) {
+  const { health } = stream;
+  if (!health) return null;
+  return (
+    <dl class="live__health" data-testid="live-health">
+      <Figure name={say("live-time")} value={formatDuration(health.lines / stream.line_rate_hz)} />
+      <Figure name={say("live-lines")} value={formatCount(health.lines)} />
+      <Figure name={say("live-lost")} value={bothOf(health.lost_lines, formatCount)} />
+      <Figure name={say("live-light")} value={bothOf(health.light_dn, lightOf)} />
+      <Figure name={say("live-saturated")} value={bothOf(health.saturated, percentOf)} />
+      <Figure name={say("live-clock")} value={`${fixed(health.clock_offset_s, 1)} s`} />
+      <Figure name={say("live-waiting")} value={`${fixed(health.waiting_mib, 0)} MiB`} />
+      <Figure name={say("live-memory")} value={`${fixed(health.memory_mib, 0)} MiB`} />
+    </dl>
+  );
+}
+
+function Figure({ name, value }: { name: string; value: string }) {
+  return (
+    <div>
+      <dt>{name}</dt>
+      <dd>{value}</dd>
+    </div>
+  );
+}
+
+/** "0 / 32": camera 1, camera 2. */
+function bothOf<T>(pair: readonly [T, T], word: (value: T) => string): string {
+  return pair.map(word).join(" / ");
+}
+
+function lightOf(dn: number | null): string {
+  return dn === null ? "–" : percentOf(dn / MOST_DN);
+}
+
+function percentOf(share: number): string {
+  return `${fixed(100 * share, 0)} %`;
+}
+
+type Minutes = LiveStream["flow"];
+const LEAST_TOP = 5;
+
+/** Vehicles a minute over the last hour; minutes that were not watched whole are hatched. */
+function Flow({ flow }: { flow: Minutes }) {
+  const top = Math.max(LEAST_TOP, ...flow.map((one) => one.vehicles));
+  const whole = flow.filter((one) => one.whole).at(-1);
+  return (
+    <figure class="live-flow" data-testid="live-flow">
+      <figcaption class="row row--apart">
+        <span>{say("live-flow")}</span>
+        <span class="muted">
+          {whole
+            ? say("live-flow-last", { time: formatTime(whole.begin), vehicles: whole.vehicles })
+            : say("live-flow-none")}
+        </span>
+      </figcaption>
+      <div class="live-flow__plot">
+        <div class="live-flow__scale" aria-hidden="true">
+          <span>{top}</span>
+          <span>0</span>
+        </div>
+        <ol class="live-flow__bars">
+          {flow.map((one) => (
+            <li key={one.begin} title={minuteWords(one)}>
+              <span
+                class={one.whole ? "live-flow__bar" : "live-flow__bar live-flow__bar--part"}
+                style={{ height: `${(100 * one.vehicles) / top}%` }}
+              />
+              <span class="visually-hidden">{minuteWords(one)}</span>
+            </li>
+          ))}
+        </ol>
+      </div>
+      <div class="live-flow__times row row--apart small muted" aria-hidden="true">
+        <span>{flow[0] && formatTime(flow[0].begin)}</span>
+        <span>{flow.length > 1 && formatTime(flow[flow.length - 1]?.begin ?? "")}</span>
+      </div>
+    </figure>
+  );
+}
+
+function minuteWords(one: Minutes[number]): string {
+  return say(one.whole ? "live-flow-minute" : "live-flow-part", {
+    time: formatTime(one.begin),
+    vehicles: one.vehicles,
+  });
+}
+
+function formatTime(iso: string): string {
+  return formatClock(new Date(iso)).replace(/:\d\d$/, "");
 }

@@ -7,6 +7,7 @@ import { late, soon } from "../../components/late";
 import { useOneTabStop } from "../../components/oneTabStop";
 import { Said } from "../../components/Said";
 import { hint } from "../../core/commands";
+import { held } from "../../core/form";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { formatPlaceClock, formatPlaceMoment } from "../../core/times";
@@ -49,22 +50,8 @@ export function PassList({ model }: { model: MeasureModel }) {
           />
         </h2>
         <div class="passes__choose">
-          <Select
-            aria-label={say("measure-passes-show")}
-            value={filter.value}
-            options={choices(FILTER_WORDS)}
-            onInput={(chosen) => {
-              filter.value = chosen;
-            }}
-          />
-          <Select
-            aria-label={say("measure-passes-order")}
-            value={order.value}
-            options={choices(ORDER_WORDS)}
-            onInput={(chosen) => {
-              order.value = chosen;
-            }}
-          />
+          <Select aria-label={say("measure-passes-show")} options={choices(FILTER_WORDS)} {...held(filter)} />
+          <Select aria-label={say("measure-passes-order")} options={choices(ORDER_WORDS)} {...held(order)} />
         </div>
       </header>
       <Quotas model={model} />

@@ -6,11 +6,7 @@ import { stored } from "../../core/stored";
 import { telling, toast } from "../../core/toasts";
 import type { CatalogueRow } from "../../core/types";
 
-interface RecentModel {
-  readonly id: number;
-  readonly make: string;
-  readonly model: string;
-}
+type RecentModel = Pick<CatalogueRow, "id" | "make" | "model">;
 
 const KEYS = ["recentModel1", "recentModel2", "recentModel3", "recentModel4"] as const;
 

@@ -34,6 +34,18 @@ export function VehicleRecord({ model, vehicle }: { model: MeasureModel; vehicle
     take(row);
     model.named(vehicle);
   };
+  /** What the field of a fact is drawn with: one of several, words, a length. */
+  const wired = (name: keyof typeof FIELD_WORDS) => ({ label: FIELD_WORDS[name], disabled: locked });
+  const chosen = <F extends "category" | "lighting" | "direction" | "discarded">(name: F) => ({
+    ...wired(name),
+    value: vehicle[name],
+    onInput: (value: Vehicle[F]) => model.edit({ [name]: value }),
+  });
+  const length = (name: "manufacturer_height_m" | "u_manufacturer_height_m") => ({
+    metres: vehicle[name],
+    disabled: locked,
+    onCommit: (metres: number | null) => model.edit({ [name]: metres }),
+  });
   const toMake = (): void => {
     make.current?.focus();
     make.current?.select();
@@ -52,19 +64,17 @@ export function VehicleRecord({ model, vehicle }: { model: MeasureModel; vehicle
             <RecentModels locked={locked} onChoose={takeLast} toMake={toMake} />
           </div>
           <CatalogueField
-            label={FIELD_WORDS.make}
+            {...wired("make")}
             field={make}
             value={vehicle.make ?? ""}
             query={(text) => text}
-            disabled={locked}
             onChoose={(row) => take(row)}
             onCommit={(text) => model.edit({ make: text || null })}
           />
           <CatalogueField
-            label={FIELD_WORDS.model}
+            {...wired("model")}
             value={vehicle.model ?? ""}
             query={(text) => `${vehicle.make ?? ""} ${text}`.trim()}
-            disabled={locked}
             onChoose={(row) => take(row)}
             onCommit={(text) => model.edit({ model: text || null })}
           />
@@ -78,81 +88,49 @@ export function VehicleRecord({ model, vehicle }: { model: MeasureModel; vehicle
             <WhichModel found={fits} locked={locked} onChoose={take} />
           </div>
           <CommitField
-            label={FIELD_WORDS.year}
+            {...wired("year")}
             value={vehicle.year === null ? "" : String(vehicle.year)}
             numeric
-            disabled={locked}
             check={yearProblem}
             onCommit={(text) => model.edit({ year: text === "" ? null : Number(text) })}
           />
           <OptionalField
-            label={FIELD_WORDS.category}
-            value={vehicle.category}
+            {...chosen("category")}
             none="–"
             options={choices(CATEGORY_WORDS)}
             hint={lacksClass(vehicle) ? say("measure-class-missing") : undefined}
-            disabled={locked}
-            onInput={(category) => model.edit({ category })}
           />
           <div class="facts-form__wide">
             <ModelYears make={vehicle.make} model={vehicle.model} year={vehicle.year} />
           </div>
-          <LengthField
-            says="measure-makers-height"
-            metres={vehicle.manufacturer_height_m}
-            disabled={locked}
-            onCommit={(manufacturer_height_m) => model.edit({ manufacturer_height_m })}
-          />
-          <LengthField
-            says="measure-makers-height-u"
-            metres={vehicle.u_manufacturer_height_m}
-            disabled={locked}
-            onCommit={(u_manufacturer_height_m) => model.edit({ u_manufacturer_height_m })}
-          />
+          <LengthField says="measure-makers-height" {...length("manufacturer_height_m")} />
+          <LengthField says="measure-makers-height-u" {...length("u_manufacturer_height_m")} />
           <div class="facts-form__wide">
             <CommitField
-              label={FIELD_WORDS.height_source}
+              {...wired("height_source")}
               value={vehicle.height_source ?? ""}
-              disabled={locked}
               onCommit={(text) => model.edit({ height_source: text || null })}
             />
           </div>
           <div class="facts-form__wide">
             <KnownHeights vehicle={vehicle} locked={locked} edit={(changes) => model.edit(changes)} />
           </div>
-          <OptionalField
-            label={FIELD_WORDS.lighting}
-            value={vehicle.lighting}
-            none="–"
-            options={choices(LIGHTING_WORDS)}
-            disabled={locked}
-            onInput={(lighting) => model.edit({ lighting })}
-          />
-          <OptionalField
-            label={FIELD_WORDS.direction}
-            value={vehicle.direction}
-            none="–"
-            options={choices(DIRECTION_WORDS)}
-            disabled={locked}
-            onInput={(direction) => model.edit({ direction })}
-          />
+          <OptionalField {...chosen("lighting")} none="–" options={choices(LIGHTING_WORDS)} />
+          <OptionalField {...chosen("direction")} none="–" options={choices(DIRECTION_WORDS)} />
           <div class="facts-form__wide">
             <OptionalField
-              label={FIELD_WORDS.discarded}
-              value={vehicle.discarded}
+              {...chosen("discarded")}
               none={say(vehicle.in_sample ? "measure-in-sample" : "measure-out-of-sample")}
               options={choices(DISCARDED_WORDS)}
               hint={vehicle.measurements.length > 0 ? say("measure-discard-measured") : undefined}
               disabled={locked || (vehicle.measurements.length > 0 && !vehicle.discarded)}
-              onInput={(discarded) => model.edit({ discarded })}
             />
           </div>
           <div class="facts-form__wide">
             <CommitField
+              {...wired("notes")}
               rows={2}
-              label={FIELD_WORDS.notes}
               value={vehicle.notes}
-              disabled={locked}
               onCommit={(notes) => model.edit({ notes })}
             />
           </div>

@@ -29,13 +29,10 @@ export function clickLedger(
   };
 }
 
-export interface ContactKey {
-  readonly vehicleId: number | null;
-  readonly frame: number;
-}
-
 /** The contact in use on a frame of the vehicle that is open; that of another one follows from its measurements. */
-export function contactLedger(desk: Desk): Ledger<ContactKey, ImagePoint | null> {
+export function contactLedger(
+  desk: Desk,
+): Ledger<{ vehicleId: number | null; frame: number }, ImagePoint | null> {
   return {
     nameOf: ({ vehicleId, frame }) => `${vehicleId}:${frame}`,
     read: ({ frame }) => desk.flow.value.contacts.get(frame) ?? null,
@@ -45,12 +42,7 @@ export function contactLedger(desk: Desk): Ledger<ContactKey, ImagePoint | null>
   };
 }
 
-export interface FactKey {
-  readonly id: number;
-  readonly field: keyof Changes;
-}
-
-export function factLedger(vehicles: Vehicles): Ledger<FactKey, unknown> {
+export function factLedger(vehicles: Vehicles): Ledger<{ id: number; field: keyof Changes }, unknown> {
   return {
     nameOf: ({ id, field }) => `${id}:${field}`,
     read: ({ id, field }) => vehicles.shown(id)?.[field],

@@ -97,9 +97,9 @@ export class Points implements ClickTool {
     const { desk } = this;
     if (!desk.snaps.value) return;
     void desk.snapping.ask(frame, point, (to) =>
-      desk.history.run(desk.stepName(say("measure-step-snap")), (changes) => {
-        changes.write(this.contacts, this.contactKey(frame), to);
-      }),
+      desk.history.run(desk.stepName(say("measure-step-snap")), (changes) =>
+        changes.write(this.contacts, this.contactKey(frame), to),
+      ),
     );
   }
 
@@ -111,11 +111,8 @@ export class Points implements ClickTool {
     const { contact, awaiting: awaited, reel, flow, seenFrame, geometry } = this.desk;
     const target = flow.value.target;
     const recordingId = reel.player.value?.recordingId;
-    if (!point || awaited.value !== "point" || !contact.value || recordingId === undefined || !target) {
-      geometry.forgetHeight();
-      return true;
-    }
-    if (this.desk.snapping.isAtContact(point)) {
+    const atPoint = point && awaited.value === "point" && !this.desk.snapping.isAtContact(point);
+    if (!atPoint || !contact.value || recordingId === undefined || !target) {
       geometry.forgetHeight();
       return true;
     }
@@ -209,9 +206,9 @@ export class Points implements ClickTool {
     this.endBurst();
     if (selection.key === null) {
       this.desk.dispatch({ type: "select", selection: null });
-      this.desk.history.run(this.desk.stepName(say("measure-step-contact-removal")), (changes) => {
-        changes.write(this.contacts, this.contactKey(this.desk.seenFrame.value), null);
-      });
+      this.desk.history.run(this.desk.stepName(say("measure-step-contact-removal")), (changes) =>
+        changes.write(this.contacts, this.contactKey(this.desk.seenFrame.value), null),
+      );
     } else if (!this.second.removeHere(selection.key)) this.withdraw(selection.key);
   }
 
@@ -220,9 +217,7 @@ export class Points implements ClickTool {
     if (!values) return;
     this.desk.history.run(
       this.desk.stepName(say("measure-step-withdrawal", { target: values.target })),
-      (changes) => {
-        changes.write(this.clicks, key, { ...values, withdrawn: true });
-      },
+      (changes) => changes.write(this.clicks, key, { ...values, withdrawn: true }),
     );
   }
 
@@ -230,9 +225,9 @@ export class Points implements ClickTool {
   setInset(key: string, inset: Inset): void {
     const values = this.desk.records.find(key)?.values;
     if (!values) return;
-    this.desk.history.run(this.desk.stepName(say("measure-step-inset")), (changes) => {
-      changes.write(this.clicks, key, { ...values, inset });
-    });
+    this.desk.history.run(this.desk.stepName(say("measure-step-inset")), (changes) =>
+      changes.write(this.clicks, key, { ...values, inset }),
+    );
   }
 
   private labelOf(target: Target): string {

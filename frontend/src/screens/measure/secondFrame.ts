@@ -199,11 +199,8 @@ export class SecondFrame implements ClickTool {
     const values = this.entry?.values;
     const contact = this.contact.value;
     const recordingId = reel.player.value?.recordingId;
-    if (!point || !values || !contact || this.awaiting.value !== "point" || recordingId === undefined) {
-      geometry.forgetHeight();
-      return true;
-    }
-    if (this.desk.snapping.isAtContact(point)) {
+    const atPoint = point && this.awaiting.value === "point" && !this.desk.snapping.isAtContact(point);
+    if (!atPoint || !values || !contact || recordingId === undefined) {
       geometry.forgetHeight();
       return true;
     }

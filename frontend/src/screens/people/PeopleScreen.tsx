@@ -14,7 +14,7 @@ import {
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
-import { useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { may, me } from "../../core/session";
 import { formatAgo } from "../../core/times";
 import { type Person, ROLE_NAMES, type Role } from "../../core/types";
@@ -26,13 +26,10 @@ import { type Invitation, ShowLink } from "../../parts/people/ShowLink";
 
 /** Accounts and roles, for administrators. */
 export default function PeopleScreen() {
-  const people = useResource(
-    (signal) => (may("admin") ? api.ask("GET /people", {}, { signal }) : Promise.resolve([])),
-    [],
-  );
+  const people = useAsked(may("admin") ? "GET /people" : null);
   const [adding, setAdding] = useState(false);
   const [invitation, setInvitation] = useState<Invitation | null>(null);
-  const { problem, run: attempt } = useAction();
+  const { problem, run } = useAction(people.reload);
   if (!may("admin")) {
     return (
       <div class="page page--alone">
@@ -40,10 +37,6 @@ export default function PeopleScreen() {
       </div>
     );
   }
-  const run = async (work: () => Promise<unknown>) => {
-    await attempt(work);
-    await people.reload();
-  };
   const put = (person: Person, part: Partial<Person>) =>
     run(() => {
       const { name, role, active } = { ...person, ...part };

@@ -32,20 +32,7 @@ export function LineRate({ surveyId }: { surveyId: number }) {
   );
 }
 
-const LINES = wordsOf({
-  speed_mps: "planning-speed",
-  error: "planning-error",
-  baseline_m: "planning-baseline",
-  u_baseline_m: "planning-u-baseline",
-  line_rate_hz: "planning-line-rate",
-  length_m: "planning-length",
-  time_gap_s: "planning-time-gap",
-  pixel_width_um: "planning-pixel-width",
-  pixel_height_um: "planning-pixel-height",
-  focal_mm: "planning-focal",
-  distance_m: "planning-line-distance",
-  exposure_us: "planning-exposure",
-});
+const LINES = wordsOf("planning-lines-", ...LINE_NAMES);
 
 /** What the server makes of the values; what it says last stays until the next answer is there. */
 function Planned({ values }: { values: Values }) {

@@ -11,11 +11,7 @@ interface Props {
   values: Values;
 }
 
-const PICTURE = wordsOf({
-  width_px: "planning-width",
-  height_px: "planning-height",
-  field_of_view_deg: "planning-field-of-view",
-});
+const PICTURE = wordsOf("planning-picture-", "width_px", "height_px", "field_of_view_deg");
 const PLACE = wordsOf({
   camera_height_m: "planning-camera-height",
   distance_m: "planning-distance",
@@ -71,11 +67,7 @@ function CameraChoice({ cameras, values }: Props) {
 
 const PAUSE_MS = 350;
 /** What stands for a value that is left empty. */
-const LEFT_EMPTY: Partial<Record<Name, string>> = wordsOf({
-  board_distance_m: "planning-board-distance-usual",
-  line_rate_hz: "planning-line-rate-usual",
-  exposure_us: "planning-exposure-usual",
-});
+const LEFT_EMPTY: Partial<Record<Name, string>> = wordsOf("planning-usual-");
 
 /** A field for each value that `words` names. */
 export function ValueFields({ words, values }: { words: Partial<Record<Name, string>>; values: Values }) {

@@ -17,13 +17,13 @@ const NAMES = [
   "sigma_px",
   "direction_deg",
 ] as const;
-/** What a line rate is planned with. */
+/** What a line rate is planned with, in the order of the fields. */
 export const LINE_NAMES = [
   "speed_mps",
+  "error",
   "baseline_m",
   "u_baseline_m",
   "line_rate_hz",
-  "error",
   "length_m",
   "time_gap_s",
   "pixel_width_um",
@@ -123,13 +123,7 @@ function factorOf(name: Name, unit: LengthUnit): number {
   return name === "error" ? 100 : 1;
 }
 
-const UNITS: Readonly<Record<string, string>> = wordsOf({
-  px: "unit-px",
-  hz: "unit-hz",
-  um: "planning-um",
-  mm: "planning-mm",
-  us: "planning-us",
-});
+const UNITS: Readonly<Record<string, string>> = wordsOf("unit-", "px", "hz", "um", "mm", "us");
 
 /** The unit that a value is shown in, told by the end of its name. */
 export function unitOf(name: Name): string {

@@ -2,7 +2,7 @@
 import type { ComponentChildren } from "preact";
 import { Button, choices, JobProgress, Notice, Segments, SelectField, TextField } from "../../components";
 import { hint } from "../../core/commands";
-import { fieldsOf } from "../../core/form";
+import { fieldsOf, sent } from "../../core/form";
 import { type PlainKey, say, sentenceOf, wordsOf } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { fixed, lengthUnit, smallScale, smallText } from "../../core/units";
@@ -13,13 +13,7 @@ import type { PoseModel } from "./model";
 
 export function PoseForm({ model }: { model: PoseModel }) {
   return (
-    <form
-      class="pose-form"
-      onSubmit={(event) => {
-        event.preventDefault();
-        void model.run();
-      }}
-    >
+    <form class="pose-form" onSubmit={sent(() => model.run())}>
       <LensQuestions model={model} />
       <BoardQuestions model={model} />
       <SpanQuestions model={model} />

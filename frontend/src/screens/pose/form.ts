@@ -11,18 +11,15 @@ import {
   parseSmall,
   smallText,
 } from "../../core/units";
-import { type BoardKind, markerProblem, markersTold, PLAIN } from "../../parts/boards/markers";
+import { markerProblem, markersTold, PLAIN, type TypedMarkers } from "../../parts/boards/markers";
 
-export interface BoardForm {
+export interface BoardForm extends TypedMarkers {
   readonly calibrationId: number | null;
   /** Inner corners. */
   readonly columns: number;
   readonly rows: number;
   /** Lengths as typed, the board's own and the uncertainties as small lengths (mm), the tape's in m; or in and ft. */
   readonly square: string;
-  readonly kind: BoardKind;
-  readonly dictionary: string;
-  readonly marker: string;
   readonly reference: "top" | "bottom";
   readonly referenceHeight: string;
   /** The four uncertainties: empty stands for the usual estimate. */
@@ -55,19 +52,9 @@ export const EMPTY_FORM: BoardForm = {
 export const U_TAPE_M = 0.003;
 export const U_BOW_M = 0.0005;
 
-export interface FormProblems {
-  calibration: string | null;
-  board: string | null;
-  square: string | null;
-  marker: string | null;
-  referenceHeight: string | null;
-  uncertainty: string | null;
-  span: string | null;
-}
-
 const RADIANS_PER_DEGREE = Math.PI / 180;
 
-export function problemsOf(form: BoardForm): FormProblems {
+export function problemsOf(form: BoardForm) {
   const square = parseSmall(form.square);
   const height = parseLength(form.referenceHeight);
   const tape = smallOr(form.uReferenceHeight, U_TAPE_M);

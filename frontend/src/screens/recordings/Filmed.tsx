@@ -41,12 +41,7 @@ function FilmedDialog({ recording, change, close }: Props & { close: () => void 
   });
   const { local, proposed } = start;
   const submit = async () => {
-    try {
-      await change({ start: start.said(), ...values });
-    } catch (error) {
-      start.learn(error);
-      throw error;
-    }
+    await start.learning(() => change({ start: start.said(), ...values }));
     close();
   };
   return (

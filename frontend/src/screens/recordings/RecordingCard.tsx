@@ -2,6 +2,7 @@ import { useState } from "preact/hooks";
 import { ask, Button, JobProgress, Notice, Notices, Problem, StateMark } from "../../components";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
+import { sent } from "../../core/form";
 import { cancelJob } from "../../core/jobs";
 import { say, sentenceOf } from "../../core/messages";
 import { may } from "../../core/session";
@@ -173,14 +174,13 @@ function Name({ recording, rename }: { recording: Recording; rename: (name: stri
       </h2>
     );
   }
-  const done = (event: Event) => {
-    event.preventDefault();
+  const done = () => {
     const name = typed.trim();
     if (name && name !== recording.name) rename(name);
     setTyped(null);
   };
   return (
-    <form class="row grow" onSubmit={done}>
+    <form class="row grow" onSubmit={sent(done)}>
       <input
         class="input"
         aria-label={say("recordings-name")}

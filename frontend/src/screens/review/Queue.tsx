@@ -131,7 +131,7 @@ function Plan({ model }: { model: ReviewModel }) {
         aria-label={say("review-plan-choose")}
         data-testid="blind-plan"
         value={oneIn}
-        options={plansWith(oneIn).map((one_in) => ({
+        options={(PLANS.includes(oneIn) ? PLANS : [oneIn, ...PLANS]).map((one_in) => ({
           value: one_in,
           label: say("review-plan-choice", { one_in }),
         }))}
@@ -142,10 +142,6 @@ function Plan({ model }: { model: ReviewModel }) {
 }
 
 const PLANS = [1, 2, 5, 10, 20, 0];
-
-function plansWith(oneIn: number): readonly number[] {
-  return PLANS.includes(oneIn) ? PLANS : [oneIn, ...PLANS];
-}
 
 function Row({ model, item }: { model: ReviewModel; item: ReviewItem }) {
   const m = item.measurement;

@@ -236,9 +236,7 @@ export class ReviewModel {
       else
         await this.history.run(
           say("review-step-verdict", { target, vehicle: vehicleName(item.vehicle.number) }),
-          async (changes) => {
-            await changes.write(this.given.given, id, { verdict, reason: reason ?? null });
-          },
+          (changes) => changes.write(this.given.given, id, { verdict, reason: reason ?? null }),
         );
       if (verdict !== "reopened") this.goOn(id);
     } catch (error) {
@@ -266,12 +264,11 @@ export class ReviewModel {
 
   /** A second click that went wrong leaves the figures; what was seen stays seen. */
   async takeBack(repeat: Measurement): Promise<void> {
-    const step = say("review-again-take-back");
-    await this.history
-      .run(step, async (changes) => {
-        await changes.write(this.repeats.standing, repeat, false);
-      })
-      .catch(toastProblem);
+    await telling(async () =>
+      this.history.run(say("review-again-take-back"), (changes) =>
+        changes.write(this.repeats.standing, repeat, false),
+      ),
+    );
   }
 
   cancel(): void {

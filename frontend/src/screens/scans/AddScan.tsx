@@ -13,7 +13,7 @@ import {
 } from "../../components";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
-import { fieldsOf } from "../../core/form";
+import { fieldsOf, sent } from "../../core/form";
 import { say, wordsOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import type { BodyOf } from "../../core/routes";
@@ -38,8 +38,7 @@ export function AddScan({ surveyId, onClose, added }: Props) {
   const [problems, setProblems] = useState<RigProblems>({});
   const { busy, problem, run } = useAction();
   const [chosen, setChosen] = useState<ChosenStrips | ChosenCuts | null>(null);
-  const send = async (event: Event): Promise<void> => {
-    event.preventDefault();
+  const send = async (): Promise<void> => {
     const { baseline, uBaseline } = typed;
     const values = valuesOf(source === "video" ? { ...NEW_RIG, baseline, uBaseline, rate: "1" } : typed);
     if (!isValues(values)) return setProblems(values);
@@ -58,12 +57,7 @@ export function AddScan({ surveyId, onClose, added }: Props) {
     });
   };
   return (
-    <form
-      class="panel scan-add stack"
-      onSubmit={(event) => void send(event)}
-      noValidate
-      aria-label={say("scans-new")}
-    >
+    <form class="panel scan-add stack" onSubmit={sent(send)} noValidate aria-label={say("scans-new")}>
       <header class="panel__head">
         <h2>{say("scans-new")}</h2>
         <Segments
@@ -189,11 +183,12 @@ interface TypedCuts {
   readonly two: string;
 }
 
-const ALONG: Readonly<Record<CutAlong, string>> = wordsOf({
-  columns: "scans-new-cut-along-columns",
-  rows_left_up: "scans-new-cut-along-left",
-  rows_right_up: "scans-new-cut-along-right",
-});
+const ALONG: Readonly<Record<CutAlong, string>> = wordsOf(
+  "scans-new-cut-along-",
+  "columns",
+  "rows_left_up",
+  "rows_right_up",
+);
 
 function sameStrip({ first, second }: PickedStrips): boolean {
   return first !== null && first === second;

@@ -41,20 +41,16 @@ function EvidenceDialog({ vehicle, close }: { vehicle: ScanVehicle; close: () =>
   const [problem, setProblem] = useState<string | null>(null);
   const [perMps, speedUnit] = speedScale();
   const unit = { none: "", speed: speedUnit, time_gap: "s", distance_gap: "m" }[quantity];
-  const submit = (): Promise<void> | null => {
-    if (quantity === "none") return make(null);
-    const value = parseNumber(limit);
-    const share = parseNumber(risk);
-    if (value === null || share === null || !(value > 0 && share > 0)) {
-      setProblem(say("scan-evidence-problem"));
-      return null;
-    }
-    const si = quantity === "speed" ? value / perMps : value;
-    return make({ quantity, limit: si, risk: share / 100, source });
+  /** What it is held against: null where nothing is asked, undefined where what was typed cannot be. */
+  const ruleOf = () => {
+    if (quantity === "none") return null;
+    const [value, share] = [parseNumber(limit) ?? 0, parseNumber(risk) ?? 0];
+    if (!(value > 0 && share > 0)) return undefined;
+    return { quantity, limit: quantity === "speed" ? value / perMps : value, risk: share / 100, source };
   };
-  const make = async (
-    rule: { quantity: Exclude<Quantity, "none">; limit: number; risk: number; source: string } | null,
-  ): Promise<void> => {
+  const submit = async () => {
+    const rule = ruleOf();
+    if (rule === undefined) return setProblem(say("scan-evidence-problem"));
     const made = await api.write(
       "POST /scan-vehicles/{vehicle_id}/evidence",
       { vehicle_id: vehicle.id },

@@ -7,11 +7,7 @@ import type { ScanVehicleDetail } from "../../core/types";
 const SHOWN = wordsOf("scan-match-", "first", "second", "blink", "difference");
 type Shown = keyof typeof SHOWN;
 const BLINK_MS = 450;
-const ALTS = wordsOf({
-  first: "scan-match-alt-1",
-  second: "scan-match-alt-2",
-  difference: "scan-match-alt-difference",
-});
+const ALTS = wordsOf("scan-match-alt-", "first", "second", "difference");
 
 export function MatchPictures({ detail }: { detail: ScanVehicleDetail }) {
   const [shown, setShown] = useState<Shown>("difference");

@@ -27,10 +27,10 @@ export function ReferenceErrors({ found }: { found: ScanStatistics }) {
           num(say("motion-references-mean"), ({ quantity, errors }) =>
             differenceWords(quantity, errors.mean),
           ),
-          num(say("motion-sd"), ({ quantity, errors }) =>
+          num(say("motion-sd_m"), ({ quantity, errors }) =>
             errors.sd === null ? "–" : apartWords(quantity, errors.sd),
           ),
-          num(say("motion-rmse"), ({ quantity, errors }) => apartWords(quantity, errors.rmse)),
+          num(say("motion-rmse_m"), ({ quantity, errors }) => apartWords(quantity, errors.rmse)),
           num(say("motion-references-share"), ({ errors }) => (
             <>
               {say("motion-references-within", { within: errors.within, n: errors.n })}
@@ -92,7 +92,7 @@ function Car({ car }: { car: CarRuns }) {
           col(say("motion-cars-size"), ([size]) => QUANTITY_WORDS[size]),
           num(say("motion-references-n"), ([, one]) => one.n),
           num(say("motion-cars-mean"), ([, one]) => formatMeasured(one.mean, one.U95_mean)),
-          num(say("motion-sd"), ([size, one]) => (one.sd === null ? "–" : apartWords(size, one.sd))),
+          num(say("motion-sd_m"), ([size, one]) => (one.sd === null ? "–" : apartWords(size, one.sd))),
           num(say("motion-cars-stated"), ([size, one]) => apartWords(size, one.u_stated)),
           num(say("motion-cars-chi-square"), ([, one]) =>
             one.chi_square === null || one.p === null

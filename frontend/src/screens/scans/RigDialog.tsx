@@ -57,7 +57,7 @@ export function RigDialog({ model, scan, onClose, changed, offered }: Props) {
     setTyped({ ...typed, ...withoutCorrelation(part) });
     setProblems({});
   };
-  const submit = (): Promise<void> | null => {
+  const submit = async () => {
     const values = valuesOf(typed, lanes.length > 0);
     const found = lanesOf(lanes);
     const sound = found.lanes.length === lanes.length;
@@ -68,7 +68,6 @@ export function RigDialog({ model, scan, onClose, changed, offered }: Props) {
       });
     if (!isValues(values)) setProblems(values);
     setOfLanes(found.problems);
-    return null;
   };
   /** A field that nobody touched keeps all of its digits. */
   const changedOnly = (values: RigValues): Partial<RigValues> => {

@@ -41,11 +41,7 @@ const positive: Check = (text) =>
   (parseLength(text) ?? 0) > 0 ? null : say("length-problem", { example: localNumber("2.70") });
 const any: Check = (text) =>
   parseLength(text) === null ? say("length-problem", { example: localNumber("0.50") }) : null;
-const NEXT_WORDS = wordsOf({
-  distance_m: "scan-rod-distance",
-  height_m: "scan-rod-height",
-  step_m: "scan-rod-step",
-});
+const NEXT_WORDS = wordsOf("scan-rod-", "distance_m", "height_m", "step_m");
 const NEXT: readonly { name: NextName; check: Check }[] = [
   { name: "distance_m", check: positive },
   { name: "height_m", check: any },

@@ -40,23 +40,14 @@ function StartDialog({ scan, changed, close }: Props & { close: () => void }) {
   const start = useStart(scan);
   const [u, setU] = useState(scan.u_start_s === null ? "" : plain(scan.u_start_s));
   const [problem, setProblem] = useState<string | null>(null);
-  const submit = (): Promise<void> | null => {
+  const submit = async () => {
     const said = start.said();
     const u_s = parseNumber(u);
-    if (said && (u_s === null || u_s <= 0)) {
-      setProblem(say("scans-start-u-problem"));
-      return null;
-    }
-    return store(said && { ...said, u_s: u_s as number });
-  };
-  const store = async (said: { local: string; time_zone: string; u_s: number } | null): Promise<void> => {
-    try {
-      const body = { version: scan.version, start: said };
-      await changed(await api.write("PATCH /scans/{scan_id}", { scan_id: scan.id }, { body }));
-    } catch (error) {
-      start.learn(error);
-      throw error;
-    }
+    if (said && (u_s === null || u_s <= 0)) return setProblem(say("scans-start-u-problem"));
+    const body = { version: scan.version, start: said && { ...said, u_s: u_s as number } };
+    await start.learning(async () =>
+      changed(await api.write("PATCH /scans/{scan_id}", { scan_id: scan.id }, { body })),
+    );
     close();
   };
   return (

@@ -7,12 +7,7 @@ import { formatSmall } from "../../core/units";
 const LENGTHS = wordsOf("motion-length-");
 const WHEELBASES = wordsOf("motion-wheelbase-");
 const COLUMNS = ["bias_m", "mae_m", "rmse_m", "sd_m"] as const;
-const HEADS = wordsOf({
-  bias_m: "motion-bias",
-  mae_m: "motion-mae",
-  rmse_m: "motion-rmse",
-  sd_m: "motion-sd",
-});
+const HEADS = wordsOf("motion-", "bias_m", "mae_m", "rmse_m", "sd_m");
 
 export function SizeErrors({ found }: { found: ScanStatistics }) {
   return (

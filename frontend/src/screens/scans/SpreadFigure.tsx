@@ -5,13 +5,14 @@ import { fixed, lengthScale, plainPercent, type Scale, speedScale } from "../../
 import { aroundOne, ECDF_COLUMNS, ecdfMarks, ecdfRows, noBandWords } from "../../parts/figures/curves";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 
-const TITLES: Readonly<Record<string, string>> = wordsOf({
-  speed: "motion-speed",
-  length: "motion-length",
-  time_gap: "motion-time-gap",
-  distance_gap: "motion-distance-gap",
-  headway: "motion-headway",
-});
+const TITLES: Readonly<Record<string, string>> = wordsOf(
+  "motion-",
+  "speed",
+  "length",
+  "time_gap",
+  "distance_gap",
+  "headway",
+);
 /** On the axis, where the title stands above: in a word or two. */
 const SHORT: Readonly<Record<string, string>> = wordsOf({
   speed: "scan-head-speed",

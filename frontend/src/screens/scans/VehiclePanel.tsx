@@ -1,4 +1,3 @@
-/** The chosen vehicle: its numbers, what is known of it, profile, match, budget, history, and the verdict. */
 import {
   Button,
   type Fact,
@@ -6,17 +5,31 @@ import {
   Loading,
   Notice,
   Notices,
+  num,
   OptionalField,
   StateMark,
+  Table,
 } from "../../components";
+import { CommitField } from "../../components/CommitField";
 import { Said } from "../../components/Said";
 import { hint } from "../../core/commands";
 import { say, sentenceOf } from "../../core/messages";
-import { canWork } from "../../core/session";
-import { formatPlaceDay, formatPlaceTime, secondDigits } from "../../core/times";
-import type { ScanMotion, ScanVehicle } from "../../core/types";
-import { fixed, formatAcceleration, formatLength, formatSpeed } from "../../core/units";
-import { vehicleName } from "../../core/words";
+import { canWork, may } from "../../core/session";
+import { formatMoment, formatPlaceDay, formatPlaceTime, secondDigits } from "../../core/times";
+import type { CatalogueRow, ScanMotion, ScanVehicle, ScanVehicleDetail } from "../../core/types";
+import {
+  fixed,
+  formatAcceleration,
+  formatLength,
+  formatSmall,
+  formatSpeed,
+  lengthUnit,
+  parseLength,
+  plainLength,
+} from "../../core/units";
+import { budgetSource, STATE_WORDS, vehicleName } from "../../core/words";
+import { CatalogueField } from "../../parts/vehicles/CatalogueField";
+import { JudgeButton, Reject } from "../../parts/verdicts/Reject";
 import { EvidenceButton } from "./EvidenceDialog";
 import { HeightList } from "./HeightList";
 import { laneByPerson } from "./kinds";
@@ -25,8 +38,6 @@ import { MatchPictures } from "./MatchPictures";
 import type { ScanModel } from "./model";
 import { ProfileFigure } from "./ProfileFigure";
 import { References } from "./References";
-import { Budget, History, Known } from "./VehicleParts";
-import { Verdict } from "./Verdict";
 import { causeWords, formatMeasured, formatSeconds, stateOf } from "./words";
 
 export function VehiclePanel({ model }: { model: ScanModel }) {
@@ -248,4 +259,174 @@ function Tools({ model, m }: { model: ScanModel; m: ScanMotion | null }) {
       />
     </div>
   );
+}
+
+/** Accept or reject a motion; a second person's work, as for heights. */
+function Verdict({ model, m }: { model: ScanModel; m: ScanMotion }) {
+  if (m.status !== "ok" || !may("reviewer")) return null;
+  if (m.mine) return <Notice>{say("scan-verdict-mine")}</Notice>;
+  const { judging } = model;
+  if (judging.rejection.begun.value) return <Reject rejection={judging.rejection} busy={model.busy.value} />;
+  const given = givenWords(m.review);
+  if (given) {
+    return (
+      <div class="row row--wrap">
+        <span class="small grow">{given}</span>
+        <Button
+          says="scan-verdict-reopen"
+          small
+          busy={model.busy.value}
+          onClick={() => void judging.review("reopened")}
+        />
+      </div>
+    );
+  }
+  return (
+    <div class="row row--wrap">
+      <JudgeButton
+        of="reviewAccept"
+        testId="scan-accept"
+        kind="primary"
+        icon="check"
+        disabled={model.busy.value}
+        onClick={() => void judging.review("accepted")}
+      />
+      <JudgeButton of="reviewReject" testId="scan-reject" onClick={() => judging.reject()} />
+    </div>
+  );
+}
+
+/** Who said what; null while it waits. */
+function givenWords({ verdict, reason, reviewer }: ScanMotion["review"]): string | null {
+  if (verdict !== "accepted" && verdict !== "rejected") return null;
+  const person = reviewer?.name ?? say("scan-by-somebody");
+  if (!reason) return say("scan-verdict-given", { verdict, person });
+  return say("scan-verdict-given-why", { verdict, person, reason });
+}
+
+/** What is known of it, by hand or out of the catalogue. */
+function Known({ model, vehicle }: { model: ScanModel; vehicle: ScanVehicle }) {
+  const disabled = !canWork.value;
+  const length = (value: number | null) => (value === null ? "" : plainLength(value, 3));
+  const wrong = (text: string) =>
+    text === "" || (parseLength(text) ?? 0) > 0 ? null : say("scan-known-problem");
+  return (
+    <section class="scan__known" aria-label={say("scan-known")}>
+      <CatalogueField
+        label={say("scan-known-make")}
+        value={vehicle.make ?? ""}
+        query={(text) => text}
+        disabled={disabled}
+        onChoose={(row) => void model.edits.fillIn(fromCatalogue(row))}
+        onCommit={(make) => void model.edits.fillIn({ make: make || null })}
+      />
+      <CatalogueField
+        label={say("scan-known-model")}
+        value={vehicle.model ?? ""}
+        query={(text) => `${vehicle.make ?? ""} ${text}`}
+        disabled={disabled}
+        onChoose={(row) => void model.edits.fillIn(fromCatalogue(row))}
+        onCommit={(name) => void model.edits.fillIn({ model: name || null })}
+      />
+      {(["length", "wheelbase"] as const).map((name) => (
+        <CommitField
+          key={name}
+          says={`scan-known-${name}`}
+          value={length(vehicle[`true_${name}_m`])}
+          unit={lengthUnit.value}
+          disabled={disabled}
+          check={wrong}
+          hint={off(vehicle[`${name}_error_m`])}
+          onCommit={(text) => void model.edits.fillIn({ [`true_${name}_m`]: parseLength(text) })}
+        />
+      ))}
+    </section>
+  );
+}
+
+function fromCatalogue({ make, model, category, length_m, wheelbase_m, source }: CatalogueRow) {
+  const facts_source = source || "catalogue";
+  return { make, model, category, true_length_m: length_m, true_wheelbase_m: wheelbase_m, facts_source };
+}
+
+function off(metres: number | null): string | undefined {
+  if (metres === null) return undefined;
+  return say("scan-known-off", { difference: `${metres < 0 ? "" : "+"}${formatSmall(metres)}` });
+}
+
+function Budget({ detail }: { detail: ScanVehicleDetail }) {
+  const m = detail.vehicle.measurement;
+  return (
+    <section class="panel" aria-labelledby="scan-budget">
+      <header class="panel__head">
+        <h3 id="scan-budget">{say("budget-title")}</h3>
+        <span class="muted small">{say("scan-budget-note")}</span>
+      </header>
+      <Table
+        label={say("scan-budget")}
+        class="table--dense"
+        heads={[
+          say("scan-budget-source"),
+          num(say("scan-budget-speed")),
+          num(say("scan-budget-acceleration")),
+          num(say("scan-budget-length")),
+        ]}
+      >
+        {detail.budget.map((one) => (
+          <tr key={one.source}>
+            <td>{budgetSource(one.source)}</td>
+            <td class="num">{formatSpeed(one.u_speed_mps, null, 3)}</td>
+            <td class="num">{formatAcceleration(one.u_acceleration_mps2, null, 3)}</td>
+            <td class="num">{formatSmall(one.u_length_m)}</td>
+          </tr>
+        ))}
+        {m && (
+          <tr>
+            <td>
+              <strong>{say("budget-together")}</strong>
+            </td>
+            <td class="num">{formatSpeed(m.u_speed_mps, null, 3)}</td>
+            <td class="num">{formatAcceleration(m.u_acceleration_mps2, null, 3)}</td>
+            <td class="num">{formatSmall(m.u_length_m)}</td>
+          </tr>
+        )}
+      </Table>
+    </section>
+  );
+}
+
+function History({ detail }: { detail: ScanVehicleDetail }) {
+  const reviews = new Map(detail.reviews.map((one) => [one.revision, one]));
+  return (
+    <details open={detail.history.length > 1}>
+      <summary>{say("scan-history", { count: detail.history.length })}</summary>
+      <ul class="scan__history small">
+        {[...detail.history].reverse().map((one) => (
+          <li key={one.id}>
+            <Said
+              what="scan-revision"
+              values={{
+                speed: one.status === "ok" ? formatSpeed(one.speed_mps, null, 2) : STATE_WORDS.not_measurable,
+                length: formatLength(one.length_m),
+                cause: causeWords(one),
+              }}
+            />
+            <br />
+            <span class="muted">{whoWords(one, reviews.get(one.revision))}</span>
+          </li>
+        ))}
+      </ul>
+    </details>
+  );
+}
+
+/** Who made a revision and when, and the verdict on it. */
+function whoWords(one: ScanMotion, review?: ScanVehicleDetail["reviews"][number]): string {
+  const person = one.created_by?.name ?? say("scan-by-search");
+  const time = formatMoment(one.created_at);
+  if (!review) return say("scan-revision-who", { person, time });
+  const { verdict, reason } = review;
+  const reviewer = review.reviewer?.name ?? say("scan-by-somebody");
+  if (!reason) return say("scan-revision-verdict", { person, time, verdict, reviewer });
+  return say("scan-revision-verdict-why", { person, time, verdict, reviewer, reason });
 }

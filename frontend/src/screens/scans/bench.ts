@@ -18,11 +18,11 @@ export interface Bench {
   start(mode: Mode): void;
   cancel(): boolean;
   /** One change after the other, as a step; what goes wrong is told in words. */
-  change(label: string, work: (changes: ChangeSet) => Promise<void>): Promise<void>;
+  change(label: string, work: (changes: ChangeSet) => Promise<void> | void): Promise<void>;
   numberOf(vehicleId: number): number;
   /** The address of a vehicle on the bench. */
   page(vehicleId?: number): string;
-  tell(work: () => Promise<void>): Promise<void>;
+  tell(work: () => Promise<void> | void): Promise<void>;
 }
 
 /** What the tools on the strips need beside that: the vehicles and the boundaries in hand. */

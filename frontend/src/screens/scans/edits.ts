@@ -37,9 +37,9 @@ export class VehicleEdits {
   private async store<V>(step: Step, ledger: Ledger<number, V>, value: V): Promise<void> {
     const vehicle = this.bench.chosen.value;
     if (!vehicle?.measurement) return;
-    await this.bench.change(say(step, { vehicle: String(vehicle.number) }), async (changes) => {
-      await changes.write(ledger, vehicle.id, value);
-    });
+    await this.bench.change(say(step, { vehicle: String(vehicle.number) }), (changes) =>
+      changes.write(ledger, vehicle.id, value),
+    );
   }
 
   async fillIn(facts: Facts): Promise<void> {

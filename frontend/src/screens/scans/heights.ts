@@ -178,7 +178,7 @@ export class LineHeights {
     this.selected.value = null;
     await this.bench.change(
       say("scan-step-withdraw", { target, vehicle: String(vehicle.number) }),
-      async (changes) => void (await changes.write(this.kept.clicks, { id: vehicle.id, target }, null)),
+      (changes) => changes.write(this.kept.clicks, { id: vehicle.id, target }, null),
     );
   }
 
@@ -242,9 +242,8 @@ export class LineHeights {
   }
 
   private async store(id: number, number: number, target: Target, clicks: Clicks): Promise<void> {
-    await this.bench.change(
-      say("scan-step-height", { target, vehicle: String(number) }),
-      async (changes) => void (await changes.write(this.kept.clicks, { id, target }, clicks)),
+    await this.bench.change(say("scan-step-height", { target, vehicle: String(number) }), (changes) =>
+      changes.write(this.kept.clicks, { id, target }, clicks),
     );
   }
 }

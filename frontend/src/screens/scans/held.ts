@@ -14,7 +14,7 @@ const RESTS_MS = 600;
 interface Table {
   readonly scan: ReadonlySignal<Scan | null>;
   readonly chosen: ReadonlySignal<ScanVehicle | null>;
-  change(label: string, work: (changes: ChangeSet) => Promise<void>): Promise<void>;
+  change(label: string, work: (changes: ChangeSet) => Promise<void> | void): Promise<void>;
 }
 
 export class HeldBoundaries {
@@ -63,11 +63,8 @@ export class HeldBoundaries {
     const before = vehicle?.measurement;
     if (!draft || !vehicle || !before) return;
     if (!sameValue(draft, crossingsOf(before)))
-      await this.bench.change(
-        say("scan-step-boundaries", { vehicle: String(vehicle.number) }),
-        async (changes) => {
-          await changes.write(this.stored, vehicle.id, draft);
-        },
+      await this.bench.change(say("scan-step-boundaries", { vehicle: String(vehicle.number) }), (changes) =>
+        changes.write(this.stored, vehicle.id, draft),
       );
     if (this.draft.value === draft) this.draft.value = null;
   }

@@ -268,16 +268,16 @@ export class ScanModel implements Strips {
   }
 
   /** Kept at once: the outbox sends one change after the other. */
-  change(label: string, work: (changes: ChangeSet) => Promise<void>): Promise<void> {
+  change(label: string, work: (changes: ChangeSet) => Promise<void> | void): Promise<void> {
     return this.told(() => this.history.run(label, work));
   }
 
   /** One change after the other, after an undo that is under way; what goes wrong is told in words. */
-  tell(work: () => Promise<void>): Promise<void> {
+  tell(work: () => Promise<void> | void): Promise<void> {
     return this.told(() => this.history.inTurn(work));
   }
 
-  private async told(work: () => Promise<void>): Promise<void> {
+  private async told(work: () => Promise<void> | void): Promise<void> {
     this.busy.value = true;
     try {
       await work();

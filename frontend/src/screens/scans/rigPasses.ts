@@ -16,30 +16,14 @@ export const COLUMNS: Readonly<Record<Way, readonly string[]>> = {
 /** What is as in the row before, until somebody says otherwise. */
 const CARRIED = new Set(["distance_m", "u_distance_m", "width_m", "u_width_m", "u_position_m", "u_line"]);
 
-const HEADS: Readonly<Record<string, string>> = wordsOf({
-  distance_m: "scans-passes-distance",
-  u_distance_m: "scans-passes-u",
-  width_m: "scans-passes-width",
-  u_width_m: "scans-passes-u",
-  position_1_m: "scans-passes-position-1",
-  position_2_m: "scans-passes-position-2",
-  u_position_m: "scans-passes-u",
-  speed_mps: "scans-passes-speed",
-  u_speed_mps: "scans-passes-u",
-  line_1: "scans-passes-line-1",
-  line_2: "scans-passes-line-2",
-  front_line_1: "scans-passes-front-1",
-  rear_line_1: "scans-passes-rear-1",
-  front_line_2: "scans-passes-front-2",
-  rear_line_2: "scans-passes-rear-2",
-  u_line: "scans-passes-u-line",
-});
+const HEADS: Readonly<Record<string, string>> = wordsOf("scans-passes-head-");
 
 /** What an empty cell stands for. */
 export const USUAL: Readonly<Record<string, string>> = { u_distance_m: "0.01", u_line: "2" };
 
+/** Every uncertainty beside a value is called the same. */
 export function headOf(column: string): string {
-  return HEADS[column] ?? column;
+  return HEADS[column] ?? say("scans-passes-u");
 }
 
 /** An empty row to type in; what stays as a rule is taken from the row before. */

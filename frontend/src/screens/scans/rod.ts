@@ -143,7 +143,7 @@ export class RodDraft {
   };
 
   private put(marks: readonly RodMark[], label: string): void {
-    this.bench.history.run(label, (changes) => void changes.write(this.marks, "marks", marks));
+    this.bench.history.run(label, (changes) => changes.write(this.marks, "marks", marks));
   }
 
   private show(values: RodValues): void {

@@ -3,10 +3,10 @@ import { useEffect } from "preact/hooks";
 import { Facts, Loading, Notice, num, PageHead, Panel, Problem, Table } from "../../components";
 import { PageTabs } from "../../components/PageTabs";
 import { query } from "../../core/address";
-import { api, fromAddress } from "../../core/api";
+import { fromAddress } from "../../core/api";
 import { say, sentenceOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
-import { useAsked, useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { resultsTabs } from "../../core/tabs";
 import { fixed, formatLength, formatSpeed, lengthScale, numbersIn, plainHeight } from "../../core/units";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
@@ -20,13 +20,9 @@ export default function SightScreen(_props: ScreenProps) {
   const asked = sightQuery(query.value);
   const found = useAsked("GET /sightdistance", fromAddress<"GET /sightdistance">(asked), { keep: true });
   const only = query.value.getAll("survey").length === 1 ? Number(query.value.get("survey")) : null;
-  const standards = useResource(
-    async (signal) =>
-      only === null
-        ? []
-        : (await api.ask("GET /surveys/{survey_id}/standards", { survey_id: only }, { signal })).standards,
-    [only],
-  );
+  const standards = useAsked(only === null ? null : "GET /surveys/{survey_id}/standards", {
+    survey_id: only ?? 0,
+  });
   useEffect(() => {
     loadPlot().catch(() => null); // while the server computes; who draws tells what is wrong
   }, []);
@@ -38,7 +34,7 @@ export default function SightScreen(_props: ScreenProps) {
       {query.value.getAll("survey").map((id) => (
         <OutOfDateNotice key={id} surveyId={Number(id)} computed={found.reload} />
       ))}
-      <SightForm standards={standards.data ?? []} found={data} />
+      <SightForm standards={standards.data?.standards ?? []} found={data} />
       <Problem error={found.error ?? standards.error} again={found.reload} />
       {!data && found.loading && <Loading what={say("sight-loading")} />}
       {data && !found.error && (

@@ -7,7 +7,7 @@ import { say } from "../../core/messages";
 import { enter, me, safeNext } from "../../core/session";
 import { formatHeight } from "../../core/units";
 import "./signin.css";
-import { useForm } from "../../core/form";
+import { sent, useForm } from "../../core/form";
 
 /** Signs in with a one-time link (`/sign-in?token=...`) or with e-mail and password. */
 export default function SignInScreen() {
@@ -57,15 +57,13 @@ function PasswordSignIn() {
   useEffect(() => {
     if (me.value) navigate("/", { replace: true });
   }, []);
-  const submit = async (event: Event) => {
-    event.preventDefault();
-    await run(async () => {
+  const submit = () =>
+    run(async () => {
       const answer = await api.ask("POST /session", {}, { body: { email, password }, allowSignedOut: true });
       enter(answer, safeNext(query.value.get("next")));
     });
-  };
   return (
-    <form class="stack" onSubmit={submit}>
+    <form class="stack" onSubmit={sent(submit)}>
       <h1>{say("page-sign-in")}</h1>
       {problem !== null && <Notice kind="problem">{explain(problem)}</Notice>}
       <TextField says="signin-email" type="email" {...form.field("email")} autoComplete="username" required />

@@ -8,15 +8,7 @@ import { NONE, range, scaled, squareScale } from "../../parts/figures/numbers";
 import { asInPaper } from "./filters";
 import { type ErrorGroup, type Errors, GROUP_WORDS, isThere } from "./model";
 
-const HEADS = wordsOf({
-  bias_m: "statistics-bias",
-  mae_m: "statistics-mae",
-  rmse_m: "statistics-rmse",
-  mse_m2: "statistics-mse",
-  sd_m: "statistics-sd",
-  pearson_error_vs_height: "statistics-correlation",
-  pearson_abs_error_vs_height: "statistics-correlation-absolute",
-});
+const HEADS = wordsOf("statistics-error-");
 
 interface Column {
   key: keyof typeof HEADS;

@@ -11,12 +11,7 @@ import { groupWord, isThere, type KnownErrors } from "./model";
 type KnownGroup = KnownErrors["groups"][number];
 
 const FIGURES = ["bias_m", "mae_m", "rmse_m", "sd_m"] as const;
-const HEADS = wordsOf({
-  bias_m: "statistics-bias",
-  mae_m: "statistics-mae",
-  rmse_m: "statistics-rmse",
-  sd_m: "statistics-sd",
-});
+const HEADS = wordsOf("statistics-error-", ...FIGURES);
 
 export function KnownErrorsTable({ found }: { found: readonly KnownErrors[] }) {
   const unit = smallScale()[1];

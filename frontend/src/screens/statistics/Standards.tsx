@@ -1,7 +1,7 @@
 import { useState } from "preact/hooks";
 import { Button, choices, DataTable, Panel, SelectField, TextField } from "../../components";
 import { query } from "../../core/address";
-import { useForm } from "../../core/form";
+import { sent, useForm } from "../../core/form";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { formatLength, lengthUnit, parseLength, plainPercent } from "../../core/units";
@@ -168,13 +168,7 @@ function AddOwn() {
     setFilter({ [name]: [...new Set([...query.value.getAll(name), value])] });
   };
   return (
-    <form
-      class="stat-own"
-      onSubmit={(event) => {
-        event.preventDefault();
-        add();
-      }}
-    >
+    <form class="stat-own" onSubmit={sent(add)}>
       <SelectField
         says="statistics-standard-own"
         {...form.field("what")}

@@ -2,7 +2,7 @@ import { useState } from "preact/hooks";
 import { Button, choices, Loaded, Problem, SelectField, TextField } from "../../components";
 import { useAction } from "../../core/action";
 import { ApiError, api } from "../../core/api";
-import { fieldsOf } from "../../core/form";
+import { fieldsOf, sent } from "../../core/form";
 import { say } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { formatLength, lengthText, lengthUnit, parseLength, parseNumber } from "../../core/units";
@@ -63,13 +63,7 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
     });
   };
   return (
-    <form
-      class="stat-editor"
-      onSubmit={(event) => {
-        event.preventDefault();
-        void save();
-      }}
-    >
+    <form class="stat-editor" onSubmit={sent(save)}>
       {rows.map((row, at) => (
         <RowFields
           // rows have no name of their own while they are typed

@@ -1,30 +1,43 @@
-/** Errors against known heights and the distributions of what was measured, for the measurements a filter leaves. */
-import { useEffect } from "preact/hooks";
-import { Button, Check, Empty, Loaded, Notice, PageHead } from "../../components";
+import { useEffect, useState } from "preact/hooks";
+import {
+  Button,
+  Check,
+  Empty,
+  Loaded,
+  Notice,
+  PageHead,
+  Panel,
+  Problem,
+  Table,
+  TextField,
+} from "../../components";
 import { PageTabs } from "../../components/PageTabs";
 import { Said } from "../../components/Said";
 import { query } from "../../core/address";
-import { fromAddress } from "../../core/api";
-import { say } from "../../core/messages";
+import { api, fromAddress } from "../../core/api";
+import { useForm } from "../../core/form";
+import { say, sentenceOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { survey } from "../../core/survey";
 import { resultsTabs } from "../../core/tabs";
+import { lengthScale, lengthText, lengthUnit, parseLength, parseNumber } from "../../core/units";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
-import { loadPlot } from "../../parts/figures/PlotFigure";
+import { ECDF_COLUMNS, ecdfMarks, ecdfRows } from "../../parts/figures/curves";
+import { Differences } from "../../parts/figures/Differences";
+import { loadPlot, PlotFigure } from "../../parts/figures/PlotFigure";
 import { SameRule } from "../../parts/figures/SameRule";
+import type { Ecdf } from "../../parts/figures/types";
 import { lotWords } from "../../parts/lots/words";
-import { ComparisonSection } from "./ComparisonSection";
-import { Conclusion } from "./Conclusion";
 import { ErrorFigures } from "./ErrorFigures";
 import { ErrorTable } from "./ErrorTable";
 import { FilterBar } from "./FilterBar";
 import { asInPaper, narrowed, setFilter, statisticsQuery, WIDE } from "./filters";
-import { GroupSection } from "./GroupSection";
+import { drawn, GroupSection } from "./GroupSection";
 import { KnownErrorsTable } from "./KnownErrors";
-import { LateralSection } from "./LateralSection";
-import { STANDARD_FOR, type Statistics } from "./model";
-import { SamplePlan } from "./SamplePlan";
+import type { Comparison, SampleSize } from "./model";
+import { groupWord, isThere, type Lateral, STANDARD_FOR, type Statistics } from "./model";
 import { Standards, switchedOn } from "./Standards";
+import { SpreadCells, spreadHeads } from "./spread";
 import { TargetSection } from "./TargetSection";
 import "./statistics.css";
 
@@ -204,5 +217,168 @@ function Nothing({ found, surveyId }: { found: Statistics; surveyId: string | nu
           : say(filtered ? "statistics-none-filtered" : "statistics-none")}
       </p>
     </Empty>
+  );
+}
+
+const PAUSE_MS = 300;
+
+/** How many vehicles a percentile's interval of a wanted width takes. */
+function SamplePlan({ sdM }: { sdM: number | null }) {
+  const unit = lengthUnit.value;
+  const shown = (metres: number) => lengthText(metres, unit, 3);
+  const form = useForm({ percent: "10", width: shown(0.02), sd: shown(sdM ?? 0.08) });
+  const { percent, width, sd } = form.values;
+  const [found, setFound] = useState<SampleSize | null>(null);
+  const [error, setError] = useState<unknown>(null);
+  useEffect(() => {
+    form.change({ width: shown(0.02), sd: shown(sdM ?? 0.08) });
+  }, [unit]);
+  const asked = [parseNumber(percent), parseLength(width), parseLength(sd)] as const;
+  const complete = asked.every((value) => value !== null);
+  useEffect(() => {
+    const [percent, width_m, sd_m] = asked;
+    if (percent === null || width_m === null || sd_m === null) return;
+    const stop = new AbortController();
+    const timer = setTimeout(() => {
+      const own = { signal: stop.signal };
+      api.ask("GET /statistics/sample-size", { percent, width_m, sd_m }, own).then(
+        (answer) => {
+          setFound(answer);
+          setError(null);
+        },
+        (reason) => {
+          if (!stop.signal.aborted) setError(reason);
+        },
+      );
+    }, PAUSE_MS);
+    return () => {
+      clearTimeout(timer);
+      stop.abort();
+    };
+  }, asked);
+  return (
+    <Panel says="statistics-plan-title" class="stat-noprint">
+      <form class="stat-plan" onSubmit={(event) => event.preventDefault()}>
+        <TextField says="statistics-plan-percentile" numeric {...form.field("percent")} />
+        <TextField says="statistics-plan-width" unit={unit} {...form.field("width")} />
+        <TextField says="statistics-plan-sd" unit={unit} {...form.field("sd")} />
+        <p class="stat-plan__answer" data-testid="sample-size" role="status">
+          {!complete ? say("statistics-plan-incomplete") : error ? "" : sentenceOf(found?.words)}
+        </p>
+      </form>
+      {complete && <Problem error={error} />}
+    </Panel>
+  );
+}
+
+const PERCENTS = [5, 50, 95];
+const laneWord = (word: string) => groupWord("lane", word);
+const classWord = (word: string) => groupWord("category", word);
+
+/** Where vehicles drive across the road: by lane as a figure, by lane and class as a table. */
+function LateralSection({ lateral }: { lateral: Lateral }) {
+  const lanes = lateral.lanes.groups;
+  const curves = drawn(lanes, "lane");
+  return (
+    <Panel says="statistics-lateral-title" data-testid="lateral">
+      <div class="stat-groups">
+        <PlotFigure
+          name="lateral-position"
+          title={say("statistics-lateral-figure")}
+          says={say("statistics-lateral-says", { count: curves.length })}
+          note={say("statistics-lateral-note")}
+          legend={curves.map(({ curve: { word, dash, faint, hue } }) => ({ word, dash, faint, hue }))}
+          reason={curves.length === 0 ? say("statistics-lateral-none") : null}
+          data={lateral}
+          options={(plot, unit) => {
+            const [perX, long] = lengthScale(unit);
+            return {
+              x: { label: say("statistics-lateral-x", { unit: long }), nice: true, inset: 6 },
+              y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
+              marks: curves.flatMap(({ ecdf, curve }) => ecdfMarks(plot, ecdf, curve, perX)),
+            };
+          }}
+          table={() => ({
+            columns: ["lane", "across_m", ...ECDF_COLUMNS],
+            rows: lanes.flatMap((one) => (isThere<Ecdf>(one.ecdf) ? ecdfRows(one.word, one.ecdf) : [])),
+          })}
+        />
+        <LanesTable lateral={lateral} />
+      </div>
+    </Panel>
+  );
+}
+
+function LanesTable({ lateral }: { lateral: Lateral }) {
+  return (
+    <Table
+      label={say("statistics-lateral-title")}
+      heads={[say("statistics-lateral-vehicles"), ...spreadHeads(PERCENTS)]}
+    >
+      <Row word={say("statistics-lateral-all")} one={lateral.all} />
+      {lateral.lanes.groups.map((lane) => (
+        <>
+          <Row key={lane.word} word={laneWord(lane.word)} one={lane} />
+          {lateral.classes[lane.word]?.groups.map((of) => (
+            <Row key={`${lane.word} ${of.word}`} word={classWord(of.word)} one={of} within />
+          ))}
+        </>
+      ))}
+    </Table>
+  );
+}
+
+function Row({ word, one, within }: { word: string; one: Lateral["all"]; within?: boolean }) {
+  return (
+    <tr>
+      {within ? <td class="muted stat-within">{word}</td> : <th scope="row">{word}</th>}
+      <SpreadCells of={one} percents={PERCENTS} decimals={2} />
+    </tr>
+  );
+}
+
+/** Where what counts is of two surveys or years: whether they differ by more than noise. */
+function ComparisonSection({ compared }: { compared: Comparison }) {
+  const title = say("statistics-compared-title", {
+    first: compared.first.name,
+    second: compared.second.name,
+  });
+  return (
+    <Panel label={title} data-testid="comparison">
+      {compared.figures.length === 0 ? (
+        <p class="stat-notes small">{say("statistics-compared-none")}</p>
+      ) : (
+        <Differences
+          label={title}
+          rows={compared.figures.map((one) => ({ ...one, low_m: one.U95_low_m, high_m: one.U95_high_m }))}
+        />
+      )}
+      <p class="stat-notes small">{say("statistics-compared-note")}</p>
+    </Panel>
+  );
+}
+
+/** What came out of a survey's accepted heights, in the sentences that its report opens with. */
+function Conclusion({ surveyId, of }: { surveyId: number; of: unknown }) {
+  const unit = lengthUnit.value;
+  const found = useAsked(
+    "GET /surveys/{survey_id}/conclusion",
+    { survey_id: surveyId, unit },
+    { keep: true, also: [of] },
+  );
+  if (!found.data) return <Problem error={found.error} again={found.reload} />;
+  const [, ...rest] = found.data.sentences; // how many there are stands above
+  return (
+    <section
+      class="panel panel__body stat-conclusion"
+      aria-label={say("results-conclusion")}
+      data-testid="conclusion"
+    >
+      <ul>
+        {rest.map((one) => (
+          <li key={one}>{one}</li>
+        ))}
+      </ul>
+    </section>
   );
 }

@@ -1,9 +1,9 @@
 import { render } from "preact";
 import { afterEach, expect, it } from "vitest";
 import { lengthUnit } from "../../core/units";
+import { trendWords } from "./ErrorFigures";
 import type { Errors, OfTarget } from "./model";
 import { Percentiles } from "./TargetSection";
-import { trendWords } from "./TrendFigure";
 
 afterEach(() => {
   render(null, document.body);

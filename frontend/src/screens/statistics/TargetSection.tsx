@@ -6,6 +6,7 @@ import { HEIGHT_WORDS } from "../../core/words";
 import { csvOf, download } from "../../parts/figures/csv";
 import {
   type Curve,
+  DENSITY_COLUMNS,
   densityMarks,
   densityRows,
   ECDF_COLUMNS,
@@ -131,7 +132,7 @@ function HeightDensity({ target, title }: { target: OfTarget; title: string }) {
         };
       }}
       table={() => ({
-        columns: ["distribution", "height_m", "density_per_m", "band95_low_per_m", "band95_high_per_m", "n"],
+        columns: ["distribution", "height_m", ...DENSITY_COLUMNS],
         rows: density ? densityRows("corrected", density) : [],
       })}
     />

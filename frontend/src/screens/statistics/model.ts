@@ -23,12 +23,13 @@ export function isThere<T extends object>(part: T | Reason): part is T {
   return !("reason" in part) || Object.keys(part).length > 1;
 }
 
-export const GROUP_WORDS: Readonly<Record<string, string>> = wordsOf({
-  daytime: "statistics-group-daytime",
-  low_light: "statistics-group-low_light",
-  overall: "statistics-group-overall",
-  unknown: "statistics-group-unknown",
-});
+export const GROUP_WORDS: Readonly<Record<string, string>> = wordsOf(
+  "statistics-group-",
+  "daytime",
+  "low_light",
+  "overall",
+  "unknown",
+);
 
 const LANE_WORDS: Readonly<Record<string, string>> = wordsOf("statistics-lane-");
 

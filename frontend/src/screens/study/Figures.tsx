@@ -1,11 +1,11 @@
 import { DataTable, num, Table } from "../../components";
 import { say, sentenceOf } from "../../core/messages";
 import type { Category, StudyResult } from "../../core/types";
-import { fixed, formatCount, formatSmall, lengthScale, plainHeight, plainPercent } from "../../core/units";
+import { formatCount, formatSmall, lengthScale, plainHeight, plainPercent } from "../../core/units";
 import { CATEGORY_WORDS, HEIGHT_WORDS, LIGHTING_WORDS } from "../../core/words";
 import { Differences } from "../../parts/figures/Differences";
 import { Bounded } from "../../parts/figures/FigureCell";
-import { NONE, percent } from "../../parts/figures/numbers";
+import { NONE, percent, scaled } from "../../parts/figures/numbers";
 import { SameRule } from "../../parts/figures/SameRule";
 import { CurveFigure } from "./CurveFigure";
 import { Section } from "./Section";
@@ -123,15 +123,11 @@ function Effects({ rows, targets }: { rows: readonly Row[]; targets: readonly Ro
             </>
           )),
           num(say("study-vehicles"), (one) => formatCount(one.n)),
-          num(say("study-effect"), (one) =>
-            one.design_effect === null ? NONE : fixed(one.design_effect, 2),
-          ),
+          num(say("study-effect"), (one) => scaled(one.design_effect, 1, 2)),
           num(say("study-effective"), (one) =>
             one.effective_n === null ? NONE : formatCount(one.effective_n),
           ),
-          num(say("study-weighting"), (one) =>
-            one.weighting_effect === null ? NONE : fixed(one.weighting_effect, 2),
-          ),
+          num(say("study-weighting"), (one) => scaled(one.weighting_effect, 1, 2)),
         ]}
       />
     </Section>
@@ -162,8 +158,8 @@ function Errors({ rows }: { rows: Found["errors"] }) {
           say("study-lighting"),
           num(say("study-vehicles")),
           num(say("study-bias")),
-          num(say("statistics-mae")),
-          num(say("statistics-rmse")),
+          num(say("statistics-error-mae_m")),
+          num(say("statistics-error-rmse_m")),
           num(say("study-sd")),
         ]}
       >

@@ -68,7 +68,9 @@ function Page({ page, reload }: { page: StudyPage; reload: () => Promise<void> }
       <Problem error={problem} />
       {result && !underWay && isOld(result) && <Notice kind="warning">{oldWords(result)}</Notice>}
       {!result && !underWay && <NotComputed page={page} edit={edit} />}
-      {result && <Figures found={result.found} sites={siteCount(page)} />}
+      {result && (
+        <Figures found={result.found} sites={new Set(page.study.surveys.map((one) => one.site)).size} />
+      )}
       {result && <Beside studyId={study.id} />}
       <Joined study={study} result={result} edit={edit} remove={edit && (() => setRemoving(true))} />
       <Members studyId={study.id} />
@@ -143,10 +145,6 @@ function Made({ result }: { result: StudyResult }) {
       })}
     </p>
   );
-}
-
-function siteCount({ study }: StudyPage): number {
-  return new Set(study.surveys.map((one) => one.site)).size;
 }
 
 function isOld(result: StudyResult): boolean {

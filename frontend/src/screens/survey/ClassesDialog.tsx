@@ -19,10 +19,10 @@ export function ClassesDialog({ survey, close }: { survey: Survey; close: () => 
   const [rows, setRows] = useState<Typed[]>(() => survey.classes.map(typed));
   const change = (category: string, part: Partial<Typed>) =>
     setRows(rows.map((row) => (row.category === category ? { ...row, ...part } : row)));
-  const submit = () => {
+  const submit = async () => {
     const read = rows.map(readClass);
     const classes = read.filter((one) => one !== null);
-    return classes.length === read.length ? changeSurvey(survey, { classes }).then(close) : null;
+    if (classes.length === read.length) await changeSurvey(survey, { classes }).then(close);
   };
   return (
     <FormDialog wide says="classes-title" action={say("action-save")} onClose={close} submit={submit}>

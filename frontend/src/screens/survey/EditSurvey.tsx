@@ -3,7 +3,7 @@ import { FormDialog, num, Table, TextField } from "../../components";
 import { useForm } from "../../core/form";
 import { say } from "../../core/messages";
 import { changeSurvey } from "../../core/survey";
-import type { Inset, InsetName, Place, Survey } from "../../core/types";
+import type { Inset, InsetName, Survey } from "../../core/types";
 import { lengthText, lengthUnit, parseLength } from "../../core/units";
 import { INSET_NAMES, INSET_WORDS, insetNote } from "../../core/words";
 import { AskedFields } from "../../parts/vehicles/AskedFields";
@@ -23,15 +23,12 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
   const [insets, setInsets] = useState<Typed>(() => typedInsets(survey));
   const [wrong, setWrong] = useState<string | null>(null);
   const [misplaced, setMisplaced] = useState<string | null>(null);
-  const submit = () => {
+  const submit = async () => {
     const read = readInsets(insets, survey);
     const placed = readPlace(values.place, survey.place);
     setWrong(typeof read === "string" ? read : null);
     setMisplaced(typeof placed === "string" ? placed : null);
-    if (typeof read === "string" || typeof placed === "string" || !values.name.trim()) return null;
-    return save(read, placed);
-  };
-  const save = async (read: Record<InsetName, Inset>, placed: Place) => {
+    if (typeof read === "string" || typeof placed === "string" || !values.name.trim()) return;
     await changeSurvey(survey, { ...values, place: placed, insets: read });
     close();
   };

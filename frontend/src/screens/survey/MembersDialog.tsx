@@ -15,7 +15,7 @@ import {
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say, wordsOf } from "../../core/messages";
-import { useAsked, useResource } from "../../core/resource";
+import { useAsked } from "../../core/resource";
 import { may, me } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import {
@@ -38,13 +38,9 @@ const roleOptions = () => roles().map((value) => ({ value, label: SURVEY_ROLE_NA
 export function MembersDialog({ surveyId, close }: { surveyId: number; close: () => void }) {
   const manages = may("manager");
   const found = useAsked("GET /surveys/{survey_id}/members", { survey_id: surveyId });
-  const others = useResource(
-    (signal) =>
-      manages
-        ? api.ask("GET /surveys/{survey_id}/members/others", { survey_id: surveyId }, { signal })
-        : Promise.resolve([]),
-    [surveyId, manages],
-  );
+  const others = useAsked(manages ? "GET /surveys/{survey_id}/members/others" : null, {
+    survey_id: surveyId,
+  });
   const { problem, run: attempt } = useAction();
   const [inviting, setInviting] = useState(false);
   const [invitation, setInvitation] = useState<Invitation | null>(null);

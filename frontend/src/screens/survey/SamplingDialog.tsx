@@ -32,10 +32,11 @@ export function SamplingDialog({ survey, close }: { survey: Survey; close: () =>
   const [typed, setTyped] = useState<Typed>(() => typedOf(survey.sampling));
   const change = (part: Partial<Typed>) => setTyped({ ...typed, ...part });
   const wrong = problemsOf(typed);
-  const submit = () =>
-    Object.values(wrong).some(Boolean)
-      ? null
-      : changeSurvey(survey, { sampling: samplingOf(typed) }).then(close);
+  const submit = async () => {
+    if (Object.values(wrong).some(Boolean)) return;
+    await changeSurvey(survey, { sampling: samplingOf(typed) });
+    close();
+  };
   const field = fieldsOf(typed, change);
   return (
     <FormDialog says="sample-dialog" action={say("action-save")} onClose={close} submit={submit}>

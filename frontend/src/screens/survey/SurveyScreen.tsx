@@ -131,14 +131,7 @@ function LineScans({ survey }: { survey: Survey }) {
   );
 }
 
-const VERBS: Readonly<Record<Step["key"], string>> = wordsOf({
-  camera: "survey-camera-go",
-  recordings: "survey-recordings-go",
-  pose: "survey-pose-go",
-  vehicles: "survey-vehicles-go",
-  review: "survey-review-go",
-  results: "survey-results-go",
-});
+const VERBS: Readonly<Record<Step["key"], string>> = wordsOf("survey-go-");
 
 function StepRow({ step, index, survey }: { step: Step; index: number; survey: Survey }) {
   const entry = entryOfStep(step.key);

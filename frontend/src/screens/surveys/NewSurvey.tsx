@@ -4,7 +4,7 @@ import { navigate } from "../../core/address";
 import { api } from "../../core/api";
 import { useForm } from "../../core/form";
 import { say } from "../../core/messages";
-import type { Place, Traffic } from "../../core/types";
+import type { Traffic } from "../../core/types";
 import { AskedFields, USUALLY_ASKED } from "../../parts/vehicles/AskedFields";
 import { NO_PLACE, PlaceFields, readPlace } from "../../parts/vehicles/PlaceFields";
 import { TrafficFields } from "../../parts/vehicles/TrafficFields";
@@ -17,13 +17,11 @@ export function NewSurvey({ close }: { close: () => void }) {
   const name = values.name.trim();
   const [misplaced, setMisplaced] = useState<string | null>(null);
   const [missing, setMissing] = useState(false);
-  const submit = () => {
+  const submit = async () => {
     setMissing(!name);
     const placed = readPlace(values.place, null);
     setMisplaced(typeof placed === "string" ? placed : null);
-    return name && typeof placed !== "string" ? make(placed) : null;
-  };
-  const make = async (placed: Place) => {
+    if (!name || typeof placed === "string") return;
     const body = { ...values, name, site: values.site.trim(), place: placed };
     const made = await api.write("POST /surveys", {}, { body });
     navigate(`/surveys/${made.id}`);

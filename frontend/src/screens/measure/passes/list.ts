@@ -51,9 +51,9 @@ export class Passes {
     const body = say("measure-pass-delete-body", { vehicle, count });
     if (!(await ask({ title, body, action: say("measure-pass-delete") }))) return;
     await this.inTurn(() =>
-      this.desk.history.run(say("measure-step-deletion", { vehicle }), async (step) => {
-        await step.write(this.presence, open.id, false);
-      }),
+      this.desk.history.run(say("measure-step-deletion", { vehicle }), (step) =>
+        step.write(this.presence, open.id, false),
+      ),
     );
   }
 
@@ -87,7 +87,7 @@ export class Passes {
     if (this.desk.vehicleId.value === opened) this.desk.open(vehicle);
   }
 
-  inTurn(work: () => Promise<void>): Promise<void> {
+  inTurn(work: () => Promise<void> | void): Promise<void> {
     return this.desk.history.inTurn(work).catch(toastProblem);
   }
 

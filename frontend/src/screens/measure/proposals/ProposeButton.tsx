@@ -17,7 +17,6 @@ export function ProposeButton({ model }: { model: MeasureModel }) {
         key={recording.id}
         recording={recording}
         kind="proposals"
-        icon="search"
         start={() => api.write("POST /recordings/{recording_id}/propose", { recording_id: recording.id })}
         words={{
           action: say("measure-propose"),
