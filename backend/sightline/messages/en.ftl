@@ -5636,7 +5636,7 @@ vehicles-not-a-year = { $column } is “{ $cell }”, which is not a year; give 
 csv-empty = { $name } is empty; its first line must name the columns { $needed }.
 csv-no-column = { $name } has no column { $missing }; its first line must name the columns { $needed }.
 csv-column-twice = { $name }, line { $line }: the column { $column } is named twice; keep the one that counts.
-csv-column-expanded = The column “{ $column }” of { $name } has the capital U of an expanded uncertainty; give the standard uncertainty (k = 1) in a column with “u_” in front.
+csv-column-expanded = The column “{ $column }” of { $name } has the capital U or the U95 of an expanded uncertainty; give the standard uncertainty (k = 1) in a column with “u_” in front.
 csv-more-cells = { $name }, line { $line } has { $cells } cells, but the header names { $columns }; write decimals with a point, not a comma, and put texts with commas in quotes.
 csv-fewer-cells = { $name }, line { $line } has { $cells } cells, but the header names { $columns }; fill in the row.
 csv-header-again = { $name }, line { $line } names the columns again, as where tables were put together; leave that line out.

@@ -5687,7 +5687,7 @@ vehicles-not-a-year = { $column } vaut « { $cell } », qui n’est pas une an
 csv-empty = { $name } est vide ; sa première ligne doit nommer les colonnes { $needed }.
 csv-no-column = { $name } n’a pas de colonne { $missing } ; sa première ligne doit nommer les colonnes { $needed }.
 csv-column-twice = { $name }, ligne { $line } : la colonne { $column } est nommée deux fois ; gardez celle qui compte.
-csv-column-expanded = La colonne « { $column } » de { $name } porte le U majuscule d’une incertitude élargie ; donnez l’incertitude-type (k = 1) dans une colonne précédée de « u_ ».
+csv-column-expanded = La colonne « { $column } » de { $name } porte le U majuscule ou le U95 d’une incertitude élargie ; donnez l’incertitude-type (k = 1) dans une colonne précédée de « u_ ».
 csv-more-cells = { $name }, ligne { $line } : { $cells } cellules, mais l’en-tête en nomme { $columns } ; écrivez les décimales avec un point, non une virgule, et mettez entre guillemets les textes qui ont des virgules.
 csv-fewer-cells = { $name }, ligne { $line } : { $cells } cellules, alors que l’en-tête en nomme { $columns } ; complétez la ligne.
 csv-header-again = { $name }, ligne { $line } : elle nomme à nouveau les colonnes, comme là où des tableaux ont été réunis ; ôtez cette ligne.
