@@ -3471,6 +3471,9 @@ statistics-rule-whose = { $whose ->
     [cars] passenger cars
     [trucks] lorries and tractor units
    *[all] all vehicles, as no class is known
+  }{ $chosen ->
+    [yes] { " " }of the chosen classes
+   *[no] { "" }
   }
 statistics-rule-read = here: { $whose }, n = { $n }
 statistics-rule-height = Standard ({ $unit })
@@ -5908,6 +5911,7 @@ sight-too-few = Too few heights for the percentile: { $targets }.
 sight-too-few-of = { $target } ({ $reason })
 sight-read = { $whose ->
     [class] of the class that each rule names
+    [chosen] of the chosen classes that each rule names
     [eyes] the eyes of the class that their rule names, the objects of all vehicles that match, as no class is known
     [objects] the objects of the class that their rule names, the eyes of all vehicles that match, as no class is known
    *[all] of all vehicles that match

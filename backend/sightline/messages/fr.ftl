@@ -3469,6 +3469,9 @@ statistics-rule-whose = { $whose ->
     [cars] voitures particulières
     [trucks] camions et tracteurs routiers
    *[all] tous les véhicules, faute de classe connue
+  }{ $chosen ->
+    [yes] { " " }des classes choisies
+   *[no] { "" }
   }
 statistics-rule-read = ici : { $whose }, n = { $n }
 statistics-rule-height = Norme ({ $unit })
@@ -5959,6 +5962,7 @@ sight-too-few = Trop peu de hauteurs pour le centile : { $targets }.
 sight-too-few-of = { $target } ({ $reason })
 sight-read = { $whose ->
     [class] de la classe que nomme chaque règle
+    [chosen] des classes choisies que nomme chaque règle
     [eyes] les yeux de la classe que nomme leur règle, les obstacles de tous les véhicules retenus, faute de classe connue
     [objects] les obstacles de la classe que nomme leur règle, les yeux de tous les véhicules retenus, faute de classe connue
    *[all] de tous les véhicules retenus
