@@ -3916,7 +3916,7 @@ overview-mark-board = { $count ->
 overview-mark-board-later = Mark the frames with the board at rest, once a recording is ready.
 overview-find-vehicles = Find the vehicles and measure the targets of the survey on each.
 overview-measured = { $count ->
-    [one] The 1 vehicle is measured or not visible.
+    [one] The vehicle is measured or not visible.
    *[other] All { $count } vehicles are measured or not visible.
 }
 overview-measure = { $count ->
@@ -5912,9 +5912,9 @@ sight-too-few-of = { $target } ({ $reason })
 sight-read = { $whose ->
     [class] of the class that each rule names
     [chosen] of the chosen classes that each rule names
-    [eyes] the eyes of the class that their rule names, the objects of all vehicles that match, as no class is known
-    [objects] the objects of the class that their rule names, the eyes of all vehicles that match, as no class is known
-   *[all] of all vehicles that match
+    [eyes] the eyes of the class that their rule names, the objects of all vehicles counted, because their classes are not known
+    [objects] the objects of the class that their rule names, the eyes of all vehicles counted, because their classes are not known
+   *[all] of all vehicles counted
   }
 sight-verdict-alike = { $case ->
     [mix] With the other fleet’s heights
