@@ -152,6 +152,19 @@ def test_every_vehicle_is_in_one_interval_of_each_length(
     assert [float(one["occupied_s"]) for one in told] == pytest.approx([one[1] for one in BY_HAND], abs=1e-5)
 
 
+def test_no_headway_runs_from_one_that_was_in_view_when_the_recording_began(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Nobody saw its front, which is told as line 0."""
+    path = written(tmp_path / "vehicles.csv", [vehicle(9, 0.0, 0.2, None, None, None), *ROWS])
+    cars = tmp_path / "cars.csv"
+    flow(capsys, path, "-o", tmp_path / "intervals.csv", "--vehicles", cars)
+    told = [one["headway_s"] for one in table(cars.read_text())]
+    assert told == ["", "", "3.000000", "5.000000", "4.000000", "650.000000"]
+    first, *_ = table(flow(capsys, path, "--interval", "5"))
+    assert (first["vehicles"], first["headway_mean_s"]) == ("2", "")
+
+
 def test_the_ends_of_a_recording_are_parts_of_intervals(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

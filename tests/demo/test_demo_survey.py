@@ -124,6 +124,11 @@ def check_shown(admin: Client, survey_id: int) -> None:
     assert f"{by_day} vehicles of invented makes in daylight, {low} in low light" in survey["description"]
     measured = sum(bool(one["measurements"]) for one in vehicles)
     assert f"{measured} of them are measured" in survey["description"]
+    again = sum(any(m["review"]["verdict"] == "rejected" for m in one["measurements"]) for one in vehicles)
+    other = len(vehicles) - measured
+    assert f"{again} has a rejected height and is to be measured again" in survey["description"]
+    assert f"That one and the other {other} are for you to try" in survey["description"]
+    assert survey["counts"]["vehicles_measured"] == len(vehicles) - again - other
     verdicts = {m["review"]["verdict"] for one in vehicles for m in one["measurements"]}
     assert verdicts == {"accepted", "fixed", "rejected", "to_review"}
     # one truth, heights of frames and of line scans: Overview and Review

@@ -88,7 +88,9 @@ def test_a_vehicle_without_a_direction_follows_those_of_the_first_stream() -> No
     }
     assert streams_of([other, nowhere]) == {("camera_2_first", None): [nowhere, other]}
     assert streams_of([never]) == {("camera_1_first", None): [never]}
-    assert (headways_s([1.0, 4.0, 9.0]), headways_s([])) == ([None, 3.0, 5.0], [])
+    assert (headways_s([1.0, 4.0, 9.0], 3 * [True]), headways_s([], [])) == ([None, 3.0, 5.0], [])
+    # nobody saw the front of one that was in view when the recording began
+    assert headways_s([0.0, 4.0, 9.0], [False, True, True]) == [None, None, 5.0]
 
 
 def test_figures_of_a_steady_stream() -> None:

@@ -70,6 +70,7 @@ def test_not_visible_is_an_answer_until_it_is_measured(operator: Client, ground:
     assert state(operator, vehicle) == "measured"
     counts = operator.seen(f"/surveys/{ground.survey_id}")["counts"]
     assert (counts["vehicles_measured"], counts["not_visible"]) == (1, 1)
+    assert told_of_vehicles(operator, ground) == "The vehicle is measured or not visible."
     eye = measured(operator, vehicle, target="driver_eye")
     found = operator.seen(f"/vehicles/{vehicle}")
     assert found["driver_eye_not_visible"] is None and found["state"] == "measured"
@@ -79,10 +80,13 @@ def test_not_visible_is_an_answer_until_it_is_measured(operator: Client, ground:
     assert both["state"] == "not_visible"
     counts = operator.seen(f"/surveys/{ground.survey_id}")["counts"]
     assert (counts["vehicles_measured"], counts["not_visible"]) == (2, 2)
-    (step,) = (
-        one for one in operator.seen(f"/surveys/{ground.survey_id}")["steps"] if one["key"] == "vehicles"
-    )
-    assert step["summary"][0]["message"] == "All 2 vehicles are measured or not visible."
+    assert told_of_vehicles(operator, ground) == "All 2 vehicles are measured or not visible."
+
+
+def told_of_vehicles(operator: Client, ground: Ground) -> str:
+    steps = operator.seen(f"/surveys/{ground.survey_id}")["steps"]
+    (step,) = (one for one in steps if one["key"] == "vehicles")
+    return str(step["summary"][0]["message"])
 
 
 def test_a_target_may_be_hidden_by_its_own_body(operator: Client, ground: Ground) -> None:

@@ -143,26 +143,29 @@ def _boxes(content: bytes) -> list[tuple[bytes, bytes]]:
     return found
 
 
-def edited(source: Path, target: Path, edits: Sequence[tuple[float, float | None]]) -> Path:
+def edited(
+    source: Path, target: Path, edits: Sequence[tuple[float, float | None]], track: int | None = None
+) -> Path:
     """An MP4 file with another edit list: how many seconds each edit lasts, and from what second of the
-    picture on it plays (None: it is empty).
+    picture on it plays (None: it is empty). track: of that one alone, from 1.
     """
     every = _boxes(source.read_bytes())
     assert every[-1][0] == b"moov", "so that no picture is moved"
     inside = _boxes(every[-1][1])
     movie_hz = struct.unpack_from(">I", dict(inside)[b"mvhd"], 12)[0]
-    out = b""
+    out, nth = b"", 0
     for kind, content in inside:
-        if kind == b"trak":
-            track = [one for one in _boxes(content) if one[0] != b"edts"]
-            own_hz = struct.unpack_from(">I", dict(_boxes(dict(track)[b"mdia"]))[b"mdhd"], 12)[0]
+        nth += kind == b"trak"
+        if kind == b"trak" and track in (None, nth):
+            parts = [one for one in _boxes(content) if one[0] != b"edts"]
+            own_hz = struct.unpack_from(">I", dict(_boxes(dict(parts)[b"mdia"]))[b"mdhd"], 12)[0]
             rows = [
                 struct.pack(">IiI", round(last * movie_hz), -1 if at is None else round(at * own_hz), 1 << 16)
                 for last, at in edits
             ]
             listed = _boxed(b"elst", struct.pack(">II", 0, len(rows)) + b"".join(rows))
-            track.insert(1, (b"edts", listed))
-            content = b"".join(_boxed(*one) for one in track)
+            parts.insert(1, (b"edts", listed))
+            content = b"".join(_boxed(*one) for one in parts)
         out += _boxed(kind, content)
     target.write_bytes(b"".join(_boxed(*one) for one in [*every[:-1], (b"moov", out)]))
     return target

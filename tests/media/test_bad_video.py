@@ -19,6 +19,7 @@ from sightline.media.video.passing import frames_between
 from sightline.media.video.sniff import played_in_parts
 from tests.media.clips import Spec, edited, read_number, write
 from tests.media.conftest import Clip, Ingest, media_of
+from tests.media.test_other_recorders import two_pictures
 
 
 def refusal(path: Path) -> str:
@@ -209,6 +210,24 @@ def test_an_edit_list_without_the_header_of_its_times_tells_nothing(header: byte
     assert played_in_parts(path)
     path.write_bytes(path.read_bytes().replace(header, b"free"))
     assert not played_in_parts(path)
+
+
+def test_only_the_edit_list_of_the_picture_that_is_read_counts(tmp_path: Path, take_in: Ingest) -> None:
+    file = two_pictures(tmp_path / "two.mp4", (30, 30), (True, True))
+    path = edited(file, tmp_path / "edited.mp4", [(0.4, 0.0), (0.4, 0.8)], track=2)
+    assert (played_in_parts(path), take_in(path).facts.stream) == ({2}, 1)
+    with pytest.raises(BadInput, match="several parts"):
+        frames_between(path, 0, 9, (640, 480), "edited.mp4", stream_number=2)
+
+
+def test_an_edit_list_in_a_part_with_a_long_size_is_found(tmp_path: Path) -> None:
+    whole = write(tmp_path / "whole.mp4", Spec("whole.mp4"), 50)
+    path = edited(whole, tmp_path / "edited.mp4", [(0.4, 0.0), (0.4, 1.6)])
+    content = path.read_bytes()
+    at = content.rindex(b"moov") - 4
+    rest = content[at + 8 :]
+    path.write_bytes(content[:at] + struct.pack(">I4sQ", 1, b"moov", 16 + len(rest)) + rest)
+    assert played_in_parts(path)
 
 
 def test_a_late_first_stamp_is_no_cut(tmp_path: Path, take_in: Ingest) -> None:

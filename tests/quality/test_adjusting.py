@@ -124,6 +124,18 @@ def test_the_traffic_finds_the_camera_and_says_what_every_height_would_become(
         assert one["U95_adjusted_m"] < one["U95_height_m"]
 
 
+def test_a_height_of_another_pose_is_shown_as_it_is_stored(operator: Client, ground: Ground) -> None:
+    made = fleet(operator, ground)
+    path = f"/recordings/{ground.recording_id}"
+    (other,) = {one["id"] for one in operator.seen(f"/surveys/{ground.survey_id}/poses")} - {ground.pose_id}
+    operator.put(path, {"pose_id": other})
+    stored = measure(operator, made[1]["id"], target="taillight")
+    operator.put(path, {"pose_id": ground.pose_id})
+    (shown,) = (one for one in asked(operator, ground)["heights"] if one["measurement_id"] == stored["id"])
+    assert (shown["height_m"], shown["U95_height_m"]) == (stored["height_m"], stored["U95_height_m"])
+    assert shown["change_m"] == shown["adjusted_m"] - shown["height_m"]
+
+
 def test_it_is_put_in_force_by_a_person_computes_again_and_is_taken_back(
     operator: Client, viewer: Client, ground: Ground, services: Services, work: Work, tmp_path: Any
 ) -> None:

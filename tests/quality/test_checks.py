@@ -134,6 +134,7 @@ def test_traffic_turns_a_pose_and_choosing_the_old_one_undoes_it(
     after = traffic(operator, ground.survey_id)["poses"][0]
     assert (after["pose_id"], after["turned_from"]) == (new["id"], ground.pose_id)
     assert abs(after["mean_rad"]) < 1e-4 and not after["proposed"]
+    assert after["changes"]["count"] == 0  # the stored heights are of the pose before
     assert operator.post(path, wanted).status_code == 409
     for one in made:  # what is stored stays as it was measured
         assert operator.seen(f"/measurements/{one['id']}")["height_m"] == one["height_m"]

@@ -13,7 +13,8 @@ from sightline.infra.services import Services
 from sightline.media.video.ingest import ingest
 from sightline.media.video.stated import Stated
 from sightline.recordings.filming import misfits
-from tests.media.clips import painted
+from sightline.recordings.store import get_recording
+from tests.media.clips import edited, painted
 from tests.media.test_other_recorders import two_pictures
 from tests.support.app import Client, run_jobs, upload
 
@@ -168,6 +169,23 @@ def test_a_filming_rate_is_asked_for_and_gives_the_times(
     assert "Filmed at 100 frames per second" in " ".join(note["message"] for note in after["notes"])
     table = operator.seen(f"{path}/frames?first=0&count=4")
     assert table["time_s"] == pytest.approx([0, 0.01, 0.02, 0.03], abs=1e-6)
+
+
+def test_a_recording_of_several_edits_stays_as_it_was_when_a_rate_is_stated(
+    operator: Client, survey_id: int, services: Services, tmp_path: Path
+) -> None:
+    """An earlier version read it, with times that ran on over the jump."""
+    file = clip(tmp_path / "slow.mp4", SLOW, {})
+    path = f"/recordings/{upload(operator, survey_id, file)}"
+    before = read(operator, services, path)
+    with services.reading() as session:
+        stored = services.media.local_path(get_recording(session, before["id"]).media_key)
+    stored.chmod(0o644)
+    edited(file, stored, [(0.04, 0.0), (0.04, 0.12)])
+    refused = operator.put(f"{path}/filming-rate", json={"filmed_hz": 100})
+    assert refused.json()["error"]["code"] == "video-in-parts"
+    after = operator.seen(path)
+    assert (after["state"], after["filmed_hz"]) == ("ready", None)
 
 
 def test_a_rate_that_nobody_has_to_state_is_refused(operator: Client, recording_id: int) -> None:

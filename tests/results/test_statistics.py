@@ -170,6 +170,7 @@ def filters_are_a_recount(viewer: Client, ground: Ground) -> None:
         found = viewer.seen(f"/statistics?rounding=none&{query}")
         assert len(left) > 2, name
         assert found["counted"]["measurements"] == len(left), name
+        assert found["of_chosen"] == ("category=" in query), name
         assert found["counted"]["vehicles"] == len({one.vehicle_id for one in left}), name
         same_but_state = found["counted"]["measurements"] + sum(found["counted"]["left_out"].values())
         assert same_but_state >= len(left)

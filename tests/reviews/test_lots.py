@@ -278,6 +278,22 @@ def event_of(place: Path, entity: str, change: Callable[[dict[str, Any]], None],
 
 
 @pytest.mark.once
+def test_what_lots_let_through_is_told_of_the_vehicles_that_count(package: Path) -> None:
+    """Of one of them, where the package is of its class alone."""
+    one = next(row for row in rows(package, "measurements.csv") if row["verdict_by"] == "lot")
+    cars = rows(package, "vehicles.csv")
+    rewrite(
+        package,
+        "vehicles.csv",
+        [{**car, "category": "suv" * (car["id"] == one["vehicle_id"])} for car in cars],
+    )
+    (package / "tables" / "selection.csv").write_text("by,word\r\ncategory,suv\r\n")
+    counts = verdicts_in(FolderFiles(package))
+    assert counts.outgoing is not None
+    assert (counts.by_lot, counts.lots, counts.outgoing.count, counts.outgoing.at_most) == (1, 1, 1, 1)
+
+
+@pytest.mark.once
 def test_a_package_tells_which_verdicts_are_by_lot_and_what_is_forged_is_found(package: Path) -> None:
     assert check(package) is None
     told = rows(package, "lots.csv")

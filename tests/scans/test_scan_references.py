@@ -240,6 +240,8 @@ SPOILED: dict[str, tuple[bytes | str, dict[int, tuple[str, ...]] | tuple[str, ..
         "number,vehicle,source,speed_kmh,u_speed_kmh\n1,2,radar,70,1\n", ("vehicle", "leave one out")),
     "an expanded uncertainty, which was read as a standard one": (
         "number,source,speed_kmh,U_speed_kmh\n1,radar,70,2\n", ("U_speed_kmh", "k = 1")),
+    "an interval's half-width": (
+        "number,source,speed_kmh,u95_speed_kmh\n1,radar,70,2\n", ("u95_speed_kmh", "k = 1")),
     "a speed in knots": ("number,source,speed_kn,u_speed_kn\n1,radar,70,1\n", ("speed_kn",)),
     "UTF-16": ((SPEEDS + "1,radar,70,0.5\n").encode("utf-16"), ("UTF-8",)),
     "Windows' letters": ((SPEEDS + "1,Gerät,70,0.5\n").encode("cp1252"), ("UTF-8",)),

@@ -5,7 +5,7 @@ from math import hypot
 import numpy as np
 import pytest
 
-from sightline.linescan.parts import Rig
+from sightline.linescan.parts import CUT, Rig
 from sightline.linescan.rig import baseline_of
 from sightline.scans.statistics.service import VehicleMotion, statistics_of_seen, when_passed
 
@@ -118,3 +118,12 @@ def test_runs_in_two_lanes_share_the_errors_of_one_rig(correlation: float) -> No
     lengths_m = 4.5 * (off[:, :1] + off[:, 1:] * away) / (0.6 + 0.01 * away) + own
     weight = np.linalg.inv(np.cov(lengths_m.T))
     assert car.sizes["length"].u_mean == pytest.approx(weight.sum() ** -0.5, rel=0.02)
+
+
+def test_the_front_of_one_that_was_in_view_when_the_recording_began_was_not_seen() -> None:
+    rig = Rig(0.4, 8000.0)
+    told = [
+        when_passed(rig, *one)["front_seen"]
+        for one in ((0.0, 900.0, CUT), (9.0, 900.0, CUT), (0.0, 900.0, None))
+    ]
+    assert told == [False, True, True]

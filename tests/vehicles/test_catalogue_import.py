@@ -232,7 +232,7 @@ def test_a_u_without_a_unit_has_that_of_its_size(operator: Client, viewer: Clien
 
 def test_an_expanded_uncertainty_is_not_read_as_a_standard_one(operator: Client) -> None:
     rows = "make,model,Height_m,{u},u_wheelbase_m\nKia,Rio,1.45,0.02,0.01\n"
-    for title in ("U_height_m", "U_roof (mm)"):
+    for title in ("U_height_m", "U_roof (mm)", "U95_height_m", "u95 height (mm)"):
         plan = preview(operator, rows.format(u=title))
         fields = [one["field"] for one in plan["columns"]]
         assert fields == ["make", "model", "height_m", None, "u_wheelbase_m"]

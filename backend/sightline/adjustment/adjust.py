@@ -18,8 +18,8 @@ from sightline.adjustment.observed import (
 )
 from sightline.adjustment.shared_errors import Part, SharedErrors, covariance_at, moved_pose, shared_errors
 from sightline.adjustment.traffic_model import HEADING, Traffic, arranged, on_road
+from sightline.arrays import Bools, Floats
 from sightline.errors import BadInput
-from sightline.geometry.arrays import Bools, Floats
 from sightline.geometry.road_pose import POSE_NAMES, RoadPose
 from sightline.messages.said import Said
 

@@ -12,8 +12,8 @@ import numpy as np
 
 from sightline.adjustment.shared_errors import SharedErrors
 from sightline.adjustment.traffic_model import Linear, Traffic, guesses, linearise, prior_information
+from sightline.arrays import Floats
 from sightline.errors import BadInput
-from sightline.geometry.arrays import Floats
 
 _ROUNDS = 30
 _SETTLED = 1e-7  # of the cost, which is a chi-square

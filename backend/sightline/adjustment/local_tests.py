@@ -15,7 +15,7 @@ from sightline.adjustment.least_squares import Solution, Weights, solve
 from sightline.adjustment.observed import LENGTHS
 from sightline.adjustment.shared_errors import SharedErrors
 from sightline.adjustment.traffic_model import Traffic
-from sightline.geometry.arrays import Bools, Floats
+from sightline.arrays import Bools, Floats
 
 FAILED = 3.29  # of a normal deviate: 1 in 1000 good ones fails
 _POINT_FAILED = -2.0 * math.log(1e-5)  # chi-square of two coordinates; there are thousands of points

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sightline.geometry.arrays import Floats, frozen
+from sightline.arrays import Floats
+from sightline.geometry.arrays import frozen
 from sightline.messages.said import Said
 
 POINTS = ("rear_tyre", "front_tyre", "roof")

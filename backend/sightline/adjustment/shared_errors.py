@@ -14,8 +14,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from sightline.adjustment.observed import Known
+from sightline.arrays import Floats
 from sightline.coverage import MEAN_OF_INSET
-from sightline.geometry.arrays import Floats, exp_rotation, nearest_rotation, skew
+from sightline.geometry.arrays import exp_rotation, nearest_rotation, skew
 from sightline.geometry.board_errors import board_parts
 from sightline.geometry.camera import Camera
 from sightline.geometry.road_pose import DEFAULT_U_SQUARE, BoardOnRoad, RoadPose

@@ -21,8 +21,9 @@ from numpy.typing import NDArray
 
 from sightline.adjustment.observed import FRONT, LENGTHS, REAR, ROOF, Known, ObservedPass, shared_insets
 from sightline.adjustment.shared_errors import SharedErrors, moved_pose
+from sightline.arrays import Floats
 from sightline.coverage import MEAN_OF_INSET
-from sightline.geometry.arrays import Floats, skew
+from sightline.geometry.arrays import skew
 from sightline.geometry.camera import project_with_jacobians, undistort
 from sightline.geometry.road_pose import RoadPose
 

@@ -231,7 +231,8 @@ def _vehicle_rows(of: Results) -> Iterator[dict[str, Any]]:
     found: list[tuple[float, float | None, VehicleMotion]] = []
     for stream in streams_of(of.vehicles).values():
         fronts_s = [one.since_s or 0.0 for one in stream]
-        found += zip(fronts_s, headways_s(fronts_s), stream, strict=True)
+        headways = headways_s(fronts_s, [one.front_seen for one in stream])
+        found += zip(fronts_s, headways, stream, strict=True)
     for since_s, headway_s, one in sorted(found, key=lambda each: each[0]):
         held = {
             "recording": of.name,

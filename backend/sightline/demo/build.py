@@ -44,9 +44,10 @@ NAME = "Demonstration: Corvane Road"
 SITE = "an invented road, two lanes"
 DESCRIPTION = (
     "Rendered from a known scene, so the true heights are known: 9 vehicles of invented makes in daylight, "
-    "7 in low light. 14 of them are measured, most are accepted; the other 2 are for you to try. A line scan "
-    "shows 9 more vehicles with speed, length and gaps. So few vehicles give no verdict on a standard; the "
-    "surveys of the simulated study have enough."
+    "7 in low light. 14 of them are measured: most are accepted, 1 has a rejected height and is to be "
+    "measured again. That one and the other 2 are for you to try. A line scan shows 9 more vehicles with "
+    "speed, length and gaps. So few vehicles give no verdict on a standard; the surveys of the simulated "
+    "study have enough."
 )
 TRAFFIC = TrafficFacts(traffic_side="right", steering_side="left", camera_place="verge")
 PLACE = Place(

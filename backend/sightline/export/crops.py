@@ -147,7 +147,7 @@ def _crop(staging: Staging, spot: Any, picture: Bgr | str) -> dict[str, Cell]:
     target, heights = TARGETS[spot["target"]], (float(spot["height_m"]), float(spot["U95_m"]))
     # to the micrometre, as in the tables: so that the label can be made again from them
     label = label_of(target, *(None if np.isnan(one) else round(one, 6) for one in heights))
-    staging.add(f"{stem}.svg", overlay(row, target, label))
+    staging.add(f"{stem}.svg", overlay(row, label))
     return row
 
 
@@ -189,7 +189,7 @@ def label_of(target: str, height_m: float | None, U95_m: float | None) -> str:
     return f"{word} {height_m:.3f} m" if U95_m is None else f"{word} {height_m:.3f} ± {U95_m:.3f} m"
 
 
-def overlay(row: Mapping[str, Any], target: str, label: str) -> bytes:
+def overlay(row: Mapping[str, Any], label: str) -> bytes:
     """The SVG over a crop, from the crop's row: rings round both points, joined, with what they are."""
     (cx, cy), (tx, ty) = (
         (float(row[f"{word}_x_px"]) + 0.5, float(row[f"{word}_y_px"]) + 0.5) for word in ("contact", "target")
@@ -226,4 +226,4 @@ def _words(text: str, x: float, y: float, width: int, height: int) -> Iterator[s
 def expected_overlay(row: Mapping[str, str], measured: Mapping[str, str]) -> bytes:
     """The SVG that a row of crops.csv and one of measurements.csv give, to be compared with the one there."""
     label = label_of(measured["target"], number(measured["height_m"]), number(measured["U95_height_m"]))
-    return overlay(row, measured["target"], label)
+    return overlay(row, label)

@@ -104,7 +104,7 @@ def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()
     found = {}
     for correction, rounding in wanted:
         chosen = StatisticsOptions(rounding, correction, choices.u_reference_m, choices.own_standards, table)
-        found[correction, rounding] = made_of(measured, left_out, chosen, groupings, {}, {})
+        found[correction, rounding] = made_of(measured, left_out, filter_, chosen, groupings, {}, {})
     scanned = list(scanned_motions(files))
     return PackageStatistics(
         found, scans_in(files, scanned), scan_heights_in(files), traffic_in(files, scanned)

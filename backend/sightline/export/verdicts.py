@@ -10,7 +10,7 @@ from sightline.statistics.acceptance import Outgoing, outgoing_of_lots
 
 @dataclass(frozen=True, slots=True)
 class VerdictCounts:
-    """Accepted heights `individual` and `by_lot`; `lots` accepted, and what they let through together."""
+    """Accepted heights `individual` and `by_lot`; `lots` that those are of, and what they let through."""
 
     individual: int = 0
     by_lot: int = 0
@@ -19,19 +19,19 @@ class VerdictCounts:
 
 
 def verdicts_in(files: Files) -> VerdictCounts:
-    """Of the vehicles whose heights count; lots are told whole."""
+    """Of the vehicles whose heights count."""
     counting = counting_vehicles(files)
     names = ("vehicle_id", "withdrawn", "verdict", "verdict_by", "lot_id")
     bases, standing = Counter[str](), Counter[str]()
     for vehicle, withdrawn, verdict, basis, lot in read_columns(files, "measurements.csv", names):
-        if is_accepted(withdrawn, verdict):
+        if is_accepted(withdrawn, verdict) and vehicle in counting:
             standing[lot] += 1
-            bases[basis] += vehicle in counting
+            bases[basis] += 1
     columns = ("id", "state", "judged", "rest", "nonconforming")
     accepted = [
         (int(judged) + int(rest), int(judged), int(bad), standing[lot])
         for lot, state, judged, rest, bad in read_columns(files, "lots.csv", columns)
-        if state == "accepted"
+        if state == "accepted" and standing[lot]
     ]
     return VerdictCounts(
         individual=bases["individual"],

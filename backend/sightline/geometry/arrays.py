@@ -1,10 +1,9 @@
-"""Array types and the small pieces of rotation algebra that the whole room uses."""
+"""The small pieces of array and rotation algebra that the whole room uses."""
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sightline.arrays import Bools as Bools
-from sightline.arrays import Floats as Floats
+from sightline.arrays import Floats
 
 
 def frozen(values: ArrayLike) -> Floats:

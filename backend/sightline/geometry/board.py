@@ -12,9 +12,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.arrays import Floats
 from sightline.enums import BoardSide
 from sightline.errors import BadInput
-from sightline.geometry.arrays import Floats
 from sightline.geometry.charuco import Charuco, require_charuco
 
 MAX_ROLL_RAD = np.deg2rad(62.0)  # a board given as columns x rows is believed up to this roll of the camera

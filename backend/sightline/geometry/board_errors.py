@@ -13,7 +13,7 @@ corner P = (0, 0, h_ref), where the tape was held. With p = R P + t, P in the ca
 
 import numpy as np
 
-from sightline.geometry.arrays import Floats
+from sightline.arrays import Floats
 from sightline.geometry.board import Board
 from sightline.geometry.planar import PlanarPose
 from sightline.geometry.road_pose import RoadPose

@@ -12,7 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.polynomial.legendre import legvander
 
-from sightline.geometry.arrays import Floats, frozen
+from sightline.arrays import Floats
+from sightline.geometry.arrays import frozen
 from sightline.geometry.board import Board, board_points
 
 _TERMS = ((2, 0), (1, 1), (0, 2), (4, 0), (3, 1), (2, 2), (1, 3), (0, 4))

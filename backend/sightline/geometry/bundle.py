@@ -10,8 +10,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from sightline.arrays import Floats
 from sightline.enums import LensModel
-from sightline.geometry.arrays import Floats, exp_rotation
+from sightline.geometry.arrays import exp_rotation
 from sightline.geometry.camera import Camera
 from sightline.geometry.planar import PlanarPose, linearise, planar_roots
 

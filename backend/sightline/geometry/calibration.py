@@ -8,9 +8,10 @@ from typing import Any
 import cv2
 import numpy as np
 
+from sightline.arrays import Floats
 from sightline.enums import LensModel
 from sightline.errors import BadInput
-from sightline.geometry.arrays import Floats, exp_rotation, frozen
+from sightline.geometry.arrays import exp_rotation, frozen
 from sightline.geometry.board import Board, board_points, require_board
 from sightline.geometry.board_shape import BoardShape, shape_basis
 from sightline.geometry.bundle import from_scratch, refine_all, refine_bent

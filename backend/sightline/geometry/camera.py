@@ -6,10 +6,11 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
+from sightline.arrays import Bools, Floats
 from sightline.enums import LensModel
 from sightline.errors import BadInput
 from sightline.geometry import lens
-from sightline.geometry.arrays import Bools, Floats, frozen, points
+from sightline.geometry.arrays import frozen, points
 from sightline.geometry.lens_limit import LensLimit, lens_limit
 from sightline.messages.said import Said
 

@@ -14,7 +14,7 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike, NDArray
 
-from sightline.geometry.arrays import Floats
+from sightline.arrays import Floats
 from sightline.geometry.camera import project
 from sightline.geometry.road import road_point
 from sightline.geometry.road_pose import RoadPose

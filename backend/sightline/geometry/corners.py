@@ -9,7 +9,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sightline.geometry.arrays import Floats, frozen
+from sightline.arrays import Floats
+from sightline.geometry.arrays import frozen
 from sightline.geometry.board import Board, canonical_order, numbered_as_seen, require_board
 from sightline.geometry.charuco import Charuco, find_charuco
 from sightline.geometry.extent import goes_on

@@ -6,9 +6,10 @@ from typing import Any, cast, get_args
 
 import numpy as np
 
+from sightline.arrays import Floats
 from sightline.enums import BoardSide, LensModel
 from sightline.errors import BadInput
-from sightline.geometry.arrays import Floats, is_covariance
+from sightline.geometry.arrays import is_covariance
 from sightline.geometry.board_errors import BOWS
 from sightline.geometry.camera import Camera, View
 from sightline.geometry.road_pose import (

@@ -11,7 +11,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from sightline.geometry.arrays import Floats
+from sightline.arrays import Floats
 from sightline.geometry.drift import Motion, displacement_px, motion_of
 from sightline.messages.said import Said
 

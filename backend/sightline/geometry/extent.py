@@ -9,8 +9,8 @@ from typing import get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.arrays import Floats
 from sightline.enums import PatternSide
-from sightline.geometry.arrays import Floats
 
 _ANGLES = np.linspace(0.0, 2.0 * np.pi, 24, endpoint=False)
 _RADIUS = 0.32  # of the distance to the neighbours: inside the four squares that meet

@@ -14,7 +14,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sightline.geometry.arrays import Bools, Floats
+from sightline.arrays import Bools, Floats
 
 Gray = NDArray[np.uint8]
 

@@ -14,8 +14,8 @@ from dataclasses import dataclass, field
 import cv2
 import numpy as np
 
+from sightline.arrays import Floats
 from sightline.enums import FollowedPoint, Target
-from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import project
 from sightline.geometry.follow import Gray, textured
 from sightline.geometry.followed_tracks import (

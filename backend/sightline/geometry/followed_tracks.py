@@ -15,8 +15,8 @@ from typing import get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.arrays import Floats
 from sightline.enums import FollowedPoint
-from sightline.geometry.arrays import Floats
 
 CONTACT, SECOND, TARGET = 0, 1, 2
 EXACT_PX = 0.02  # of a point on the frame that it was confirmed on, beside the click: rounding, the lens

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sightline.geometry.arrays import Floats
+from sightline.arrays import Floats
 from sightline.geometry.camera import project
 from sightline.geometry.height import measure_height
 from sightline.geometry.multiframe import LEAST_TRAVEL_M, measure_frames

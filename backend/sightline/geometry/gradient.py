@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sightline.arrays import Floats
 from sightline.geometry import lens
-from sightline.geometry.arrays import Floats
 from sightline.geometry.ray_intersection import RayIntersection
 from sightline.geometry.road_pose import RoadPose
 

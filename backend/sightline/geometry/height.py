@@ -6,9 +6,9 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from sightline.arrays import Floats
 from sightline.coverage import COVERAGE_95
 from sightline.enums import MeasurementStatus
-from sightline.geometry.arrays import Floats
 from sightline.geometry.board_errors import board_covariance, board_parts, unknown_parts
 from sightline.geometry.gradient import Gradient, gradient
 from sightline.geometry.ray_intersection import (

@@ -4,8 +4,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from sightline.arrays import Floats
 from sightline.errors import BadInput
-from sightline.geometry.arrays import Floats
 from sightline.geometry.board import Board, road_points
 from sightline.geometry.camera import Camera, project
 from sightline.geometry.corners import Corners

@@ -15,9 +15,9 @@ from typing import Any
 import numpy as np
 import yaml
 
+from sightline.arrays import Floats
 from sightline.enums import LensModel
 from sightline.errors import BadInput
-from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import Camera
 from sightline.geometry.documents import (
     CAMERA_FORMAT,

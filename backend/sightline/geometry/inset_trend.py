@@ -12,7 +12,7 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike
 
-from sightline.geometry.arrays import Bools, Floats
+from sightline.arrays import Bools, Floats
 from sightline.geometry.gradient import gradient
 from sightline.geometry.height import systematic_covariance
 from sightline.geometry.ray_intersection import OK, intersect_rays

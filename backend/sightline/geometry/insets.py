@@ -9,8 +9,8 @@ one for each shape of body, which the vehicle's class tells.
 import numpy as np
 from numpy.typing import ArrayLike
 
+from sightline.arrays import Floats
 from sightline.enums import Category, DriverSide, InsetName, InsetPlace, Target
-from sightline.geometry.arrays import Floats
 from sightline.messages.said import Said
 
 USUAL_INSETS: dict[InsetName, tuple[float, float, str]] = {

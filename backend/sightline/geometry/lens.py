@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sightline.arrays import Floats
 from sightline.enums import LensModel
-from sightline.geometry.arrays import Floats
 
 BROWN_NAMES = ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
 FISHEYE_NAMES = ("k1", "k2", "k3", "k4")

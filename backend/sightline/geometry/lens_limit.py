@@ -8,8 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sightline.arrays import Floats
 from sightline.enums import LensModel
-from sightline.geometry.arrays import Floats, frozen
+from sightline.geometry.arrays import frozen
 from sightline.geometry.lens import distort, radial_gain
 
 _FARTHEST = 11.43  # tan 85 degrees: further off the axis, x/z is no sensible coordinate

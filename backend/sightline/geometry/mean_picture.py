@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sightline.geometry.arrays import Floats
+from sightline.arrays import Floats
 from sightline.geometry.corners import Corners, Gray
 from sightline.geometry.stillness import STILL_PX, displaced_px, smooth_basis
 

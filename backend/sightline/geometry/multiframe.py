@@ -13,8 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from sightline.arrays import Floats
 from sightline.coverage import COVERAGE_95
-from sightline.geometry.arrays import Floats, skew
+from sightline.geometry.arrays import skew
 from sightline.geometry.board_errors import board_parts
 from sightline.geometry.camera import project_with_jacobians, undistort
 from sightline.geometry.height import BudgetEntry, Height, Parts, left_out, not_measurable

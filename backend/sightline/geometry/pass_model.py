@@ -16,7 +16,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sightline.geometry.arrays import Floats, skew
+from sightline.arrays import Floats
+from sightline.geometry.arrays import skew
 from sightline.geometry.camera import project_with_jacobians, undistort
 from sightline.geometry.followed_tracks import CONTACT, SECOND, TARGET, Tracks
 from sightline.geometry.road_pose import RoadPose

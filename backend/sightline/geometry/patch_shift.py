@@ -10,7 +10,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sightline.geometry.arrays import Floats
+from sightline.arrays import Floats
 from sightline.geometry.camera import project
 from sightline.geometry.follow import Gray
 from sightline.geometry.road_pose import RoadPose

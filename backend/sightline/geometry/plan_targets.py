@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sightline.arrays import Floats
 from sightline.coverage import COVERAGE_95
-from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import project
 from sightline.geometry.gain import second_frame_gain
 from sightline.geometry.height import Height, measure_height, measure_heights, not_measurable

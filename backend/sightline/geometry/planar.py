@@ -11,7 +11,8 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-from sightline.geometry.arrays import Floats, exp_rotation, nearest_rotation, skew
+from sightline.arrays import Floats
+from sightline.geometry.arrays import exp_rotation, nearest_rotation, skew
 from sightline.geometry.camera import Camera, project_with_jacobians, undistort
 
 _ROUNDS = 60

@@ -5,8 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from sightline.arrays import Floats
 from sightline.errors import BadInput
-from sightline.geometry.arrays import Floats
 from sightline.geometry.board import Board, board_points, require_board, road_points
 from sightline.geometry.board_errors import bow_profiles, bow_response
 from sightline.geometry.camera import Camera, project, undistort

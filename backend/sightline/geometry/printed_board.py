@@ -7,8 +7,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.arrays import Floats
 from sightline.errors import BadInput
-from sightline.geometry.arrays import Floats
 from sightline.geometry.board import Board, require_board
 
 #: Standing sheets (width, height) in m, ISO 216 from the smallest on, then ANSI/ASME Y14.1.

@@ -23,7 +23,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sightline.geometry.arrays import Floats
+from sightline.arrays import Floats
 from sightline.geometry.camera import undistort_xy
 from sightline.geometry.road_pose import RoadPose
 from sightline.messages.said import Said

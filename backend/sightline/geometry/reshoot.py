@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from sightline.geometry.arrays import Floats
+from sightline.arrays import Floats
 from sightline.geometry.verdict import Evidence
 from sightline.messages.said import Said, listed
 

@@ -10,8 +10,9 @@ from functools import cached_property
 
 import numpy as np
 
+from sightline.arrays import Floats
 from sightline.enums import BoardSide
-from sightline.geometry.arrays import Floats, frozen
+from sightline.geometry.arrays import frozen
 from sightline.geometry.camera import Camera
 from sightline.messages.said import Said
 

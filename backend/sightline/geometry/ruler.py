@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from typing_extensions import TypedDict
 
-from sightline.geometry.arrays import Floats
+from sightline.arrays import Floats
 from sightline.geometry.road import Overlay, Rung, axes_at_contact, ladder_at_contact
 from sightline.geometry.road_pose import RoadPose
 from sightline.messages.said import Said

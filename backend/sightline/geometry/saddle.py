@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from sightline.geometry.arrays import Bools, Floats
+from sightline.arrays import Bools, Floats
 
 _SHARE = 0.42
 _LEAST_PX, _MOST_PX = 3.0, 9.0

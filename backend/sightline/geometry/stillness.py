@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sightline.geometry.arrays import Floats
+from sightline.arrays import Floats
 
 STILL_PX = 0.3  # a board that moves less stands still
 FLOOR_PX = 0.02  # static corner bias that no residual shows (sub-pixel fits reach 0.01 to 0.02 px)

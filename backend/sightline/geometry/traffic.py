@@ -7,7 +7,8 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike
 
-from sightline.geometry.arrays import Bools, Floats, frozen, skew
+from sightline.arrays import Bools, Floats
+from sightline.geometry.arrays import frozen, skew
 from sightline.geometry.camera import project_with_jacobians, undistort
 from sightline.geometry.height import Parts, shared_covariance
 from sightline.geometry.ray_intersection import MIN_DEPRESSION

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sightline.geometry.arrays import Floats
+from sightline.arrays import Floats
 from sightline.geometry.camera import project, undistort
 from sightline.geometry.follow import Gray, Step, best_guess, followed, reach_px
 from sightline.geometry.height import measure_height

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sightline.arrays import Floats
 from sightline.errors import BadInput
-from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import Camera
 from sightline.messages.said import Said
 

@@ -13,8 +13,8 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from sightline.arrays import Floats
 from sightline.coverage import COVERAGE_95
-from sightline.geometry.arrays import Floats
 from sightline.geometry.board_errors import board_parts
 from sightline.geometry.camera import undistort
 from sightline.geometry.followed_tracks import (

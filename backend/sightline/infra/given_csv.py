@@ -145,16 +145,12 @@ def given_number(cell: str) -> float | None:
     return value if math.isfinite(value) else None
 
 
-def names_expanded(title: str) -> bool:
-    """Whether a column of uncertainties is of expanded ones by its title's capital U (JCGM 100:2008, 2.3.5);
-    of a title in capitals none can be told.
-    """
-    return title.lstrip().startswith("U") and not title.isupper()
-
-
 def require_standard(title: str, name: object) -> None:
-    """Raise BadInput where a column of uncertainties is of expanded ones by its title."""
-    if names_expanded(title):
+    """Raise BadInput where a column of uncertainties is of expanded ones by its title's U95, or its capital U
+    (JCGM 100:2008, 2.3.5); a title in capitals alone tells nothing by its U.
+    """
+    title = title.strip()
+    if title[:3].upper() == "U95" or (title.startswith("U") and not title.isupper()):
         raise BadInput("csv-column-expanded", name=str(name), column=title[:60])
 
 

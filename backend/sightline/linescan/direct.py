@@ -250,7 +250,7 @@ def _answer(passage: Passage, rig: Rig, scene: Scene, prior: Prior, whole: Fit, 
         gain=fit.state.gain,
         budget=budget.entries,
         profile=profile,
-        warnings=_warnings(passage, scene, fit, budget.apart_m),
+        warnings=_warnings(passage, fit, budget.apart_m),
         correlation=budget.correlation,
     )
 
@@ -269,7 +269,7 @@ def _u_shift(scene: Scene, prior: Prior, whole: Fit) -> float:
     return float(np.sqrt(variance))
 
 
-def _warnings(passage: Passage, scene: Scene, fit: Fit, apart_m: float) -> tuple[Said, ...]:
+def _warnings(passage: Passage, fit: Fit, apart_m: float) -> tuple[Said, ...]:
     """What a person should look at before believing the numbers."""
     said = []
     if not fit.settled:

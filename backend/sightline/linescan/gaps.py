@@ -15,7 +15,7 @@ from math import hypot, sqrt
 
 from sightline.enums import ScanDirection
 from sightline.linescan.boundaries import SAME_END, U_LINE_LINES
-from sightline.linescan.parts import Crossings, Gap, Motion, Rig, rear_seen
+from sightline.linescan.parts import Crossings, Gap, Motion, Rig, front_seen, rear_seen
 from sightline.linescan.rig import u_travelled_m
 from sightline.messages.said import Said
 
@@ -84,8 +84,7 @@ def _gap(before: tuple[Crossings, Motion], this: tuple[Crossings, Motion], rig: 
     since_front_s = (behind.front_line_1 - ahead.front_line_1) / rate
     if time_s <= 0 or since_front_s <= 0:
         return Gap(None, None, None, reason=OVERLAP)
-    # one that was in view when the recording began has no front
-    headway_s = None if leader.reason is not None and ahead.front_line_1 <= 0 else since_front_s
+    headway_s = since_front_s if front_seen(leader.reason, ahead.front_line_1) else None
     if not rear_seen(leader.reason):
         return Gap(None, None, headway_s, reason=REAR_UNSEEN)
     known = Gap(time_s, None, headway_s)

@@ -141,6 +141,13 @@ TOO_LONG = Said("scan-motion-too-long-in-view")
 CUT = Said("scan-motion-cut")
 
 
+def front_seen(reason: Said | str | None, front_line_1: float) -> bool:
+    """Whether a vehicle's front was seen, by the reason why it has no motion: of one that was in view when
+    the recording began it was not.
+    """
+    return reason is None or front_line_1 > 0
+
+
 def rear_seen(reason: Said | None) -> bool:
     """Whether a vehicle's rear was seen, by the reason why it has no motion. Where it was not, its rear's
     lines are those at which it was given up: nothing is computed from them.

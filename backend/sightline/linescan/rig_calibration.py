@@ -281,7 +281,7 @@ def _by_positions(one: RigPass, common: Common) -> Span:
         kind="positions",
         distance_m=one.distance_m,
         u_distance_m=one.u_distance_m,
-        span_m=_span(one, abs(second - first)),
+        span_m=_span(abs(second - first)),
         u_span_m=sqrt(2.0) * u,
         shared={"tape": common.u_tape_ratio},
     )
@@ -296,7 +296,7 @@ def _by_speed(one: RigPass, common: Common) -> Span:
         kind="speed",
         distance_m=one.distance_m,
         u_distance_m=one.u_distance_m,
-        span_m=_span(one, speed * abs(second - first) / common.line_rate_hz),
+        span_m=_span(speed * abs(second - first) / common.line_rate_hz),
         u_span_m=sqrt(2.0) * one.u_line * speed / common.line_rate_hz,
         u_ratio=u_speed / speed,
         shared={"speed": common.u_speed_ratio, "line rate": common.u_line_rate_ratio},
@@ -324,7 +324,7 @@ def _by_board(one: RigPass) -> Span:
         raise RigPassError("rig-pass-stopped")
     by_width = np.linalg.solve(ways.T, reach)
     due = np.array([-by_width[0] * gone[1], gone[2] * (1 + by_width[1]), -by_width[1] * gone[3]])
-    span = _span(one, float(reach @ motion))
+    span = _span(float(reach @ motion))
     return Span(
         name=one.name,
         kind="board",
@@ -340,7 +340,7 @@ def _numbers(one: RigPass, *names: str) -> list[float]:
     return [float(getattr(one, name)) for name in names]
 
 
-def _span(one: RigPass, span_m: float) -> float:
+def _span(span_m: float) -> float:
     if not BASELINE_M.least <= span_m <= BASELINE_M.most:
         span_m = float(f"{span_m:.4g}")
         raise RigPassError("rig-pass-span", span_m=span_m, least=BASELINE_M.least, most=BASELINE_M.most)

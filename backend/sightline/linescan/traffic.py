@@ -53,7 +53,8 @@ class Passed:
 
     `u_since_s`: of its time of day, None where unknown. The rest is None where no motion of it counts.
     `rig_ratio`: the share of `u_speed_mps` that the rig gives to all vehicles alike, over the speed.
-    `refused`: its motion could not be measured; `stands`: it stood, and may still.
+    `refused`: its motion could not be measured; `stands`: it stood, and may still; `front_seen`: False of one
+    that was in view when the recording began.
     """
 
     since_s: float
@@ -67,6 +68,7 @@ class Passed:
     axles: int | None = None
     refused: bool = False
     stands: bool = False
+    front_seen: bool = True
 
 
 class Came(Protocol):
@@ -102,9 +104,12 @@ def streams_of(vehicles: Sequence[V]) -> dict[Stream, list[V]]:
     return streams
 
 
-def headways_s(fronts_s: Sequence[float]) -> list[float | None]:
-    """From the front before to each of a stream's fronts (N,), rising; None for the first."""
-    return [None, *(behind - ahead for ahead, behind in pairwise(fronts_s))][: len(fronts_s)]
+def headways_s(fronts_s: Sequence[float], seen: Sequence[bool]) -> list[float | None]:
+    """From the front before to each of a stream's fronts (N,), rising; None for the first, and where the one
+    before was not `seen` (N,).
+    """
+    pairs = zip(pairwise(fronts_s), seen, strict=False)
+    return [None, *(behind - ahead if known else None for (ahead, behind), known in pairs)][: len(fronts_s)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -178,7 +183,7 @@ def intervals(
     long_s = 60.0 * minutes
     fronts_s = [max(one.since_s, 0.0) for one in passed]
     end_s = max([watched_s, *fronts_s])
-    headways = headways_s(fronts_s)
+    headways = headways_s(fronts_s, [one.front_seen for one in passed])
     covered, edges = _covered(passed), _edges(into_hour_s, long_s, end_s)
     spans = [(max(begin_s, 0.0), min(stop_s, end_s)) for begin_s, stop_s in edges]
     unsure = _unsure(passed, fronts_s, end_s)

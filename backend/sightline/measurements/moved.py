@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from sightline.geometry.arrays import Floats
+from sightline.arrays import Floats
 from sightline.geometry.height import measure_heights
 from sightline.geometry.road_pose import RoadPose
 from sightline.measurements.followed_text import read_text, text_of

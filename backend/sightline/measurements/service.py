@@ -4,7 +4,7 @@ The preview and the stored number come from the same function (`height_of_clicks
 sigma and inset, so for the same points they are the same number.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, fields, replace
 from typing import Any, cast
 
@@ -23,6 +23,7 @@ from sightline.measurements.click_context_query import (
 from sightline.measurements.height_of_clicks import (
     Answer,
     answer,
+    answers,
     filled_in,
     inset_for,
     on_side,
@@ -326,6 +327,11 @@ def clicked_again(values: MeasurementValues, n: int, contact: Point, target_poin
         **_inset_of(values),
         **origin_after(values, n, contact, target_point),
     )
+
+
+def answers_again(pose: RoadPose, made: Sequence[Measurement]) -> list[Answer]:
+    """What stored clicks give under a pose, their insets being the same."""
+    return answers(pose, [clicked_again(one.values, *one.values.first_clicks) for one in made])
 
 
 def origin_after(then: MeasurementValues, n: int, contact: Point, target_point: Point) -> dict[str, Any]:

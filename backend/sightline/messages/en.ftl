@@ -3471,6 +3471,9 @@ statistics-rule-whose = { $whose ->
     [cars] passenger cars
     [trucks] lorries and tractor units
    *[all] all vehicles, as no class is known
+  }{ $chosen ->
+    [yes] { " " }of the chosen classes
+   *[no] { "" }
   }
 statistics-rule-read = here: { $whose }, n = { $n }
 statistics-rule-height = Standard ({ $unit })
@@ -3913,7 +3916,7 @@ overview-mark-board = { $count ->
 overview-mark-board-later = Mark the frames with the board at rest, once a recording is ready.
 overview-find-vehicles = Find the vehicles and measure the targets of the survey on each.
 overview-measured = { $count ->
-    [one] The 1 vehicle is measured or not visible.
+    [one] The vehicle is measured or not visible.
    *[other] All { $count } vehicles are measured or not visible.
 }
 overview-measure = { $count ->
@@ -5638,7 +5641,7 @@ vehicles-not-a-year = { $column } is “{ $cell }”, which is not a year; give 
 csv-empty = { $name } is empty; its first line must name the columns { $needed }.
 csv-no-column = { $name } has no column { $missing }; its first line must name the columns { $needed }.
 csv-column-twice = { $name }, line { $line }: the column { $column } is named twice; keep the one that counts.
-csv-column-expanded = The column “{ $column }” of { $name } has the capital U of an expanded uncertainty; give the standard uncertainty (k = 1) in a column with “u_” in front.
+csv-column-expanded = The column “{ $column }” of { $name } has the capital U or the U95 of an expanded uncertainty; give the standard uncertainty (k = 1) in a column with “u_” in front.
 csv-more-cells = { $name }, line { $line } has { $cells } cells, but the header names { $columns }; write decimals with a point, not a comma, and put texts with commas in quotes.
 csv-fewer-cells = { $name }, line { $line } has { $cells } cells, but the header names { $columns }; fill in the row.
 csv-header-again = { $name }, line { $line } names the columns again, as where tables were put together; leave that line out.
@@ -5910,9 +5913,10 @@ sight-too-few = Too few heights for the percentile: { $targets }.
 sight-too-few-of = { $target } ({ $reason })
 sight-read = { $whose ->
     [class] of the class that each rule names
-    [eyes] the eyes of the class that their rule names, the objects of all vehicles that match, as no class is known
-    [objects] the objects of the class that their rule names, the eyes of all vehicles that match, as no class is known
-   *[all] of all vehicles that match
+    [chosen] of the chosen classes that each rule names
+    [eyes] the eyes of the class that their rule names, the objects of all vehicles counted, because their classes are not known
+    [objects] the objects of the class that their rule names, the eyes of all vehicles counted, because their classes are not known
+   *[all] of all vehicles counted
   }
 sight-verdict-alike = { $case ->
     [mix] With the other fleet’s heights

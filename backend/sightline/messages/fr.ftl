@@ -3469,6 +3469,9 @@ statistics-rule-whose = { $whose ->
     [cars] voitures particulières
     [trucks] camions et tracteurs routiers
    *[all] tous les véhicules, faute de classe connue
+  }{ $chosen ->
+    [yes] { " " }des classes choisies
+   *[no] { "" }
   }
 statistics-rule-read = ici : { $whose }, n = { $n }
 statistics-rule-height = Norme ({ $unit })
@@ -5689,7 +5692,7 @@ vehicles-not-a-year = { $column } vaut « { $cell } », qui n’est pas une an
 csv-empty = { $name } est vide ; sa première ligne doit nommer les colonnes { $needed }.
 csv-no-column = { $name } n’a pas de colonne { $missing } ; sa première ligne doit nommer les colonnes { $needed }.
 csv-column-twice = { $name }, ligne { $line } : la colonne { $column } est nommée deux fois ; gardez celle qui compte.
-csv-column-expanded = La colonne « { $column } » de { $name } porte le U majuscule d’une incertitude élargie ; donnez l’incertitude-type (k = 1) dans une colonne précédée de « u_ ».
+csv-column-expanded = La colonne « { $column } » de { $name } porte le U majuscule ou le U95 d’une incertitude élargie ; donnez l’incertitude-type (k = 1) dans une colonne précédée de « u_ ».
 csv-more-cells = { $name }, ligne { $line } : { $cells } cellules, mais l’en-tête en nomme { $columns } ; écrivez les décimales avec un point, non une virgule, et mettez entre guillemets les textes qui ont des virgules.
 csv-fewer-cells = { $name }, ligne { $line } : { $cells } cellules, alors que l’en-tête en nomme { $columns } ; complétez la ligne.
 csv-header-again = { $name }, ligne { $line } : elle nomme à nouveau les colonnes, comme là où des tableaux ont été réunis ; ôtez cette ligne.
@@ -5961,6 +5964,7 @@ sight-too-few = Trop peu de hauteurs pour le centile : { $targets }.
 sight-too-few-of = { $target } ({ $reason })
 sight-read = { $whose ->
     [class] de la classe que nomme chaque règle
+    [chosen] des classes choisies que nomme chaque règle
     [eyes] les yeux de la classe que nomme leur règle, les obstacles de tous les véhicules retenus, faute de classe connue
     [objects] les obstacles de la classe que nomme leur règle, les yeux de tous les véhicules retenus, faute de classe connue
    *[all] de tous les véhicules retenus

@@ -9,9 +9,9 @@ import numpy as np
 import scipy
 from pydantic import Field
 
+from sightline.arrays import Floats
 from sightline.coverage import COVERAGE_95
 from sightline.errors import BadInput
-from sightline.geometry.arrays import Floats
 from sightline.geometry.board import Board
 from sightline.geometry.camera import Camera, project
 from sightline.geometry.corners import Corners, Gray, find_board

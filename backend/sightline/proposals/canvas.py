@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from sightline.geometry.arrays import Floats
+from sightline.arrays import Floats
 from sightline.geometry.camera import project
 from sightline.geometry.road_pose import RoadPose
 from sightline.proposals.side_view import Bgr, Plane

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.arrays import Floats
 from sightline.enums import WheelEnd
-from sightline.geometry.arrays import Floats
 from sightline.proposals.wheels import Wheels
 
 LEAST_FRAMES = 3

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sightline.arrays import Floats
 from sightline.enums import AskedTarget, ProposedPoint
-from sightline.geometry.arrays import Floats
 from sightline.geometry.road_pose import RoadPose
 from sightline.proposals.canvas import Canvas, laid
 from sightline.proposals.keypoints import (

@@ -18,6 +18,7 @@ from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
 from sightline.infra.services import Services
 from sightline.media.cancelling import IngestCancelled
 from sightline.media.store.local import MediaStore, key_of
+from sightline.media.video.decode import require_whole
 from sightline.media.video.ingest import Ingested, ingest
 from sightline.messages.said import Said
 from sightline.recordings import store as recordings
@@ -65,8 +66,12 @@ def mark_failed(session: Session, job: Job, error: Said) -> None:
 def read_at_rate(services: Services, recording_id: int, filmed_hz: float, actor: int) -> Job:
     """Read the video again with the times of filming at a rate that a person states.
 
-    Raises NotFound, Conflict.
+    Raises NotFound, Conflict, BadInput for one of several edits, which an earlier version read.
     """
+    with services.reading() as session:
+        recording = recordings.get_recording(session, recording_id)
+    path = services.media.local_path(recording.media_key)
+    require_whole(path, recording.name, recording.stream_number)
     with services.writing() as session:
         recording = recordings.state_filming_rate(session, recording_id, filmed_hz, actor=actor)
         job = queue_ingest(session, recording, actor)

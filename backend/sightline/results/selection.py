@@ -19,16 +19,19 @@ class Selection(FilmedWithin):
     categories: tuple[Category, ...] = ()
 
     @property
+    def of_classes(self) -> bool:
+        """Whether classes are chosen."""
+        return bool(self.class_sets or self.categories)
+
+    @property
     def is_all(self) -> bool:
-        return not (self.lighting or self.class_sets or self.categories or self.limits_time)
+        return not (self.lighting or self.of_classes or self.limits_time)
 
     def is_of_kind(self, lighting: str, category: str, class_set: str) -> bool:
         """Whether a vehicle is of it, whenever it was filmed; what is not known of it is empty."""
         if self.lighting is not None and lighting != self.lighting:
             return False
-        if not self.class_sets and not self.categories:
-            return True
-        return class_set in self.class_sets or category in self.categories
+        return not self.of_classes or class_set in self.class_sets or category in self.categories
 
     def stored(self) -> dict[str, Any]:
         """As a job, a row and the audit chain hold it."""

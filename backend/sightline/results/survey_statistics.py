@@ -151,6 +151,7 @@ class Statistics:
     """Everything a statistics page shows; each target's shares are in the order of its `standards_of`.
 
     sight: an eye and an object by one standard's rules, which crests are computed from (`sight_pair`).
+    of_chosen: whether classes are chosen, so that a rule is on those of its class alone that are.
     """
 
     counted: SampleCounts
@@ -164,6 +165,7 @@ class Statistics:
     known_errors: tuple[KnownErrors, ...] = ()
     lateral: Lateral | None = None
     comparison: ComparedSurveys | None = None
+    of_chosen: bool = False
 
 
 def survey_statistics(
@@ -206,7 +208,7 @@ def _made(session: Session, last_hash: str, chosen: Filter, choices: StatisticsO
     choosable = {id_: name for id_, (name, _) in places.items()}
     if choices.standards is None:
         choices = replace(choices, standards=standards_of_surveys(session, wanted))
-    return made_of(measured, left_out, choices, groupings, choosable, operators, chosen.target)
+    return made_of(measured, left_out, chosen, choices, groupings, choosable, operators)
 
 
 @cached(LRUCache(1), key=lambda _session, *rest: rest, lock=Lock())  # a million measurements take 110 MB
@@ -248,7 +250,7 @@ def filtered(found: Measured, chosen: Filter) -> tuple[Measured, LeftOut]:
     keep = np.ones(len(found), dtype=np.bool_)
     if chosen.lighting is not None:
         keep &= found.lighting == LIGHTING.index(chosen.lighting)
-    if chosen.categories or chosen.class_sets:
+    if chosen.of_classes:
         keep &= found.of_classes(chosen.categories, chosen.class_sets)
     if chosen.operator_id is not None:
         keep &= found.operator_id == chosen.operator_id
@@ -279,16 +281,17 @@ def _of_target(measured: Measured, target: StatisticsTarget | None) -> NDArray[n
 def made_of(
     measured: Measured,
     left_out: LeftOut,
+    chosen: Filter,
     choices: StatisticsOptions,
     groupings: Mapping[str, Grouping],
     named_surveys: dict[int, str],
     operators: dict[int, str],
-    only: StatisticsTarget | None = None,
 ) -> Statistics:
-    """The statistics of columns (N,), divided by groupings (N,); of one target `only`, or of all.
+    """The statistics of columns (N,) that a filter left, divided by groupings (N,).
 
     Check targets have their own rows among the errors, and count nowhere else.
     """
+    only = chosen.target
     checks, traffic = measured.where(measured.check_target), ~measured.check_target
     of_checks = groupings["site"].where(measured.check_target) if "site" in groupings else None
     measured = measured.where(traffic)
@@ -339,6 +342,7 @@ def made_of(
         comparison=compared_surveys(
             measured, {name: _of_target(measured, name) for name in targets}, named_surveys, height_sample
         ),
+        of_chosen=chosen.of_classes,
     )
 
 

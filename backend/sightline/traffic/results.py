@@ -18,7 +18,7 @@ from typing import Any
 from sightline.errors import BadInput
 from sightline.infra.given_csv import GivenTable, read_table
 from sightline.linescan.clock import u_passing_s
-from sightline.linescan.parts import Rig
+from sightline.linescan.parts import Rig, front_seen
 from sightline.linescan.rig import at_lane, require_rig, rig_from, speed_ratio_of
 from sightline.linescan.traffic import Stream
 from sightline.messages.said import Said
@@ -273,6 +273,7 @@ def _motions(
             reason=Said.read(one.reason) if one.reason else None,
             since_s=one.front_s,
             occupied_s=one.occupied_s,
+            front_seen=front_seen(one.reason, one.front_line_1),
             u_filmed_at_s=u_passing_s(one.front_s, u_start_s, u_rate, one.speed_mps, one.u_length_m),
             rig_ratio=(
                 least.get(_stream_of(one), 0.0)

@@ -22,6 +22,7 @@ from sightline.export.report.conclusion import conclusion
 from sightline.export.report.facts import ReportFacts, ScanFacts
 from sightline.export.report.photos import as_svg
 from sightline.export.report.report import report, sources
+from sightline.export.report.results import rule_values
 from sightline.export.report.sight import sight
 from sightline.export.verdicts import VerdictCounts
 from sightline.results.survey_statistics import StatisticsOptions
@@ -272,3 +273,15 @@ def test_a_photograph_stands_in_the_report_and_a_broken_one_is_named() -> None:
     assert flat("Figure 1 From the verge") in said
     assert flat("The photograph “Torn” cannot be read as PNG or JPEG.") in said
     assert made.count(b"/Subtype/Image") >= 1
+
+
+def test_heights_of_chosen_classes_are_said_to_be_of_those(example: ReportFacts) -> None:
+    chosen = replace(example, statistics=replace(example.statistics, of_chosen=True))
+    for words_of_it, of in {
+        "passenger cars": example,
+        "passenger cars of the chosen classes": chosen,
+    }.items():
+        (rule, *_) = of.statistics.rules
+        assert f"here: {words_of_it}, n" in rule_values(rule, of.statistics.of_chosen)["read"]
+        assert f"({words_of_it}, n" in "".join(conclusion(of).found)
+    assert (sight(chosen) or {})["classes"] == "of the chosen classes that each rule names"

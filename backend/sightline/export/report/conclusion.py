@@ -39,7 +39,7 @@ def conclude(result: Statistics, unit: LengthUnit) -> tuple[str, ...]:
         said(
             "report-concluded-of", measurements=result.counted.measurements, vehicles=result.counted.vehicles
         ),
-        *(_of_rule(one, unit) for one in asked),
+        *(_of_rule(one, unit, result.of_chosen) for one in asked),
         *(() if changes is None else (changes,)),
         _errors(result, unit),
     )
@@ -51,18 +51,18 @@ def _asked(result: Statistics) -> tuple[RuleToday, ...]:
     return pair or tuple(one for one in result.rules if one.n)
 
 
-def whose_heights(one: RuleToday) -> str:
+def whose_heights(one: RuleToday, of_chosen: bool) -> str:
     """Whose heights the percentile of a rule is read on, in words: the standard may name others."""
-    cars_or_trucks = "trucks" if one.standard.what == "eye_truck" else "cars"
-    return said("statistics-rule-whose", whose=cars_or_trucks if one.by_class else "all")
+    whose = "all" if not one.by_class else "trucks" if one.standard.what == "eye_truck" else "cars"
+    return said("statistics-rule-whose", whose=whose, chosen="yes" if of_chosen else "no")
 
 
-def _of_rule(one: RuleToday, unit: LengthUnit) -> str:
+def _of_rule(one: RuleToday, unit: LengthUnit, of_chosen: bool) -> str:
     standard, scale = in_language(one.standard, spoken()), HEIGHT[unit]
     target = RULE_OF[standard.what][0]
     key: dict[str, str | int] = {
         "of": words.MANY[target],
-        "classes": whose_heights(one),
+        "classes": whose_heights(one, of_chosen),
         "percent": decimal(f"{standard.percent:g}"),
         "n": one.n,
     }

@@ -29,8 +29,8 @@ _ERROR_FIGURES = (
 _GROUPINGS = ("category", "class_set", "site", "operator")
 
 
-def rule_values(one: RuleToday) -> Values:
-    """The rule of a standard on the survey's heights, with its verdict."""
+def rule_values(one: RuleToday, of_chosen: bool) -> Values:
+    """The rule of a standard on heights, those of chosen classes alone or of all, with its verdict."""
     standard = in_language(one.standard, spoken())
     return {
         "name": standard.name,
@@ -40,7 +40,7 @@ def rule_values(one: RuleToday) -> Values:
             percent=decimal(f"{standard.percent:g}"),
             **{"class": standard.vehicle_class},
         ),
-        "read": said("statistics-rule-read", whose=whose_heights(one), n=one.n),
+        "read": said("statistics-rule-read", whose=whose_heights(one, of_chosen), n=one.n),
         "today": one,
         "verdict": verdict_of(one),
     }
@@ -120,7 +120,7 @@ def heights(facts: ReportFacts, pictures: Pictures) -> Values:
     there = [name for name, target in targets.items() if target.raw.n or target.corrected.n]
     rules = [one for one in facts.statistics.rules if one.n]
     return {
-        "rules": [rule_values(one) for one in rules],
+        "rules": [rule_values(one, facts.statistics.of_chosen) for one in rules],
         "targets": [_target(facts, name, targets[name], pictures) for name in there],
         "absent": [words.TARGETS[name] for name in targets if name not in there],
     }

@@ -82,7 +82,7 @@ def restore_backup(folder: Path, settings: Settings, tell: Tell, *, earlier: boo
     """
     manifest = read_earlier(folder) if earlier else read_manifest(folder)
     data_dir, path = settings.data_dir, sqlite_file(settings.database_url)
-    _require_empty(manifest, settings)
+    _require_empty(settings)
     state = _whole_state(folder, manifest, tell, 0.0)
     was_there = data_dir.is_dir()
     data_dir.mkdir(parents=True, exist_ok=True)
@@ -121,7 +121,7 @@ def _whole_state(folder: Path, manifest: Manifest, tell: Tell, start: float) -> 
     return state
 
 
-def _require_empty(manifest: Manifest, settings: Settings) -> None:
+def _require_empty(settings: Settings) -> None:
     path = sqlite_file(settings.database_url)
     if settings.data_dir.exists() and any(settings.data_dir.iterdir()):
         raise BadInput("backup-place-not-empty", place=settings.data_dir)

@@ -106,8 +106,6 @@ class GigeLines:
 
     def _common(self) -> Piece | None:
         """What both cameras have."""
-        if any(camera.began_with is not None for camera in self._cameras):
-            return None
         count = min(camera.held_lines for camera in self._cameras)
         if not count:
             return None

@@ -65,7 +65,7 @@ def cut_strips(
     same twice, another number of frames than the table has), NoRoom, IngestCancelled.
     """
     name = name or path.name
-    require_whole(path, name)
+    require_whole(path, name, stream_number)
     rate_hz = line_rate(time_s, name, tick_s)
     folder = work_dir or Path(tempfile.gettempdir())
     with (

@@ -142,10 +142,16 @@ def open_container(path: Path, name: str | None = None) -> InputContainer:
         raise BadInput("video-not-a-video", name=name) from error
 
 
-def require_whole(path: Path, name: str) -> None:
-    """Raise BadInput before times are read from a file whose edit list makes it of several parts."""
-    if played_in_parts(path):
-        raise BadInput("video-in-parts", name=name)
+def require_whole(path: Path, name: str, number: int | None = None) -> None:
+    """Raise BadInput before times are read of a picture (see `video_stream`) that an edit list makes of
+    several parts.
+    """
+    tracks = played_in_parts(path)
+    if not tracks:
+        return
+    with closing(open_container(path, name)) as container:
+        if video_stream(container, name, number=number).id in tracks:
+            raise BadInput("video-in-parts", name=name)
 
 
 def video_stream(

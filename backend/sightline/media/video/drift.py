@@ -12,7 +12,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sightline.geometry.arrays import Floats
+from sightline.arrays import Floats
 from sightline.geometry.drift import Motion, fit_motion
 from sightline.media.video.picture import Gray
 from sightline.messages.said import Said

@@ -106,7 +106,7 @@ def ingest(
     folder = work_dir or path.parent
     copy: WorkingCopy | None = None
     with closing(open_container(path, name)) as original:
-        require_whole(path, name)
+        require_whole(path, name, stream_number)
         stated = stated_of(original, path)
         number, pictures = picture_read(original, name, stream_number)
         kind = original.format.name

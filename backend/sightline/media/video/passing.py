@@ -43,7 +43,7 @@ def frames_between(
     stamps: list[Fraction] = []
     seen: list[tuple[int, Gray, float]] = []
     with closing(open_container(path, name)) as container:
-        require_whole(path, name)
+        require_whole(path, name, stream_number)
         stream = video_stream(container, name, number=stream_number)
         for n, frame, layout in numbered(container, stream, name, size_px):
             if n > last + _MOST_EARLY:

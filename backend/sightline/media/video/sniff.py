@@ -13,6 +13,7 @@ from typing import BinaryIO
 
 HEAD_BYTES = 4096
 _MOST_EDITS = 10_000
+_MOST_BOXES = 200_000
 _STILLS = (
     (b"\x89PNG\r\n\x1a\n", "png"),
     (b"\xff\xd8\xff", "jpeg"),
@@ -113,35 +114,39 @@ def _cut_before_index(path: Path, head: bytes) -> str | None:
 
 @dataclass(frozen=True)
 class Box:
-    """A part of an MP4 or QuickTime file at its top level, in bytes from its start; `end` as it states."""
+    """A part of an MP4 or QuickTime file, in bytes from its start; what it holds is from `inside` to `end`,
+    as it states.
+    """
 
     kind: bytes
     start: int
+    inside: int
     end: int
 
 
-def boxes(path: Path, most: int = 200_000) -> Iterator[Box]:
-    """The parts of an MP4 or QuickTime file in order, up to the first whose size cannot be (one without a
-    size reaches to the file's end); nothing of other files.
+def boxes(path: Path) -> Iterator[Box]:
+    """The parts of an MP4 or QuickTime file at its top level in order, up to the first whose size cannot be;
+    nothing of other files.
     """
-    length, start = path.stat().st_size, 0
     with path.open("rb") as file:
-        for _ in range(most):
-            if start >= length:
-                return
-            file.seek(start)
-            head = file.read(16)
-            if len(head) < 8 or (start == 0 and head[4:8] not in _FIRST_BOXES):
-                return
-            size = int.from_bytes(head[:4], "big")
-            if size == 1:
-                size = int.from_bytes(head[8:16], "big")
-            elif size == 0:
-                size = length - start
-            if size < 8:
-                return
-            yield Box(head[4:8], start, start + size)
-            start += size
+        if file.read(8)[4:] in _FIRST_BOXES:
+            yield from _boxes(file, 0, path.stat().st_size)
+
+
+def _boxes(file: BinaryIO, start: int, end: int) -> Iterator[Box]:
+    """Those between two places; one without a size reaches to the second."""
+    for _ in range(_MOST_BOXES):
+        file.seek(start)
+        head = file.read(16) if start < end else b""
+        size, inside = int.from_bytes(head[:4], "big"), start + 8
+        if size == 1:
+            size, inside = int.from_bytes(head[8:], "big"), start + 16
+        elif size == 0:
+            size = end - start
+        if len(head) < 8 or size < inside - start:
+            return
+        yield Box(head[4:8], start, inside, start + size)
+        start += size
 
 
 def states_no_rate(path: Path) -> bool:
@@ -200,32 +205,33 @@ def _vint(data: bytes, at: int) -> tuple[int, int]:
     return (-1 if value == (1 << 7 * width) - 1 else value), at + width
 
 
-def played_in_parts(path: Path) -> bool:
-    """Whether an MP4 or QuickTime file's edit list plays its picture as several parts, with a hole or a jump
-    between them: readers leave out the hole, or let the times run on over the jump.
+def played_in_parts(path: Path) -> frozenset[int]:
+    """The numbers of those tracks of an MP4 or QuickTime file whose edit list plays them as several parts,
+    with a hole or a jump between them: readers leave out the hole, or let the times run on over the jump.
 
     An empty beginning or end, and parts that follow each other as they were filmed, are none.
     """
     moov = next((one for one in boxes(path) if one.kind == b"moov"), None)
     if moov is None:
-        return False
+        return frozenset()
     with path.open("rb") as file:
         try:
-            inside = list(_within(file, moov))
-            ticks_hz = _ticks_hz(file, inside, b"mvhd")
-            tracks = [list(_within(file, one)) for one in inside if one.kind == b"trak"]
-            return any(_in_parts(file, track, ticks_hz) for track in tracks)
+            inside = _within(file, moov)
+            ticks_hz = _after_times(file, inside, b"mvhd")
+            tracks = [_within(file, one) for one in inside if one.kind == b"trak"]
+            return frozenset(
+                _after_times(file, track, b"tkhd") for track in tracks if _in_parts(file, track, ticks_hz)
+            )
         except (LookupError, struct.error, ZeroDivisionError):
-            return False  # a header that says less than it must
+            return frozenset()  # a header that says less than it must
 
 
 def _in_parts(file: BinaryIO, track: list[Box], ticks_hz: int) -> bool:
-    media = [one for box in track if box.kind == b"mdia" for one in _within(file, box)]
     lists = [one for box in track if box.kind == b"edts" for one in _within(file, box) if one.kind == b"elst"]
-    picture = any(one.kind == b"hdlr" and _read(file, one, 12)[8:] == b"vide" for one in media)
-    if not picture or not lists:
+    if not lists:
         return False
-    own_hz = _ticks_hz(file, media, b"mdhd")
+    media = [one for box in track if box.kind == b"mdia" for one in _within(file, box)]
+    own_hz = _after_times(file, media, b"mdhd")
     edits = _edits(file, lists[0])
     while edits and edits[0][1] < 0:
         edits.pop(0)
@@ -241,32 +247,25 @@ def _edits(file: BinaryIO, box: Box) -> list[tuple[int, int]]:
     """How long each edit is, in ticks of the file, and where it begins in its track's; below 0: empty."""
     head = _read(file, box, 8)
     each = struct.Struct(">QqI" if head[0] == 1 else ">IiI")
-    count = min(struct.unpack(">I", head[4:])[0], _MOST_EDITS, (box.end - box.start) // each.size)
+    count = min(struct.unpack(">I", head[4:])[0], _MOST_EDITS, (box.end - box.inside) // each.size)
     told = _read(file, box, 8 + count * each.size)[8:]
     return [(lasted, begins) for lasted, begins, _ in each.iter_unpack(told)]
 
 
-def _ticks_hz(file: BinaryIO, inside: Sequence[Box], kind: bytes) -> int:
-    """Of the header of a file or of a track. Raises KeyError where there is none."""
-    head = _read(file, {box.kind: box for box in inside}[kind], 24)
-    ticks_hz: int = struct.unpack_from(">I", head, 20 if head[0] == 1 else 12)[0]
-    return ticks_hz
+def _after_times(file: BinaryIO, among: Sequence[Box], kind: bytes) -> int:
+    """What stands in a header behind the times of its making: the ticks a second of a file or a picture, the
+    number of a track. Raises KeyError where there is no such header.
+    """
+    head = _read(file, {box.kind: box for box in among}[kind], 24)
+    told: int = struct.unpack_from(">I", head, 20 if head[0] == 1 else 12)[0]
+    return told
 
 
 def _read(file: BinaryIO, box: Box, count: int) -> bytes:
     """The first bytes inside a box."""
-    file.seek(box.start + 8)
+    file.seek(box.inside)
     return file.read(count)
 
 
-def _within(file: BinaryIO, outer: Box) -> Iterator[Box]:
-    """The boxes inside one."""
-    start = outer.start + 8
-    while start + 8 <= outer.end:
-        file.seek(start)
-        head = file.read(8)
-        size = int.from_bytes(head[:4], "big")
-        if len(head) < 8 or size < 8:
-            return
-        yield Box(head[4:], start, start + size)
-        start += size
+def _within(file: BinaryIO, outer: Box) -> list[Box]:
+    return list(_boxes(file, outer.inside, outer.end))

@@ -8,17 +8,14 @@ import numpy as np
 from sightline.adjustment.account import adjustment_to_dict
 from sightline.adjustment.adjust import Adjustment, Moved, adjust
 from sightline.errors import BadInput, Conflict, NotFound
-from sightline.geometry.height import Height, measure_with_budgets
 from sightline.geometry.road_pose import RoadPose
 from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.infra.jobs.records import Job
 from sightline.measurements.again.query import list_computings
 from sightline.measurements.again.service import ask_to_compute, ask_to_undo
-from sightline.measurements.height_of_clicks import measured_frames, measured_pass
-from sightline.measurements.records import Measurement, MeasurementValues
 from sightline.measurements.road_poses import road_pose
-from sightline.measurements.service import clicked_again
+from sightline.measurements.service import answers_again
 from sightline.measurements.store import list_measurements
 from sightline.messages.said import Said
 from sightline.poses.records import Pose
@@ -77,7 +74,7 @@ def _checked(
         found = _adjusted(pose, seen.seen, known)
     except BadInput as refused:
         return replace(empty, reason=refused.said), None
-    heights = _heights(session, stored.survey_id, pose, found.pose, seen.numbers)
+    heights = _heights(session, stored.survey_id, found.pose, seen.numbers)
     return _told(empty, pose, seen, found, heights), found
 
 
@@ -148,13 +145,13 @@ def _camera_height(found: Adjustment) -> Moved:
 
 
 def _heights(
-    session: Session, survey_id: int, before: RoadPose, after: RoadPose, numbers: Mapping[int, int]
+    session: Session, survey_id: int, adjusted: RoadPose, numbers: Mapping[int, int]
 ) -> list[AdjustedHeight]:
-    """Stored heights of vehicles (numbers by id) under both poses, with the same clicks and insets."""
+    """Stored heights of vehicles (numbers by id), and those of the same clicks and insets when adjusted."""
     made = [one for one in list_measurements(session, survey_id) if one.vehicle_id in numbers]
-    made = [one for one in made if one.values.inset_m is not None or _is_solved(one.values)]
     out = []
-    for one, old, new in zip(made, _under(before, made), _under(after, made), strict=True):
+    for one, new in zip(made, answers_again(adjusted, made), strict=True):
+        old = one.values
         if old.height_m is None or new.height_m is None:
             continue
         out.append(
@@ -162,7 +159,7 @@ def _heights(
                 measurement_id=one.id,
                 vehicle_id=one.vehicle_id,
                 number=numbers[one.vehicle_id],
-                target=one.values.target,
+                target=old.target,
                 height_m=old.height_m,
                 U95_height_m=old.U95_height_m or 0.0,
                 adjusted_m=new.height_m,
@@ -171,30 +168,6 @@ def _heights(
             )
         )
     return out
-
-
-def _under(pose: RoadPose, made: list[Measurement]) -> list[Height]:
-    single = measure_with_budgets(
-        pose,
-        [one.values.contact for one in made],
-        [one.values.target_point for one in made],
-        [one.values.sigma_px for one in made],
-        [one.values.inset_m or 0.0 for one in made],
-        [one.values.u_inset_m or 0.0 for one in made],
-    )
-    return [
-        _solved(pose, one.values) if _is_solved(one.values) else height
-        for one, height in zip(made, single, strict=True)
-    ]
-
-
-def _is_solved(values: MeasurementValues) -> bool:
-    return bool(values.more_frames) or values.followed is not None
-
-
-def _solved(pose: RoadPose, values: MeasurementValues) -> Height:
-    clicks = clicked_again(values, *values.first_clicks)
-    return measured_frames(pose, clicks).height if values.more_frames else measured_pass(pose, clicks).height
 
 
 def put_in_force(

@@ -159,8 +159,12 @@ def check_pose(
     )
     if isinstance(summary, Said):
         return replace(check, reason=summary, verdict=(summary,))
-    standing = list_measurements(session, stored.survey_id)
-    changes = changes_of_heights(pose, summary.mean_rad, [one for one in standing if one.recording_id in ids])
+    standing = [
+        one
+        for one in list_measurements(session, stored.survey_id)
+        if one.recording_id in ids and one.values.pose_id == pose_id
+    ]
+    changes = changes_of_heights(pose, summary.mean_rad, standing)
     return replace(
         check,
         used=int(summary.used.sum()),

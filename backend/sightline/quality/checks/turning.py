@@ -6,16 +6,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from sightline.enums import Target
-from sightline.geometry.arrays import Floats
-from sightline.geometry.height import measure_heights
-from sightline.geometry.multiframe import measure_frames
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.traffic import turned
 from sightline.infra.database import Session
-from sightline.measurements.height_of_clicks import measured_pass
 from sightline.measurements.records import Measurement
 from sightline.measurements.road_poses import road_pose
-from sightline.measurements.service import clicked_again
+from sightline.measurements.service import answers_again
 from sightline.messages.said import Said
 from sightline.poses.records import Pose
 from sightline.poses.service import Solved, described
@@ -52,46 +48,21 @@ class Changes:
 
 def changes_of_heights(pose: RoadPose, turn_rad: float, standing: Sequence[Measurement]) -> Changes:
     """What turning the pose would change, the clicks and insets being the same; no measurement is touched."""
-    before, after = _heights(pose, standing), _heights(turned(pose, turn_rad), standing)
     found = [
         HeightChange(
             measurement_id=one.id,
             vehicle_id=one.vehicle_id,
             target=one.values.target,
-            height_m=float(h0),
-            turned_height_m=float(h1),
-            difference_m=float(h1 - h0),
+            height_m=one.values.height_m,
+            turned_height_m=new.height_m,
+            difference_m=new.height_m - one.values.height_m,
         )
-        for one, h0, h1 in zip(standing, before, after, strict=True)
-        if np.isfinite(h0) and np.isfinite(h1)
+        for one, new in zip(standing, answers_again(turned(pose, turn_rad), standing), strict=True)
+        if one.values.height_m is not None and new.height_m is not None
     ]
     found.sort(key=lambda one: -abs(one.difference_m))
     largest = abs(found[0].difference_m) if found else 0.0
     return Changes(len(found), largest, tuple(found[:_MOST_LISTED]))
-
-
-def _heights(pose: RoadPose, standing: Sequence[Measurement]) -> Floats:
-    """Heights (N,) of stored clicks under a pose, NaN where there is none."""
-    if not standing:
-        return np.empty(0)
-    out = np.array(
-        measure_heights(
-            pose,
-            [one.values.contact for one in standing],
-            [one.values.target_point for one in standing],
-            inset_m=[np.nan if one.values.inset_m is None else one.values.inset_m for one in standing],
-            with_uncertainty=False,
-        ).height_m
-    )
-    for i, one in enumerate(standing):
-        if one.values.more_frames:
-            values = one.values
-            found = measure_frames(pose, values.contacts, values.target_points, values.sigma_px).height
-            out[i] = np.nan if found.height_m is None else found.height_m
-        elif one.values.followed is not None:
-            found = measured_pass(pose, clicked_again(one.values, *one.values.first_clicks)).height
-            out[i] = np.nan if found.height_m is None else found.height_m
-    return out
 
 
 def turned_pose(session: Session, pose_id: int, turn_rad: float, u_turn_rad: float, vehicles: int) -> Solved:

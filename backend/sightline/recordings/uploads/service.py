@@ -151,7 +151,7 @@ def _note_recording(
 ) -> Recording:
     try:
         with services.writing() as session:
-            return _record(session, services, upload_id, key, whole)
+            return _record(session, upload_id, key, whole)
     except Conflict:
         # Another request, or another try of this one, was faster: its recording is the answer.
         done = _recording_of(services, upload_id)
@@ -180,9 +180,7 @@ def _kept(
     return made
 
 
-def _record(
-    session: Session, services: Services, upload_id: int, key: str, whole: upload_parts.FinishedUpload
-) -> Recording:
+def _record(session: Session, upload_id: int, key: str, whole: upload_parts.FinishedUpload) -> Recording:
     upload = get_upload(session, upload_id)
     actor = upload.created_by.id if upload.created_by else None
     made = create_recording(

@@ -220,9 +220,8 @@ def _read(
     session: Session, question: SightQuestion, measured: Measured, what: StandardHeight, percent: float
 ) -> _Read:
     """THE figure of a rule, of its class; of the classes that a person chose, where they did."""
-    chosen = question.chosen
-    own = bool(chosen.categories or chosen.class_sets)
-    found, by_class = figures_of_rule(measured, what, sites_of(session, measured), by_class=not own)
+    by_class = not question.chosen.of_classes
+    found, by_class = figures_of_rule(measured, what, sites_of(session, measured), by_class=by_class)
     if found is None:
         return _Read(None, 0, by_class)
     return _Read(height_of(found.percentile(percent), found.named_effects_m(percent)), found.n, by_class)

@@ -47,7 +47,7 @@ _IN: dict[ReferenceQuantity, dict[str, float]] = {
     "length": _LENGTHS,
     "wheelbase": _LENGTHS,
 }
-_QUANTITY = re.compile(rf"^(u_)?({'|'.join(get_args(ReferenceQuantity))})(?:_(.+))?$")
+_QUANTITY = re.compile(rf"^(u_|u95_)?({'|'.join(get_args(ReferenceQuantity))})(?:_(.+))?$")
 _ORDER: dict[ReferenceChange, int] = {"ambiguous": 0, "refused": 1, "replaces": 2, "new": 3, "same": 4}
 #: (vehicle, quantity, source)
 _Key = tuple[int, ReferenceQuantity, ReferenceSource]

@@ -17,7 +17,7 @@ from sightline.arrays import Floats
 from sightline.enums import KnownLength, ReferenceQuantity, ReferenceSource, ScanDirection, ScanVehicleState
 from sightline.infra.by_name import filled_from
 from sightline.linescan.clock import since_start_s
-from sightline.linescan.parts import Rig, rear_seen
+from sightline.linescan.parts import Rig, front_seen, rear_seen
 from sightline.linescan.rig import (
     RigEstimate,
     alone,
@@ -67,10 +67,10 @@ class VehicleMotion:
     that this motion was computed with; `rig_baseline_m`: their distance at the vehicle; `rig_errors_m`: what
     of it all vehicles share (`shared_errors_m`). None where there is no value. `known`: the maker's sizes.
     `since_s`, `occupied_s`: when it reached camera 1 after line 0, and how long it stood before it (None: its
-    rear was not seen); `filmed_at`: the first by the clocks of the place (ISO 8601), empty where its
-    recording has none; `rig_ratio`: what the rig gives to every speed alike, a share of it (k = 1). `run_of`:
-    the car of which it is one run; `references`: what stands of what something else measured. `direction`:
-    which camera it reached first.
+    rear was not seen); `front_seen`: False of one in view at line 0; `filmed_at`: the first by the clocks of
+    the place (ISO 8601), empty where its recording has none; `rig_ratio`: what the rig gives to every speed
+    alike, a share of it (k = 1). `run_of`: the car of which it is one run; `references`: what stands of what
+    something else measured. `direction`: which camera it reached first.
     """
 
     vehicle_id: int
@@ -88,6 +88,7 @@ class VehicleMotion:
     reason: Said | None = None
     since_s: float | None = None
     occupied_s: float | None = None
+    front_seen: bool = True
     filmed_at: str = ""
     u_filmed_at_s: float | None = None
     rig_ratio: float = 0.0
@@ -118,6 +119,7 @@ def when_passed(rig: Rig, front_line_1: float, rear_line_1: float, reason: Said 
         "rig_ratio": speed_ratio_of(rig),
         "since_s": since_start_s(front_line_1, rig.line_rate_hz),
         "occupied_s": occupied_s if rear_seen(reason) else None,
+        "front_seen": front_seen(reason, front_line_1),
     }
 
 

@@ -157,6 +157,7 @@ def _passed(one: VehicleMotion, accepted_only: bool) -> Passed:
             one.u_filmed_at_s,
             refused=not one.measured,
             stands=may_still_stand(one.reason),
+            front_seen=one.front_seen,
         )
     return Passed(
         one.since_s,
@@ -168,6 +169,7 @@ def _passed(one: VehicleMotion, accepted_only: bool) -> Passed:
         u_length_m=one.values.get("u_length_m"),
         rig_ratio=one.rig_ratio,
         axles=one.axles,
+        front_seen=one.front_seen,
     )
 
 

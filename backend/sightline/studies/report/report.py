@@ -74,7 +74,7 @@ def _values(stored: StoredStudy, found: Computed, sha256: str, as_of: datetime, 
             for one in study.targets
             if one.n
         ],
-        "rules": [rule_values(one.rule) for one in study.rules if one.rule.n],
+        "rules": [rule_values(one.rule, of_chosen=False) for one in study.rules if one.rule.n],
         "consequence": consequence(study.rules, _UNIT),
         "years": [one for one in study.years if one.percent in (None, *_COMPARED)],
         "errors": study.errors,

@@ -78,7 +78,7 @@ _USUAL_M: dict[ModelSize, tuple[float, float]] = {
     "taillight": (0.35, 1.2),
     "headlight": (0.35, 1.2),
 }
-_SIZED = re.compile(rf"^(u_)?(.+?)(?:_({'|'.join(get_args(SizeUnit))}))?$")
+_SIZED = re.compile(rf"^(u_|u95_)?(.+?)(?:_({'|'.join(get_args(SizeUnit))}))?$")
 
 
 @dataclass(frozen=True)
@@ -352,7 +352,7 @@ def _folded(title: str) -> str:
 
 
 def _parts(folded: str) -> tuple[str | None, str, str | None]:
-    """ "u_" or nothing, the name by which its size is known, and its unit, of a folded header."""
+    """ "u_", "u95_" or nothing, the name by which its size is known, and its unit, of a folded header."""
     matched = _SIZED.match(folded)
     u, plain, unit = matched.groups() if matched else (None, folded, None)
     return u, _ALSO.get(plain, plain), unit

@@ -23,8 +23,14 @@ const HEIGHT_OF: Readonly<Record<RuleToday["standard"]["what"], string>> = words
 
 const SMALLEST_RISK = 0.001; // draws tell no smaller one
 
+interface Props {
+  rules: readonly Rule[];
+  /** Whether they are on vehicles of chosen classes alone. */
+  ofChosen: boolean;
+}
+
 /** The percentile that each standard is set by, in today's heights of its class, and what may be said of it. */
-export function SameRule({ rules }: { rules: readonly Rule[] }) {
+export function SameRule({ rules, ofChosen }: Props) {
   const there = rules.filter((one) => one.n > 0);
   if (there.length === 0) return null;
   const unit = lengthScale()[1];
@@ -48,7 +54,10 @@ export function SameRule({ rules }: { rules: readonly Rule[] }) {
               })}
               <div class="stat-ci">
                 {say("statistics-rule-read", {
-                  whose: say("statistics-rule-whose", { whose: whoseHeights(one) }),
+                  whose: say("statistics-rule-whose", {
+                    whose: whoseHeights(one),
+                    chosen: ofChosen ? "yes" : "no",
+                  }),
                   n: one.n,
                 })}
               </div>

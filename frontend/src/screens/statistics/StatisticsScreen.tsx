@@ -137,7 +137,7 @@ function Heights({ found, surveyId, reload }: FiguresProps) {
   const eye = found.targets.find((one) => one.target === "driver_eye");
   return (
     <>
-      <SameRule rules={found.rules} />
+      <SameRule rules={found.rules} ofChosen={found.of_chosen} />
       {shown.map((one) => (
         <TargetSection
           key={one.target}

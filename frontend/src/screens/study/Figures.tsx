@@ -24,7 +24,7 @@ export function Figures({ found, sites }: { found: Found; sites: number }) {
         {say("study-counted-words", { heights: found.heights, vehicles: found.vehicles, sites })}
       </p>
       <Percentiles found={found} targets={measured} />
-      <SameRule rules={found.rules.map(asRule)} />
+      <SameRule rules={found.rules.map(asRule)} ofChosen={false} />
       {found.consequence && (
         <p class="panel panel__body" data-testid="study-consequence">
           {found.consequence}
