@@ -7,7 +7,7 @@ import { inWords } from "./standards";
 import type { RuleToday } from "./types";
 
 /** What is shown of a rule; the server says more of its standard. */
-export type Rule = Omit<RuleToday, "standard" | "by_pose_m"> & {
+type Rule = Omit<RuleToday, "standard" | "by_pose_m"> & {
   standard: Pick<RuleToday["standard"], "name" | "what" | "height_m" | "percent" | "vehicle_class" | "code">;
 };
 
