@@ -7,8 +7,8 @@ take two hours to give the connection up. So it stops waiting here, closes the c
 
 import math
 import time
-from collections.abc import AsyncGenerator, Callable
-from functools import partial
+from collections.abc import AsyncGenerator, Callable, Sequence
+from functools import cached_property, partial
 from typing import Any
 
 import psycopg
@@ -38,6 +38,34 @@ _SERVER = {
     "tcp_keepalives_count": 3,
     "tcp_user_timeout": 15_000,
 }
+
+
+class _Columns(Sequence[Any]):
+    """The columns of a result, described when they are looked at."""
+
+    def __init__(self, describe: Callable[[], Sequence[Any] | None]) -> None:
+        self._describe = describe
+
+    @cached_property
+    def _all(self) -> Sequence[Any]:
+        return self._describe() or ()
+
+    def __len__(self) -> int:
+        return len(self._all)
+
+    def __getitem__(self, at: Any) -> Any:
+        return self._all[at]
+
+
+class LazyCursor(psycopg.Cursor[Any]):
+    """SQLAlchemy asks what the columns are after every statement, and looks at them once for each kind: at
+    the first. psycopg describes them each time, sixty of them for a click.
+    """
+
+    @property
+    def description(self) -> Any:
+        result = self.pgresult
+        return _Columns(lambda: super(LazyCursor, self).description) if result and result.nfields else None
 
 
 class LimitedConnection(psycopg.Connection[Any]):
@@ -142,7 +170,7 @@ def limited_engine(url: URL, **pool: Any) -> Engine:
 
     @event.listens_for(engine, "do_connect")
     def connect(_dialect: Any, _record: Any, given: Any, named: dict[str, Any]) -> LimitedConnection:
-        connect_ = partial(LimitedConnection.connect, *given, **named)
+        connect_ = partial(LimitedConnection.connect, *given, **named, cursor_factory=LazyCursor)
         connection = connect_()
         connection.another = connect_
         return connection
