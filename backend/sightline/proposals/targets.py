@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sightline.arrays import Floats
-from sightline.enums import AskedTarget, ProposedPoint
+from sightline.enums import ProposedPoint, ProposedTarget
 from sightline.geometry.road_pose import RoadPose
 from sightline.proposals.canvas import Canvas, laid
 from sightline.proposals.keypoints import (
@@ -104,7 +104,7 @@ def targets_of(
 
 
 def _coarse(
-    name: AskedTarget,
+    name: ProposedTarget,
     frames: Sequence[FrameSeen],
     looks: Mapping[int, Look],
     pose: RoadPose,
@@ -150,7 +150,7 @@ def _drift(wheel: Floats, along: Floats) -> tuple[float, float]:
 
 def _closely(
     networks: Networks,
-    name: AskedTarget,
+    name: ProposedTarget,
     frames: Sequence[FrameSeen],
     start: Place,
     pose: RoadPose,
@@ -169,7 +169,7 @@ def _closely(
 
 def _looks(
     networks: Networks,
-    name: AskedTarget,
+    name: ProposedTarget,
     frames: Sequence[FrameSeen],
     start: Place,
     pose: RoadPose,
