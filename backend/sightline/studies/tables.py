@@ -12,24 +12,23 @@ from sqlalchemy import (
     UniqueConstraint,
 )
 
-from sightline.infra.audit.vouched import ChangedByEvents, WrittenOnce, vouched
+from sightline.infra.audit.vouched import (
+    changed_by_events,
+    written_once,
+)
 from sightline.infra.database.types import (
     NEEDS_MEDIA,
     CanonicalJson,
-    UtcDateTime,
-    changed_columns,
     columns_for,
     identity,
-    made_columns,
     metadata,
 )
 from sightline.studies.records import StudyFacts
 
 # Surveys joined: which ones at which site and of which year, the fleet, facts of the sites.
-studies = Table(
+studies = changed_by_events(
     "studies",
-    metadata,
-    identity(),
+    "study",
     *columns_for(StudyFacts, {"name": 200}),
     # invented surveys: said wherever its figures are shown
     Column("simulated", Boolean, nullable=False),
@@ -37,10 +36,7 @@ studies = Table(
     Column("open_to_all", Boolean, nullable=False),
     # the newest computing that was asked for
     Column("job_id", ForeignKey("jobs.id")),
-    *changed_columns(),
-    Column("deleted_at", UtcDateTime),
     CheckConstraint("goal_m > 0 AND goal_m < 1", name="goal_is_a_length"),
-    info=vouched(ChangedByEvents("study")),
 )
 
 # Who sees a study that is not open to all; what they may do there is their account's role.
@@ -54,10 +50,9 @@ study_members = Table(
 )
 
 # What a computing found: the figures that its page shows, its package and its report.
-study_results = Table(
+study_results = written_once(
     "study_results",
-    metadata,
-    identity(),
+    "study_result",
     Column("study_id", ForeignKey("studies.id"), nullable=False, index=True),
     # the version of the study that was computed
     Column("study_version", Integer, nullable=False),
@@ -71,6 +66,4 @@ study_results = Table(
     Column("report_key", String(400), nullable=False, info=NEEDS_MEDIA),
     Column("report_sha256", String(64), nullable=False),
     Column("code_version", String(60), nullable=False),
-    *made_columns(),
-    info=vouched(WrittenOnce("study_result")),
 )

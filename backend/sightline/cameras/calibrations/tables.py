@@ -3,7 +3,7 @@
 from sqlalchemy import CheckConstraint, Column, ForeignKey, Integer, String, Table
 
 from sightline.cameras.calibrations.records import Detection, NewCalibration
-from sightline.infra.audit.vouched import WrittenOnce, vouched
+from sightline.infra.audit.vouched import written_once
 from sightline.infra.database.types import NEEDS_MEDIA, columns_for, identity, made_columns, metadata
 
 calibration_images = Table(
@@ -21,12 +21,9 @@ calibration_images = Table(
 )
 
 
-calibrations = Table(
+calibrations = written_once(
     "calibrations",
-    metadata,
-    identity(),
+    "calibration",
     Column("camera_id", ForeignKey("cameras.id"), nullable=False, index=True),
     *columns_for(NewCalibration, keys={"recording_id": "recordings.id"}),
-    *made_columns(),
-    info=vouched(WrittenOnce("calibration")),
 )
