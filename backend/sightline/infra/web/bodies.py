@@ -10,6 +10,7 @@ from typing import Annotated, Any, TypeVar, cast, get_args, get_type_hints
 from pydantic import BaseModel, ConfigDict, Field, create_model, field_validator
 from pydantic_core import PydanticCustomError
 
+from sightline.arrays import Floats
 from sightline.enums import JobState
 from sightline.messages.said import Said, SaidInWords
 
@@ -45,7 +46,7 @@ def of_record(
     """A body that has, beside its own fields, those of a record `but` for some, with its defaults.
 
     `given`: the types of fields by a pattern of their names, with the limits of what comes in or what is said
-    of what goes out; else they are the record's. `optional`: each may be left out.
+    of what goes out; else they are the record's, arrays as lists. `optional`: each may be left out.
     """
     hints, plain = get_type_hints(record, include_extras=True), get_type_hints(record)
 
@@ -56,6 +57,7 @@ def of_record(
             kind = hints[one.name] if none_too or not optional else hints[one.name] | None
         elif optional or none_too:
             kind = kind | None
+        kind = list[float] if kind == Floats else kind
         default = ... if one.default is dataclasses.MISSING else one.default
         return kind, None if optional else default
 
