@@ -12,7 +12,6 @@ from sqlalchemy import (
     Index,
     Integer,
     String,
-    Table,
     Text,
     UniqueConstraint,
 )
@@ -29,17 +28,14 @@ from sightline.infra.database.types import (
     CanonicalJson,
     columns_for,
     enum_check,
-    identity,
-    metadata,
+    numbered,
 )
 from sightline.measurements.records import HeightOfClicks, Origin
 from sightline.statistics.acceptance import RiskPoints
 
 # What stays the same over all revisions of one measurement; append-only like them.
-measurement_series = Table(
+measurement_series = numbered(
     "measurement_series",
-    metadata,
-    identity(),
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     # of a frame: recording and vehicle; of a line scan: the scan and its vehicle
     Column("recording_id", ForeignKey("recordings.id"), index=True, info=HOLDS),
@@ -179,10 +175,8 @@ lots = written_once(
 
 
 # `place`: when it is drawn, from 1.
-lot_items = Table(
+lot_items = numbered(
     "lot_items",
-    metadata,
-    identity(),
     Column("lot_id", ForeignKey("lots.id"), nullable=False),
     Column("series_id", ForeignKey("measurement_series.id"), nullable=False, index=True),
     Column("revision", Integer, nullable=False),

@@ -8,7 +8,6 @@ from sqlalchemy import (
     ForeignKey,
     Integer,
     String,
-    Table,
     UniqueConstraint,
 )
 
@@ -20,8 +19,7 @@ from sightline.infra.database.types import (
     NEEDS_MEDIA,
     CanonicalJson,
     columns_for,
-    identity,
-    metadata,
+    numbered,
 )
 from sightline.studies.records import StudyFacts
 
@@ -40,10 +38,8 @@ studies = changed_by_events(
 )
 
 # Who sees a study that is not open to all; what they may do there is their account's role.
-study_members = Table(
+study_members = numbered(
     "study_members",
-    metadata,
-    identity(),
     Column("study_id", ForeignKey("studies.id"), nullable=False, index=True),
     Column("person_id", ForeignKey("people.id"), nullable=False, index=True),
     UniqueConstraint("study_id", "person_id"),

@@ -13,7 +13,7 @@ from sqlalchemy.orm import Session
 from sqlalchemy.schema import SchemaItem
 
 from sightline.enums import AuditEntity
-from sightline.infra.database.types import UtcDateTime, changed_columns, identity, made_columns, metadata
+from sightline.infra.database.types import UtcDateTime, changed_columns, made_columns, metadata, numbered
 from sightline.infra.slices import load_every, load_tables
 
 _KEY = "vouched"
@@ -80,7 +80,7 @@ def vouched(mark: Mark) -> dict[str, Any]:
 
 def written_once(name: str, entity: AuditEntity, *content: SchemaItem) -> Table:
     """A table of rows that never change: a number, `content`, and who made it when (`WrittenOnce`)."""
-    return Table(name, metadata, identity(), *content, *made_columns(), info=vouched(WrittenOnce(entity)))
+    return numbered(name, *content, *made_columns(), info=vouched(WrittenOnce(entity)))
 
 
 def changed_by_events(name: str, entity: AuditEntity, *content: SchemaItem) -> Table:
@@ -88,7 +88,7 @@ def changed_by_events(name: str, entity: AuditEntity, *content: SchemaItem) -> T
     every such row has.
     """
     stamps = (*changed_columns(), Column("deleted_at", UtcDateTime))
-    return Table(name, metadata, identity(), *content, *stamps, info=vouched(ChangedByEvents(entity)))
+    return numbered(name, *content, *stamps, info=vouched(ChangedByEvents(entity)))
 
 
 def entity_of(table: Table) -> AuditEntity:
