@@ -5,6 +5,7 @@ import logging
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from functools import cache
+from importlib import import_module
 from typing import Any
 
 import anyio
@@ -14,57 +15,7 @@ from prometheus_client import CollectorRegistry
 from starlette.middleware.gzip import GZipMiddleware
 from starlette.routing import BaseRoute
 
-import sightline.cameras.calibrations.routes
-import sightline.cameras.planning.routes
-import sightline.cameras.printing.routes
-import sightline.cameras.routes
-import sightline.demo.routes
-import sightline.export.evidence.routes
-import sightline.export.routes
-import sightline.infra.audit.routes
-import sightline.infra.jobs.routes
-import sightline.infra.web.health
 import sightline.job_handlers
-import sightline.measurements.assist.routes
-import sightline.measurements.following.routes
-import sightline.measurements.preview.routes
-import sightline.measurements.routes
-import sightline.measurements.sheets.passes_routes
-import sightline.measurements.sheets.routes
-import sightline.people.routes
-import sightline.people.session_routes
-import sightline.people.token_routes
-import sightline.poses.routes
-import sightline.quality.adjusting.routes
-import sightline.quality.checks.routes
-import sightline.quality.drift.routes
-import sightline.quality.repeats.routes
-import sightline.quality.which_model.routes
-import sightline.recordings.calibrating.routes
-import sightline.recordings.frames.routes
-import sightline.recordings.routes
-import sightline.recordings.uploads.routes
-import sightline.results.audited.routes
-import sightline.results.overview.routes
-import sightline.results.routes
-import sightline.results.sampling.routes
-import sightline.results.sightdistance.routes
-import sightline.reviews.lots.routes
-import sightline.reviews.routes
-import sightline.scans.again.routes
-import sightline.scans.heights.routes
-import sightline.scans.live.routes
-import sightline.scans.references.routes
-import sightline.scans.rig.routes
-import sightline.scans.routes
-import sightline.scans.statistics.routes
-import sightline.scans.vehicles.routes
-import sightline.studies.routes
-import sightline.surveys.members.routes
-import sightline.surveys.photographs.routes
-import sightline.vehicles.catalogue.routes
-import sightline.vehicles.passes.routes
-import sightline.vehicles.proposing.routes
 from sightline.errors import NotFound
 from sightline.infra.audit import trail
 from sightline.infra.clock_watch import ClockWatch
@@ -97,58 +48,61 @@ from sightline.vehicles.passes.prefetch import prefetch_around_passes
 
 log = logging.getLogger(__name__)
 
-#: Every router of the API with its tag, in the order in which the work goes.
-ROUTERS: tuple[tuple[str, APIRouter], ...] = (
-    ("health", sightline.infra.web.health.router),
-    ("session", sightline.people.session_routes.router),
-    ("tokens", sightline.people.token_routes.router),
-    ("people", sightline.people.routes.router),
-    ("surveys", sightline.results.overview.routes.router),
-    ("surveys", sightline.results.sampling.routes.router),
-    ("members", sightline.surveys.members.routes.router),
-    ("photographs", sightline.surveys.photographs.routes.router),
-    ("cameras", sightline.cameras.routes.router),
-    ("calibrations", sightline.cameras.calibrations.routes.router),
-    ("calibrations", sightline.recordings.calibrating.routes.router),
-    ("boards", sightline.cameras.printing.routes.router),
-    ("uploads", sightline.recordings.uploads.routes.router),
-    ("recordings", sightline.recordings.routes.router),
-    ("frames", sightline.recordings.frames.routes.router),
-    ("planning", sightline.cameras.planning.routes.router),
-    ("poses", sightline.poses.routes.router),
-    ("checks", sightline.quality.checks.routes.router),
-    ("adjustment", sightline.quality.adjusting.routes.router),
-    ("drift", sightline.quality.drift.routes.router),
-    ("assist", sightline.measurements.assist.routes.router),
-    ("following", sightline.measurements.following.routes.router),
-    ("geometry", sightline.measurements.preview.routes.router),
-    ("vehicles", sightline.measurements.sheets.routes.router),
-    ("passes", sightline.vehicles.passes.routes.router),
-    ("proposals", sightline.vehicles.proposing.routes.router),
-    ("passes", sightline.measurements.sheets.passes_routes.router),
-    ("catalogue", sightline.vehicles.catalogue.routes.router),
-    ("measurements", sightline.measurements.routes.router),
-    ("computings", sightline.scans.again.routes.router),
-    ("reviews", sightline.reviews.routes.router),
-    ("lots", sightline.reviews.lots.routes.router),
-    ("repeats", sightline.quality.repeats.routes.router),
-    ("which model", sightline.quality.which_model.routes.router),
-    ("scans", sightline.scans.routes.router),
-    ("scans_vehicles", sightline.scans.vehicles.routes.router),
-    ("rigs", sightline.scans.rig.routes.router),
-    ("scans_references", sightline.scans.references.routes.router),
-    ("live", sightline.scans.live.routes.router),
-    ("line_heights", sightline.scans.heights.routes.router),
-    ("scans_statistics", sightline.scans.statistics.routes.router),
-    ("statistics", sightline.results.routes.router),
-    ("sightdistance", sightline.results.sightdistance.routes.router),
-    ("exports", sightline.export.routes.router),
-    ("evidence", sightline.export.evidence.routes.router),
-    ("studies", sightline.studies.routes.router),
-    ("audit", sightline.results.audited.routes.router),
-    ("audit", sightline.infra.audit.routes.router),
-    ("samples", sightline.demo.routes.router),
-    ("jobs", sightline.infra.jobs.routes.router),
+#: Every router of the API: its tag and its module, in the order in which the work goes.
+_ROUTES = (
+    ("health", "infra.web.health"),
+    ("session", "people.session_routes"),
+    ("tokens", "people.token_routes"),
+    ("people", "people.routes"),
+    ("surveys", "results.overview.routes"),
+    ("surveys", "results.sampling.routes"),
+    ("members", "surveys.members.routes"),
+    ("photographs", "surveys.photographs.routes"),
+    ("cameras", "cameras.routes"),
+    ("calibrations", "cameras.calibrations.routes"),
+    ("calibrations", "recordings.calibrating.routes"),
+    ("boards", "cameras.printing.routes"),
+    ("uploads", "recordings.uploads.routes"),
+    ("recordings", "recordings.routes"),
+    ("frames", "recordings.frames.routes"),
+    ("planning", "cameras.planning.routes"),
+    ("poses", "poses.routes"),
+    ("checks", "quality.checks.routes"),
+    ("adjustment", "quality.adjusting.routes"),
+    ("drift", "quality.drift.routes"),
+    ("assist", "measurements.assist.routes"),
+    ("following", "measurements.following.routes"),
+    ("geometry", "measurements.preview.routes"),
+    ("vehicles", "measurements.sheets.routes"),
+    ("passes", "vehicles.passes.routes"),
+    ("proposals", "vehicles.proposing.routes"),
+    ("passes", "measurements.sheets.passes_routes"),
+    ("catalogue", "vehicles.catalogue.routes"),
+    ("measurements", "measurements.routes"),
+    ("computings", "scans.again.routes"),
+    ("reviews", "reviews.routes"),
+    ("lots", "reviews.lots.routes"),
+    ("repeats", "quality.repeats.routes"),
+    ("which model", "quality.which_model.routes"),
+    ("scans", "scans.routes"),
+    ("scans_vehicles", "scans.vehicles.routes"),
+    ("rigs", "scans.rig.routes"),
+    ("scans_references", "scans.references.routes"),
+    ("live", "scans.live.routes"),
+    ("line_heights", "scans.heights.routes"),
+    ("scans_statistics", "scans.statistics.routes"),
+    ("statistics", "results.routes"),
+    ("sightdistance", "results.sightdistance.routes"),
+    ("exports", "export.routes"),
+    ("evidence", "export.evidence.routes"),
+    ("studies", "studies.routes"),
+    ("audit", "results.audited.routes"),
+    ("audit", "infra.audit.routes"),
+    ("samples", "demo.routes"),
+    ("jobs", "infra.jobs.routes"),
+)
+ROUTERS: tuple[tuple[str, APIRouter], ...] = tuple(
+    (tag, import_module(f"sightline.{place}").router) for tag, place in _ROUTES
 )
 
 

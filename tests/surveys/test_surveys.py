@@ -6,8 +6,11 @@ from typing import get_args
 from sqlalchemy import text
 
 from sightline.enums import InsetName
+from sightline.geometry.insets import USUAL_INSETS
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
+from sightline.surveys.bodies import InsetChanges, Insets
+from sightline.surveys.records import insets_of
 from tests.support.app import Client, error_of
 from tests.support.ground import add_vehicle, lay_ground, measure
 
@@ -187,3 +190,13 @@ def test_jobs(
     refused = viewer.post(f"/jobs/{theirs['id']}/cancel")
     assert refused.status_code == 403
     error_of(refused)
+
+
+def test_insets_follow_the_list_of_their_names_and_old_surveys_are_filled_up() -> None:
+    """A new target needs no line in the bodies; a survey stored before it has its usual inset."""
+    names = set(get_args(InsetName))
+    assert set(Insets.model_fields) == set(InsetChanges.model_fields) == names
+    found = insets_of({"roof": {"inset_m": 0.2, "u_inset_m": 0.05}})
+    assert set(found) == names
+    assert found["roof_van"] == found["roof"] and found["roof"].inset_m == 0.2
+    assert found["headlight"].inset_m == USUAL_INSETS["headlight"][0]

@@ -1,14 +1,12 @@
 """The table of cameras."""
 
-from sqlalchemy import Column, ForeignKey, String, Table
+from sqlalchemy import Column, ForeignKey, String
 
 from sightline.cameras.records import CameraWords
-from sightline.infra.database.types import columns_for, identity, made_columns, metadata
+from sightline.infra.database.types import columns_for, made_columns, numbered
 
-cameras = Table(
+cameras = numbered(
     "cameras",
-    metadata,
-    identity(),
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     # its name, and what calibration holds for: lens, and its zoom and focus, in words
     *columns_for(CameraWords, {"name": 200, "lens": 200, "zoom": 100, "focus": 100}),

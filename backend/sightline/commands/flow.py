@@ -53,7 +53,11 @@ def flow(
         found, passed, said = _of_place(place, minutes)
         rows += [row for one in found for row in _rows(one)]
         vehicles += passed
-        notes += said + [_unplaced(one) for one in found if one.minutes == minutes[0] and one.unplaced]
+        notes += said + [
+            f"{one.name}: {one.unplaced} vehicles were never measured and are in no interval."
+            for one in found
+            if one.minutes == minutes[0] and one.unplaced
+        ]
     if vehicles_csv is not None:
         write_whole(vehicles_csv, csv_text(VEHICLE_COLUMNS, vehicles, cell_of))
     table = csv_text(COLUMNS, rows, cell_of)
@@ -122,10 +126,6 @@ def _of_package(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic],
             rows += [row for row in seen if filmed.holds(row["front_at"])]
     notes = {one.scan_id: f"{one.name}: {one.reason}" for one in found if one.reason}
     return [one for one in found if not one.reason], rows, list(notes.values())
-
-
-def _unplaced(one: ScanTraffic) -> str:
-    return f"{one.name}: {one.unplaced} vehicles were never measured and are in no interval."
 
 
 _CLASSES = (

@@ -78,7 +78,7 @@ def _trimmed(track: Track, size: tuple[int, int]) -> Track:
 def _without_doubles(tracks: Sequence[Track], size: tuple[int, int]) -> list[Track]:
     """Tracks that go the same way in the same place at the same time are one: cab and body of a lorry."""
     kept: list[Track] = []
-    for track in sorted(tracks, key=lambda one: -_largest(one)):
+    for track in sorted(tracks, key=lambda one: -max(detection.box.area_px for detection in one.detections)):
         owner = next((one for one in kept if _is_inside(track, one, size)), None)
         if owner is None:
             kept.append(track)
@@ -100,10 +100,6 @@ def _is_inside(part: Track, whole: Track, size: tuple[int, int]) -> bool:
         return False
     inside = [intersection_area(one, other) / (one.width * one.height) for one, other in pairs]
     return bool(np.median(inside) >= DOUBLE_SHARE)
-
-
-def _largest(track: Track) -> float:
-    return max(detection.box.area_px for detection in track.detections)
 
 
 def _likeness(piece: Track, whole: Track, size: tuple[int, int], lapse: int) -> float:

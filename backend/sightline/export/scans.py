@@ -1,8 +1,8 @@
 """The statistics of an export's line scans: read from its own rows, and as tables of their own."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import asdict
-from typing import Any, cast, get_args
+from typing import cast, get_args
 
 from sightline.enums import (
     KnownLength,
@@ -27,7 +27,6 @@ from sightline.export.statistics_rows import (
 from sightline.infra.csv_package.columns import integer, metres, number, text
 from sightline.infra.csv_package.files import Files, read_columns, read_rows, unsafe
 from sightline.infra.csv_package.files import number as figure_of
-from sightline.linescan.parts import Rig
 from sightline.linescan.rig import rig_from
 from sightline.results.csv import selection_in
 from sightline.scans.heights.csv import LINE_HEIGHTS
@@ -223,12 +222,12 @@ def scanned_motions(files: Files) -> Iterator[VehicleMotion]:
             direction=cast(ScanDirection, row["direction"]) if row["direction"] else None,
             lane=unsafe(row["lane"]) or None,
             axles=int(row["axles"]) if row["axles"] else None,
-            **({} if rig is None else _when_passed(rig, row)),
+            **(
+                {}
+                if rig is None
+                else when_passed(rig, float(row["front_line_1"]), float(row["rear_line_1"]), reason_in(row))
+            ),
         )
-
-
-def _when_passed(rig: Rig, row: Mapping[str, str]) -> dict[str, Any]:
-    return when_passed(rig, float(row["front_line_1"]), float(row["rear_line_1"]), reason_in(row))
 
 
 def _standing(files: Files) -> dict[str, list[ReferenceValues]]:
@@ -251,7 +250,7 @@ def scan_rows(found: ScanStatistics, heights: tuple[ScannedHeights, ...]) -> dic
     return {
         ERRORS.key: _error_rows(found),
         BASELINES.key: _baseline_rows(found),
-        QUANTITIES.key: _quantity_rows(found),
+        QUANTITIES.key: (vars(one) for one in found.spreads if one.n),
         PERCENTILES.key: _percentile_rows(found),
         ECDF.key: _ecdf_rows(found),
         HEIGHTS.key: (asdict(one) for one in heights),
@@ -287,10 +286,6 @@ def _baseline_rows(found: ScanStatistics) -> Iterator[Cells]:
     for size, one in (("length", found.length_ratio), ("wheelbase", found.wheelbase_ratio)):
         if found.counted["used"]:
             yield {"size": size, **vars(one), "ratio": one.value, "u_ratio": one.u}
-
-
-def _quantity_rows(found: ScanStatistics) -> Iterator[Cells]:
-    return (vars(one) for one in found.spreads if one.n)
 
 
 def _percentile_rows(found: ScanStatistics) -> Iterator[Cells]:

@@ -163,7 +163,7 @@ def calibrate(
         reshoot=reshoot_advice(evidence),
         flatness=None
         if bent is None or bent.shape is None
-        else _flatness(flat, bent, bent.shape, bent_board),
+        else BoardFlatness(bent.shape, _known(flat), _known(bent), bent_board),
     )
 
 
@@ -193,10 +193,6 @@ def _known(fit: _Fit) -> Camera:
     return replace(
         fit.camera, rms_px=fit.rms_px, covariance=None if covariance is None else covariance[:n, :n]
     )
-
-
-def _flatness(flat: _Fit, bent: _Fit, shape: BoardShape, solved: bool) -> BoardFlatness:
-    return BoardFlatness(shape, _known(flat), _known(bent), solved)
 
 
 def usable_views(views: Sequence[NamedCorners]) -> tuple[list[NamedCorners], dict[str, View]]:

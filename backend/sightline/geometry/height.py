@@ -367,35 +367,17 @@ def measure_heights(
     systematic = systematic_covariance(pose) if with_uncertainty else None
     for start in range(0, n, _CHUNK):
         part = slice(start, start + _CHUNK)
-        _measure_part(
-            pose, contacts[part], targets[part], sigma[part], inset[part], u_inset[part],
-            systematic, code[part], out[:, part], doubts[:, part],
-        )  # fmt: skip
-    return Heights(pose, doubts, code, *out)
-
-
-def _measure_part(
-    pose: RoadPose,
-    contacts: Floats,
-    targets: Floats,
-    sigma: Floats,
-    inset: Floats,
-    u_inset: Floats,
-    systematic: Floats | None,
-    code: NDArray[np.int8],
-    out: Floats,
-    doubts: NDArray[np.bool_],
-) -> None:
-    """Fill one chunk of the result arrays in place."""
-    seen = intersect_rays(pose, contacts, targets, inset)
-    code[:] = seen.code
-    fine = np.isfinite(sigma) & np.isfinite(inset) & np.isfinite(u_inset) & (sigma >= 0) & (u_inset >= 0)
-    code[~fine] = BAD_SIGMA
-    out[0] = seen.height_m
-    out[2], out[3], out[4] = contact_on_road(pose, seen)
-    if systematic is not None:
+        seen = intersect_rays(pose, contacts[part], targets[part], inset[part])
+        told, found = code[part], out[:, part]  # views: filled in place
+        u_px, u_m = sigma[part], u_inset[part]
+        told[:] = seen.code
+        fine = np.isfinite(u_px) & np.isfinite(inset[part]) & np.isfinite(u_m) & (u_px >= 0) & (u_m >= 0)
+        told[~fine] = BAD_SIGMA
+        found[0] = seen.height_m
+        found[2], found[3], found[4] = contact_on_road(pose, seen)
         with np.errstate(all="ignore"):
-            out[1] = np.sqrt(_variance(gradient(pose, seen), systematic, sigma, u_inset))
-    with np.errstate(all="ignore"):
-        doubts[:] = _doubts(pose, seen, out[1])
-    out[:, code != OK] = np.nan
+            if systematic is not None:
+                found[1] = np.sqrt(_variance(gradient(pose, seen), systematic, u_px, u_m))
+            doubts[:, part] = _doubts(pose, seen, found[1])
+        found[:, told != OK] = np.nan
+    return Heights(pose, doubts, code, *out)

@@ -1,14 +1,12 @@
 """What measurements take and answer."""
 
 from dataclasses import dataclass
-from datetime import datetime
 from typing import Annotated
 from uuid import UUID
 
 from pydantic import Field
 
 from sightline.enums import MadeAsSaid, Target
-from sightline.infra.audit.records import Who
 from sightline.infra.by_name import filled_from
 from sightline.infra.web.bodies import FrameNumber, In, Point, example
 from sightline.infra.web.named import MeasurementId, VehicleId
@@ -16,7 +14,7 @@ from sightline.infra.web.quantities import InsetM, Revision, SigmaPx, UInsetM
 from sightline.measurements.records import (
     Measurement,
     MeasurementValues,
-    ReviewState,
+    RevisionFacts,
     VehicleInState,
     VehicleSheet,
 )
@@ -25,13 +23,9 @@ from sightline.statistics.plausible import Doubt, Height, doubts
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class MeasurementBody(MeasurementValues):
+class MeasurementBody(MeasurementValues, RevisionFacts):
     """The current revision of a measurement: its values, and what stands around them."""
 
-    id: Annotated[int, Field(description="The measurement (a series of revisions).")]
-    revision: int
-    revision_id: int
-    vehicle_id: int
     recording_id: int
     repeat_of: Annotated[int | None, Field(description="The measurement that this one repeats.")]
     flags: Annotated[
@@ -45,13 +39,6 @@ class MeasurementBody(MeasurementValues):
             "confirmed the start of the recording."
         ),
     ]
-    created_by: Who | None
-    created_at: datetime
-    withdrawn: bool
-    computing_id: Annotated[
-        int | None, Field(description="What computed this revision again; the clicks are those before it.")
-    ]
-    review: ReviewState
 
 
 def measurement_body(found: Measurement) -> MeasurementBody:

@@ -293,26 +293,33 @@ class Review:
 Content = TypeVar("Content", MeasurementValues, ScanHeightValues)
 
 
+@dataclass(frozen=True, kw_only=True)
+class RevisionFacts:
+    """What every revision of a measurement has beside its values, in an answer too."""
+
+    id: Annotated[int, Field(description="The measurement of a target (a series of revisions).")]
+    revision: int
+    revision_id: int
+    vehicle_id: int
+    withdrawn: bool
+    computing_id: Annotated[
+        int | None, Field(description="What computed this revision again; the clicks are those before it.")
+    ]
+    created_by: Who | None
+    created_at: datetime
+    review: ReviewState
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Revision(Generic[Content]):
+class Revision(RevisionFacts, Generic[Content]):
     """One revision of a measurement (`id` is the series), of a frame or of a line scan.
 
     `repeat_of`: the measurement that this one repeats, which then stands in no list and counts for no result.
     """
 
-    id: int
-    revision: int
-    revision_id: int
     survey_id: int
-    vehicle_id: int
     repeat_of: int | None
     values: Content
-    created_by: Who | None
-    created_at: datetime
-    withdrawn: bool
-    review: ReviewState
-    #: What computed this revision again; the clicks are those of `created_by`.
-    computing_id: int | None = None
     #: Of a revision computed again, or put back: the one before it whose verdict holds for it too.
     verdict_of_revision: int | None = None
     #: The revision that the verdict was given to.

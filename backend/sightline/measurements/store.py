@@ -160,6 +160,7 @@ def _first_revision(
         created_by=None,
         created_at=moment,
         withdrawn=False,
+        computing_id=None,
         review=ReviewState("to_review"),
         **place,
     )

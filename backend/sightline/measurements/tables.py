@@ -12,7 +12,6 @@ from sqlalchemy import (
     Index,
     Integer,
     String,
-    Table,
     Text,
     UniqueConstraint,
 )
@@ -23,24 +22,20 @@ from sightline.enums import (
     ReviewVerdict,
     Target,
 )
-from sightline.infra.audit.vouched import WrittenOnce, WrittenOnceApart, vouched
+from sightline.infra.audit.vouched import WrittenOnceApart, vouched, written_once
 from sightline.infra.database.types import (
     HOLDS,
     CanonicalJson,
     columns_for,
     enum_check,
-    identity,
-    made_columns,
-    metadata,
+    numbered,
 )
 from sightline.measurements.records import HeightOfClicks, Origin
 from sightline.statistics.acceptance import RiskPoints
 
 # What stays the same over all revisions of one measurement; append-only like them.
-measurement_series = Table(
+measurement_series = numbered(
     "measurement_series",
-    metadata,
-    identity(),
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     # of a frame: recording and vehicle; of a line scan: the scan and its vehicle
     Column("recording_id", ForeignKey("recordings.id"), index=True, info=HOLDS),
@@ -61,10 +56,9 @@ measurement_series = Table(
 
 
 # Heights of a survey computed again in one go; each revision that it made names it.
-computings = Table(
+computings = written_once(
     "computings",
-    metadata,
-    identity(),
+    "computing",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("kind", String(20), nullable=False),
     # the one whose old heights this one put back
@@ -75,19 +69,16 @@ computings = Table(
     Column("largest_m", Float),
     Column("causes", CanonicalJson, nullable=False),
     Column("code_version", String(60), nullable=False),
-    *made_columns(),
     enum_check("kind", ComputingKind),
     CheckConstraint("(kind = 'undo') = (undoes IS NOT NULL)", name="undo_names_another"),
-    info=vouched(WrittenOnce("computing")),
 )
 
 
 # One row a revision; the one with the highest number is the current one. Of a line scan, points are (line,
 # row) of strip 1, `line_pose_id` is the pose, and what tells a frame is empty.
-measurements = Table(
+measurements = written_once(
     "measurements",
-    metadata,
-    identity(),
+    "measurement",
     Column("series_id", ForeignKey("measurement_series.id"), nullable=False),
     Column("revision", Integer, nullable=False),
     Column("target", String(20), nullable=False),
@@ -118,7 +109,6 @@ measurements = Table(
     Column("computing_id", ForeignKey("computings.id"), index=True),
     # the revision before it whose verdict holds for this one too: hardly moved, or put back where it was
     Column("verdict_of_revision", Integer),
-    *made_columns(),
     UniqueConstraint("series_id", "revision"),
     enum_check("target", Target),
     CheckConstraint("revision >= 1", name="revision_counts"),
@@ -151,30 +141,25 @@ measurements = Table(
         "(status = 'ok' AND height_m IS NOT NULL) OR (status <> 'ok' AND reason IS NOT NULL)",
         name="height_or_reason",
     ),
-    info=vouched(WrittenOnce("measurement")),
 )
 
 
 # A person's own click sigma in a survey, from repeats; the newest row counts, without a figure the usual one.
-click_sigmas = Table(
+click_sigmas = written_once(
     "click_sigmas",
-    metadata,
-    identity(),
+    "click_sigma",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("person_id", ForeignKey("people.id"), nullable=False),
     Column("sigma_px", Float),
     Column("pairs", Integer, nullable=False),
-    *made_columns(),
     CheckConstraint("sigma_px > 0", name="sigma_positive"),
-    info=vouched(WrittenOnce("click_sigma")),
 )
 
 
 # Heights of a survey that are judged by a sample. The audit event names its items and binds the draw.
-lots = Table(
+lots = written_once(
     "lots",
-    metadata,
-    identity(),
+    "lot",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("number", Integer, nullable=False),
     # what its heights have in common: {target, lighting, operator_id, day}, those that were asked for
@@ -184,18 +169,14 @@ lots = Table(
     Column("acceptance_number", Integer, nullable=False),
     *columns_for(RiskPoints),
     Column("seed", String(64), nullable=False),
-    *made_columns(),
     UniqueConstraint("survey_id", "number"),
     CheckConstraint("acceptance_number < sample_size AND sample_size <= size", name="plan_fits"),
-    info=vouched(WrittenOnce("lot")),
 )
 
 
 # `place`: when it is drawn, from 1.
-lot_items = Table(
+lot_items = numbered(
     "lot_items",
-    metadata,
-    identity(),
     Column("lot_id", ForeignKey("lots.id"), nullable=False),
     Column("series_id", ForeignKey("measurement_series.id"), nullable=False, index=True),
     Column("revision", Integer, nullable=False),
@@ -207,10 +188,9 @@ lot_items = Table(
 
 
 # What became of a lot; the newest row counts. `sample`: series judged; `left_out`: reason by series.
-lot_decisions = Table(
+lot_decisions = written_once(
     "lot_decisions",
-    metadata,
-    identity(),
+    "lot_decision",
     Column("lot_id", ForeignKey("lots.id"), nullable=False, index=True),
     Column("choice", String(20), nullable=False),
     Column("judged", Integer, nullable=False),
@@ -218,17 +198,14 @@ lot_decisions = Table(
     Column("rest", Integer, nullable=False),
     Column("sample", CanonicalJson, nullable=False),
     Column("left_out", CanonicalJson, nullable=False),
-    *made_columns(),
     enum_check("choice", LotChoice),
-    info=vouched(WrittenOnce("lot_decision")),
 )
 
 
 # `revision` is what the reviewer saw, `result_revision` what the verdict holds for (a fix makes a new one).
-reviews = Table(
+reviews = written_once(
     "reviews",
-    metadata,
-    identity(),
+    "review",
     Column("series_id", ForeignKey("measurement_series.id"), nullable=False),
     Column("revision", Integer, nullable=False),
     Column("result_revision", Integer, nullable=False),
@@ -236,11 +213,9 @@ reviews = Table(
     Column("reason", Text),
     # empty for a verdict on this measurement alone
     Column("lot_id", ForeignKey("lots.id"), index=True),
-    *made_columns(),
     enum_check("verdict", ReviewVerdict),
     CheckConstraint("verdict <> 'rejected' OR reason IS NOT NULL", name="rejected_has_reason"),
     CheckConstraint("lot_id IS NULL OR verdict IN ('accepted', 'reopened')", name="lot_accepts_or_reopens"),
-    info=vouched(WrittenOnce("review")),
 )
 
 
@@ -248,10 +223,9 @@ Index("ix_reviews_series_id_result_revision", reviews.c.series_id, reviews.c.res
 
 
 # Both tyre contacts of a vehicle on one frame: its direction of travel. The newest row of a vehicle counts.
-wheel_pairs = Table(
+wheel_pairs = written_once(
     "wheel_pairs",
-    metadata,
-    identity(),
+    "wheel_pair",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("recording_id", ForeignKey("recordings.id"), nullable=False),
     Column("vehicle_id", ForeignKey("vehicles.id"), nullable=False, index=True),
@@ -264,6 +238,4 @@ wheel_pairs = Table(
     Column("second_x_px", Float, nullable=False),
     Column("second_y_px", Float, nullable=False),
     Column("withdrawn", Boolean, nullable=False),
-    *made_columns(),
-    info=vouched(WrittenOnce("wheel_pair")),
 )

@@ -31,7 +31,9 @@ def say(key: str, values: Mapping[str, Value], language: str = SOURCE) -> str:
     for bundle in dict.fromkeys((language, SOURCE)):
         found = _bundle(bundle)
         if found.has(key):
-            return _formatted(found.with_message(key), key, values)
+            return _text(
+                found.with_message(key), key, {name: _given(value) for name, value in values.items()}
+            )
     raise KeyError(key)
 
 
@@ -65,10 +67,6 @@ def decimal_sign(language: str) -> str:
 def entries(text: str) -> dict[str, str]:
     """Each message of a file by its key, as it is written there."""
     return {found[1]: found[0] for found in _ENTRY.finditer(text)}
-
-
-def _formatted(bundle: FluentBundle, key: str, values: Mapping[str, Value]) -> str:
-    return _text(bundle, key, {name: _given(value) for name, value in values.items()})
 
 
 def _text(bundle: FluentBundle, key: str, values: Mapping[str, Any]) -> str:

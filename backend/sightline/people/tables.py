@@ -1,13 +1,11 @@
 """Tokens with which programs speak for a person."""
 
-from sqlalchemy import Column, ForeignKey, String, Table, UniqueConstraint
+from sqlalchemy import Column, ForeignKey, String, UniqueConstraint
 
-from sightline.infra.database.types import CanonicalJson, UtcDateTime, identity, metadata
+from sightline.infra.database.types import CanonicalJson, UtcDateTime, numbered
 
-api_tokens = Table(
+api_tokens = numbered(
     "api_tokens",
-    metadata,
-    identity(),
     Column("person_id", ForeignKey("people.id"), nullable=False, index=True),
     Column("name", String(200), nullable=False),
     Column("token_hash", String(64), nullable=False),

@@ -1,9 +1,9 @@
 """The table of camera poses."""
 
-from sqlalchemy import CheckConstraint, Column, ForeignKey, Table
+from sqlalchemy import CheckConstraint, Column, ForeignKey
 
-from sightline.infra.audit.vouched import WrittenOnce, vouched
-from sightline.infra.database.types import columns_for, identity, made_columns, metadata
+from sightline.infra.audit.vouched import written_once
+from sightline.infra.database.types import columns_for
 from sightline.poses.records import NewPose
 
 # A pose turned about the road's normal after the traffic's own direction is of another one, and so is a pose
@@ -14,14 +14,11 @@ _KEYS = {
     "adjusted_from": "road_poses.id",
 }
 
-road_poses = Table(
+road_poses = written_once(
     "road_poses",
-    metadata,
-    identity(),
+    "pose",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("recording_id", ForeignKey("recordings.id"), nullable=False),
     *columns_for(NewPose, keys=_KEYS),
-    *made_columns(),
     CheckConstraint("first_frame >= 0 AND last_frame >= first_frame", name="span_forward"),
-    info=vouched(WrittenOnce("pose")),
 )

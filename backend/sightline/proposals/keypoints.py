@@ -11,7 +11,7 @@ from typing import Any, get_args
 
 import numpy as np
 
-from sightline.enums import AskedTarget, ProposedPoint
+from sightline.enums import ProposedPoint, ProposedTarget
 from sightline.geometry.camera import undistort
 from sightline.geometry.road_pose import RoadPose
 from sightline.proposals.canvas import Canvas, Values
@@ -21,14 +21,14 @@ POINTS: tuple[ProposedPoint, ...] = get_args(ProposedPoint)
 COARSE_CELL_M, COARSE_SIZE, COARSE_Z_M = 0.08, (144, 60), -0.6
 COARSE_STEP = 2  # cells of the picture to one of what comes out
 FINE_SIZE = 48
-FINE_CELL_M: dict[AskedTarget, tuple[float, float]] = {
+FINE_CELL_M: dict[ProposedTarget, tuple[float, float]] = {
     "roof": (0.02, 0.01),
     "taillight": (0.01, 0.01),
     "headlight": (0.01, 0.01),
     "driver_eye": (0.01, 0.01),
 }
 #: In the order of the second network's maps.
-FINE_POINTS: tuple[AskedTarget, ...] = tuple(FINE_CELL_M)
+FINE_POINTS: tuple[ProposedTarget, ...] = tuple(FINE_CELL_M)
 FINE_STEP = 2
 
 
@@ -97,7 +97,7 @@ def coarse_canvas(pose: RoadPose, box: Box, y_m: float, ahead: int) -> Canvas | 
     )
 
 
-def fine_canvas(name: AskedTarget, along_m: float, z_m: float, y_m: float, ahead: int) -> Canvas:
+def fine_canvas(name: ProposedTarget, along_m: float, z_m: float, y_m: float, ahead: int) -> Canvas:
     """Half a metre (of a roof one along) about a place of the side plane Y = `y_m`."""
     cell = FINE_CELL_M[name]
     half = 0.5 * (FINE_SIZE - 1)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sightline.enums import AskedTarget, Direction, ProposedPoint, WheelEnd
+from sightline.enums import Direction, ProposedPoint, ProposedTarget, WheelEnd
 from sightline.geometry.height import measure_height
 from sightline.geometry.road import road_point
 from sightline.geometry.road_pose import RoadPose
@@ -27,11 +27,16 @@ __all__ = ["POINTS", "FrameSeen", "Proposals", "Proposed", "propose_points"]
 
 ENDS: tuple[tuple[ProposedPoint, WheelEnd], ...] = (("contact_rear", "rear"), ("contact_front", "front"))
 # Where about each target lies behind the side plane, for what its height's error becomes; metres.
-INSETS_M: dict[AskedTarget, float] = {"roof": 0.25, "taillight": 0.10, "headlight": 0.10, "driver_eye": 0.80}
+INSETS_M: dict[ProposedTarget, float] = {
+    "roof": 0.25,
+    "taillight": 0.10,
+    "headlight": 0.10,
+    "driver_eye": 0.80,
+}
 # By how much the standard errors that the networks give are too small or too large, and the least that
 # remains, px: set on drawn development sites, of which one wants 1.5 times as much as another
 # (bench_proposals --training).
-TRUST: dict[AskedTarget, float] = {"roof": 0.6, "taillight": 0.7, "headlight": 0.6, "driver_eye": 0.6}
+TRUST: dict[ProposedTarget, float] = {"roof": 0.6, "taillight": 0.7, "headlight": 0.6, "driver_eye": 0.6}
 REST_PX = 0.1
 MOST_OFF_M = 0.02  # of a height: what may be off by more is not proposed
 BY_MOTION_PX = 0.6  # of a contact that the wheels on other frames give
@@ -197,7 +202,7 @@ class _Best:
             return "proposals-not-in-picture"
         return at if place.sure.get(one.n, 0.0) >= LEAST_FINE else "proposals-hidden-here"
 
-    def target(self, name: AskedTarget, best: FrameSeen, base: _Base) -> Proposed | str:
+    def target(self, name: ProposedTarget, best: FrameSeen, base: _Base) -> Proposed | str:
         """A target's place on the best frame with its predicted error, and that of its height."""
         place, at = self.places[name], self.pixel(name, best)
         if isinstance(place, str) or isinstance(at, str):

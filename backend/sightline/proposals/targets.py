@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sightline.arrays import Floats
-from sightline.enums import AskedTarget, ProposedPoint
+from sightline.enums import ProposedPoint, ProposedTarget
 from sightline.geometry.road_pose import RoadPose
 from sightline.proposals.canvas import Canvas, laid
 from sightline.proposals.keypoints import (
@@ -104,7 +104,7 @@ def targets_of(
 
 
 def _coarse(
-    name: AskedTarget,
+    name: ProposedTarget,
     frames: Sequence[FrameSeen],
     looks: Mapping[int, Look],
     pose: RoadPose,
@@ -150,7 +150,7 @@ def _drift(wheel: Floats, along: Floats) -> tuple[float, float]:
 
 def _closely(
     networks: Networks,
-    name: AskedTarget,
+    name: ProposedTarget,
     frames: Sequence[FrameSeen],
     start: Place,
     pose: RoadPose,
@@ -159,40 +159,28 @@ def _closely(
 ) -> Place | str:
     """The point from close looks at every frame, the second about where the first found it."""
     for _ in range(2):
-        found = _looks(networks, name, frames, start, pose, motion, ahead)
+        canvases: list[Canvas] = []
+        views, about = [], []
+        for one in frames:
+            wheel = motion.at(one.n)
+            along = ahead * wheel + start.along(wheel)
+            canvas = fine_canvas(name, along, start.z_m, motion.y_m, ahead)
+            view = laid(canvas, one.picture, one.change, pose)
+            if (view[3] >= 0).mean() > 0.6:
+                canvases.append(canvas)
+                views.append(view)
+                about.append((one.n, wheel))
+        seen = fine_places(networks, [name] * len(views), canvases, views)
+        # frame, X of the wheel, and what is seen about `start`, along from the wheel
+        found = [
+            (n, wheel, Seen(one.along_m - ahead * wheel, one.z_m, one.u_along_m, one.u_z_m, one.sure))
+            for (n, wheel), one in zip(about, seen, strict=True)
+        ]
         place = _combined(name, found)
         if place is None:
             return BY_POINT[name]
         start = place
     return start
-
-
-def _looks(
-    networks: Networks,
-    name: AskedTarget,
-    frames: Sequence[FrameSeen],
-    start: Place,
-    pose: RoadPose,
-    motion: Motion,
-    ahead: int,
-) -> list[tuple[int, float, Seen]]:
-    """Frame, X of the wheel, and what is seen about `start`, along from the wheel."""
-    canvases: list[Canvas] = []
-    views, about = [], []
-    for one in frames:
-        wheel = motion.at(one.n)
-        along = ahead * wheel + start.along(wheel)
-        canvas = fine_canvas(name, along, start.z_m, motion.y_m, ahead)
-        view = laid(canvas, one.picture, one.change, pose)
-        if (view[3] >= 0).mean() > 0.6:
-            canvases.append(canvas)
-            views.append(view)
-            about.append((one.n, wheel))
-    seen = fine_places(networks, [name] * len(views), canvases, views)
-    return [
-        (n, wheel, Seen(one.along_m - ahead * wheel, one.z_m, one.u_along_m, one.u_z_m, one.sure))
-        for (n, wheel), one in zip(about, seen, strict=True)
-    ]
 
 
 def _combined(name: str, found: Sequence[tuple[int, float, Seen]]) -> Place | None:

@@ -9,7 +9,6 @@ from sqlalchemy import (
     ForeignKey,
     Integer,
     String,
-    Table,
 )
 
 from sightline.enums import Lighting, RecordingState, StreetLighting
@@ -19,15 +18,12 @@ from sightline.infra.database.types import (
     Saying,
     UtcDateTime,
     enum_check,
-    identity,
     made_columns,
-    metadata,
+    numbered,
 )
 
-recordings = Table(
+recordings = numbered(
     "recordings",
-    metadata,
-    identity(),
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("name", String(400), nullable=False),
     Column("state", String(20), nullable=False),

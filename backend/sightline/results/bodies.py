@@ -18,7 +18,7 @@ from sightline.enums import (
     Target,
 )
 from sightline.infra.audit.records import Who
-from sightline.infra.web.bodies import Finite, In, Out
+from sightline.infra.web.bodies import Finite, In, Out, of_record
 from sightline.infra.web.deps import SurveysSeen
 from sightline.infra.web.figures import (
     DensityPart,
@@ -31,13 +31,13 @@ from sightline.infra.web.named import SurveyId
 from sightline.messages.said import Said
 from sightline.results.survey_comparison import ComparedSurveys
 from sightline.results.survey_statistics import Filter, SampleCounts
-from sightline.statistics.agreement import BlandAltman, ReferencePart
-from sightline.statistics.distributions import Percentile
-from sightline.statistics.errors import Interval
+from sightline.statistics.agreement import BlandAltman, ReferencePart, Trend
+from sightline.statistics.distributions import Share
 from sightline.statistics.known_errors import Inside
 from sightline.statistics.paper import PaperColumn
 from sightline.statistics.rules import RuleToday
 from sightline.statistics.standards import Standard
+from sightline.statistics.summary import Distribution
 from sightline.statistics.total_uncertainty import TotalFigures
 
 
@@ -72,18 +72,9 @@ class ErrorGroupBody(ErrorFiguresBody):
     title: str = Field(description="The column of the paper's table that it stands for.")
 
 
+@of_record(Trend)
 class TrendBody(Out):
     """A line by least squares over the reference height, with the band of the line."""
-
-    slope: float
-    slope_ci95: Interval
-    intercept: float
-    correlation: float
-    n: int
-    at: list[float]
-    value: list[float]
-    low: list[float]
-    high: list[float]
 
 
 class PointsBody(Out):
@@ -146,23 +137,16 @@ class StandardsIn(In):
     standards: list[StandardIn]
 
 
+@of_record(Share, "limit")
 class ShareBody(Out):
     """The share of vehicles below a standard's height."""
 
     standard: Standard
-    below: int
-    n: int
-    share: float
-    low: float
-    high: float
 
 
+@of_record(Distribution)
 class DistributionBody(Out):
-    n: int
-    mean_m: float | None
-    sd_m: float | None
     ecdf: EcdfPart
-    percentiles: list[Percentile]
     shares: list[ShareBody]
 
 

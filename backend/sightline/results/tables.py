@@ -6,22 +6,18 @@ from sqlalchemy import (
     ForeignKey,
     Integer,
     String,
-    Table,
 )
 
 from sightline.infra.audit.vouched import CarriesHead, vouched
 from sightline.infra.database.types import (
     NEEDS_MEDIA,
     CanonicalJson,
-    identity,
     made_columns,
-    metadata,
+    numbered,
 )
 
-exports = Table(
+exports = numbered(
     "exports",
-    metadata,
-    identity(),
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("media_key", String(400), nullable=False, info=NEEDS_MEDIA),
     Column("size_bytes", BigInteger, nullable=False),

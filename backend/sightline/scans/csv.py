@@ -147,10 +147,6 @@ _VERDICT: tuple[Column[ScanMeasurement], ...] = within(
 )
 
 
-def _rig_of_scan(scan: Scan) -> Rig:
-    return rig_columns(scan.rig)
-
-
 _PASSING: tuple[Column[Passing], ...] = (
     Column(
         "filmed_at",
@@ -196,7 +192,7 @@ LINE_SCANS: Table[Scan] = Table(
         integer("bits", "bits of the cameras, as their brightest pixels tell"),
         text("first_sha256", "SHA-256 of camera 1's stored strip"),
         text("second_sha256", "SHA-256 of camera 2's stored strip"),
-        *within(_rig_of_scan, *_RIG),
+        *within(lambda scan: rig_columns(scan.rig), *_RIG),
         text("lighting", "lighting", enum=get_args(Lighting)),
         started_column("when line 0 was taken", lambda s: s.started_at, lambda s: s.time_zone),
         text("time_zone", "time zone of these times (IANA)"),

@@ -9,24 +9,19 @@ from sqlalchemy import (
     Index,
     Integer,
     String,
-    Table,
     Text,
     UniqueConstraint,
 )
 
 from sightline.enums import CutAlong, Lighting, ScanSource, ScanState, ScanVerdict, TimeAxis, VehicleOrigin
-from sightline.infra.audit.vouched import ChangedByEvents, WrittenOnce, vouched
+from sightline.infra.audit.vouched import changed_by_events, written_once
 from sightline.infra.database.types import (
     KEEPS_TIMES,
     NEEDS_MEDIA,
     Saying,
     UtcDateTime,
-    changed_columns,
     columns_for,
     enum_check,
-    identity,
-    made_columns,
-    metadata,
 )
 from sightline.linescan.parts import Rig
 from sightline.scans.records import KnownOfScanned, ScanRunValues, ScanValues
@@ -35,10 +30,9 @@ from sightline.scans.references.records import ReferenceValues
 _VERSION = {"code_version": 60}
 
 # A pair of strips and the rig that took them. `first` is the camera that a vehicle reaches first.
-scans = Table(
+scans = changed_by_events(
     "scans",
-    metadata,
-    identity(),
+    "scan",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("name", String(400), nullable=False),
     Column("state", String(20), nullable=False),
@@ -71,8 +65,6 @@ scans = Table(
     Column("started_at", UtcDateTime),
     Column("time_zone", String(60)),
     Column("u_start_s", Float),
-    *changed_columns(),
-    Column("deleted_at", UtcDateTime),
     enum_check("state", ScanState),
     enum_check("source", ScanSource),
     enum_check("time_axis", TimeAxis),
@@ -87,43 +79,34 @@ scans = Table(
         "state <> 'ready' OR (lines IS NOT NULL AND first_key IS NOT NULL)", name="ready_has_lines"
     ),
     CheckConstraint("state <> 'failed' OR error IS NOT NULL", name="failed_has_error"),
-    info=vouched(ChangedByEvents("scan")),
 )
 
 # One search for vehicles (or one measuring again of those that are known); written once.
-scan_runs = Table(
+scan_runs = written_once(
     "scan_runs",
-    metadata,
-    identity(),
+    "scan_run",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("scan_id", ForeignKey("scans.id"), nullable=False, index=True),
     Column("job_id", ForeignKey("jobs.id")),
     *columns_for(ScanRunValues, _VERSION),
-    *made_columns(),
-    info=vouched(WrittenOnce("scan_run")),
 )
 
-scan_vehicles = Table(
+scan_vehicles = changed_by_events(
     "scan_vehicles",
-    metadata,
-    identity(),
+    "scan_vehicle",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("scan_id", ForeignKey("scans.id"), nullable=False),
     Column("number", Integer, nullable=False),
     Column("origin", String(20), nullable=False),
     *columns_for(KnownOfScanned, {"make": 100, "model": 200, "run_of": 100}),
-    *changed_columns(),
-    Column("deleted_at", UtcDateTime),
     UniqueConstraint("scan_id", "number"),
     enum_check("origin", VehicleOrigin),
-    info=vouched(ChangedByEvents("scan_vehicle")),
 )
 
 # One row a revision of a vehicle's motion, with the rig that it was computed with; written once.
-scan_measurements = Table(
+scan_measurements = written_once(
     "scan_measurements",
-    metadata,
-    identity(),
+    "scan_measurement",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("scan_id", ForeignKey("scans.id"), nullable=False, index=True),
     Column("vehicle_id", ForeignKey("scan_vehicles.id"), nullable=False),
@@ -131,7 +114,6 @@ scan_measurements = Table(
     *columns_for(ScanValues, {"lane": 40, **_VERSION}, {"run_id": "scan_runs.id", "placed_by": "people.id"}),
     # the earlier revision of this very content whose verdict holds for this one too
     Column("verdict_of_id", ForeignKey("scan_measurements.id")),
-    *made_columns(),
     UniqueConstraint("vehicle_id", "revision"),
     CheckConstraint("(lane IS NULL) = (lane_by IS NULL)", name="lane_by_whom"),
     CheckConstraint("(axle_lines IS NULL) = (axles_by IS NULL)", name="axles_by_whom"),
@@ -144,39 +126,32 @@ scan_measurements = Table(
         "(front_wheel_line IS NULL) = (rear_wheel_line IS NULL)",
         name="two_wheels",
     ),
-    info=vouched(WrittenOnce("scan_measurement")),
 )
 
 # Verdicts on a revision; written once, the newest of a revision counts.
-scan_reviews = Table(
+scan_reviews = written_once(
     "scan_reviews",
-    metadata,
-    identity(),
+    "scan_review",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("measurement_id", ForeignKey("scan_measurements.id"), nullable=False),
     Column("verdict", String(20), nullable=False),
     Column("reason", Text),
-    *made_columns(),
     enum_check("verdict", ScanVerdict),
     CheckConstraint("verdict <> 'rejected' OR reason IS NOT NULL", name="rejected_has_reason"),
-    info=vouched(WrittenOnce("scan_review")),
 )
 Index("ix_scan_reviews_measurement_id", scan_reviews.c.measurement_id)
 
 # What something else measured of a vehicle (m/s or m); the newest revision of a quantity and source counts,
 # and takes it away where it is withdrawn. Written once.
-scan_references = Table(
+scan_references = written_once(
     "scan_references",
-    metadata,
-    identity(),
+    "scan_reference",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("scan_id", ForeignKey("scans.id"), nullable=False, index=True),
     Column("vehicle_id", ForeignKey("scan_vehicles.id"), nullable=False),
     *columns_for(ReferenceValues, {"device": 200}),
     Column("revision", Integer, nullable=False),
-    *made_columns(),
     UniqueConstraint("vehicle_id", "quantity", "source", "revision"),
     CheckConstraint("revision >= 1", name="revision_counts"),
     CheckConstraint("value > 0 AND u > 0", name="value_with_u"),
-    info=vouched(WrittenOnce("scan_reference")),
 )

@@ -200,15 +200,11 @@ def _pivots(freedom: int, more: int) -> tuple[Floats, Floats]:
 
 def _interaction_p(y: Floats, item: Codes, person: Codes, residual: float, freedom: int) -> float | None:
     """F test of the residual between cells against that within them; None with too few of either."""
-    own, of_own = within_cells(y, _pairs_of(item, person))
+    own, of_own = within_cells(y, codes_of(list(zip(item.tolist(), person.tolist(), strict=True))))
     if of_own < LEAST_FREEDOM or freedom - of_own < 1 or own <= 0:
         return None
     ratio = max(residual - own, 0.0) / (freedom - of_own) / (own / of_own)
     return float(scipy.stats.f.sf(ratio, freedom - of_own, of_own))
-
-
-def _pairs_of(item: Codes, person: Codes) -> Codes:
-    return codes_of(list(zip(item.tolist(), person.tolist(), strict=True)))
 
 
 @dataclass(frozen=True)

@@ -45,23 +45,14 @@ class StudyChange(NewStudy):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class StudySurveyBody:
-    survey_id: int
+class StudySurveyBody(StudySurvey):
     name: str
-    site: str
-    stratum: str
-    year: int | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class StudyBody:
+class StudyBody(StudyFacts):
     id: int
-    name: str
-    description: str
-    surveys: list[StudySurveyBody]
-    fleet_csv: str
-    sites_csv: str
-    goal_m: float
+    surveys: tuple[StudySurveyBody, ...]
     simulated: Annotated[bool, Field(description="Its surveys are invented; say so beside every figure.")]
     version: int
     created_at: datetime

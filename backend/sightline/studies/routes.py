@@ -244,8 +244,8 @@ def _plain(study: StoredStudy) -> str:
 
 def _body(session: Session, study: StoredStudy) -> StudyBody:
     names = survey_names(session)
-    surveys = [filled_from(StudySurveyBody, one, name=names[one.survey_id][0]) for one in study.facts.surveys]
-    return filled_from(StudyBody, study, study.facts, surveys=surveys)
+    surveys = (filled_from(StudySurveyBody, one, name=names[one.survey_id][0]) for one in study.facts.surveys)
+    return filled_from(StudyBody, study, study.facts, surveys=tuple(surveys))
 
 
 def _listed(session: Session, who: Person, study: StoredStudy) -> ListedStudy:

@@ -8,28 +8,25 @@ from sqlalchemy import (
     ForeignKey,
     Integer,
     String,
-    Table,
     UniqueConstraint,
 )
 
-from sightline.infra.audit.vouched import ChangedByEvents, WrittenOnce, vouched
+from sightline.infra.audit.vouched import (
+    changed_by_events,
+    written_once,
+)
 from sightline.infra.database.types import (
     NEEDS_MEDIA,
     CanonicalJson,
-    UtcDateTime,
-    changed_columns,
     columns_for,
-    identity,
-    made_columns,
-    metadata,
+    numbered,
 )
 from sightline.studies.records import StudyFacts
 
 # Surveys joined: which ones at which site and of which year, the fleet, facts of the sites.
-studies = Table(
+studies = changed_by_events(
     "studies",
-    metadata,
-    identity(),
+    "study",
     *columns_for(StudyFacts, {"name": 200}),
     # invented surveys: said wherever its figures are shown
     Column("simulated", Boolean, nullable=False),
@@ -37,27 +34,21 @@ studies = Table(
     Column("open_to_all", Boolean, nullable=False),
     # the newest computing that was asked for
     Column("job_id", ForeignKey("jobs.id")),
-    *changed_columns(),
-    Column("deleted_at", UtcDateTime),
     CheckConstraint("goal_m > 0 AND goal_m < 1", name="goal_is_a_length"),
-    info=vouched(ChangedByEvents("study")),
 )
 
 # Who sees a study that is not open to all; what they may do there is their account's role.
-study_members = Table(
+study_members = numbered(
     "study_members",
-    metadata,
-    identity(),
     Column("study_id", ForeignKey("studies.id"), nullable=False, index=True),
     Column("person_id", ForeignKey("people.id"), nullable=False, index=True),
     UniqueConstraint("study_id", "person_id"),
 )
 
 # What a computing found: the figures that its page shows, its package and its report.
-study_results = Table(
+study_results = written_once(
     "study_results",
-    metadata,
-    identity(),
+    "study_result",
     Column("study_id", ForeignKey("studies.id"), nullable=False, index=True),
     # the version of the study that was computed
     Column("study_version", Integer, nullable=False),
@@ -71,6 +62,4 @@ study_results = Table(
     Column("report_key", String(400), nullable=False, info=NEEDS_MEDIA),
     Column("report_sha256", String(64), nullable=False),
     Column("code_version", String(60), nullable=False),
-    *made_columns(),
-    info=vouched(WrittenOnce("study_result")),
 )

@@ -134,7 +134,7 @@ def sample_of(rows: Heights) -> HeightSample:
     inset = np.rint(np.nan_to_num(rows.inset_m) * 1e4) * 100_000
     inset = inset + np.rint(np.nan_to_num(rows.u_inset_m) * 1e4)
     alike = bool(np.all(inset == inset[0]))
-    pose = _pose_codes(rows)
+    pose = compact(rows.survey_id * (int(rows.pose_id.max()) + 1) + rows.pose_id)
     names = np.zeros(int(pose.max()) + 1, dtype=np.int64)
     names[pose] = (rows.survey_id << 32) + rows.pose_id
     return sample_of_measurements(
@@ -146,11 +146,6 @@ def sample_of(rows: Heights) -> HeightSample:
         pose_names=names,
         inset=np.zeros(len(inset), np.int64) if alike else _codes(inset),
     )
-
-
-def _pose_codes(rows: Heights) -> Ints:
-    """A number for each pose of each package, from 0."""
-    return compact(rows.survey_id * (int(rows.pose_id.max()) + 1) + rows.pose_id)
 
 
 def _codes(values: NDArray[np.generic]) -> Ints:

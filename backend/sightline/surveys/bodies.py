@@ -1,5 +1,6 @@
 """What surveys take, and what is said of one."""
 
+from collections.abc import Mapping
 from typing import Annotated, get_args
 
 from pydantic import Field
@@ -11,6 +12,7 @@ from sightline.enums import (
     ClassSet,
     EuClass,
     Hand,
+    InsetName,
     InsetPlace,
     Lighting,
     SamplingMethod,
@@ -36,29 +38,15 @@ class InsetIn(In):
 
 
 class Insets(Out):
-    roof: Inset
-    roof_van: Inset
-    roof_box: Inset
-    roof_unknown: Inset
-    driver_eye_near: Inset
-    driver_eye_far: Inset
-    taillight: Inset
-    headlight: Inset
-    other: Inset
+    """Of every target, by name."""
+
+    __annotations__ = dict.fromkeys(get_args(InsetName), Inset)
 
 
 class InsetChanges(In):
     """Targets left out keep their inset."""
 
-    roof: InsetIn | None = None
-    roof_van: InsetIn | None = None
-    roof_box: InsetIn | None = None
-    roof_unknown: InsetIn | None = None
-    driver_eye_near: InsetIn | None = None
-    driver_eye_far: InsetIn | None = None
-    taillight: InsetIn | None = None
-    headlight: InsetIn | None = None
-    other: InsetIn | None = None
+    __annotations__ = dict.fromkeys(get_args(InsetName), Annotated[InsetIn | None, Field(default=None)])
 
 
 class InsetChoice(Out):
@@ -67,13 +55,13 @@ class InsetChoice(Out):
     u_inset_m: float
 
 
-def inset_choices(insets: Insets) -> dict[str, list[InsetChoice]]:
+def inset_choices(insets: Mapping[str, Inset]) -> dict[str, list[InsetChoice]]:
     """Per target what can be told apart by looking at the vehicle: a roof's spot, a driver's side."""
     choices = {
         str(target): [InsetChoice(place=place, inset_m=inset, u_inset_m=u) for place, inset, u in found]
         for target, found in INSET_CHOICES.items()
     }
-    near, far = insets.driver_eye_near, insets.driver_eye_far
+    near, far = insets["driver_eye_near"], insets["driver_eye_far"]
     choices["driver_eye"] = [
         InsetChoice(place="near", inset_m=near.inset_m, u_inset_m=near.u_inset_m),
         InsetChoice(place="far", inset_m=far.inset_m, u_inset_m=far.u_inset_m),

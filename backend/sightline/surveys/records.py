@@ -26,7 +26,9 @@ class Inset:
     code: str | None = field(default=None, compare=False)
 
 
-_CODES: dict[str, str] = {note: name for name, (_, _, note) in USUAL_INSETS.items()}
+#: The insets of a survey that says none: estimates.
+USUAL: dict[str, Inset] = {name: Inset(*usual, code=name) for name, usual in USUAL_INSETS.items()}
+_CODES: dict[str, str] = {one.note: name for name, one in USUAL.items()}
 
 
 def note_in(note: str, language: str) -> str:
@@ -41,10 +43,11 @@ def _inset(values: Mapping[str, Any]) -> Inset:
 
 def insets_of(told: Mapping[str, Mapping[str, Any]]) -> dict[str, Inset]:
     """A survey's insets as its row or an event of it has them; one from before roofs had insets by class has
-    the one of all.
+    the one of all, one from before a target was known its usual one.
     """
     found = {name: _inset(values) for name, values in told.items()}
-    return {**dict.fromkeys((*ROOF_OF_CLASS.values(), "roof_unknown"), found["roof"]), **found}
+    roofs = (*ROOF_OF_CLASS.values(), "roof_unknown")
+    return {**USUAL, **{name: found["roof"] for name in roofs}, **found}
 
 
 @dataclass(frozen=True, slots=True)

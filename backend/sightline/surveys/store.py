@@ -9,7 +9,6 @@ from sqlalchemy.orm import Session
 
 from sightline.enums import AskedTarget
 from sightline.errors import BadInput, Conflict
-from sightline.geometry.insets import USUAL_INSETS
 from sightline.geometry.sides import TrafficFacts
 from sightline.infra.audit import trail
 from sightline.infra.audit.changing import change_since
@@ -20,11 +19,9 @@ from sightline.infra.web.person import Seen
 from sightline.statistics.sampling import MOST_HEADWAY_S, MOST_STEP, Quota, Sampling
 from sightline.surveys.classes import USUAL_CLASSES, VehicleClass, classes_of, stored_classes
 from sightline.surveys.place import PLACE, Place, checked_place
-from sightline.surveys.records import Asked, Inset, Survey, SurveyContent, insets_of
+from sightline.surveys.records import USUAL, Asked, Inset, Survey, SurveyContent, insets_of
 from sightline.surveys.tables import surveys
 
-#: The insets of a survey that says none: estimates.
-_USUAL: dict[str, Inset] = {name: Inset(*usual, code=name) for name, usual in USUAL_INSETS.items()}
 TRAFFIC = ("traffic_side", "steering_side", "camera_place")
 EDITABLE = ("name", "site", "description", *TRAFFIC, *PLACE, "asked", "classes", "sampling", "insets")
 
@@ -131,9 +128,9 @@ def _content(told: SurveyContent, insets: Mapping[str, Inset]) -> dict[str, Any]
     if not told.asked.daytime or not told.asked.low_light:
         raise BadInput("surveys-asks-nothing")
     for target, inset in insets.items():
-        if target not in USUAL_INSETS or not inset.u_inset_m >= 0:
+        if target not in USUAL or not inset.u_inset_m >= 0:
             raise BadInput("surveys-inset-unusable", target=target)
-    whole = {**_USUAL, **insets}
+    whole = {**USUAL, **insets}
     return {
         "name": told.name.strip(),
         "site": told.site.strip(),
@@ -149,7 +146,7 @@ def _content(told: SurveyContent, insets: Mapping[str, Inset]) -> dict[str, Any]
 
 def _with_codes_of(insets: Mapping[str, Inset], before: Mapping[str, Inset]) -> dict[str, Inset]:
     """Each with its code while its note is the program's, whether or not it was sent along."""
-    known = [(one.code, one.note) for one in (*_USUAL.values(), *before.values()) if one.code]
+    known = [(one.code, one.note) for one in (*USUAL.values(), *before.values()) if one.code]
     own = {note: code for code, note in reversed(known)}
 
     def code_of(name: str, one: Inset) -> str | None:

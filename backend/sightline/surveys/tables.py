@@ -1,17 +1,15 @@
 """The table of surveys."""
 
-from sqlalchemy import Boolean, Column, String, Table, Text
+from sqlalchemy import Boolean, Column, String, Text
 
 from sightline.geometry.sides import TrafficFacts
-from sightline.infra.database.types import CanonicalJson, changed_columns, columns_for, identity, metadata
+from sightline.infra.database.types import CanonicalJson, changed_columns, columns_for, numbered
 from sightline.surveys.place import Place
 
 _CHARACTERS = {"road_class": 100, "lane": 100, "travel_direction": 100, "time_zone": 60}
 
-surveys = Table(
+surveys = numbered(
     "surveys",
-    metadata,
-    identity(),
     Column("name", String(200), nullable=False),
     Column("site", String(200), nullable=False),
     Column("description", Text, nullable=False),

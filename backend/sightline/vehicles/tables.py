@@ -7,28 +7,22 @@ from sqlalchemy import (
     ForeignKey,
     Integer,
     String,
-    Table,
     UniqueConstraint,
     false,
 )
 
 from sightline.enums import VehicleOrigin
-from sightline.infra.audit.vouched import ChangedByEvents, vouched
+from sightline.infra.audit.vouched import changed_by_events
 from sightline.infra.database.types import (
-    UtcDateTime,
-    changed_columns,
     columns_for,
     enum_check,
-    identity,
-    metadata,
 )
 from sightline.vehicles.records import VehicleFields
 
 _LENGTHS = {"make": 100, "model": 200, "model_sizes": 100}
-vehicles = Table(
+vehicles = changed_by_events(
     "vehicles",
-    metadata,
-    identity(),
+    "vehicle",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False),
     Column("recording_id", ForeignKey("recordings.id"), nullable=False, index=True),
     Column("number", Integer, nullable=False),
@@ -37,10 +31,7 @@ vehicles = Table(
     Column("check_target", Boolean, nullable=False, server_default=false()),
     # found by the job that looks for passes, or marked by a person
     Column("origin", String(20), nullable=False, server_default="person"),
-    *changed_columns(),
-    Column("deleted_at", UtcDateTime),
     UniqueConstraint("survey_id", "number"),
     enum_check("origin", VehicleOrigin),
     CheckConstraint("first_frame >= 0 AND last_frame >= first_frame", name="span_forward"),
-    info=vouched(ChangedByEvents("vehicle")),
 )

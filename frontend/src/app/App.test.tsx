@@ -3,6 +3,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { navigate } from "../core/address";
 import { me } from "../core/session";
 import type { Job, Me, Recording, Role, Survey } from "../core/types";
+import { INSET_NAMES } from "../core/words";
 import { App } from "./App";
 
 type Answer = unknown | (() => Response);
@@ -63,17 +64,7 @@ const survey: Survey = {
     outside_counts: false,
     quotas: [],
   },
-  insets: {
-    roof: inset,
-    roof_van: inset,
-    roof_box: inset,
-    roof_unknown: inset,
-    driver_eye_near: inset,
-    driver_eye_far: inset,
-    taillight: inset,
-    headlight: inset,
-    other: inset,
-  },
+  insets: Object.fromEntries(INSET_NAMES.map((name) => [name, inset])) as Survey["insets"],
   counts: {
     recordings: 1,
     vehicles: 4,

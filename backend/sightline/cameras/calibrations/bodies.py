@@ -9,7 +9,7 @@ from sightline.cameras.board_bodies import Markers
 from sightline.cameras.calibrations.calibrating import CHECKS
 from sightline.cameras.calibrations.records import Calibration
 from sightline.enums import LensModel, Point
-from sightline.geometry.camera import View
+from sightline.geometry.camera import Camera, View
 from sightline.geometry.height_effect import HeightDifference
 from sightline.geometry.reshoot import places_missing
 from sightline.infra.web.bodies import FrameNumber, Out, of_record
@@ -52,19 +52,11 @@ class BoardShapeBody(Out):
     height_differences: list[HeightDifference] = Field(description="Taken as flat minus taken as bent.")
 
 
+@of_record(Camera)
 class CameraDocument(Out):
     """`camera.json` (docs/formats.md)."""
 
     format: str
-    name: str
-    width_px: int
-    height_px: int
-    model: LensModel
-    fx_px: float
-    fy_px: float
-    cx_px: float
-    cy_px: float
-    distortion: list[float]
     rms_px: float | None
     parameters: list[str]
     covariance: list[list[float]] | None

@@ -1,15 +1,13 @@
 """The tables of calibrations and of their pictures."""
 
-from sqlalchemy import CheckConstraint, Column, ForeignKey, Integer, String, Table
+from sqlalchemy import CheckConstraint, Column, ForeignKey, Integer, String
 
 from sightline.cameras.calibrations.records import Detection, NewCalibration
-from sightline.infra.audit.vouched import WrittenOnce, vouched
-from sightline.infra.database.types import NEEDS_MEDIA, columns_for, identity, made_columns, metadata
+from sightline.infra.audit.vouched import written_once
+from sightline.infra.database.types import NEEDS_MEDIA, columns_for, made_columns, numbered
 
-calibration_images = Table(
+calibration_images = numbered(
     "calibration_images",
-    metadata,
-    identity(),
     Column("camera_id", ForeignKey("cameras.id"), nullable=False, index=True),
     Column("name", String(400), nullable=False),
     Column("media_key", String(400), nullable=False, info=NEEDS_MEDIA),
@@ -21,12 +19,9 @@ calibration_images = Table(
 )
 
 
-calibrations = Table(
+calibrations = written_once(
     "calibrations",
-    metadata,
-    identity(),
+    "calibration",
     Column("camera_id", ForeignKey("cameras.id"), nullable=False, index=True),
     *columns_for(NewCalibration, keys={"recording_id": "recordings.id"}),
-    *made_columns(),
-    info=vouched(WrittenOnce("calibration")),
 )

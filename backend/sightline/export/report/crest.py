@@ -50,12 +50,7 @@ def question_of(eye: Standard, thing: Standard, unit: LengthUnit) -> SightQuesti
         eye_percent=eye.percent,
         object_percent=thing.percent,
         object_target="taillight",
-        kind="stopping",
         speed_mps=_SPEED_MPS[unit],
-        difference_percent=6.0,
-        headlight_m=0.6,
-        radius_m=500.0,
-        shares={},
         unit=unit,
     )
 

@@ -2,14 +2,12 @@
 
 from sqlalchemy import Column, ForeignKey, Index, Integer, String, Table, Text, UniqueConstraint
 
-from sightline.infra.database.types import identity, metadata
+from sightline.infra.database.types import metadata, numbered
 
 # before and after are canonical JSON text, hashed as they stand. `number` counts within a chain and leaves no
 # gap; `id` is the order in which events came and is not hashed.
-audit_events = Table(
+audit_events = numbered(
     "audit_events",
-    metadata,
-    identity(),
     Column("chain", String(40), nullable=False),
     Column("number", Integer, nullable=False),
     Column("at", String(40), nullable=False),

@@ -8,11 +8,12 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from sqlalchemy import Table
+from sqlalchemy import Column, Table
 from sqlalchemy.orm import Session
+from sqlalchemy.schema import SchemaItem
 
 from sightline.enums import AuditEntity
-from sightline.infra.database.types import metadata
+from sightline.infra.database.types import UtcDateTime, changed_columns, made_columns, metadata, numbered
 from sightline.infra.slices import load_every, load_tables
 
 _KEY = "vouched"
@@ -75,6 +76,19 @@ _fingerprints: dict[str, Fingerprint] = {}
 def vouched(mark: Mark) -> dict[str, Any]:
     """The `info` of a table that the chain vouches for."""
     return {_KEY: mark}
+
+
+def written_once(name: str, entity: AuditEntity, *content: SchemaItem) -> Table:
+    """A table of rows that never change: a number, `content`, and who made it when (`WrittenOnce`)."""
+    return numbered(name, *content, *made_columns(), info=vouched(WrittenOnce(entity)))
+
+
+def changed_by_events(name: str, entity: AuditEntity, *content: SchemaItem) -> Table:
+    """A table of rows that people change and delete softly (`ChangedByEvents`): a number, `content`, what
+    every such row has.
+    """
+    stamps = (*changed_columns(), Column("deleted_at", UtcDateTime))
+    return numbered(name, *content, *stamps, info=vouched(ChangedByEvents(entity)))
 
 
 def entity_of(table: Table) -> AuditEntity:

@@ -1,14 +1,12 @@
 """The accounts: who did what is kept by id everywhere, so these two tables lie below every other."""
 
-from sqlalchemy import Boolean, Column, ForeignKey, Integer, String, Table, Text, UniqueConstraint, true
+from sqlalchemy import Boolean, Column, ForeignKey, Integer, String, Text, UniqueConstraint, true
 
 from sightline.enums import Role
-from sightline.infra.database.types import UtcDateTime, enum_check, identity, metadata
+from sightline.infra.database.types import UtcDateTime, enum_check, numbered
 
-people = Table(
+people = numbered(
     "people",
-    metadata,
-    identity(),
     Column("name", String(200), nullable=False),
     Column("email", String(320), nullable=False),
     Column("role", String(20), nullable=False),
@@ -22,10 +20,8 @@ people = Table(
 )
 
 
-sign_in_links = Table(
+sign_in_links = numbered(
     "sign_in_links",
-    metadata,
-    identity(),
     Column("person_id", ForeignKey("people.id"), nullable=False, index=True),
     Column("token_hash", String(64), nullable=False),
     Column("created_at", UtcDateTime, nullable=False),

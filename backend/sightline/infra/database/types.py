@@ -22,6 +22,7 @@ from sqlalchemy import (
     Text,
     TypeDecorator,
 )
+from sqlalchemy.schema import SchemaItem
 
 from sightline.messages.said import Said
 
@@ -122,9 +123,9 @@ class Saying(CanonicalJson):
         return [Said.read(one) for one in read] if isinstance(read, list) else read and Said.read(read)
 
 
-def identity() -> Column[int]:
-    """An integer primary key that counts up."""
-    return Column("id", Integer, primary_key=True)
+def numbered(name: str, *content: SchemaItem, **more: Any) -> Table:
+    """A table with an integer primary key that counts up, `id`."""
+    return Table(name, metadata, Column("id", Integer, primary_key=True), *content, **more)
 
 
 def made_columns() -> tuple[Column[Any], Column[Any]]:

@@ -9,7 +9,6 @@ from sqlalchemy import (
     Index,
     Integer,
     String,
-    Table,
     false,
 )
 
@@ -19,15 +18,12 @@ from sightline.infra.database.types import (
     Saying,
     UtcDateTime,
     enum_check,
-    identity,
     made_columns,
-    metadata,
+    numbered,
 )
 
-jobs = Table(
+jobs = numbered(
     "jobs",
-    metadata,
-    identity(),
     Column("kind", String(60), nullable=False),
     Column("state", String(20), nullable=False),
     Column("payload", CanonicalJson, nullable=False),

@@ -1,14 +1,12 @@
 """What was counted against a limit: shared by every process of the app, so a limit is one limit."""
 
-from sqlalchemy import Column, Index, Integer, String, Table
+from sqlalchemy import Column, Index, Integer, String
 
-from sightline.infra.database.types import UtcDateTime, identity, metadata
+from sightline.infra.database.types import UtcDateTime, numbered
 
 # `key` is a hash of what is counted (an address, an account): no list of who tried to sign in from where.
-counted = Table(
+counted = numbered(
     "counted",
-    metadata,
-    identity(),
     Column("key", String(64), nullable=False),
     Column("at", UtcDateTime, nullable=False),
     Column("amount", Integer, nullable=False),

@@ -10,6 +10,7 @@ from typing import Annotated, Any, TypeVar, cast, get_args, get_type_hints
 from pydantic import BaseModel, ConfigDict, Field, create_model, field_validator
 from pydantic_core import PydanticCustomError
 
+from sightline.arrays import Floats
 from sightline.enums import JobState
 from sightline.messages.said import Said, SaidInWords
 
@@ -42,26 +43,30 @@ Body = TypeVar("Body", bound=BaseModel)
 def of_record(
     record: type[Any], *but: str, given: Mapping[str, Any] = {}, optional: bool = False
 ) -> Callable[[type[Body]], type[Body]]:
-    """A body that has, beside its own fields, those of a record `but` for some, with its defaults.
+    """A body that has, beside its own fields, those of a record or document `but` for some, with defaults.
 
     `given`: the types of fields by a pattern of their names, with the limits of what comes in or what is said
-    of what goes out; else they are the record's. `optional`: each may be left out.
+    of what goes out; else they are the record's, arrays as lists. `optional`: each may be left out.
     """
     hints, plain = get_type_hints(record, include_extras=True), get_type_hints(record)
+    defaults = dict.fromkeys(hints, dataclasses.MISSING)
+    if dataclasses.is_dataclass(record):
+        defaults = {one.name: one.default for one in dataclasses.fields(record)}
 
-    def field_of(one: dataclasses.Field[Any]) -> tuple[Any, Any]:
-        kind = next((kind for name, kind in given.items() if fnmatchcase(one.name, name)), None)
-        none_too = NoneType in get_args(plain[one.name])
+    def field_of(field: str, default: Any) -> tuple[Any, Any]:
+        kind = next((kind for name, kind in given.items() if fnmatchcase(field, name)), None)
+        none_too = NoneType in get_args(plain[field])
         if kind is None:
-            kind = hints[one.name] if none_too or not optional else hints[one.name] | None
+            kind = hints[field] if none_too or not optional else hints[field] | None
         elif optional or none_too:
             kind = kind | None
-        default = ... if one.default is dataclasses.MISSING else one.default
+        kind = list[float] if kind == Floats else kind
+        default = ... if default is dataclasses.MISSING else default
         return kind, None if optional else default
 
     def made(body: type[Body]) -> type[Body]:
         known = {*but, *body.model_fields}
-        fields: Any = {one.name: field_of(one) for one in dataclasses.fields(record) if one.name not in known}
+        fields: Any = {one: field_of(one, default) for one, default in defaults.items() if one not in known}
         about: Any = {"__base__": body, "__module__": body.__module__, "__doc__": body.__doc__}
         return cast(type[Body], create_model(body.__name__, **about, **fields))
 

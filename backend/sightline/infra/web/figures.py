@@ -7,8 +7,9 @@ import numpy as np
 from pydantic import BeforeValidator, Field
 
 from sightline.enums import IntervalPart
-from sightline.infra.web.bodies import Out
+from sightline.infra.web.bodies import Out, of_record
 from sightline.messages.said import Said
+from sightline.statistics.distributions import Density, Ecdf
 from sightline.statistics.errors import ErrorGroup, Interval
 
 
@@ -48,23 +49,14 @@ class FigureBody(Out):
     holds: list[IntervalPart] = Field(default=[], description="What the interval holds.")
 
 
+@of_record(Ecdf)
 class EcdfBody(Out):
     """Shares of a sample that are <= value, with a 95 % band that holds everywhere at once."""
 
-    n: int
-    value: list[float]
-    share: list[float]
-    low: list[float]
-    high: list[float]
 
-
+@of_record(Density)
 class DensityBody(Out):
-    n: int
-    bandwidth: float
-    value: list[float]
-    density: list[float]
-    low: list[float]
-    high: list[float]
+    pass
 
 
 EcdfPart = Annotated[EcdfBody | ReasonBody, Part]

@@ -61,8 +61,8 @@ class Picture:
         )
 
 
-@dataclass(frozen=True)
-class VideoFacts:
+@dataclass(frozen=True, kw_only=True)
+class VideoFacts(Layout):
     """What a container says of its picture; sizes are upright and in square pixels, counts are only claims.
 
     `stream`: the picture that was read, from 1, of those in the file; `pictures`: what they all are, in
@@ -74,13 +74,6 @@ class VideoFacts:
 
     container: str
     codec: str
-    width_px: int
-    height_px: int
-    rotation_deg: int
-    mirrored: bool
-    sample_aspect: Fraction
-    coded_width_px: int
-    coded_height_px: int
     rate_hz: float | None
     time_base: Fraction
     reported_frames: int | None
@@ -88,7 +81,6 @@ class VideoFacts:
     pixel_format: str
     full_range: bool
     interlaced: bool
-    left_turned_deg: float = 0.0
     stream: int = 1
     pictures: tuple[Picture, ...] = ()
 
@@ -324,15 +316,9 @@ def facts_of(container: InputContainer, stream: VideoStream, first: av.VideoFram
     layout = layout_of(first, stream.sample_aspect_ratio)
     rate = stream.average_rate
     return VideoFacts(
+        **vars(layout),
         container=container.format.name,
         codec=stream.codec_context.name,
-        width_px=layout.width_px,
-        height_px=layout.height_px,
-        rotation_deg=layout.rotation_deg,
-        mirrored=layout.mirrored,
-        sample_aspect=layout.sample_aspect,
-        coded_width_px=layout.coded_width_px,
-        coded_height_px=layout.coded_height_px,
         rate_hz=float(rate) if rate else None,
         time_base=Fraction(stream.time_base or Fraction(1, 1)),
         reported_frames=stream.frames if stream.frames > 0 else None,
@@ -340,7 +326,6 @@ def facts_of(container: InputContainer, stream: VideoStream, first: av.VideoFram
         pixel_format=first.format.name,
         full_range=int(first.color_range) == 2 or first.format.name.startswith("yuvj") or first.format.is_rgb,
         interlaced=bool(first.interlaced_frame),
-        left_turned_deg=layout.left_turned_deg,
     )
 
 

@@ -51,7 +51,7 @@ class FrameServer:
         """
         _check(media, n)
         key = _key(media, n, display)
-        data = self._jpegs.get(key) or self._prefetched(key, wanted)
+        data = self._jpegs.get(key) or (self._prefetcher.coming(key, wanted) if self._prefetcher else None)
         if data is None:
             data = self._disk.get(key)
             if data is None:
@@ -62,9 +62,6 @@ class FrameServer:
         if self._prefetcher and display == "plain":
             self._prefetcher.asked(media, n, len(data))
         return data
-
-    def _prefetched(self, key: str, wanted: CancelCheck) -> bytes | None:
-        return self._prefetcher.coming(key, wanted) if self._prefetcher else None
 
     def prepare(self, media: RecordingMedia, n: int, wanted: CancelCheck = always) -> int:
         """Have frame n ready on disk before somebody asks; its size there in bytes."""

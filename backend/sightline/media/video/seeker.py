@@ -228,12 +228,14 @@ class Seeker:
 
     def _identify(self, frame: av.VideoFrame) -> int | None:
         """The n of a decoded frame, by time stamp and checksum; the one that follows is looked at first."""
-        self._layout = self._layout or self._first_layout(frame)
+        self._layout = self._layout or layout_of(frame, self._stream.sample_aspect_ratio)
         if not same_size(frame, self._layout):
             return None
         pts, crc = frame_pts(frame), luma_crc(frame)
         after = 0 if self._at is None else self._at + 1
-        if after < len(self._media) and self._is(after, pts, crc):
+        if after < len(self._media) and (
+            int(self._media.pts[after]) == pts and int(self._media.crc[after]) == crc
+        ):
             return after
         low, high = np.searchsorted(self._sorted_pts, [pts, pts + 1])
         matches = [int(m) for m in self._by_pts[low:high] if self._media.crc[m] == crc]
@@ -242,9 +244,3 @@ class Seeker:
     def _is_spoilt(self, frame: av.VideoFrame, attempt: _Attempt) -> bool:
         """Whether a frame that nothing was to be left out for is not what it was: no use in going on."""
         return int(self._media.pts[attempt.start]) <= frame_pts(frame) < self._whole_from
-
-    def _is(self, n: int, pts: int, crc: int) -> bool:
-        return int(self._media.pts[n]) == pts and int(self._media.crc[n]) == crc
-
-    def _first_layout(self, frame: av.VideoFrame) -> Layout:
-        return layout_of(frame, self._stream.sample_aspect_ratio)

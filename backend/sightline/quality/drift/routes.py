@@ -3,11 +3,16 @@
 from fastapi import APIRouter
 from pydantic import Field
 
-from sightline.enums import DriftState
-from sightline.infra.web.bodies import In, JobBody, Out, Text
+from sightline.infra.web.bodies import In, JobBody, Out, Text, of_record
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
-from sightline.messages.said import Said
-from sightline.recordings.drift import DriftStep, MovedSpan, drift_check_of, open_spans
+from sightline.recordings.drift import (
+    DriftCheck,
+    DriftDecision,
+    DriftLook,
+    MovedSpan,
+    drift_check_of,
+    open_spans,
+)
 from sightline.recordings.drift_request import request_drift, under_way
 from sightline.recordings.records import Recording
 from sightline.recordings.store import decide_drift, get_recording, take_back_drift_decision
@@ -15,20 +20,12 @@ from sightline.recordings.store import decide_drift, get_recording, take_back_dr
 router = APIRouter()
 
 
+@of_record(DriftLook, optional=True)
 class DriftSample(Out):
     """One frame against the pose's: a motion in pixels with what it is worth in height, or a reason."""
 
     frame: int
     time_s: float
-    x_px: float | None = None
-    y_px: float | None = None
-    turn_rad: float | None = None
-    scale: float | None = None
-    moved_px: float | None = None
-    u_px: float | None = None
-    points: int | None = None
-    change_m: float | None = None
-    reason: Said | None = None
 
 
 class SpanBody(Out):
@@ -40,29 +37,15 @@ class SpanBody(Out):
     change_m: float | None
 
 
+@of_record(DriftDecision, "by_id", "spans")
 class DecisionBody(Out):
-    reason: str
-    by: str
-    at: str
-    pose_id: int
     holds: bool = Field(description="Whether it is about the pose in force.")
 
 
+@of_record(DriftCheck)
 class CheckBody(Out):
-    pose_id: int
-    pose_recording_id: int
-    state: DriftState
-    words: list[Said]
-    reason: Said | None
-    floor_px: float | None
-    floor_m: float | None
-    target_m: float
-    distance_m: float | None
     looks: list[DriftSample]
-    bumps: list[DriftStep]
     spans: list[SpanBody]
-    checked_at: str
-    code_version: str
 
 
 class DriftBody(Out):

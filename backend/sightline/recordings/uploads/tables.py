@@ -1,14 +1,12 @@
 """The table of uploads."""
 
-from sqlalchemy import BigInteger, Column, ForeignKey, Integer, String, Table
+from sqlalchemy import BigInteger, Column, ForeignKey, Integer, String
 
 from sightline.enums import UploadPurpose
-from sightline.infra.database.types import UtcDateTime, enum_check, identity, made_columns, metadata
+from sightline.infra.database.types import UtcDateTime, enum_check, made_columns, numbered
 
-uploads = Table(
+uploads = numbered(
     "uploads",
-    metadata,
-    identity(),
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("filename", String(400), nullable=False),
     Column("size_bytes", BigInteger, nullable=False),

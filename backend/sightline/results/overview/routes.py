@@ -57,12 +57,12 @@ class SurveyBody(SurveyFacts):
 
 def survey_body(overview: SurveyOverview, role: ActingRole) -> SurveyBody:
     """A survey with its overview as one object."""
-    insets = Insets.model_validate(overview.survey.insets)
+    insets = overview.survey.insets
     return filled_from(
         SurveyBody,
         overview.survey,
         overview,
-        insets=insets,
+        insets=Insets.model_validate(insets),
         inset_choices=inset_choices(insets),
         roof_insets=dict(ROOF_OF_CLASS),
         my_role=role,

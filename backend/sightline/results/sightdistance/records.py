@@ -1,7 +1,7 @@
 """What the sight-distance page and the report show of a survey's heights."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Annotated
 
 from pydantic import Field
@@ -21,8 +21,11 @@ from sightline.sightdistance.curves import CurveLength
 from sightline.sightdistance.distances import SightDistance
 from sightline.sightdistance.workbench import Bounded, Comparison, Crest
 
+Number = Annotated[float, Field(allow_inf_nan=False)]
+Percent = Annotated[float, Field(gt=0, lt=100, allow_inf_nan=False)]
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, kw_only=True)
 class SightQuestion:
     """What is asked: which measurements, the standard's heights, the rule that reads the survey's, and the
     road.
@@ -34,19 +37,24 @@ class SightQuestion:
     """
 
     chosen: Filter
-    eye_m: float
-    object_m: float
-    eye_percent: float
-    object_percent: float
-    object_target: StatisticsTarget | None
-    kind: SightKind
-    speed_mps: float
-    difference_percent: float
-    headlight_m: float
-    radius_m: float
-    shares: Mapping[Category, float]
-    unit: LengthUnit
-    eye_what: EyeRule = "eye_car"
+    eye_m: Annotated[Number, Field(description="The standard's eye.")] = 1.08
+    object_m: Annotated[Number, Field(description="The standard's object.")] = 0.60
+    eye_what: Annotated[
+        EyeRule, Field(description="Whose rule the eyes are read by: it names their class.")
+    ] = "eye_car"
+    eye_percent: Annotated[Percent, Field(description="The rule that reads the survey's eyes.")] = 10.0
+    object_percent: Annotated[Percent, Field(description="The rule that reads its objects.")] = 5.0
+    object_target: Annotated[
+        StatisticsTarget | None,
+        Field(description="What stands for the object; none: the standard's height."),
+    ] = None
+    kind: SightKind = "stopping"
+    speed_mps: Number = 100 / 3.6
+    difference_percent: Annotated[Number, Field(description="Of both grades, for lengths of curves.")] = 6.0
+    headlight_m: Annotated[Number, Field(description="For a sag, with a beam that rises 1 degree.")] = 0.60
+    radius_m: Annotated[Number, Field(gt=0, description="Of a horizontal curve.")] = 500.0
+    shares: Mapping[Category, float] = field(default_factory=dict)
+    unit: Annotated[LengthUnit, Field(description="Which set of formulas and design speeds.")] = "m"
 
 
 @dataclass(frozen=True)

@@ -5,14 +5,9 @@ from typing import Annotated, get_args
 from fastapi import APIRouter, Query
 from pydantic import BaseModel, Field
 
-from sightline.enums import (
-    Category,
-    EyeRule,
-    LengthUnit,
-    SightKind,
-    StatisticsTarget,
-)
+from sightline.enums import Category
 from sightline.errors import BadInput
+from sightline.infra.web.bodies import of_record
 from sightline.infra.web.deps import Reading, Viewer
 from sightline.results.bodies import HeightsAsked
 from sightline.results.sightdistance.records import SightDistances, SightQuestion
@@ -20,34 +15,16 @@ from sightline.results.sightdistance.service import sight_distances
 
 router = APIRouter()
 
-Number = Annotated[float, Field(allow_inf_nan=False)]
-Percent = Annotated[float, Field(gt=0, lt=100, allow_inf_nan=False)]
 
-
+@of_record(SightQuestion, "chosen", "shares")
 class RoadAsked(BaseModel):
     """The standard's heights, the rule that reads the survey's, and the road."""
 
-    eye_m: Number = Field(default=1.08, description="The standard's eye.")
-    object_m: Number = Field(default=0.60, description="The standard's object.")
-    eye_what: EyeRule = Field(
-        default="eye_car", description="Whose rule the eyes are read by: it names their class."
-    )
-    eye_percent: Percent = Field(default=10.0, description="The rule that reads the survey's eyes.")
-    object_percent: Percent = Field(default=5.0, description="The rule that reads its objects.")
-    object_target: StatisticsTarget | None = Field(
-        default=None, description="What stands for the object; none: the standard's height."
-    )
-    kind: SightKind = "stopping"
-    speed_mps: Number = 100 / 3.6
-    difference_percent: Number = Field(default=6.0, description="Of both grades, for lengths of curves.")
-    headlight_m: Number = Field(default=0.60, description="For a sag, with a beam that rises 1 degree.")
-    radius_m: Number = Field(default=500.0, gt=0, description="Of a horizontal curve.")
     share: list[str] = Field(
         default=[],
         max_length=40,
         description="A fleet's shares in percent, class:percent; none: no what-if.",
     )
-    unit: LengthUnit = Field(default="m", description="Which set of formulas and design speeds.")
 
 
 @router.get("/sightdistance")

@@ -1,17 +1,15 @@
 """Bodies of heights in line scans: rod marks and the line camera's pose, clicks and heights. Metres, rows."""
 
 from dataclasses import dataclass
-from datetime import datetime
 from typing import Annotated
 
 from pydantic import Field
 
 from sightline.enums import DriverSide, Target
-from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Finite, In
 from sightline.infra.web.named import ScanVehicleId
 from sightline.infra.web.quantities import InsetM, SeenRevision, SigmaPx, UInsetM
-from sightline.measurements.records import ReviewState, ScanHeightValues
+from sightline.measurements.records import RevisionFacts, ScanHeightValues
 from sightline.scans.bodies import DistanceM, Line
 
 Row = Annotated[Finite, Field(ge=-1, le=1e6, description="Row of strip 1, fractional, from the top.")]
@@ -77,21 +75,10 @@ class NewLineHeight(LineClicks):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ScanHeightBody(ScanHeightValues):
+class ScanHeightBody(ScanHeightValues, RevisionFacts):
     """One revision of a target's height; points are (line, row) of strip 1."""
 
-    id: Annotated[int, Field(description="The height of this target (a series of revisions).")]
-    revision: int
-    revision_id: int
-    vehicle_id: int
     scan_id: int
     older: Annotated[bool, Field(description="Its calibration or inset was changed since.")]
     U95_distance_m: float | None
-    withdrawn: bool
-    computing_id: Annotated[
-        int | None, Field(description="What computed it again, with the clicks of the one before.")
-    ]
-    created_by: Who | None
-    created_at: datetime
-    review: ReviewState
     mine: Annotated[bool, Field(description="You clicked or computed it, so somebody else reviews it.")]

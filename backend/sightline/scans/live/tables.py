@@ -1,14 +1,12 @@
 """The table of live streams: how each recording's stream is, written every second like a job's progress."""
 
-from sqlalchemy import Column, ForeignKey, String, Table, Text, UniqueConstraint
+from sqlalchemy import Column, ForeignKey, String, Text, UniqueConstraint
 
-from sightline.infra.database.types import CanonicalJson, UtcDateTime, identity, metadata
+from sightline.infra.database.types import CanonicalJson, UtcDateTime, numbered
 
 # What is measured stands in the tables of scans; this says how the stream is, and is no result.
-scan_live = Table(
+scan_live = numbered(
     "scan_live",
-    metadata,
-    identity(),
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("scan_id", ForeignKey("scans.id"), nullable=False),
     # the recordings of one stream have the same sign

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from datetime import UTC, date, datetime, timedelta
+from datetime import UTC, datetime, timedelta
 
 from sightline.errors import BadInput
 from sightline.infra.local_time import instant_of, local_date
@@ -55,7 +55,8 @@ class Matching:
         instants: list[datetime] = []
         problem: BadInput | None = None
         first, last = (local_date(at, self.filming.time_zone) for at in (start, end))
-        for day in _days(first - _DAY, last + _DAY):
+        for n in range(-1, (last - first).days + 2):
+            day = first + n * _DAY
             try:
                 instants.append(instant_of(f"{day.isoformat()}T{time}", self.filming.time_zone))
             except BadInput as error:
@@ -124,10 +125,6 @@ def apart_s(at: datetime, one: PassedAt) -> float:
 def _padded(time: str) -> str:
     """A time of day as ISO 8601 wants it: two digits of the hour, a point before the fraction."""
     return f"0{time}".replace(",", ".") if time[1] == ":" else time.replace(",", ".")
-
-
-def _days(first: date, last: date) -> list[date]:
-    return [first + timedelta(days=n) for n in range((last - first).days + 1)]
 
 
 def _listed(found: Sequence[PassedAt]) -> str:

@@ -9,7 +9,7 @@ from pydantic import BeforeValidator, Field
 
 from sightline.errors import BadInput
 from sightline.infra.by_name import filled_from
-from sightline.infra.web.bodies import Out
+from sightline.infra.web.bodies import Out, of_record
 from sightline.infra.web.deps import PathId, Reading, Viewer
 from sightline.infra.web.figures import (
     DensityPart,
@@ -26,9 +26,8 @@ from sightline.recordings.bodies import FilmedAsked
 from sightline.scans.statistics.figures import scan_height_statistics, scan_statistics, scan_traffic
 from sightline.scans.statistics.heights import ScannedHeights
 from sightline.scans.statistics.paper import TABLE_I, PaperCar
-from sightline.scans.statistics.service import CarRuns, ReferenceGroup, ScanRow
+from sightline.scans.statistics.service import ScanStatistics, Spread
 from sightline.scans.statistics.traffic import ScanTraffic
-from sightline.statistics.distributions import Percentile
 
 router = APIRouter()
 NOTHING = Said("stat-no-value")
@@ -40,17 +39,12 @@ Errors = Annotated[
 ]
 
 
+@of_record(Spread)
 class ScanSpreadBody(Out):
     """The distribution of one quantity over the vehicles, in its unit."""
 
-    quantity: str
-    unit: str
-    n: int
-    mean: float | None
-    sd: float | None
     ecdf: Annotated[EcdfBody | ReasonBody, BeforeValidator(partial(part_body, empty=NOTHING))]
     density: DensityPart
-    percentiles: list[Percentile]
 
 
 @dataclass(frozen=True)
@@ -60,17 +54,13 @@ class PaperCarBody(PaperCar):
     length_error_m: float
 
 
+@of_record(ScanStatistics)
 class ScanStatisticsBody(Out):
-    scans: int
-    counted: dict[str, int]
     length_errors: Errors
     wheelbase_errors: Errors
     length_ratio: Ratio
     wheelbase_ratio: Ratio
     spreads: list[ScanSpreadBody] = Field(description="Speed, length, time gap, distance gap, headway.")
-    table: tuple[ScanRow, ...]
-    references: tuple[ReferenceGroup, ...]
-    cars: tuple[CarRuns, ...]
     heights: tuple[ScannedHeights, ...]
     paper: list[PaperCarBody]
 

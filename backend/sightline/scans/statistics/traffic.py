@@ -1,7 +1,7 @@
 """Traffic of line scans by intervals, from the database or from a package: pure of where they are."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from datetime import datetime
 from functools import partial
 from typing import Annotated, Protocol
@@ -12,7 +12,7 @@ from pydantic import Field
 from sightline.enums import ScanDirection
 from sightline.infra.by_name import filled_from
 from sightline.linescan.parts import may_still_stand
-from sightline.linescan.traffic import Interval, Passed, Stream, intervals, streams_of
+from sightline.linescan.traffic import Interval, Passed, intervals, streams_of
 from sightline.messages.said import Said
 from sightline.recordings.filming import FilmedWithin
 from sightline.scans.statistics.service import VehicleMotion, counts
@@ -102,34 +102,25 @@ def traffic_of_seen(
     """
     out = []
     for one in watched:
+        reason = None if one.clock else Said("scans-traffic-no-start")
+        if one.watched_s is None:
+            reason = Said("scans-traffic-not-read")
         for stream, cars in streams_of([car for car in found if car.scan_id == one.scan_id]).items():
-            whole = _traffic(one, cars, stream, minutes, accepted_only)
-            within = tuple(each for each in whole.intervals if filmed.holds(each.begins_at))
-            out.append(replace(whole, intervals=within))
+            passed = [_passed(car, accepted_only) for car in cars if car.since_s is not None]
+            whole = _intervals(passed, one.clock, one.watched_s, minutes)
+            out.append(
+                ScanTraffic(
+                    scan_id=one.scan_id,
+                    name=one.name,
+                    minutes=minutes,
+                    direction=stream[0],
+                    lane=stream[1],
+                    intervals=tuple(each for each in whole if filmed.holds(each.begins_at)),
+                    unplaced=len(cars) - len(passed),
+                    reason=reason,
+                )
+            )
     return tuple(out)
-
-
-def _traffic(
-    scan: Watched,
-    found: Sequence[VehicleMotion],
-    stream: Stream,
-    minutes: int,
-    accepted_only: bool,
-) -> ScanTraffic:
-    passed = [_passed(one, accepted_only) for one in found if one.since_s is not None]
-    reason = None if scan.clock else Said("scans-traffic-no-start")
-    if scan.watched_s is None:
-        reason = Said("scans-traffic-not-read")
-    return ScanTraffic(
-        scan_id=scan.scan_id,
-        name=scan.name,
-        minutes=minutes,
-        direction=stream[0],
-        lane=stream[1],
-        intervals=_intervals(passed, scan.clock, scan.watched_s, minutes),
-        unplaced=len(found) - len(passed),
-        reason=reason,
-    )
 
 
 def _intervals(

@@ -1,15 +1,13 @@
 """Who belongs to which survey, and as what."""
 
-from sqlalchemy import Column, ForeignKey, String, Table, UniqueConstraint
+from sqlalchemy import Column, ForeignKey, String, UniqueConstraint
 
 from sightline.enums import SurveyRole
-from sightline.infra.database.types import enum_check, identity, metadata
+from sightline.infra.database.types import enum_check, numbered
 
 # What stands now; who came, changed and went is told by the survey's audit chain.
-survey_members = Table(
+survey_members = numbered(
     "survey_members",
-    metadata,
-    identity(),
     Column("survey_id", ForeignKey("surveys.id"), nullable=False),
     Column("person_id", ForeignKey("people.id"), nullable=False, index=True),
     Column("role", String(20), nullable=False),

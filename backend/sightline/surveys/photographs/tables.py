@@ -1,15 +1,14 @@
 """The table of photographs of the set-up."""
 
-from sqlalchemy import BigInteger, CheckConstraint, Column, ForeignKey, Integer, String, Table, Text
+from sqlalchemy import BigInteger, CheckConstraint, Column, ForeignKey, Integer, String, Text
 
-from sightline.infra.audit.vouched import ChangedByEvents, vouched
-from sightline.infra.database.types import NEEDS_MEDIA, UtcDateTime, changed_columns, identity, metadata
+from sightline.infra.audit.vouched import changed_by_events
+from sightline.infra.database.types import NEEDS_MEDIA
 
 # Pictures of the set-up: the rig, the road, the board in place. `position` is their order on the page.
-survey_photographs = Table(
+survey_photographs = changed_by_events(
     "survey_photographs",
-    metadata,
-    identity(),
+    "photograph",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("name", String(400), nullable=False),
     Column("caption", Text, nullable=False),
@@ -19,9 +18,6 @@ survey_photographs = Table(
     Column("size_bytes", BigInteger, nullable=False),
     Column("width_px", Integer, nullable=False),
     Column("height_px", Integer, nullable=False),
-    *changed_columns(),
-    Column("deleted_at", UtcDateTime),
     CheckConstraint("width_px > 0 AND height_px > 0 AND size_bytes > 0", name="size_positive"),
     CheckConstraint("position >= 1", name="position_counts"),
-    info=vouched(ChangedByEvents("photograph")),
 )

@@ -1,14 +1,12 @@
 """The table of the catalogue."""
 
-from sqlalchemy import CheckConstraint, Column, Index, Integer, Table, Text
+from sqlalchemy import CheckConstraint, Column, Index, Integer, Text
 
-from sightline.infra.database.types import UtcDateTime, columns_for, identity, metadata
+from sightline.infra.database.types import UtcDateTime, columns_for, numbered
 from sightline.vehicles.catalogue.records import CatalogueRow
 
-catalogue = Table(
+catalogue = numbered(
     "catalogue",
-    metadata,
-    identity(),
     *columns_for(CatalogueRow, {"make": 100, "model": 200}),
     Column("search_text", Text, nullable=False),
     Column("version", Integer, nullable=False, server_default="1"),

@@ -6,19 +6,16 @@ from sqlalchemy import (
     Float,
     ForeignKey,
     String,
-    Table,
     UniqueConstraint,
 )
 
-from sightline.infra.database.types import UtcDateTime, columns_for, identity, metadata
+from sightline.infra.database.types import UtcDateTime, columns_for, numbered
 from sightline.vehicles.proposing.records import PointProposal
 
 # One row a vehicle and point: a place on a frame with its predicted error, or why there is none. Nothing in a
 # package, statistic or review reads it; a measurement that was confirmed holds its points itself.
-proposals = Table(
+proposals = numbered(
     "proposals",
-    metadata,
-    identity(),
     Column("recording_id", ForeignKey("recordings.id"), nullable=False, index=True),
     Column("pose_id", ForeignKey("road_poses.id"), nullable=False),
     *columns_for(PointProposal, {"reason": 60}, {"vehicle_id": "vehicles.id"}, left_out=("point_px",)),

@@ -45,24 +45,13 @@ interface Scales {
   readonly rowPx: number;
 }
 
-/** Both strips in one window, camera 1 above camera 2, on one time axis. */
-export class StripsView implements View<StripPoint, StripsView>, Scales {
-  readonly strips: Strips;
-  readonly width: number;
-  readonly height: number;
-  readonly line0: number;
-  readonly perPx: number;
-  readonly row0: number;
-  readonly rowPx: number;
+export interface StripsView extends Scales {}
 
+/** Both strips in one window, camera 1 above camera 2, on one time axis. */
+// biome-ignore lint/suspicious/noUnsafeDeclarationMerging: the constructor takes each of `Scales` over
+export class StripsView implements View<StripPoint, StripsView> {
   constructor(scales: Scales) {
-    this.strips = scales.strips;
-    this.width = scales.width;
-    this.height = scales.height;
-    this.line0 = scales.line0;
-    this.perPx = scales.perPx;
-    this.row0 = scales.row0;
-    this.rowPx = scales.rowPx;
+    Object.assign(this, scales);
   }
 
   get screen(): Size {

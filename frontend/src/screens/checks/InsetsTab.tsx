@@ -3,11 +3,10 @@ import { useState } from "preact/hooks";
 import { Button, DataTable, Loaded, Panel, Problem, TableScroll } from "../../components";
 import { Said } from "../../components/Said";
 import { useAction } from "../../core/action";
-import { api } from "../../core/api";
 import { allOf, say, sentenceOf, wordsOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { canWork } from "../../core/session";
-import { refreshSurvey } from "../../core/survey";
+import { changeSurvey, refreshSurvey } from "../../core/survey";
 import { toast } from "../../core/toasts";
 import type { Estimate, InsetCheck, InsetName, Survey, TargetInsets } from "../../core/types";
 import { formatAway, formatLength, formatSmall } from "../../core/units";
@@ -25,13 +24,7 @@ export function InsetsTab({ survey }: { survey: Survey }) {
     if (!estimate.offer) return;
     setBusy(`${name} ${estimate.method}`);
     await run(async () => {
-      const { site, description, version } = survey;
-      const insets = { [name]: estimate.offer };
-      await api.write(
-        "PUT /surveys/{survey_id}",
-        { survey_id: survey.id },
-        { body: { name: survey.name, site, description, version, insets } },
-      );
+      await changeSurvey(survey, { insets: { [name]: estimate.offer } });
       toast(say("checks-used", { target: name }));
     });
     await Promise.all([refreshSurvey(), check.reload()]);

@@ -2,6 +2,7 @@ import { render } from "preact";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import type { Survey } from "../../core/types";
 import { lengthUnit } from "../../core/units";
+import { INSET_NAMES } from "../../core/words";
 import { type Body, FakeServer } from "../../testing/server";
 import { EditSurvey } from "./EditSurvey";
 
@@ -24,17 +25,7 @@ const survey = {
     time_zone: null,
   },
   asked: { daytime: ["roof", "driver_eye"], low_light: ["roof", "taillight"] },
-  insets: {
-    roof: inset,
-    roof_van: inset,
-    roof_box: inset,
-    roof_unknown: inset,
-    driver_eye_near: inset,
-    driver_eye_far: inset,
-    taillight: inset,
-    headlight: inset,
-    other: inset,
-  },
+  insets: Object.fromEntries(INSET_NAMES.map((name) => [name, inset])) as Survey["insets"],
 } as unknown as Survey;
 
 const box = (label: string): HTMLInputElement => {
