@@ -5913,7 +5913,7 @@ sight-too-few = Too few heights for the percentile: { $targets }.
 sight-too-few-of = { $target } ({ $reason })
 sight-read = { $whose ->
     [class] of the class that each rule names
-    [chosen] of the chosen classes that each rule names
+    [chosen] of the chosen classes within the class that each rule names
     [eyes] the eyes of the class that their rule names, the objects of all vehicles counted, because their classes are not known
     [objects] the objects of the class that their rule names, the eyes of all vehicles counted, because their classes are not known
    *[all] of all vehicles counted

@@ -5964,7 +5964,7 @@ sight-too-few = Trop peu de hauteurs pour le centile : { $targets }.
 sight-too-few-of = { $target } ({ $reason })
 sight-read = { $whose ->
     [class] de la classe que nomme chaque règle
-    [chosen] des classes choisies que nomme chaque règle
+    [chosen] des classes choisies, dans celle que nomme chaque règle
     [eyes] les yeux de la classe que nomme leur règle, les obstacles de tous les véhicules retenus, faute de classe connue
     [objects] les obstacles de la classe que nomme leur règle, les yeux de tous les véhicules retenus, faute de classe connue
    *[all] de tous les véhicules retenus
