@@ -181,7 +181,7 @@ SightKind = Literal[
     "intersection_right",
 ]
 SightCase = Literal["standard", "survey", "mix"]
-SightClasses = Literal["class", "eyes", "objects", "all"]
+SightClasses = Literal["class", "chosen", "eyes", "objects", "all"]
 CrestVerdict = Literal["alike", "shorter", "longer", "unknown"]
 CurveCase = Literal["S < L", "S > L", "none"]
 Manoeuvre = Literal["A", "B", "C", "D", "E"]

@@ -37,8 +37,8 @@ def survey(services: Services) -> int:
     return seed(services.sessions, 900).survey.id
 
 
-def the_page(viewer: Client, survey: int) -> dict[str, Three]:
-    rules = viewer.get(f"/statistics?survey={survey}").json()["rules"]
+def the_page(viewer: Client, survey: int, chosen: str = "") -> dict[str, Three]:
+    rules = viewer.get(f"/statistics?survey={survey}{chosen}").json()["rules"]
     return {
         what: three(
             next(
@@ -52,6 +52,23 @@ def the_page(viewer: Client, survey: int) -> dict[str, Three]:
         )
         for _, what, percent in ASKED
     }
+
+
+def test_on_chosen_classes_every_place_says_the_same(services: Services, survey: int, viewer: Client) -> None:
+    """Two classes of passenger cars and the vans are chosen: the rule is read on the cars among them."""
+    chosen = "&class_set=light_trucks&category=suv&category=saloon"
+    figure = the_page(viewer, survey, chosen)
+    with services.reading() as session:
+        asked = Filter(survey_ids=(survey,), class_sets=("light_trucks",), categories=("suv", "saloon"))
+        found = cases_of(survey_statistics(session, asked), "m")
+    assert found is not None and found[4].crest is not None
+    of_report = {"eye_m": found[4].crest.eye_m, "object_m": found[4].crest.object_m}
+    crest = viewer.get(f"/sightdistance?survey={survey}&object_target=taillight{chosen}").json()["cases"][1][
+        "crest"
+    ]
+    for name, what in (("eye_m", "eye_car"), ("object_m", "object_stopping")):
+        assert three(crest[name], "value", "low", "high") == figure[what], name
+        assert (of_report[name].value, of_report[name].low, of_report[name].high) == figure[what], name
 
 
 def by_the_command(services: Services, survey: int, folder: Path, target: str, percent: float) -> list[str]:

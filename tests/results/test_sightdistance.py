@@ -120,18 +120,23 @@ def test_another_fleet_of_several_sites_is_of_many(
     assert mix["high"] - mix["low"] == pytest.approx(alone["high"] - alone["low"], rel=0.1)
 
 
-def test_they_go_by_class(services: Services, survey: int, viewer: Client) -> None:
+def test_a_rule_is_read_on_those_of_its_class_that_are_chosen(
+    services: Services, survey: int, viewer: Client
+) -> None:
     eyes = heights(services, "driver_eye")
     for query, kept in (
         ("&category=suv", ("suv",)),
-        ("&class_set=light_trucks", ("van",)),
-        ("&class_set=light_trucks&category=suv", ("suv", "van")),
+        ("&class_set=light_trucks&category=suv", ("suv",)),
+        ("&class_set=light_trucks&class_set=passenger_cars", ("hatchback", "saloon", "suv")),
     ):
         found = viewer.get(ASKED.format(survey=survey) + query + "&eye_percent=15&object_percent=15").json()
         mine = eyes["height_m"][np.isin(eyes["category"], kept)]
-        assert found["eyes"] == len(mine)
+        assert found["eyes"] == len(mine) and found["of_class"] == "chosen"
         quantile = np.quantile(mine, 0.15, method="median_unbiased")
         assert found["cases"][1]["crest"]["eye_m"]["value"] == pytest.approx(float(quantile), abs=0.01)
+    found = viewer.seen(ASKED.format(survey=survey) + "&class_set=light_trucks")  # vans, no passenger car
+    assert (found["eyes"], found["objects"], found["of_class"]) == (0, 0, "chosen")
+    assert found["cases"][1]["missing"] == ["driver_eye", "taillight"]
 
 
 @pytest.mark.parametrize(("unknown", "said_of"), [("driver_eye", "objects"), ("taillight", "eyes")])
@@ -173,13 +178,14 @@ def test_whose_heights_both_are(eye: tuple[int, bool], thing: tuple[int, bool], 
     """(heights, whether of the rule's class) of each; a target without a height is of nobody."""
     none = Said("stat-none-of-class")
     first, second = (unknown_rule(STANDARDS[0], n, known, None, none) for n, known in (eye, thing))
-    assert service.of_class(first, second) == expected
+    assert service.of_class(first, second, of_chosen=False) == expected
+    assert service.of_class(first, second, of_chosen=True) == "chosen"
 
 
 def test_a_class_of_too_few_gives_the_count_in_place_of_a_crest(survey: int, viewer: Client) -> None:
     found = viewer.get(ASKED.format(survey=survey) + "&category=suv").json()
     of_survey = found["cases"][1]
-    assert of_survey["crest"] is None and of_survey["missing"] == [] and found["of_class"] == "all"
+    assert of_survey["crest"] is None and of_survey["missing"] == [] and found["of_class"] == "chosen"
     n = found["objects"]
     assert 0 < n < 72
     assert [(one["target"], one["reason"]["message"]) for one in of_survey["too_few"]] == [

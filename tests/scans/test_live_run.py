@@ -330,6 +330,25 @@ def test_who_left_before_a_stream_was_killed_is_not_told_again(
     assert [one.vehicle.motion.reason for one in rest if one.vehicle.front_s < 18] == []
 
 
+def test_a_gap_runs_from_one_that_stood_since_the_segment_before(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Another passed beside it meanwhile: 6.2 s were told from that one's rear."""
+    monkeypatch.setattr(finding, "STANDS_S", 4.0)
+    pair, (rear_s, next_s) = standing(1.6)
+    run = live_run(lambda _: Played(pair), rig=SLOW_RIG, segment_s=6.5)
+    told = []
+    for one in run.vehicles():
+        told.append(one)
+        run._segment_s = 3600.0
+    assert [(one.segment, one.vehicle.number) for one in told] == [(1, 1), (2, 2), (2, 3), (2, 4)]
+    _, beside, stood, last = (one.vehicle for one in told)
+    # in view where its lines begin: nobody saw its front there
+    assert (stood.front_s, beside.gap.time_gap_s) == (0.0, None)
+    begin_s = told[2].begin / SLOW_RIG.line_rate_hz
+    assert begin_s + (stood.rear_s or 0.0) == pytest.approx(rear_s, abs=0.02)
+    assert last.gap.time_gap_s == pytest.approx(next_s - rear_s, abs=0.02)
+    assert last.gap.headway_s is None and last.gap.distance_gap_m is None
+
+
 def test_what_still_stands_where_a_segment_ends_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     """Another segment begins before it; nobody waits for it any longer."""
     monkeypatch.setattr(finding, "STANDS_S", 4.0)

@@ -64,6 +64,7 @@ class _Open:
     still: bool = False
     given_up: int = 0
     told: bool = False
+    elsewhere: bool = False
 
     def event(self, rear: int, cut: bool) -> Event:
         """Between the lines of road and of vehicle; none comes before line 0."""
@@ -111,6 +112,7 @@ class Watcher:
     _mean: NDArray[np.float32] | None = None
     _before: NDArray[np.float32] | None = None
     _given_up: list[_Open] = field(default_factory=list)
+    _passed: bool = False
 
     @property
     def busy_since(self) -> float:
@@ -177,8 +179,10 @@ class Watcher:
         return [one.road for one in self._given_up if one.told]
 
     def leave_untold(self, behind: Sequence[Road]) -> None:
-        """What stands before these roads when the lines begin was told before."""
-        self._given_up = [_Open(0, 0, road, told=True) for road in behind]
+        """What stands before these roads when the lines begin was told before. It is told again only as one
+        that was in view then, where others pass before it leaves: gaps behind theirs run from its rear.
+        """
+        self._given_up = [_Open(0, 0, road, still=True, told=True, elsewhere=True) for road in behind]
 
     def one_stands_before(self, line: float) -> bool:
         """Whether one has stood since before a line that was given up and is still to be told."""
@@ -289,11 +293,12 @@ class Watcher:
     def _end(self, rear: int, cut: bool = False) -> list[Event]:
         was, self._open = self._open, None
         assert was is not None
-        if was.told:
+        if was.told and not (was.elsewhere and self._passed):
             return []
         if rear - was.front < self.spans.least:
             self.blips += 1
             return []
+        self._passed = True
         return [was.event(rear, cut)]
 
     def _watch_stillness(

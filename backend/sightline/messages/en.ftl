@@ -5908,12 +5908,12 @@ sight-case-standard = the standard
 sight-case-survey = the survey
 sight-case-mix = the other fleet
 sight-sentence = Result
-sight-missing = No heights match the filter for: { $targets }. Measure and accept some, or show all states.
+sight-missing = No heights of the class that the rule names match the filter for: { $targets }. Measure and accept some, choose that class, or show all states.
 sight-too-few = Too few heights for the percentile: { $targets }.
 sight-too-few-of = { $target } ({ $reason })
 sight-read = { $whose ->
     [class] of the class that each rule names
-    [chosen] of the chosen classes that each rule names
+    [chosen] of the chosen classes within the class that each rule names
     [eyes] the eyes of the class that their rule names, the objects of all vehicles counted, because their classes are not known
     [objects] the objects of the class that their rule names, the eyes of all vehicles counted, because their classes are not known
    *[all] of all vehicles counted
@@ -7798,7 +7798,7 @@ report-sight-words = A crest provides a sight distance S if its length per perce
     [own] , the rule of that standard according to its sources
    *[usual] , and, where the standard states no rule, that of AASHTO’s heights
  }. S is the stopping sight distance ({ $source }), rounded up as in design tables.
-report-sight-missing = There is no crest for the survey’s own heights: no accepted heights of { $targets }.
+report-sight-missing = There is no crest for the survey’s own heights: no accepted heights of { $targets } in the class that the rule names.
 report-sight-table = K of crests for the standard’s heights and for the survey’s, in { $unit } per percent.
 report-design-speed = Design speed
 report-stopping = Stopping distance

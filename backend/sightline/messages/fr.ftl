@@ -5959,12 +5959,12 @@ sight-case-standard = la norme
 sight-case-survey = le relevé
 sight-case-mix = l’autre parc
 sight-sentence = Résultat
-sight-missing = Aucune hauteur ne correspond au filtre pour : { $targets }. Mesurez et validez-en, ou affichez tous les états.
+sight-missing = Aucune hauteur de la classe que nomme la règle ne correspond au filtre pour : { $targets }. Mesurez et validez-en, choisissez cette classe, ou affichez tous les états.
 sight-too-few = Trop peu de hauteurs pour le centile : { $targets }.
 sight-too-few-of = { $target } ({ $reason })
 sight-read = { $whose ->
     [class] de la classe que nomme chaque règle
-    [chosen] des classes choisies que nomme chaque règle
+    [chosen] des classes choisies, dans celle que nomme chaque règle
     [eyes] les yeux de la classe que nomme leur règle, les obstacles de tous les véhicules retenus, faute de classe connue
     [objects] les obstacles de la classe que nomme leur règle, les yeux de tous les véhicules retenus, faute de classe connue
    *[all] de tous les véhicules retenus
@@ -7855,7 +7855,7 @@ report-sight-words = Un angle saillant assure une distance de visibilité S si l
     [own] , règle de cette norme d’après ses sources
    *[usual] , et là où la norme ne donne pas de règle, celle des hauteurs de l’AASHTO
  }. S est la distance de visibilité d’arrêt ({ $source }), arrondie par excès comme dans les tables de conception.
-report-sight-missing = Il n’y a pas d’angle saillant pour les hauteurs du relevé : aucune hauteur validée pour { $targets }.
+report-sight-missing = Il n’y a pas d’angle saillant pour les hauteurs du relevé : aucune hauteur validée pour { $targets } dans la classe que nomme la règle.
 report-sight-table = K des angles saillants d’après les hauteurs de la norme et celles du relevé, en { $unit } par pour cent.
 report-design-speed = Vitesse de référence
 report-stopping = Distance d’arrêt

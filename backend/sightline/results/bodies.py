@@ -184,7 +184,7 @@ class LateralBody(Out):
 
 class StatisticsBody(Out):
     rules: list[RuleToday] = Field(description="The rules of standards on the heights of their classes.")
-    of_chosen: bool = Field(description="Whether classes are chosen: then of those of its class that are.")
+    of_chosen: bool = Field(description="Whether classes are chosen: rules are on these of their class.")
     lateral: LateralBody | None
     comparison: ComparedSurveys | None = Field(description="Where what counts is of two surveys.")
     counted: SampleCounts

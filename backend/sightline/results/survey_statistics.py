@@ -380,15 +380,15 @@ def sight_pair(table: Sequence[Standard]) -> tuple[Standard, Standard] | None:
 
 
 def figures_of_rule(
-    measured: Measured, what: StandardHeight, sites: Grouping | None, *, by_class: bool = True
+    measured: Measured, what: StandardHeight, sites: Grouping | None
 ) -> tuple[TotalUncertainty | None, bool]:
     """THE population that a standard's height is read on, ready for its figure: the heights of its target and
     class, of all where no class is known; None: there are none. Beside it: whether others were left out by
-    class. by_class: False leaves every class in, as where a person chose.
+    class.
     """
     target, classes = RULE_OF[what]
     rows = _of_target(measured, target)
-    by_class = by_class and bool(np.any(measured.category[rows] != NONE))
+    by_class = bool(np.any(measured.category[rows] != NONE))
     if by_class:
         rows = rows & measured.of_classes(*classes)
     if not rows.any():

@@ -207,7 +207,7 @@ def _intervals_sql(asked: Asked) -> str:
     ), in_days AS (
       SELECT lane, day, length_m, until_s, greatest(from_s, coalesce(max(until_s) OVER (PARTITION BY lane, day
         ORDER BY from_s, until_s ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING), 0)) AS from_s
-      FROM standing
+      FROM standing WHERE day >= DATE '{asked.first_day or date.min}'
     ), in_cells AS (
       SELECT *, unnest(range(floor(from_s / {step})::BIGINT, ceil(until_s / {step})::BIGINT)) AS nth,
       FROM in_days WHERE from_s < until_s

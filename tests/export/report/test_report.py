@@ -284,4 +284,4 @@ def test_heights_of_chosen_classes_are_said_to_be_of_those(example: ReportFacts)
         (rule, *_) = of.statistics.rules
         assert f"here: {words_of_it}, n" in rule_values(rule, of.statistics.of_chosen)["read"]
         assert f"({words_of_it}, n" in "".join(conclusion(of).found)
-    assert (sight(chosen) or {})["classes"] == "of the chosen classes that each rule names"
+    assert (sight(chosen) or {})["classes"] == "of the chosen classes within the class that each rule names"

@@ -33,9 +33,7 @@ def sight(facts: ReportFacts) -> Values | None:
         "eye_percent": decimal(f"{question.eye_percent:g}"),
         "object_percent": decimal(f"{question.object_percent:g}"),
         "own_rule": all(one in facts.statistics.standards for one in (eye, thing)),
-        "classes": said(
-            "sight-read", whose="chosen" if facts.statistics.of_chosen else of_class(*facts.statistics.sight)
-        ),
+        "classes": said("sight-read", whose=of_class(*facts.statistics.sight, facts.statistics.of_chosen)),
         "source": GREEN_BOOK,
         "missing": [TARGETS[target] for target in survey.missing],
         "rows": _rows(question, standard, survey, facts.unit),

@@ -31,9 +31,9 @@ class SightQuestion:
     road.
 
     eye_what: whose rule the eyes are read by, which names their class; objects are read by that of passenger
-    cars; where classes are chosen, both are of these. object_target None: the object's height is the
-    standard's in every case, as where the object is a whole vehicle. shares: a fleet's, by class; empty: no
-    what-if. unit: which of the two sets of formulas.
+    cars; where classes are chosen, each is of those of its class that are. object_target None: the object's
+    height is the standard's in every case, as where the object is a whole vehicle. shares: a fleet's, by
+    class; empty: no what-if. unit: which of the two sets of formulas.
     """
 
     chosen: Filter
@@ -100,7 +100,8 @@ class SightDistances:
     eyes: Annotated[int, Field(description="That the survey's percentile is of.")]
     objects: Annotated[int, Field(description="That the survey's percentile is of.")]
     of_class: Annotated[
-        SightClasses, Field(description="Which are of the class that their rule names; else all.")
+        SightClasses,
+        Field(description="Which are of the class that their rule names, or those of it chosen; else all."),
     ]
     classes: tuple[ClassOfFleet, ...]
     sag_k_m: float

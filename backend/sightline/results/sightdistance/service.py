@@ -2,7 +2,8 @@
 
 The page asks with a session (`sight_distances`); the report has the statistics of its package at hand and
 takes `case_of` with its rules' figures. Both give THE figure (`statistics.rules`): of true heights, of the
-class that the rule names, with total uncertainty.
+class that the rule names, with total uncertainty. Where classes are chosen, it is of those of them that are
+of that class: a standard's height says nothing of others; what these would give, another fleet tells.
 """
 
 from collections.abc import Mapping
@@ -49,8 +50,9 @@ from sightline.sightdistance.workbench import (
 )
 from sightline.statistics.figures import TotalPercentile
 from sightline.statistics.fleet import mixed_fleet
-from sightline.statistics.rules import RuleToday
+from sightline.statistics.rules import RuleToday, rule_today
 from sightline.statistics.shared_errors import correlation_of
+from sightline.statistics.standards import Standard
 
 _UNITS: dict[LengthUnit, UnitSystem] = {"m": METRIC, "ft": US_CUSTOMARY}
 # Whose rule an object is read by: the first of its target in the table of rules, that of passenger cars.
@@ -72,23 +74,16 @@ class HeightRead:
     by_pose_m: Mapping[int, float] = field(default_factory=dict)
 
 
-@dataclass(frozen=True)
-class _Read:
-    """Heights of one target as a rule reads them: the figure, of how many, whether of the rule's class."""
-
-    height: HeightRead | None
-    n: int
-    by_class: bool
-
-
-def of_class(eye: _Read | RuleToday, thing: _Read | RuleToday) -> SightClasses:
+def of_class(eye: RuleToday, thing: RuleToday | None, of_chosen: bool) -> SightClasses:
     """Whose heights both percentiles are of: which ones leave other classes out. One that has no height, of
-    any class, is of nobody and does not count.
+    any class, is of nobody and does not count. `of_chosen`: whether classes are chosen, which all are known.
     """
-    there = [one for one in (eye, thing) if one.n or one.by_class]
+    if of_chosen:
+        return "chosen"
+    there = [one for one in (eye, thing) if one is not None and (one.n or one.by_class)]
     if there and all(one.by_class for one in there):
         return "class"
-    return "eyes" if eye.by_class else "objects" if thing.by_class else "all"
+    return "eyes" if eye.by_class else "objects" if thing is not None and thing.by_class else "all"
 
 
 def exact(height_m: float) -> HeightRead:
@@ -123,13 +118,15 @@ def sight_distances(session: Session, question: SightQuestion) -> SightDistances
     target = question.object_target
     eyes = measured_columns(session, replace(question.chosen, target="driver_eye"))
     objects = None if target is None else measured_columns(session, replace(question.chosen, target=target))
-    eye = _read(session, question, eyes, question.eye_what, question.eye_percent)
-    thing = _Read(None, 0, False)
+    by_rule = Standard("", question.eye_what, question.eye_m, "", percent=question.eye_percent)
+    eye, thing = _today(session, eyes, by_rule), None
     if objects is not None and target is not None:
-        thing = _read(session, question, objects, _OBJECT_RULE[target], question.object_percent)
+        what = _OBJECT_RULE[target]
+        by_rule = Standard("", what, question.object_m, "", percent=question.object_percent)
+        thing = _today(session, objects, by_rule)
     cases = [
         case_of(question, "standard", exact(question.eye_m), exact(question.object_m)),
-        case_of(question, "survey", eye.height, thing.height),
+        case_of(question, "survey", height_of_rule(eye), None if thing is None else height_of_rule(thing)),
     ]
     if question.shares:
         asked = ((eyes, question.eye_percent), (objects, question.object_percent))
@@ -196,19 +193,20 @@ def _road(
     question: SightQuestion,
     cases: tuple[CaseOfHeights, ...],
     measured: tuple[Measured, Measured | None],
-    read: tuple[_Read, _Read],
+    rules: tuple[RuleToday, RuleToday | None],
 ) -> SightDistances:
     distance = distance_of(question, question.speed_mps)
     speeds = design_speeds(question.unit)
+    eye, thing = rules
     fits = distance.design_m <= np.pi * question.radius_m
     return SightDistances(
         distance=distance,
         speeds_mps=speeds,
         distances_m=tuple(distance_of(question, speed).design_m for speed in speeds),
         cases=cases,
-        eyes=read[0].n,
-        objects=read[1].n,
-        of_class=of_class(*read),
+        eyes=eye.n,
+        objects=0 if thing is None else thing.n,
+        of_class=of_class(eye, thing, question.chosen.of_classes),
         classes=_classes(*measured),
         sag_k_m=sag_k_m(distance.design_m, question.headlight_m),
         sag=sag_length(distance.design_m, question.difference_percent, question.headlight_m),
@@ -216,15 +214,10 @@ def _road(
     )
 
 
-def _read(
-    session: Session, question: SightQuestion, measured: Measured, what: StandardHeight, percent: float
-) -> _Read:
-    """THE figure of a rule, of its class; of the classes that a person chose, where they did."""
-    by_class = not question.chosen.of_classes
-    found, by_class = figures_of_rule(measured, what, sites_of(session, measured), by_class=by_class)
-    if found is None:
-        return _Read(None, 0, by_class)
-    return _Read(height_of(found.percentile(percent), found.named_effects_m(percent)), found.n, by_class)
+def _today(session: Session, measured: Measured, by_rule: Standard) -> RuleToday:
+    found = rule_today(by_rule, *figures_of_rule(measured, by_rule.what, sites_of(session, measured)))
+    assert found is not None  # it states a percentile
+    return found
 
 
 def _mixed(
