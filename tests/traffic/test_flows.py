@@ -13,10 +13,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sightline.linescan.parts import STOOD
+from sightline.linescan.parts import STOOD, STOPPED
+from sightline.messages.said import Said
 from sightline.traffic.archive import add_recorded
 from sightline.traffic.query import ALL, NO_LENGTH, ArchiveTables, classes_of, percentile_column
 from sightline.traffic.records import Asked, Passing, Recorded
+from sightline.traffic.results import results_in, traffic_of
 from tests.traffic.samples import recorded
 from tests.traffic.test_archive import stood
 
@@ -146,10 +148,32 @@ def test_occupancy_is_empty_to_the_end_of_a_recording_in_which_nobody_saw_it_lea
     unseen = replace(standing_passing(1, 400.0, 400.0), rear_s=None, rear_line_1=None, reason=str(STOOD))
     cars = (unseen, standing_passing(3, 700.0, 706.0))
     add_recorded(tmp_path, Recorded("one", "ab" * 32, 1200.0, cars, ()), stood("2026-05-04T12:00"))
-    add_recorded(tmp_path, Recorded("two", "cd" * 32, 300.0, (), ()), stood("2026-05-04T12:20"))
+    add_recorded(tmp_path, Recorded("two", "cd" * 32, 300.0, (), ()), stood("2026-05-04T12:25"))
     with ArchiveTables(tmp_path) as tables:
         rows = list(tables.intervals(Asked(minutes=5)))
     assert [row["occupancy_ratio"] for row in rows] == [0.0, None, None, None, 0.0]
+
+
+@pytest.mark.parametrize(
+    ("reason", "rear_s", "told"),
+    [(STOOD, None, [None, None, 0.0]), (STOPPED, 1799.99, [None, None, 0.0]), (STOPPED, 1700.0, [0.0] * 3)],
+)
+def test_who_stands_when_a_recording_ends_is_the_road_of_the_next(
+    tmp_path: Path, reason: Said, rear_s: float | None, told: list[float | None]
+) -> None:
+    """The next one begins 30 s later, after midnight, and told 0; one an hour later knows of nothing."""
+    stands = replace(standing_passing(1, 1200.0, rear_s or 1200.0), reason=str(reason), length_m=None)
+    stands = replace(stands, rear_s=rear_s, speed_mps=None, status="not_measurable")
+    add_recorded(tmp_path, Recorded("one", "ab" * 32, 1800.0, (stands,), ()), stood("2026-05-04T23:30"))
+    add_recorded(tmp_path, Recorded("two", "cd" * 32, 570.0, (), ()), stood("2026-05-05T00:00:30"))
+    add_recorded(tmp_path, Recorded("three", "ef" * 32, 300.0, (), ()), stood("2026-05-05T01:00"))
+    with ArchiveTables(tmp_path) as tables:
+        rows = list(tables.intervals(Asked(minutes=5)))
+        later = list(tables.intervals(Asked(first_day=date(2026, 5, 5), minutes=5)))
+    assert later == [row for row in rows if row["from"] >= "2026-05-05"]
+    assert [row["occupancy_ratio"] for row in later] == told
+    by_flow = [one for scan in traffic_of(results_in(tmp_path)[0], 5) for one in scan.intervals]
+    assert [one.occupancy_percent.value for one in by_flow[6:]] == told
 
 
 def test_a_rear_that_nobody_saw_is_of_its_recording_and_goes_over_midnight(tmp_path: Path) -> None:
