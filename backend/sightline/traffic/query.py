@@ -4,13 +4,13 @@ A vehicle belongs to the interval in which its front reached camera 1. Flow: veh
 the time that was watched; occupancy: the share of that time in which a vehicle stood before camera 1; both
 only where at least half of the interval was watched. Time mean speed: the mean over vehicles; space mean
 speed: the harmonic mean, as a stretch of road shows it (Wardrop 1952). Percentiles: Hyndman and Fan's type 8,
-without bias of the median, as everywhere in Sightline. u of the means: what neither exceeds, whatever the
-vehicles share: the mean of their own u, or that of u / v squared times the square of the space mean speed
-(JCGM 100:2008, 5.2.2), the larger. A vehicle that stands occupies every interval in which it does; where
-nobody saw it leave, occupancy is not told from its front to the end of its recording (who comes later may
-have passed beside it). Where one still stood when a recording ended, it is not told of the next one that
-begins within a minute, which took it for the road. Of another whose rear nobody saw it is not told to the
-first front after it was given up.
+without bias of the median, none of fewer speeds than its 95 % interval needs, as everywhere in Sightline. u
+of the means: what neither exceeds, whatever the vehicles share: the mean of their own u, or that of u / v
+squared times the square of the space mean speed (JCGM 100:2008, 5.2.2), the larger. A vehicle that stands
+occupies every interval in which it does; where nobody saw it leave, occupancy is not told from its front to
+the end of its recording (who comes later may have passed beside it). Where one still stood when a recording
+ended, it is not told of the next one that begins within a minute, which took it for the road. Of another
+whose rear nobody saw it is not told to the first front after it was given up.
 """
 
 from __future__ import annotations
@@ -26,6 +26,7 @@ import duckdb
 
 from sightline.infra.local_time import zone_of
 from sightline.linescan.parts import AT_END_S, STANDS_S, STOOD, STOPPED
+from sightline.statistics.distributions import too_few_for, vehicles_for_interval
 from sightline.traffic.archive import VEHICLES, WATCHED, files_of, sites_of
 from sightline.traffic.records import Asked, Site
 
@@ -274,11 +275,14 @@ def _kind_sql(limits_m: Sequence[float]) -> str:
 
 
 def _percentile_sql(percent: float) -> str:
-    """After a comma the percentile: between the two speeds beside place n p + (p + 1) / 3 (type 8)."""
+    """After a comma the percentile: between the two speeds beside place n p + (p + 1) / 3 (type 8); none of
+    too few.
+    """
     p = percent / 100
     at = f"least(n, greatest(1, (n + 1 / 3.0) * {p!r} + 1 / 3.0))"
     low, high = f"rising[floor({at})::BIGINT]", f"rising[ceil({at})::BIGINT]"
-    return f', {low} + ({at} - floor({at})) * ({high} - {low}) AS "{percentile_column(percent)}"'
+    value, needs = f"{low} + ({at} - floor({at})) * ({high} - {low})", vehicles_for_interval(percent)
+    return f', CASE WHEN n >= {needs} THEN {value} END AS "{percentile_column(percent)}"'
 
 
 def _told(row: dict[str, Any], site: str, asked: Asked) -> dict[str, Any]:
@@ -296,12 +300,12 @@ def _told(row: dict[str, Any], site: str, asked: Asked) -> dict[str, Any]:
         "measured": row["n"] or 0,
         "flow_per_hour": 3600 * vehicles / watched_s if enough else None,
         "occupancy_ratio": (row["occupied_s"] or 0.0) / watched_s if enough and not row["unsure"] else None,
-        "reason": _reason(row, vehicles, enough),
+        "reason": _reason(row, vehicles, enough, asked.percents),
     }
     return {name: told[name] for name in columns_of(asked)}
 
 
-def _reason(row: dict[str, Any], vehicles: int, enough: bool) -> str | None:
+def _reason(row: dict[str, Any], vehicles: int, enough: bool, percents: Sequence[float]) -> str | None:
     said = []
     if row["watched_s"] < row["length_s"] - 1e-6:
         rest = "" if enough else ", too little for a flow"
@@ -310,6 +314,9 @@ def _reason(row: dict[str, Any], vehicles: int, enough: bool) -> str | None:
         said.append("no vehicle")
     elif not row["n"]:
         said.append("no speed could be measured")
+    else:
+        few = [one for one in percents if row[percentile_column(one)] is None]
+        said += [str(too_few_for(one, row["n"])) for one in few]
     if row["unsure"]:
         said.append("the rear of a vehicle that stood was not seen")
     return "; ".join(said) or None
