@@ -139,6 +139,8 @@ class Finder:
         for held, piece in zip(self._held, (first, second), strict=True):
             held.append(piece)
             self.bits = max(self.bits, depth_of(brightest_of(piece)))
+        for watcher in self.watchers:
+            watcher.bits = self.bits
         return self._work(False)
 
     @property
