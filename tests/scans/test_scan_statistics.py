@@ -1,5 +1,6 @@
 """Statistics of scanned vehicles: what counts, and errors without what is common to all."""
 
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from math import hypot
 
@@ -146,3 +147,13 @@ def test_the_recording_after_one_in_which_a_vehicle_still_stood_tells_no_occupan
     found = traffic_of_seen(watched, [stands], 60, accepted_only=True)
     shown = {scan.name: [one.occupancy_percent.value for one in scan.intervals] for scan in found}
     assert set(shown["2"]) == {told} and shown["1"] == [None]
+
+
+def test_vehicles_of_another_line_rate_have_no_traffic() -> None:
+    """A rate that was corrected to half of it made the second half of the recording one without traffic."""
+    start = Filming(datetime(2026, 5, 4, 12, tzinfo=UTC), "UTC")
+    cars = [replace(seen(number), line_rate_hz=8000.0, since_s=900.0 * number) for number in (1, 2, 3)]
+    for rate_hz, intervals in ((8000.0, 4), (4000.0, 0)):
+        watched = [Watched(1, "Hill", start, 3600.0 * 8000.0 / rate_hz, rate_hz)]
+        (scan,) = traffic_of_seen(watched, cars, 15, accepted_only=True)
+        assert len(scan.intervals) == intervals and (scan.reason is None) == (intervals > 0)

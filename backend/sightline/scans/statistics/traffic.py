@@ -33,14 +33,15 @@ class Clock(Protocol):
 
 @dataclass(frozen=True)
 class Watched:
-    """A line scan as traffic sees it: its clock (None: the start is not confirmed), how long it is, and at
-    which of several places.
+    """A line scan as traffic sees it: its clock (None: the start is not confirmed), how long it is by its
+    line rate (None: lines are not counted), and at which of several places.
     """
 
     scan_id: int
     name: str
     clock: Clock | None
     watched_s: float | None
+    line_rate_hz: float | None = None
     site: str = ""
 
     @property
@@ -151,13 +152,15 @@ def _traffic(
     reason = None if scan.clock else Said("scans-traffic-no-start")
     if scan.watched_s is None:
         reason = Said("scans-traffic-not-read")
+    elif any(one.line_rate_hz not in (None, scan.line_rate_hz) for one in found):
+        reason = Said("scans-traffic-other-rate")
     return ScanTraffic(
         scan_id=scan.scan_id,
         name=scan.name,
         minutes=minutes,
         direction=stream[0],
         lane=stream[1],
-        intervals=_intervals(passed, scan.clock, scan.watched_s, minutes, stood_before),
+        intervals=() if reason else _intervals(passed, scan.clock, scan.watched_s, minutes, stood_before),
         unplaced=len(found) - len(passed),
         reason=reason,
     )
