@@ -6,6 +6,7 @@ import csv
 import io
 import json
 from pathlib import Path
+from statistics import harmonic_mean
 
 import cv2
 import pytest
@@ -55,7 +56,8 @@ def test_from_strips_to_figures(recording: Path, tmp_path: Path, capsys: pytest.
     true = truths(SITE, traffic(5, 3, speeds_mps=(14.0, 24.0), gaps_s=(0.5, 0.8), start_s=0.8))
     (row,) = csv.DictReader(io.StringIO(said_by(capsys, "flows", folder, "--percentile", "50")))
     speeds = sorted(one.vehicle.speed_mps for one in true)
-    assert float(row["p50_speed_mps"]) == pytest.approx(speeds[1], rel=1e-3)
+    assert row["p50_speed_mps"] == "" and "P50 needs 6; there are 3" in row["reason"]
+    assert float(row["space_mean_speed_mps"]) == pytest.approx(harmonic_mean(speeds), rel=1e-3)
     assert float(row["time_mean_speed_mps"]) == pytest.approx(sum(speeds) / 3, rel=1e-3)
     assert row["flow_per_hour"] == "" and "too little for a flow" in row["reason"]
     out = tmp_path / "flows.csv"
