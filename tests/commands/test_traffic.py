@@ -6,11 +6,13 @@ import csv
 import io
 import json
 from pathlib import Path
+from statistics import harmonic_mean
 
 import cv2
 import pytest
 
 from sightline.cli import main
+from sightline.traffic.archive import watched_rows
 from tests.simulation.scan_strips import strips
 from tests.simulation.scan_traffic import ScanSite, traffic, truths
 
@@ -55,7 +57,8 @@ def test_from_strips_to_figures(recording: Path, tmp_path: Path, capsys: pytest.
     true = truths(SITE, traffic(5, 3, speeds_mps=(14.0, 24.0), gaps_s=(0.5, 0.8), start_s=0.8))
     (row,) = csv.DictReader(io.StringIO(said_by(capsys, "flows", folder, "--percentile", "50")))
     speeds = sorted(one.vehicle.speed_mps for one in true)
-    assert float(row["p50_speed_mps"]) == pytest.approx(speeds[1], rel=1e-3)
+    assert row["p50_speed_mps"] == "" and "P50 needs 6; there are 3" in row["reason"]
+    assert float(row["space_mean_speed_mps"]) == pytest.approx(harmonic_mean(speeds), rel=1e-3)
     assert float(row["time_mean_speed_mps"]) == pytest.approx(sum(speeds) / 3, rel=1e-3)
     assert row["flow_per_hour"] == "" and "too little for a flow" in row["reason"]
     out = tmp_path / "flows.csv"
@@ -64,6 +67,20 @@ def test_from_strips_to_figures(recording: Path, tmp_path: Path, capsys: pytest.
     assert [one["class"] for one in rows] == ["all", "under 4 m", "4 to 6 m", "6 m or more", "length unknown"]
     assert said_by(capsys, "remove", folder, "recording.json").startswith("recording.json was removed")
     assert "is empty; add a recording" in said_by(capsys, "sites", folder)
+
+
+@pytest.mark.parametrize(
+    ("given", "u_s"), [((), 0.5), (("--u-start", "0.1"), 0.1), (("--u-start", "0"), 0.0)]
+)
+def test_u_of_a_start_is_that_of_the_recording_unless_another_is_given(
+    recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], given: tuple[str, ...], u_s: float
+) -> None:
+    """It was 0 where `linescan --u-start` had told it."""
+    told = json.loads(recording.read_text()) | {"u_start_s": 0.5}
+    path, folder = tmp_path / "told.json", tmp_path / "archive"
+    path.write_text(json.dumps(told))
+    said_by(capsys, "add", str(folder), str(path), *PLACE, *given)
+    assert {row["u_start_s"] for row in watched_rows(folder, None)} == {u_s}
 
 
 @pytest.mark.parametrize(

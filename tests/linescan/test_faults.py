@@ -7,6 +7,7 @@ import pytest
 
 from sightline.linescan.direct import measure_direct
 from sightline.linescan.faults import notes_of
+from sightline.linescan.finding import Finder
 from tests.linescan.scenes import RIG, SITE, cars, found, plain, plain_truth
 from tests.simulation.scan_strips import strips
 from tests.simulation.scan_traffic import traffic
@@ -58,6 +59,18 @@ def test_saturation_is_named():
     assert "saturated" in said
     motion = measure_direct(passages[0], RIG)
     assert motion.reason or any("saturated" in str(warning) for warning in motion.warnings)
+
+
+@pytest.mark.parametrize("bits", [8, 10, 12, 16])
+def test_saturation_is_that_of_the_cameras_bits(bits):
+    """Cameras of 10 and 12 bits, whose largest value is none of the file's, were never named."""
+    top = (1 << bits) - 1
+    lines = np.full((6000, 64), top // 3, np.uint8 if bits == 8 else np.uint16)
+    lines[:, :5] = top
+    finder = Finder(64, RIG, bits)
+    finder.push(lines, lines)
+    finder.finish()
+    assert all(one.saturated_lines / one.lines == pytest.approx(5 / 64) for one in finder.watchers)
 
 
 def test_a_light_that_jumps_is_counted():

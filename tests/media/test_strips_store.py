@@ -113,6 +113,17 @@ def test_it_lies_in_the_media_store(tmp_path: Path) -> None:
     np.testing.assert_array_equal(reader.read(10, 20), strip[10:20])
 
 
+@pytest.mark.parametrize(("bits", "share"), [(10, 10 / ROWS), (12, 10 / ROWS), (16, 10 / ROWS), (0, 0.0)])
+def test_saturation_is_that_of_the_cameras_bits(tmp_path: Path, bits: int, share: float) -> None:
+    """Also where a dark beginning has fewer; 10 bits that end at 1022 are not saturated."""
+    top = (1 << bits) - 1 if bits else 1022
+    strip = np.full((20_000, ROWS), top // 2, np.uint16)
+    strip[:2000] = 255
+    strip[2000:, :10] = top
+    made = store_strip(open_strip(tiff(tmp_path / "a.tif", strip), "height"), tmp_path / "b.tif")
+    assert made.saturated == pytest.approx(share * 0.9, rel=0.01)
+
+
 def test_threads_read_one_strip_side_by_side(tmp_path: Path) -> None:
     made, strip = stored(tmp_path)
     reader = StripReader(made.path)

@@ -1,13 +1,17 @@
 """Statistics of scanned vehicles: what counts, and errors without what is common to all."""
 
+from dataclasses import replace
+from datetime import UTC, datetime, timedelta
 from math import hypot
 
 import numpy as np
 import pytest
 
-from sightline.linescan.parts import CUT, Rig
+from sightline.linescan.parts import CUT, STOOD, Rig
 from sightline.linescan.rig import baseline_of
+from sightline.recordings.filming import Filming
 from sightline.scans.statistics.service import VehicleMotion, statistics_of_seen, when_passed
+from sightline.scans.statistics.traffic import Watched, traffic_of_seen
 
 pytestmark = pytest.mark.once
 
@@ -127,3 +131,29 @@ def test_the_front_of_one_that_was_in_view_when_the_recording_began_was_not_seen
         for one in ((0.0, 900.0, CUT), (9.0, 900.0, CUT), (0.0, 900.0, None))
     ]
     assert told == [False, True, True]
+
+
+@pytest.mark.parametrize(("away_s", "told"), [(3599.96, None), (3650.0, None), (3700.0, 0.0), (-3600.0, 0.0)])
+def test_the_recording_after_one_in_which_a_vehicle_still_stood_tells_no_occupancy(
+    away_s: float, told: float | None
+) -> None:
+    """It took the vehicle for the road, or, live, knows that it was told; 0 % was shown."""
+    start = datetime(2026, 5, 4, 12, tzinfo=UTC)
+    stands = VehicleMotion(1, 1, 1, "not_measurable", False, "daytime", reason=STOOD, since_s=100.0)
+    watched = [
+        Watched(number, str(number), Filming(start + timedelta(seconds=at_s), "UTC"), 3600.0)
+        for number, at_s in ((2, away_s), (1, 0.0))
+    ]
+    found = traffic_of_seen(watched, [stands], 60, accepted_only=True)
+    shown = {scan.name: [one.occupancy_percent.value for one in scan.intervals] for scan in found}
+    assert set(shown["2"]) == {told} and shown["1"] == [None]
+
+
+def test_vehicles_of_another_line_rate_have_no_traffic() -> None:
+    """A rate that was corrected to half of it made the second half of the recording one without traffic."""
+    start = Filming(datetime(2026, 5, 4, 12, tzinfo=UTC), "UTC")
+    cars = [replace(seen(number), line_rate_hz=8000.0, since_s=900.0 * number) for number in (1, 2, 3)]
+    for rate_hz, intervals in ((8000.0, 4), (4000.0, 0)):
+        watched = [Watched(1, "Hill", start, 3600.0 * 8000.0 / rate_hz, rate_hz)]
+        (scan,) = traffic_of_seen(watched, cars, 15, accepted_only=True)
+        assert len(scan.intervals) == intervals and (scan.reason is None) == (intervals > 0)

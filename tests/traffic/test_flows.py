@@ -13,10 +13,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sightline.linescan.parts import STOOD
+from sightline.linescan.parts import STOOD, STOPPED
+from sightline.messages.said import Said
+from sightline.statistics.distributions import vehicles_for_interval
 from sightline.traffic.archive import add_recorded
 from sightline.traffic.query import ALL, NO_LENGTH, ArchiveTables, classes_of, percentile_column
 from sightline.traffic.records import Asked, Passing, Recorded
+from sightline.traffic.results import results_in, traffic_of
 from tests.traffic.samples import recorded
 from tests.traffic.test_archive import stood
 
@@ -37,7 +40,7 @@ def test_every_figure_is_a_recount(folder: Path) -> None:
     cells: dict[int, list[Passing]] = defaultdict(list)
     for one in recorded(21, 2000, HOURS * 3600).passings:
         cells[int((begins + one.front_s) // 900)].append(one)
-    asked = Asked(sites=("Hill",), minutes=15, percents=(5.0, 15.0, 50.0, 85.0, 99.5))
+    asked = Asked(sites=("Hill",), minutes=15, percents=(5.0, 20.0, 50.0, 80.0, 99.5))
     with ArchiveTables(folder) as tables:
         rows = [row for row in tables.intervals(asked) if row["lane"] == ""]
     assert len(rows) == 105  # of 26 h that begin at 5:20, 103 whole and two in part
@@ -54,9 +57,11 @@ def test_every_figure_is_a_recount(folder: Path) -> None:
         assert row["space_mean_speed_mps"] == pytest.approx(len(speeds) / (1 / speeds).sum(), rel=1e-12)
         assert row["space_mean_speed_mps"] <= row["time_mean_speed_mps"] * (1 + 1e-12)
         assert row["u_mean_speed_mps"] == pytest.approx(4e-4 * speeds.mean(), rel=1e-12)
+        few = [one for one in asked.percents if len(speeds) < vehicles_for_interval(one)]
+        assert [one for one in asked.percents if row[percentile_column(one)] is None] == few
         for percent in asked.percents:
             true = np.quantile(speeds, percent / 100, method="median_unbiased")
-            assert row[percentile_column(percent)] == pytest.approx(true, rel=1e-12)
+            assert percent in few or row[percentile_column(percent)] == pytest.approx(true, rel=1e-12)
         if row["watched_s"] == 900.0:
             assert row["flow_per_hour"] == pytest.approx(4 * len(here))
             edge = (first + place) * 900.0 - begins
@@ -65,7 +70,8 @@ def test_every_figure_is_a_recount(folder: Path) -> None:
             ]
             occupied = sum(b - a for a, b in parts)
             assert row["occupancy_ratio"] == pytest.approx(occupied / 900.0, rel=1e-8)
-            assert row["reason"] is None
+            told = [f"P{one:g} needs {vehicles_for_interval(one)}; there are {len(speeds)}" for one in few]
+            assert (row["reason"] or "") == "; ".join(told)
 
 
 def standing_passing(number: int, front_s: float, rear_s: float) -> Passing:
@@ -146,10 +152,32 @@ def test_occupancy_is_empty_to_the_end_of_a_recording_in_which_nobody_saw_it_lea
     unseen = replace(standing_passing(1, 400.0, 400.0), rear_s=None, rear_line_1=None, reason=str(STOOD))
     cars = (unseen, standing_passing(3, 700.0, 706.0))
     add_recorded(tmp_path, Recorded("one", "ab" * 32, 1200.0, cars, ()), stood("2026-05-04T12:00"))
-    add_recorded(tmp_path, Recorded("two", "cd" * 32, 300.0, (), ()), stood("2026-05-04T12:20"))
+    add_recorded(tmp_path, Recorded("two", "cd" * 32, 300.0, (), ()), stood("2026-05-04T12:25"))
     with ArchiveTables(tmp_path) as tables:
         rows = list(tables.intervals(Asked(minutes=5)))
     assert [row["occupancy_ratio"] for row in rows] == [0.0, None, None, None, 0.0]
+
+
+@pytest.mark.parametrize(
+    ("reason", "rear_s", "told"),
+    [(STOOD, None, [None, None, 0.0]), (STOPPED, 1799.99, [None, None, 0.0]), (STOPPED, 1700.0, [0.0] * 3)],
+)
+def test_who_stands_when_a_recording_ends_is_the_road_of_the_next(
+    tmp_path: Path, reason: Said, rear_s: float | None, told: list[float | None]
+) -> None:
+    """The next one begins 30 s later, after midnight, and told 0; one an hour later knows of nothing."""
+    stands = replace(standing_passing(1, 1200.0, rear_s or 1200.0), reason=str(reason), length_m=None)
+    stands = replace(stands, rear_s=rear_s, speed_mps=None, status="not_measurable")
+    add_recorded(tmp_path, Recorded("one", "ab" * 32, 1800.0, (stands,), ()), stood("2026-05-04T23:30"))
+    add_recorded(tmp_path, Recorded("two", "cd" * 32, 570.0, (), ()), stood("2026-05-05T00:00:30"))
+    add_recorded(tmp_path, Recorded("three", "ef" * 32, 300.0, (), ()), stood("2026-05-05T01:00"))
+    with ArchiveTables(tmp_path) as tables:
+        rows = list(tables.intervals(Asked(minutes=5)))
+        later = list(tables.intervals(Asked(first_day=date(2026, 5, 5), minutes=5)))
+    assert later == [row for row in rows if row["from"] >= "2026-05-05"]
+    assert [row["occupancy_ratio"] for row in later] == told
+    by_flow = [one for scan in traffic_of(results_in(tmp_path)[0], 5) for one in scan.intervals]
+    assert [one.occupancy_percent.value for one in by_flow[6:]] == told
 
 
 def test_a_rear_that_nobody_saw_is_of_its_recording_and_goes_over_midnight(tmp_path: Path) -> None:
@@ -209,7 +237,8 @@ def test_what_was_watched_in_part_says_so_and_too_little_has_no_flow(folder: Pat
     assert first["reason"] == "watched for 2400 of 3600 s"
     assert last["from"] == "2026-05-05T07:00+02:00" and last["watched_s"] == 1200.0
     assert last["flow_per_hour"] is last["occupancy_ratio"] is None and last["vehicles"] > 0
-    assert last["reason"] == "watched for 1200 of 3600 s, too little for a flow"
+    few = "; ".join(f"P{one} needs 23; there are {last['measured']}" for one in (15, 85))
+    assert last["reason"] == f"watched for 1200 of 3600 s, too little for a flow; {few}"
 
 
 def test_days_sites_and_lanes_are_kept_apart(folder: Path) -> None:

@@ -90,14 +90,14 @@ Rows = list[dict[str, Any]]
 def _of_place(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic], Rows, list[str]]:
     """The traffic of a place, its vehicles, and what is to be said of it."""
     from sightline.infra.csv_package.files import places_of
-    from sightline.traffic.results import results_in
+    from sightline.traffic.results import results_in, traffic_of
 
     if not place.exists():
         raise BadInput("commands-flow-not-there", place=place)
     if place.suffix.lower() == ".zip" or any((place / path).is_file() for path in places_of(_SCANS)):
         return _of_package(place, minutes)
     results, left = results_in(place)
-    traffic = [each for length in minutes for one in results for each in one.traffic(length)]
+    traffic = [each for length in minutes for each in traffic_of(results, length)]
     notes = [f"{name} in {place} has no scanned vehicles and is skipped." for name in left]
     notes += [
         f"{one.name} does not say how long was recorded: its first and last interval count as fully observed."

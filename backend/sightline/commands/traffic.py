@@ -37,8 +37,8 @@ def traffic() -> None:
 @click.option("--site", required=True, help="Name of the site.")
 @click.option("--start", required=True, help="Local time of the first line: 2026-05-04T06:00:00.")
 @click.option("--zone", required=True, help="Time zone of the site, such as Europe/Paris.")
-@click.option(
-    "--u-start", "u_start_s", default=0.0, show_default=True, help="u of the start (k = 1), seconds."
+@number_option(
+    "--u-start", "u_start_s", help="u of the start (k = 1), seconds (default: as RECORDING says, or 0)."
 )
 @click.option("--lane", default="", help="Lane that was measured, if the site has several.")
 @number_option("--duration", "duration_s", help="Duration in seconds; only for output of `sightline stream`.")
@@ -49,7 +49,7 @@ def add(
     site: str,
     start: str,
     zone: str,
-    u_start_s: float,
+    u_start_s: float | None,
     lane: str,
     duration_s: float | None,
     as_json: bool,
@@ -60,12 +60,13 @@ def add(
     from sightline.traffic.records import Stood
     from sightline.traffic.sources import read_recorded
 
-    if not 0.0 <= u_start_s < float("inf"):
+    if u_start_s is not None and not 0.0 <= u_start_s < float("inf"):
         raise BadInput("traffic-no-u-start", u_start_s=u_start_s)
     if duration_s is not None and not 0.0 < duration_s < float("inf"):
         raise BadInput("traffic-duration-not-positive", duration_s=duration_s)
-    stood = Stood(site, lane, zone, instant_of(start, zone), u_start_s)
+    begun = instant_of(start, zone)
     recorded = read_recorded(recording, duration_s)
+    stood = Stood(site, lane, zone, begun, recorded.u_start_s if u_start_s is None else u_start_s)
     days = add_recorded(archive, recorded, stood)
     measured = sum(one.speed_mps is not None for one in recorded.passings)
     tell(

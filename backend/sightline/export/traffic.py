@@ -160,8 +160,9 @@ def _watched(row: Mapping[str, str]) -> Watched:
             "u_start_s": figure_of(row["u_start_s"]),
         }
     )
-    watched_s = int(row["lines"]) / float(row["line_rate_hz"]) if row["lines"] else None
-    return Watched(int(row["id"]), unsafe(row["name"]), clock.filming if clock else None, watched_s)
+    rate_hz = float(row["line_rate_hz"])
+    watched_s = int(row["lines"]) / rate_hz if row["lines"] else None
+    return Watched(int(row["id"]), unsafe(row["name"]), clock.filming if clock else None, watched_s, rate_hz)
 
 
 def traffic_rows(found: Sequence[ScanTraffic]) -> dict[str, Iterator[Cells]]:

@@ -15,7 +15,17 @@ from sightline.linescan.background import MOST_UNREST, Grid, Road, enough_lines
 from sightline.linescan.boundaries import refined
 from sightline.linescan.depth import brightest_of, depth_of, in_8_bits
 from sightline.linescan.lanes import lane_of
-from sightline.linescan.parts import CUT, STANDS_S, STOOD, TOO_LONG, Crossings, Passage, Pixels, Rig
+from sightline.linescan.parts import (
+    CUT,
+    STANDS_S,
+    STOOD,
+    STOPPED,
+    TOO_LONG,
+    Crossings,
+    Passage,
+    Pixels,
+    Rig,
+)
 from sightline.linescan.rig import at_lane, baseline_of
 from sightline.linescan.watching import Event, Spans, Watcher, present
 from sightline.messages.said import Said
@@ -32,7 +42,6 @@ SPEEDS_MPS = (1.0, 85.0)
 
 Behind = tuple[Sequence[Road], Sequence[Road]]
 
-STOPPED = Said("scan-motion-stopped")
 NO_ROAD = Said("scan-motion-no-road")
 TWO_AT_ONCE = Said("scan-motion-two-at-once")
 
@@ -130,6 +139,8 @@ class Finder:
         for held, piece in zip(self._held, (first, second), strict=True):
             held.append(piece)
             self.bits = max(self.bits, depth_of(brightest_of(piece)))
+        for watcher in self.watchers:
+            watcher.bits = self.bits
         return self._work(False)
 
     @property

@@ -134,7 +134,9 @@ class Profile:
 
 #: For what stands for longer nobody waits: it may be no vehicle, but a road that changed for good.
 STANDS_S = 60.0
-#: Why there is no motion of a vehicle that was in view for longer, and that nobody saw leave.
+#: Why there is no motion of a vehicle that stood in view.
+STOPPED = Said("scan-motion-stopped")
+#: Of one that was in view for longer, and that nobody saw leave.
 STOOD = Said("scan-motion-stood")
 TOO_LONG = Said("scan-motion-too-long-in-view")
 #: Of one that is in view where the recording begins or ends.
@@ -158,6 +160,16 @@ def rear_seen(reason: Said | None) -> bool:
 def may_still_stand(reason: Said | None) -> bool:
     """Whether nobody knows until when a vehicle stood, by why it has no motion (a text too)."""
     return reason is not None and str(reason) == str(STOOD)
+
+
+#: One that stood until so shortly before the end of a recording still stood then.
+AT_END_S = 0.2
+
+
+def stands_at_end(reason: Said | None, rear_s: float | None, end_s: float) -> bool:
+    """Whether a vehicle still stood when its recording ended; `rear_s`: until when it was seen."""
+    stopped = reason is not None and str(reason) == str(STOPPED)
+    return may_still_stand(reason) or (stopped and rear_s is not None and rear_s > end_s - AT_END_S)
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,7 +9,8 @@ is the time mean speed; their harmonic mean is the space mean speed, as a stretc
 1952). Flow over space mean speed is the density. Occupancy is the share of the time that some vehicle stood
 before camera 1; vehicles beside each other are counted once. Where one stood and nobody saw it leave, it is
 not told from there to the end: who comes later may have passed beside it. Of another whose rear nobody saw it
-is not told to the first front after it was given up.
+is not told to the first front after it was given up. Where one still stood when the recording before ended,
+this one took it for the road and does not know until when it stood: it tells none.
 
 Uncertainties (k = 1) are those of measuring. A count has none of its own; `near_edge` says how many vehicles
 passed so near to an edge that the clock leaves it open on which side (95 %). `flow_low` and `flow_high` are
@@ -171,12 +172,15 @@ def intervals(
     into_hour_s: Callable[[float], float],
     minutes: int,
     limits_m: Sequence[float] = LENGTH_LIMITS_M,
+    *,
+    stood_before: bool = False,
 ) -> tuple[Interval, ...]:
     """The intervals of `minutes` that a recording of `watched_s` touches, in order.
 
     `passed`: rising by `since_s`. `into_hour_s`: what clocks of the place show beyond an hour, so many
-    seconds after line 0. `limits_m`: rising. Who is still in view at the end counts until then. Raises
-    ValueError for minutes that do not divide an hour.
+    seconds after line 0. `limits_m`: rising. `stood_before`: one stood when the recording just before ended.
+    Who is still in view at the end counts until then. Raises ValueError for minutes that do not divide an
+    hour.
     """
     if minutes < 1 or 60 % minutes:
         raise ValueError("Minutes of an interval must divide an hour.")
@@ -199,7 +203,9 @@ def intervals(
                 passed[begin:stop],
                 before,
                 [gap for gap in headways[begin:stop] if gap is not None],
-                None if _overlap(unsure, begin_s, stop_s) else _overlap(covered, begin_s, stop_s),
+                None
+                if stood_before or _overlap(unsure, begin_s, stop_s)
+                else _overlap(covered, begin_s, stop_s),
                 (begin_s, stop_s),
                 of_clock,
                 stop_s - begin_s < long_s,

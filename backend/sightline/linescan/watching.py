@@ -105,6 +105,7 @@ class Watcher:
     moves: int = 0
     lines: int = 0
     saturated_lines: float = 0.0
+    bits: int = 8
     _open: _Open | None = None
     _standing: _Open | None = None
     _waiting: list[Event] = field(default_factory=list)
@@ -147,8 +148,7 @@ class Watcher:
             end = self.lines + len(block)
             self._open = _Open(end, end, self._open.road, told=True)
         self._refresh(block, there)
-        top = 255 if block.dtype == np.uint8 else 65535
-        self.saturated_lines += len(block) * float(np.mean(block[::32] >= top))
+        self.saturated_lines += len(block) * float(np.mean(block[::32] >= (1 << self.bits) - 1))
         self.lines += len(block)
         return self._in_order(events)
 

@@ -5627,6 +5627,7 @@ scans-axle-outside-vehicle = Un essieu est hors du véhicule ; pointez son moy
 scans-traffic-no-start = Le début de ce balayage n’est pas confirmé ; confirmez-le, et son trafic sera compté par tranche horaire.
 scans-traffic-other-minutes = Le trafic ne se compte pas en tranches de { $minutes } min ; choisissez 1, 5, 15 ou 60.
 scans-traffic-not-read = Ce balayage n’est pas importé : son trafic est inconnu.
+scans-traffic-other-rate = Des véhicules de ce balayage ont été mesurés avec une autre cadence de lignes ; son trafic est inconnu. Mesurez-les à nouveau.
 scans-no-name = Un balayage doit avoir un nom ; indiquez-le.
 scans-worked-on = Des personnes ont travaillé sur les véhicules de ce balayage : il ne peut pas être supprimé, car un audit a besoin de ses bandes.
 scans-recording-other-survey = L’enregistrement appartient à un autre relevé ; choisissez-en un de ce relevé.

@@ -4,12 +4,13 @@ A vehicle belongs to the interval in which its front reached camera 1. Flow: veh
 the time that was watched; occupancy: the share of that time in which a vehicle stood before camera 1; both
 only where at least half of the interval was watched. Time mean speed: the mean over vehicles; space mean
 speed: the harmonic mean, as a stretch of road shows it (Wardrop 1952). Percentiles: Hyndman and Fan's type 8,
-without bias of the median, as everywhere in Sightline. u of the means: what neither exceeds, whatever the
-vehicles share: the mean of their own u, or that of u / v squared times the square of the space mean speed
-(JCGM 100:2008, 5.2.2), the larger. A vehicle that stands occupies every interval in which it does; where
-nobody saw it leave, occupancy is not told from its front to the end of its recording (who comes later may
-have passed beside it). Of another whose rear nobody saw it is not told to the first front after it was given
-up.
+without bias of the median, none of fewer speeds than its 95 % interval needs, as everywhere in Sightline. u
+of the means: what neither exceeds, whatever the vehicles share: the mean of their own u, or that of u / v
+squared times the square of the space mean speed (JCGM 100:2008, 5.2.2), the larger. A vehicle that stands
+occupies every interval in which it does; where nobody saw it leave, occupancy is not told from its front to
+the end of its recording (who comes later may have passed beside it). Where one still stood when a recording
+ended, it is not told of the next one that begins within a minute, which took it for the road. Of another
+whose rear nobody saw it is not told to the first front after it was given up.
 """
 
 from __future__ import annotations
@@ -24,7 +25,8 @@ from typing import Any
 import duckdb
 
 from sightline.infra.local_time import zone_of
-from sightline.linescan.parts import STANDS_S, STOOD
+from sightline.linescan.parts import AT_END_S, STANDS_S, STOOD, STOPPED
+from sightline.statistics.distributions import too_few_for, vehicles_for_interval
 from sightline.traffic.archive import VEHICLES, WATCHED, files_of, sites_of
 from sightline.traffic.records import Asked, Site
 
@@ -34,7 +36,7 @@ _DAY_MINUTES = 24 * 60
 _LONGER_DAY_CELLS = 180
 #: Of an interval, for a flow and an occupancy: they speak of all of it.
 LEAST_WATCHED = 0.5
-_STOOD = str(STOOD).replace("'", "''")
+_STOOD, _STOPPED = (str(one).replace("'", "''") for one in (STOOD, STOPPED))
 #: Of the classes: every vehicle, and those without a length.
 ALL, NO_LENGTH = "all", "length unknown"
 
@@ -99,10 +101,11 @@ class ArchiveTables:
                 yield _told(row, site, asked)
 
     def _rows(self, query: str, site: str, asked: Asked) -> list[dict[str, Any]]:
-        """Rows of a query over one site's `vehicles` and `watched`, of recordings on the days asked for from
-        their beginnings on: who stands may have come days before.
+        """Rows of a query over one site's `vehicles` and `watched`, of recordings on the days asked for and
+        the day before from their beginnings on: who stands may have come days before.
         """
-        shown = files_of(self._folder, WATCHED, site, asked.first_day, asked.last_day)
+        first = asked.first_day and date.fromordinal(max(asked.first_day.toordinal() - 1, 1))
+        shown = files_of(self._folder, WATCHED, site, first, asked.last_day)
         if not shown:
             return []
         recordings = {Path(one).name for one in shown}
@@ -218,7 +221,7 @@ def _intervals_sql(asked: Asked) -> str:
     ), occupied AS (
       SELECT lane, cell, kind, sum(part_s) AS occupied_s FROM parts GROUP BY lane, cell, kind
     ), ends AS (
-      SELECT recording_sha256, lane, max(begin_s + to_s) AS end_s
+      SELECT recording_sha256, lane, min(begin_s + from_s) AS first_s, max(begin_s + to_s) AS end_s
       FROM watched JOIN days USING (day) GROUP BY recording_sha256, lane
     ), stood AS (
       SELECT lane, recording_sha256, length_m, begin_s + since_midnight_s AS since_s,
@@ -231,6 +234,14 @@ def _intervals_sql(asked: Asked) -> str:
         least(coalesce(stands_s, next_s) - begin_s, end_s - begin_s, day_s) AS until_s
       FROM stood JOIN ends USING (recording_sha256, lane)
       JOIN days ON since_s < begin_s + day_s AND least(coalesce(stands_s, next_s), end_s) > begin_s
+      UNION ALL
+      SELECT lane, days.day, length_m, greatest(next.first_s - days.begin_s, 0) AS from_s,
+        least(next.end_s - days.begin_s, days.day_s) AS until_s
+      FROM came JOIN ends USING (recording_sha256, lane)
+      JOIN ends AS next USING (lane)
+      JOIN days ON next.first_s < days.begin_s + days.day_s AND next.end_s > days.begin_s
+      WHERE next.first_s BETWEEN ends.end_s - 0.001 AND ends.end_s + {STANDS_S} AND (reason = '{_STOOD}'
+        OR (reason = '{_STOPPED}' AND came.begin_s + until_s > ends.end_s - {AT_END_S}))
     ), unsure_cells AS (
       SELECT *, unnest(range(floor(from_s / {step})::BIGINT, ceil(until_s / {step})::BIGINT)) AS nth
       FROM rear_unseen
@@ -264,11 +275,14 @@ def _kind_sql(limits_m: Sequence[float]) -> str:
 
 
 def _percentile_sql(percent: float) -> str:
-    """After a comma the percentile: between the two speeds beside place n p + (p + 1) / 3 (type 8)."""
+    """After a comma the percentile: between the two speeds beside place n p + (p + 1) / 3 (type 8); none of
+    too few.
+    """
     p = percent / 100
     at = f"least(n, greatest(1, (n + 1 / 3.0) * {p!r} + 1 / 3.0))"
     low, high = f"rising[floor({at})::BIGINT]", f"rising[ceil({at})::BIGINT]"
-    return f', {low} + ({at} - floor({at})) * ({high} - {low}) AS "{percentile_column(percent)}"'
+    value, needs = f"{low} + ({at} - floor({at})) * ({high} - {low})", vehicles_for_interval(percent)
+    return f', CASE WHEN n >= {needs} THEN {value} END AS "{percentile_column(percent)}"'
 
 
 def _told(row: dict[str, Any], site: str, asked: Asked) -> dict[str, Any]:
@@ -286,12 +300,12 @@ def _told(row: dict[str, Any], site: str, asked: Asked) -> dict[str, Any]:
         "measured": row["n"] or 0,
         "flow_per_hour": 3600 * vehicles / watched_s if enough else None,
         "occupancy_ratio": (row["occupied_s"] or 0.0) / watched_s if enough and not row["unsure"] else None,
-        "reason": _reason(row, vehicles, enough),
+        "reason": _reason(row, vehicles, enough, asked.percents),
     }
     return {name: told[name] for name in columns_of(asked)}
 
 
-def _reason(row: dict[str, Any], vehicles: int, enough: bool) -> str | None:
+def _reason(row: dict[str, Any], vehicles: int, enough: bool, percents: Sequence[float]) -> str | None:
     said = []
     if row["watched_s"] < row["length_s"] - 1e-6:
         rest = "" if enough else ", too little for a flow"
@@ -300,6 +314,9 @@ def _reason(row: dict[str, Any], vehicles: int, enough: bool) -> str | None:
         said.append("no vehicle")
     elif not row["n"]:
         said.append("no speed could be measured")
+    else:
+        few = [one for one in percents if row[percentile_column(one)] is None]
+        said += [str(too_few_for(one, row["n"])) for one in few]
     if row["unsure"]:
         said.append("the rear of a vehicle that stood was not seen")
     return "; ".join(said) or None

@@ -49,7 +49,8 @@ class Recorded:
     last.
 
     `sha256`: of the file it was read from, which names it in the archive. `lanes`: those of the rig that are
-    told of; none: vehicles are of the lane that it stood at.
+    told of; none: vehicles are of the lane that it stood at. `u_start_s`: of its start (k = 1), as the file
+    says; 0: it does not.
     """
 
     name: str
@@ -57,6 +58,7 @@ class Recorded:
     duration_s: float
     passings: tuple[Passing, ...]
     lanes: tuple[str, ...] = ()
+    u_start_s: float = 0.0
 
     def lane_of(self, one: Passing, stood: Stood) -> str:
         """A vehicle's lane in the archive; empty where the rig has lanes and its own is not known."""

@@ -65,21 +65,30 @@ class Results:
     clock: Clock
     watched_s: float | None
     vehicles: tuple[VehicleMotion, ...]
+    site: str = ""
 
-    def traffic(self, minutes: int) -> tuple[ScanTraffic, ...]:
-        """By direction and lane, in intervals of `minutes`. Speeds need no review here."""
+    def seen(self, number: int, minutes: int) -> tuple[Watched, list[VehicleMotion]]:
+        """What was watched for intervals of `minutes`, as the recording of that number, and its vehicles."""
         if self.watched_s is not None:
-            return self._of(self.clock, self.watched_s, 0.0, minutes)
+            return self._seen(number, self.clock, self.watched_s, 0.0)
         start, long_s = datetime.fromisoformat(self.clock.at()), 60.0 * minutes
         before_s = (60 * start.minute + start.second + start.microsecond / 1e6) % long_s
         last_s = max(one.since_s or 0.0 for one in self.vehicles)
         whole_s = long_s * max(1, ceil((before_s + last_s + 1e-6) / long_s))
-        return self._of(StatedClock(start - timedelta(seconds=before_s)), whole_s, before_s, minutes)
+        return self._seen(number, StatedClock(start - timedelta(seconds=before_s)), whole_s, before_s)
 
-    def _of(self, clock: Clock, watched_s: float, by_s: float, minutes: int) -> tuple[ScanTraffic, ...]:
-        found = [replace(one, since_s=(one.since_s or 0.0) + by_s) for one in self.vehicles]
-        watched = [Watched(0, self.name, clock, watched_s)]
-        return traffic_of_seen(watched, found, minutes, accepted_only=False)
+    def _seen(
+        self, number: int, clock: Clock, watched_s: float, by_s: float
+    ) -> tuple[Watched, list[VehicleMotion]]:
+        cars = [replace(one, scan_id=number, since_s=(one.since_s or 0.0) + by_s) for one in self.vehicles]
+        return Watched(number, self.name, clock, watched_s, site=self.site), cars
+
+
+def traffic_of(results: Sequence[Results], minutes: int) -> tuple[ScanTraffic, ...]:
+    """By recording, direction and lane, in intervals of `minutes`. Speeds need no review here."""
+    seen = [one.seen(number, minutes) for number, one in enumerate(results)]
+    cars = [car for _, found in seen for car in found]
+    return traffic_of_seen([watched for watched, _ in seen], cars, minutes, accepted_only=False)
 
 
 def results_in(place: Path) -> tuple[list[Results], list[str]]:
@@ -240,6 +249,7 @@ def _of_archive(folder: Path) -> Iterator[Results]:
                 Filming(one["start_at"], one["zone"]),
                 sum(each["to_s"] - each["from_s"] for each in rows),
                 _motions(cars, u_start_s=one["u_start_s"]),
+                site,
             )
 
 

@@ -42,7 +42,10 @@ def read_recorded(path: Path, duration_s: float | None) -> Recorded:
     assert duration_s is not None
     check_passings(path, passings, duration_s)
     lanes = _lanes(path, whole, passings)
-    return Recorded(path.name, hashlib.sha256(data).hexdigest(), float(duration_s), passings, lanes)
+    told = (whole or {}).get("u_start_s")
+    u_start_s = float(told) if is_number(told) and told > 0 else 0.0
+    sha256 = hashlib.sha256(data).hexdigest()
+    return Recorded(path.name, sha256, float(duration_s), passings, lanes, u_start_s)
 
 
 def vehicles_in(path: Path, data: bytes) -> tuple[dict[str, Any] | None, list[Any]]:

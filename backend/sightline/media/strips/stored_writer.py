@@ -36,9 +36,9 @@ Progress = Callable[[float], None]
 class StoredStrip:
     """A stored form, whole on disk: what is in it, and its SHA-256 (hex).
 
-    `bits`: of the camera, as its brightest pixel tells; `saturated`: share of pixels at the largest value,
-    from every 16th line; `notes`: what the recorder said, the lost lines of which are filled in and counted
-    in `lines`.
+    `bits`: of the camera, as its brightest pixel tells; `saturated`: share of pixels at the largest value
+    of so many bits, from every 16th line; `notes`: what the recorder said, the lost lines of which are
+    filled in and counted in `lines`.
     """
 
     path: Path
@@ -124,9 +124,11 @@ class _Pyramid:
         if level + 1 < len(self.lines):
             self._offer(level + 1, quartered(tile))
         if level == 0:
-            self.brightest = max(self.brightest, brightest_of(tile))
+            bits, self.brightest = depth_of(self.brightest), max(self.brightest, brightest_of(tile))
+            if depth_of(self.brightest) > bits:
+                self.saturated = 0  # what was the largest value until here was none
             some = tile[::_LOOKED_AT]
-            self.saturated += int(np.count_nonzero(some == np.iinfo(self.dtype).max))
+            self.saturated += int(np.count_nonzero(some == (1 << depth_of(self.brightest)) - 1))
             self.looked_at += some.size
         if tile.shape != self.tile_shape:
             room = np.zeros(self.tile_shape, self.dtype)

@@ -45,7 +45,7 @@ def scan_traffic(
         found += [_seen(scan, one) for one in vehicles_of(session, scan.id)]
         watched_s = scan.lines and scan.lines / scan.rig.line_rate_hz
         clock = None if scan.clock is None else scan.clock.filming
-        watched.append(Watched(scan.id, scan.name, clock, watched_s))
+        watched.append(Watched(scan.id, scan.name, clock, watched_s, scan.rig.line_rate_hz))
     return traffic_of_seen(watched, found, minutes, accepted_only=accepted_only, filmed=filmed)
 
 

@@ -64,13 +64,14 @@ class VehicleMotion:
     """A vehicle as the statistics see it: its standing motion, the gap before it, what is known of it.
 
     `state`: to_review, accepted, rejected, not_measurable; `measured`: it has a motion. `rig`: the planes
-    that this motion was computed with; `rig_baseline_m`: their distance at the vehicle; `rig_errors_m`: what
-    of it all vehicles share (`shared_errors_m`). None where there is no value. `known`: the maker's sizes.
-    `since_s`, `occupied_s`: when it reached camera 1 after line 0, and how long it stood before it (None: its
-    rear was not seen); `front_seen`: False of one in view at line 0; `filmed_at`: the first by the clocks of
-    the place (ISO 8601), empty where its recording has none; `rig_ratio`: what the rig gives to every speed
-    alike, a share of it (k = 1). `run_of`: the car of which it is one run; `references`: what stands of what
-    something else measured. `direction`: which camera it reached first.
+    that this motion was computed with, and their `line_rate_hz`; `rig_baseline_m`: their distance at the
+    vehicle; `rig_errors_m`: what of it all vehicles share (`shared_errors_m`). None where there is no value.
+    `known`: the maker's sizes. `since_s`, `occupied_s`: when it reached camera 1 after line 0, and how long
+    it stood before it (None: its rear was not seen); `front_seen`: False of one in view at line 0;
+    `filmed_at`: the first by the clocks of the place (ISO 8601), empty where its recording has none;
+    `rig_ratio`: what the rig gives to every speed alike, a share of it (k = 1). `run_of`: the car of which it
+    is one run; `references`: what stands of what something else measured. `direction`: which camera it
+    reached first.
     """
 
     vehicle_id: int
@@ -82,6 +83,7 @@ class VehicleMotion:
     values: dict[str, float | None] = field(default_factory=dict)
     known: dict[str, float | None] = field(default_factory=dict)
     rig: tuple[float, ...] = ()
+    line_rate_hz: float | None = None
     rig_baseline_m: float = 1.0
     rig_errors_m: tuple[float, float] = (0.0, 0.0)
     status: str = "ok"
@@ -114,6 +116,7 @@ def when_passed(rig: Rig, front_line_1: float, rear_line_1: float, reason: Said 
     of_rig = rig.baseline_m, rig.u_baseline_m, rig.divergence_rad, rig.u_divergence_rad
     return {
         "rig": (*of_rig, rig.baseline_correlation),
+        "line_rate_hz": rig.line_rate_hz,
         "rig_baseline_m": baseline_of(rig)[0],
         "rig_errors_m": shared_errors_m(rig),
         "rig_ratio": speed_ratio_of(rig),

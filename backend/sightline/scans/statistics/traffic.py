@@ -1,7 +1,7 @@
 """Traffic of line scans by intervals, from the database or from a package: pure of where they are."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import partial
 from typing import Annotated, Protocol
@@ -11,8 +11,8 @@ from pydantic import Field
 
 from sightline.enums import ScanDirection
 from sightline.infra.by_name import filled_from
-from sightline.linescan.parts import may_still_stand
-from sightline.linescan.traffic import Interval, Passed, intervals, streams_of
+from sightline.linescan.parts import STANDS_S, may_still_stand, stands_at_end
+from sightline.linescan.traffic import Interval, Passed, Stream, intervals, streams_of
 from sightline.messages.said import Said
 from sightline.recordings.filming import FilmedWithin
 from sightline.scans.statistics.service import VehicleMotion, counts
@@ -20,6 +20,8 @@ from sightline.statistics.distributions import Percentile, percentiles
 
 #: Of the speeds of an interval; the 85th is what limits are set by.
 PERCENTS = (15.0, 50.0, 85.0)
+#: By so much at most the next recording of a stream begins before the one before it ends, as a person tells.
+_SHARED_S = 2.0
 
 
 class Clock(Protocol):
@@ -31,12 +33,24 @@ class Clock(Protocol):
 
 @dataclass(frozen=True)
 class Watched:
-    """A line scan as traffic sees it: its clock (None: the start is not confirmed), how long it is."""
+    """A line scan as traffic sees it: its clock (None: the start is not confirmed), how long it is by its
+    line rate (None: lines are not counted), and at which of several places.
+    """
 
     scan_id: int
     name: str
     clock: Clock | None
     watched_s: float | None
+    line_rate_hz: float | None = None
+    site: str = ""
+
+    @property
+    def span_s(self) -> tuple[float, float] | None:
+        """Its beginning and its end, seconds since 1970; None where they are not known."""
+        if self.clock is None or self.watched_s is None:
+            return None
+        begin_s = datetime.fromisoformat(self.clock.at()).timestamp()
+        return begin_s, begin_s + self.watched_s
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -98,33 +112,66 @@ def traffic_of_seen(
     Directions and lanes that nobody was seen in have none; vehicles that were never measured are told with
     the first.
     Every vehicle counts for flow and occupancy; its speed and length where its motion counts. Intervals are
-    those that begin within the days and hours `filmed`.
+    those that begin within the days and hours `filmed`. Where one stood when a recording ended, the next one,
+    within a minute, tells no occupancy.
     """
+    of_scan: dict[int, list[VehicleMotion]] = {one.scan_id: [] for one in watched}
+    for car in found:
+        of_scan.get(car.scan_id, []).append(car)
+    streams = [streams_of(of_scan[one.scan_id]) for one in watched]
+    stood = [
+        (one.site, stream, span[1])
+        for one, by_stream in zip(watched, streams, strict=True)
+        if (span := one.span_s) is not None
+        for stream, cars in by_stream.items()
+        if any(_stands_at_end(car, span[1] - span[0]) for car in cars)
+    ]
     out = []
-    for one in watched:
-        reason = None if one.clock else Said("scans-traffic-no-start")
-        if one.watched_s is None:
-            reason = Said("scans-traffic-not-read")
-        for stream, cars in streams_of([car for car in found if car.scan_id == one.scan_id]).items():
-            passed = [_passed(car, accepted_only) for car in cars if car.since_s is not None]
-            whole = _intervals(passed, one.clock, one.watched_s, minutes)
-            out.append(
-                ScanTraffic(
-                    scan_id=one.scan_id,
-                    name=one.name,
-                    minutes=minutes,
-                    direction=stream[0],
-                    lane=stream[1],
-                    intervals=tuple(each for each in whole if filmed.holds(each.begins_at)),
-                    unplaced=len(cars) - len(passed),
-                    reason=reason,
-                )
+    for one, by_stream in zip(watched, streams, strict=True):
+        begin_s = (one.span_s or (0.0,))[0]
+        for stream, cars in by_stream.items():
+            before = any(
+                (site, other) == (one.site, stream) and -_SHARED_S <= begin_s - end_s <= STANDS_S
+                for site, other, end_s in stood
             )
+            whole = _traffic(one, cars, stream, minutes, accepted_only, before)
+            within = tuple(each for each in whole.intervals if filmed.holds(each.begins_at))
+            out.append(replace(whole, intervals=within))
     return tuple(out)
 
 
+def _traffic(
+    scan: Watched,
+    found: Sequence[VehicleMotion],
+    stream: Stream,
+    minutes: int,
+    accepted_only: bool,
+    stood_before: bool,
+) -> ScanTraffic:
+    passed = [_passed(one, accepted_only) for one in found if one.since_s is not None]
+    reason = None if scan.clock else Said("scans-traffic-no-start")
+    if scan.watched_s is None:
+        reason = Said("scans-traffic-not-read")
+    elif any(one.line_rate_hz not in (None, scan.line_rate_hz) for one in found):
+        reason = Said("scans-traffic-other-rate")
+    return ScanTraffic(
+        scan_id=scan.scan_id,
+        name=scan.name,
+        minutes=minutes,
+        direction=stream[0],
+        lane=stream[1],
+        intervals=() if reason else _intervals(passed, scan.clock, scan.watched_s, minutes, stood_before),
+        unplaced=len(found) - len(passed),
+        reason=reason,
+    )
+
+
 def _intervals(
-    passed: Sequence[Passed], clock: Clock | None, watched_s: float | None, minutes: int
+    passed: Sequence[Passed],
+    clock: Clock | None,
+    watched_s: float | None,
+    minutes: int,
+    stood_before: bool,
 ) -> tuple[ShownInterval, ...]:
     if clock is None or watched_s is None:
         return ()
@@ -135,8 +182,15 @@ def _intervals(
             begins_at=clock.at(one.begin_s),
             percentiles=percentiles(np.array(one.speeds_mps, dtype=np.float64), PERCENTS),
         )
-        for one in intervals(passed, watched_s, partial(_into_hour_s, clock), minutes)
+        for one in intervals(
+            passed, watched_s, partial(_into_hour_s, clock), minutes, stood_before=stood_before
+        )
     )
+
+
+def _stands_at_end(one: VehicleMotion, watched_s: float) -> bool:
+    rear_s = None if one.occupied_s is None or one.since_s is None else one.since_s + one.occupied_s
+    return stands_at_end(one.reason, rear_s, watched_s)
 
 
 def _passed(one: VehicleMotion, accepted_only: bool) -> Passed:

@@ -11,8 +11,8 @@ from sightline.infra.jobs import registry
 from sightline.infra.jobs.registry import Finish, JobContext
 from sightline.infra.version import code_version
 from sightline.linescan import faults
-from sightline.linescan.finding import STOPPED, Finder
-from sightline.linescan.parts import STOOD, Motion, Rig
+from sightline.linescan.finding import Finder
+from sightline.linescan.parts import STOOD, STOPPED, Motion, Rig
 from sightline.linescan.rig import gain, misalignment
 from sightline.messages.said import Said
 from sightline.scans.records import RunSummary, Scan, ScanRunValues, ScanValues, ScanVehicle, same_motion

@@ -4,7 +4,7 @@ import { learn, speak } from "../../core/messages";
 import type { ScanTraffic, TrafficInterval } from "../../core/types";
 import { readAt } from "../../parts/figures/reading";
 import { countedWords } from "./counted";
-import { FundamentalFigure, overIntervals, statesOf } from "./TrafficFigures";
+import { busiest, FundamentalFigure, overIntervals, statesOf } from "./TrafficFigures";
 
 afterEach(() => render(null, document.body));
 
@@ -73,6 +73,14 @@ describe("a figure over the day", () => {
     expect(at(0)).toMatchObject({ y: 20, low: null, high: 25 });
     expect([at(1), at(3)]).toEqual([null, null]);
     expect(at(2)).toMatchObject({ y: 15 });
+  });
+});
+
+describe("the flow over the day", () => {
+  it("tells the largest of intervals that were observed whole, where there are any", () => {
+    const part = interval(0, 3600, null, true);
+    expect(busiest([part, interval(1, 720, 20), interval(2, 660, 20)]).flow_per_hour).toBe(720);
+    expect(busiest([part]).flow_per_hour).toBe(3600);
   });
 });
 

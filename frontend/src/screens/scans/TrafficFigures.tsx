@@ -54,10 +54,17 @@ function dayAxis({ intervals }: ScanTraffic) {
   return { type: "utc", label: say("flows-axis-time"), ...domain } as const;
 }
 
+/** The interval with the largest flow; one vehicle in a second that was observed is no flow of an hour. */
+export function busiest(intervals: readonly TrafficInterval[]): TrafficInterval {
+  const whole = intervals.filter((one) => !one.partial);
+  const among = whole.length > 0 ? whole : intervals;
+  return among.reduce((found, one) => (one.flow_per_hour > found.flow_per_hour ? one : found));
+}
+
 const FLOW = ["begins_at", "watched_s", "vehicles", "flow_per_hour", "flow_low", "flow_high"] as const;
 
 export function FlowFigure({ scan, minutes }: { scan: ScanTraffic; minutes: number }) {
-  const most = scan.intervals.reduce((found, one) => (one.flow_per_hour > found.flow_per_hour ? one : found));
+  const most = busiest(scan.intervals);
   return (
     <PlotFigure
       name={`traffic-flow-${placeOf(scan)}`}
