@@ -36,6 +36,7 @@ from sightline.vehicles.catalogue.store import (
     METRES,
     UNIT_WORDS,
     Key,
+    alike,
     changes,
     import_catalogue_rows,
     key_of,
@@ -259,16 +260,10 @@ def _nothing() -> None:
 def differs(before: CatalogueRow, row: CatalogueRow) -> bool:
     """Whether a size, the last year or the class is known on both sides and not the same."""
     pairs = ((getattr(before, name), getattr(row, name)) for name in _COMPARED)
-    return any(not (_empty(old) or _empty(new)) and not _alike(old, new) for old, new in pairs)
+    return any(not (_empty(old) or _empty(new)) and not alike(old, new) for old, new in pairs)
 
 
 _COMPARED = (*(f"{name}_m" for name in SIZES), "category", "year_to")
-
-
-def _alike(old: object, new: object) -> bool:
-    if isinstance(old, float) and isinstance(new, float):
-        return abs(old - new) <= 5e-7  # files carry six decimals
-    return old == new
 
 
 def _differences(before: CatalogueRow, row: CatalogueRow) -> Said:
@@ -276,7 +271,7 @@ def _differences(before: CatalogueRow, row: CatalogueRow) -> Said:
     found = []
     for name in SIZES:
         old, new = before.size(name), row.size(name)
-        if old is not None and new is not None and not _alike(old, new):
+        if old is not None and new is not None and not alike(old, new):
             source = before.source_of(name)
             said = f"{name} {old:.3f} m" + (f" ({source})" if source else "")
             found.append(Said("catalogue-differs", here=f"{new:.3f} m", there=said))
