@@ -15,6 +15,7 @@ from sqlalchemy import (
 from sightline.enums import VehicleOrigin
 from sightline.infra.audit.vouched import ChangedByEvents, vouched
 from sightline.infra.database.types import (
+    GOES_ALONG,
     UtcDateTime,
     changed_columns,
     columns_for,
@@ -30,7 +31,7 @@ vehicles = Table(
     metadata,
     identity(),
     Column("survey_id", ForeignKey("surveys.id"), nullable=False),
-    Column("recording_id", ForeignKey("recordings.id"), nullable=False, index=True),
+    Column("recording_id", ForeignKey("recordings.id"), nullable=False, index=True, info=GOES_ALONG),
     Column("number", Integer, nullable=False),
     *columns_for(VehicleFields, _LENGTHS, left_out=("check_target", "origin")),
     # driven by to check the measuring: no vehicle of the traffic
