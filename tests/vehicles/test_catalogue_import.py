@@ -242,6 +242,17 @@ def test_what_fills_a_gap_takes_no_u_from_a_size_that_it_repeats(operator: Clien
     assert (niva["height_m"], niva["u_height_m"], niva["height_source"]) == (1.64, 0.005, "tape")
 
 
+def test_another_u_of_the_same_size_is_a_conflict(operator: Client, viewer: Client) -> None:
+    rows = "make,model,height_m,u_height_m\nLada,Niva,1.64,{u}\n"
+    send(operator, rows.format(u="0.017").encode())
+    (row,) = preview(operator, rows.format(u="0.005"))["rows"]
+    assert row["change"] == "conflict" and "u_height_m 0.017" in row["words"]["message"]
+    files = {"file": ("cars.csv", rows.format(u="0.005").encode(), "text/csv")}
+    for answer, u_m in (("keep", 0.017), ("replace", 0.005)):
+        assert operator.post(f"/catalogue/import?on_conflict={answer}", files=files).status_code == 200
+        assert viewer.seen("/catalogue?q=niva")[0]["u_height_m"] == u_m
+
+
 def test_models_are_found_in_any_case_of_any_letters(operator: Client, services: Services) -> None:
     send(operator, "make,model,wheelbase_m\nŠkoda,Rapid É,2.6\nSeat,Ibiza,2.56\n".encode())
     with services.reading() as session:

@@ -258,12 +258,13 @@ def _nothing() -> None:
 
 
 def differs(before: CatalogueRow, row: CatalogueRow) -> bool:
-    """Whether a size, the last year or the class is known on both sides and not the same."""
+    """Whether a size, its u, the last year or the class is known on both sides and not the same."""
     pairs = ((getattr(before, name), getattr(row, name)) for name in _COMPARED)
     return any(not (_empty(old) or _empty(new)) and not alike(old, new) for old, new in pairs)
 
 
-_COMPARED = (*(f"{name}_m" for name in SIZES), "category", "year_to")
+_UNCERTAINTIES = tuple(f"u_{name}_m" for name in SIZES)
+_COMPARED = (*(f"{name}_m" for name in SIZES), *_UNCERTAINTIES, "category", "year_to")
 
 
 def _differences(before: CatalogueRow, row: CatalogueRow) -> Said:
@@ -275,9 +276,9 @@ def _differences(before: CatalogueRow, row: CatalogueRow) -> Said:
             source = before.source_of(name)
             said = f"{name} {old:.3f} m" + (f" ({source})" if source else "")
             found.append(Said("catalogue-differs", here=f"{new:.3f} m", there=said))
-    for field in ("category", "year_to"):
+    for field in (*_UNCERTAINTIES, "category", "year_to"):
         old, new = getattr(before, field), getattr(row, field)
-        if not _empty(old) and not _empty(new) and old != new:
+        if not _empty(old) and not _empty(new) and not alike(old, new):
             found.append(Said("catalogue-differs", here=str(new), there=f"{field} {old}"))
     return with_commas(found)
 
