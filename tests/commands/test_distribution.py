@@ -193,3 +193,14 @@ def test_a_comparison_that_cannot_be_is_refused(
     assert main(["distribution", str(two_years(tmp_path, 0.0)), *arguments]) == 2
     printed = capsys.readouterr()
     assert said in printed.err and printed.err.count("\n") == 1 and not printed.out
+
+
+def test_two_heights_have_no_spread_that_could_be_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "heights.csv"
+    path.write_text("height_m,u_height_m,status\n1.40,0.01,ok\n1.50,0.01,ok\n")
+    assert answer(capsys, path)["all"]["sd_m"]["value"] is None
+    assert main(["distribution", str(path)]) == 0
+    (line,) = (line for line in capsys.readouterr().out.splitlines() if line.strip().startswith("SD"))
+    assert line.split()[:3] == ["SD", "–", "-"] and "needs 3 heights" in line

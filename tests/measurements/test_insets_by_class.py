@@ -59,6 +59,19 @@ def test_a_lorrys_roof_is_right_once_its_class_is_known(
         assert verify_records(session).ok
 
 
+def test_whose_clicks_they_are_stays_when_somebody_else_says_class_or_side(
+    operator: Client, reviewer: Client, services: Services, ground: Ground
+) -> None:
+    vehicle = add_vehicle(operator, ground.recording_id)
+    measure(operator, vehicle["id"], **roof(BOX_M, TRUE_INSET_M))
+    shown = change(reviewer, vehicle, category="lorry")["measurements"][0]
+    assert (shown["revision"], shown["created_by"]["name"]) == (2, "Operator")
+    found = reviewer.seen(f"/statistics?survey={ground.survey_id}&state=all")
+    assert [one["name"] for one in found["operators"]] == ["Operator"]
+    with services.reading() as session:
+        assert verify_records(session).ok
+
+
 def test_an_inset_of_its_own_stays_with_any_class(operator: Client, ground: Ground) -> None:
     vehicle = add_vehicle(operator, ground.recording_id, category="suv")
     own = roof(1.5, 0.4) | {"inset_m": 0.4, "u_inset_m": 0.02}

@@ -148,7 +148,8 @@ def test_it_is_put_in_force_by_a_person_computes_again_and_is_taken_back(
     assert stale.status_code == 409 and "check it again" in error_of(stale)
     assert operator.post(f"{path}/undo").status_code == 409
     made = operator.made(path, body)
-    (job,) = work()
+    drift, job = work()
+    assert (drift.kind, drift.payload["pose_id"]) == ("drift", made["pose_id"])
     assert job.state == "done" and job.result and job.result["heights"] == 3
     recording = operator.seen(f"/recordings/{ground.recording_id}")
     assert recording["pose_id"] == made["pose_id"]

@@ -13,8 +13,9 @@ from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from sightline.measurements.tables import measurements
 from sightline.media.video.writer import write_mp4
+from sightline.quality.checks.turning import store_turned
 from sightline.recordings.csv import RECORDINGS, described
-from sightline.recordings.store import get_recording
+from sightline.recordings.store import get_recording, list_recordings
 from tests.support.app import FRAME_HEIGHT, FRAME_WIDTH, Client, error_of, upload
 from tests.support.ground import Ground, add_pose, add_vehicle, clicks, flat_camera, lay_ground, measure
 
@@ -155,3 +156,36 @@ def test_choosing_a_pose_looks_by_itself_and_without_one_there_is_nothing_to_loo
     assert [(job.kind, job.state) for job in work()] == [("drift", "done")]
     looked = operator.seen(f"/recordings/{recording_id}/drift")
     assert looked["job"] is None and looked["check"] is not None
+
+
+def test_a_pose_that_was_turned_is_looked_at_again_and_flags_what_is_computed_with_it(
+    operator: Client, services: Services, work: Callable[[], list[Job]], ground: Ground
+) -> None:
+    vehicle = add_vehicle(operator, ground.recording_id, last_frame=COUNT - 1)["id"]
+    late = measure(operator, vehicle, frame=BUMP + 3)["id"]
+    operator.made(f"/recordings/{ground.recording_id}/drift", {})
+    work()
+    assert len(flags(operator, late)) == 1
+    with services.writing() as session:
+        users = list_recordings(session, ground.survey_id)
+        made = store_turned(session, ground.pose_id, users, 0.001, 0.0001, 5, actor=None)
+    operator.made(f"/surveys/{ground.survey_id}/computings")
+    assert [job.state for job in work()] == ["done", "done"]
+    assert operator.seen(f"/measurements/{late}")["pose_id"] == made.id
+    assert len(flags(operator, late)) == 1
+
+
+def test_a_pose_made_of_another_recordings_keeps_the_frames_in_which_its_board_stood(
+    operator: Client, services: Services, recording_id: int, ground: Ground
+) -> None:
+    operator.put(f"/recordings/{recording_id}", {"pose_id": ground.pose_id})
+    add_pose(services, ground.recording_id, ground.calibration_id, flat_camera())
+    for gone in (False, True):
+        if gone:
+            assert operator.delete(f"/recordings/{ground.recording_id}").status_code == 204
+        with services.writing() as session:
+            (user,) = (one for one in list_recordings(session, ground.survey_id) if one.id == recording_id)
+            assert user.pose_id is not None
+            made = store_turned(session, user.pose_id, [user], 0.001, 0.0001, 5, actor=None)
+        assert operator.seen(f"/recordings/{recording_id}")["pose_id"] == made.id
+        assert (made.recording_id, made.first_frame, made.last_frame) == (ground.recording_id, 0, 3)

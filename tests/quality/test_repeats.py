@@ -8,7 +8,16 @@ import pytest
 from sightline.infra.services import Services
 from sightline.measurements.click_sigma_store import choose_click_sigma
 from tests.support.app import Client, error_of
-from tests.support.ground import Ground, add_vehicle, clicks, lay_ground, measure, pixel
+from tests.support.ground import (
+    Ground,
+    add_pose,
+    add_vehicle,
+    clicks,
+    flat_camera,
+    lay_ground,
+    measure,
+    pixel,
+)
 
 pytestmark = pytest.mark.dialect
 
@@ -73,6 +82,25 @@ def test_a_persons_own_sigma_fills_in_live_and_stored(
     with services.writing() as session:
         choose_click_sigma(session, ground.survey_id, me, sigma_px=None, pairs=12, actor=me)
     assert measure(operator, vehicle_id, target="taillight")["sigma_px"] == 1.0
+
+
+def test_points_that_were_moved_after_a_repeat_are_not_compared_with_it_when_computed_again(
+    operator: Client, reviewer: Client, services: Services, ground: Ground, work: Any, vehicle_id: int
+) -> None:
+    """Whoever sees how far apart the repeat lies may move their own points there."""
+    first = measure(operator, vehicle_id)
+    moved = pixel(0.6, 0.0, 1.24)
+    measure(reviewer, vehicle_id, target_point=moved, repeat_of=first["id"])
+    points = {name: value for name, value in clicks(1.24).items() if name != "target"}
+    assert operator.put(f"/measurements/{first['id']}", {"revision": 1, **points}).status_code == 200
+    path = f"/surveys/{ground.survey_id}/repeats"
+    (before,) = reviewer.seen(path)["differences"]
+    assert before["difference_m"] == pytest.approx(0.04, abs=1e-9)
+    add_pose(services, ground.recording_id, ground.calibration_id, flat_camera())
+    operator.made(f"/surveys/{ground.survey_id}/computings")
+    work()
+    found = reviewer.seen(path)
+    assert (found["repeats"], found["differences"], found["not_compared"]) == (1, [], 1)
 
 
 @pytest.mark.once

@@ -300,3 +300,18 @@ def test_what_counts_is_held_against_the_chain_and_the_passes(
         edit(place, name, lambda one, row=row: row.items() <= one.items(), **lie)
         reseal(place)
         assert name in str(verify_package(FolderFiles(place)).problem)
+
+
+def test_passes_of_a_deleted_recording_are_counted_nowhere(
+    operator: Client, services: Services, ground: Ground, tmp_path: Path
+) -> None:
+    gone, *_ = fleet(operator, ground, 2)
+    assert operator.delete(f"/recordings/{ground.recording_id}").status_code == 204
+    path = f"/surveys/{ground.survey_id}"
+    counts = operator.seen(path)["counts"]
+    assert (counts["recordings"], counts["vehicles"]) == (0, 0)
+    assert operator.seen(f"{path}/vehicles") == [] == operator.seen(f"{path}/sample")["response"]
+    assert operator.post(f"/vehicles/{gone}/restore").status_code == 404
+    package = written(services, ground.survey_id, tmp_path / "package")
+    assert rows(package, "vehicles.csv") == []
+    verify_package(FolderFiles(package))

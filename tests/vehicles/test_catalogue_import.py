@@ -5,6 +5,8 @@ from typing import Any
 
 import pytest
 
+from sightline.infra.services import Services
+from sightline.vehicles.catalogue.store import catalogue_of_models
 from tests.support.app import Client, error_of
 
 pytestmark = pytest.mark.dialect
@@ -228,6 +230,34 @@ def test_a_u_without_a_unit_has_that_of_its_size(operator: Client, viewer: Clien
     )
     jogger = viewer.seen("/catalogue?q=jogger")[0]
     assert (jogger["u_height_m"], jogger["u_wheelbase_m"]) == (0.0008, 0.0005)
+
+
+def test_what_fills_a_gap_takes_no_u_from_a_size_that_it_repeats(operator: Client, viewer: Client) -> None:
+    send(operator, b"make,model,height_m,u_height_m,height_source\nLada,Niva,1.64,0.005,tape\n")
+    again = b"make,model,height_m,wheelbase_m,source\nLada,Niva,1.640,2.2,a list\n"
+    assert preview(operator, again.decode())["rows"][0]["words"]["message"] == "Fills in wheelbase_m."
+    send(operator, again)
+    niva = viewer.seen("/catalogue?q=niva")[0]
+    assert (niva["wheelbase_m"], niva["wheelbase_source"]) == (2.2, "a list")
+    assert (niva["height_m"], niva["u_height_m"], niva["height_source"]) == (1.64, 0.005, "tape")
+
+
+def test_another_u_of_the_same_size_is_a_conflict(operator: Client, viewer: Client) -> None:
+    rows = "make,model,height_m,u_height_m\nLada,Niva,1.64,{u}\n"
+    send(operator, rows.format(u="0.017").encode())
+    (row,) = preview(operator, rows.format(u="0.005"))["rows"]
+    assert row["change"] == "conflict" and "u_height_m 0.017" in row["words"]["message"]
+    files = {"file": ("cars.csv", rows.format(u="0.005").encode(), "text/csv")}
+    for answer, u_m in (("keep", 0.017), ("replace", 0.005)):
+        assert operator.post(f"/catalogue/import?on_conflict={answer}", files=files).status_code == 200
+        assert viewer.seen("/catalogue?q=niva")[0]["u_height_m"] == u_m
+
+
+def test_models_are_found_in_any_case_of_any_letters(operator: Client, services: Services) -> None:
+    send(operator, "make,model,wheelbase_m\nŠkoda,Rapid É,2.6\nSeat,Ibiza,2.56\n".encode())
+    with services.reading() as session:
+        found = catalogue_of_models(session, [("ŠKODA", "rapid é"), ("seat", "IBIZA"), ("Seat", "Leon")])
+    assert [(one.make, one.wheelbase_m) for one in found] == [("Seat", 2.56), ("Škoda", 2.6)]
 
 
 def test_an_expanded_uncertainty_is_not_read_as_a_standard_one(operator: Client) -> None:

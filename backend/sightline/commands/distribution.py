@@ -234,9 +234,6 @@ def _compared_json(
         name: {**_figure(one.difference), "verdict": one.verdict}
         for name, one in _compared(pair, found, percents)
     }
-    for one in told.values():
-        if one["value"] != one["value"]:  # no number, and JSON has none for it
-            one["value"] = None
     mean = told.pop("mean")
     return {"first": pair[0], "second": pair[1], "percentiles": told, "mean_m": mean}
 

@@ -288,12 +288,12 @@ def pose_in_force(session: Session, context: ClickContext) -> tuple[RoadPose, in
 
 
 def revise_with_what_holds_now(session: Session, before: Measurement, *, actor: int) -> Measurement:
-    """The same clicks with the side, inset and road pose in force now, as a new revision; an inset of its own
-    stays. Raises Conflict without a road pose.
+    """The same clicks with the side, inset and road pose in force now, as a new revision of who clicked; an
+    inset of its own stays. Raises Conflict without a road pose.
     """
     clicks = clicks_to_compute_again(before.values)
     values = values_of_vehicle(session, before.vehicle_id, clicks, actor=actor)
-    return revise_measurement(session, before, values, actor=actor)
+    return revise_measurement(session, before, values, clicked_by=before.created_by, actor=actor)
 
 
 def clicks_to_compute_again(values: MeasurementValues) -> Clicks:

@@ -14,7 +14,7 @@ from sightline.enums import AuditAction, JsonObject
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.audit.hashing import content_hash, plain
-from sightline.infra.audit.records import name_or_somebody
+from sightline.infra.audit.records import Who, name_or_somebody
 from sightline.infra.database.rows import add_row, add_rows, missing, name_of, row_content, who
 from sightline.infra.database.types import now
 from sightline.measurements.again.differences import judged_alike, same_height
@@ -173,10 +173,16 @@ def _contents(session: Session, revision_ids: Sequence[int]) -> dict[int, JsonOb
 
 
 def revise_measurement(
-    session: Session, before: Measurement, values: MeasurementValues, *, actor: int | None
+    session: Session,
+    before: Measurement,
+    values: MeasurementValues,
+    *,
+    clicked_by: Who | None = None,
+    actor: int | None,
 ) -> Measurement:
     """A new revision with other content than `before`, which `require_measurement_revision` gave in the same
-    transaction. Raises Conflict for one that is withdrawn, or a repeat.
+    transaction. `clicked_by`: who stays its operator, for the clicks are the same. Raises Conflict for one
+    that is withdrawn, or a repeat.
     """
     if before.withdrawn:
         raise Conflict("measurements-withdrawn")
@@ -184,7 +190,9 @@ def revise_measurement(
         raise Conflict("measurements-repeat-fixed")
     if values.target != before.values.target:
         _require_alone(session, before, values.target)
-    return append_measurement_revision(session, before, values, withdrawn=False, action="revise", actor=actor)
+    return append_measurement_revision(
+        session, before, values, withdrawn=False, action="revise", clicked_by=clicked_by, actor=actor
+    )
 
 
 def withdraw_measurement(
@@ -326,6 +334,7 @@ def append_measurement_revision(
     *,
     withdrawn: bool,
     action: AuditAction,
+    clicked_by: Who | None = None,
     actor: int | None,
 ) -> Measurement:
     """Write the revision after `before` with its audit event, and give it back.
@@ -356,12 +365,13 @@ def append_measurement_revision(
         withdrawn=withdrawn,
         before=before,
         action=action,
+        clicked_by=clicked_by,
         actor=actor,
         verdict_of_revision=carried,
-        # a verdict that comes with it is read
+        # a verdict that comes with it is read, and another person's name
         made_of=(
             partial(_known, session, to_come, ground, actor)
-            if carried is None
+            if carried is None and clicked_by is None
             else partial(_as_stored, session)
         ),
     )
@@ -391,6 +401,7 @@ def append_revision(
     withdrawn: bool = False,
     before: _Made | None,
     action: AuditAction,
+    clicked_by: Who | None = None,
     actor: int | None,
     verdict_of_revision: int | None = None,
     made_of: Callable[[Row[Any]], _Made],
@@ -400,7 +411,7 @@ def append_revision(
     """
     stamps: dict[str, Any] = {"series_id": series_id, "revision": revision, "withdrawn": withdrawn}
     stamps["verdict_of_revision"] = verdict_of_revision
-    stamps |= {"created_at": now(), "created_by": actor}
+    stamps |= {"created_at": now(), "created_by": actor if clicked_by is None else clicked_by.id}
     row = session.execute(_insert_revision(), {**_row_of(values), **stamps}).one()
     made = made_of(row)
     then = None if before is None else _told(before)

@@ -26,8 +26,11 @@ def add_pose(
     actor: int | None,
     **values: Unpack[NewPose],
 ) -> Pose:
-    """Store a pose taken from frames of a recording and (by default) make it that recording's pose."""
-    recording = get_row(session, recordings, recording_id, "recording", recordings.c.deleted_at.is_(None))
+    """Store a pose taken from frames of a recording and (by default) make it that recording's pose; one that
+    others alone use may have been deleted.
+    """
+    alive = (recordings.c.deleted_at.is_(None),) if attach else ()
+    recording = get_row(session, recordings, recording_id, "recording", *alive)
     _calibration_of_survey(session, values["calibration_id"], recording["survey_id"])
     made_of: dict[str, Any] = dict.fromkeys(("turned_from", "turned_by_rad", "adjusted_from"))
     place = {"survey_id": recording["survey_id"], "recording_id": recording_id}

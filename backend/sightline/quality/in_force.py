@@ -7,6 +7,7 @@ from sightline.infra.database import Session
 from sightline.poses.records import Pose
 from sightline.poses.service import Solved
 from sightline.poses.store import add_pose
+from sightline.recordings.drift_request import request_if_posed
 from sightline.recordings.records import Recording
 from sightline.recordings.store import update_recording
 
@@ -23,15 +24,16 @@ def replace_in_force(
     actor: int,
 ) -> Pose:
     """Store a pose made of `before`, in force for the recordings that use it; measurements keep theirs.
+    Whether cameras moved is looked for again: what was found is of the pose before.
 
     Raises Conflict where no recording uses the pose any more.
     """
     if not users:
         raise Conflict("quality-pose-unused")
-    own = next((one for one in users if one.id == before.recording_id), users[0])
     made = add_pose(
         session,
-        own.id,
+        before.recording_id,
+        attach=any(one.id == before.recording_id for one in users),
         calibration_id=before.calibration_id,
         first_frame=before.first_frame,
         last_frame=before.last_frame,
@@ -48,6 +50,7 @@ def replace_in_force(
         actor=actor,
     )
     for one in users:
-        if one.id != own.id:
+        if one.id != before.recording_id:
             update_recording(session, one.id, {"pose_id": made.id}, actor=actor)
+        request_if_posed(session, one.id, actor=actor)
     return made

@@ -11,6 +11,7 @@ from sightline.cameras.tables import cameras
 from sightline.enums import AuditAction, JsonObject, StreetLighting
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
+from sightline.infra.audit.changing import take_out_along
 from sightline.infra.database.rows import add_row, change_row, get_row, is_held, name_of, named_table
 from sightline.infra.database.types import HOLDS, KEEPS_TIMES, columns_of, now
 from sightline.infra.jobs.store import latest_jobs_of_recordings
@@ -214,13 +215,15 @@ def state_filming_rate(
 
 
 def remove_recording(session: Session, recording_id: int, *, actor: int | None) -> Recording:
-    """Delete (softly) a recording without measurements; its frame table goes. Raises Conflict otherwise.
+    """Delete (softly) a recording without measurements, with its passes; its frame table goes. Raises
+    Conflict otherwise.
 
     The caller removes the media file if `media_in_use` says that nothing else needs it.
     """
     gone = get_recording(session, recording_id)
     if is_held(session, recordings, recording_id):
         raise Conflict("recordings-measured")
+    take_out_along(session, recordings, recording_id, actor=actor)
     remove_frames(session, recording_id)
     change_row(session, recordings, recording_id, {"deleted_at": now()})
     before = {"name": gone.name, "sha256": gone.sha256}

@@ -80,7 +80,7 @@ def _figure(
         percent=percent,
         n_first=counts[0],
         n_second=counts[1],
-        value_m=found.value if np.isfinite(found.value) else None,
+        value_m=found.value,
         U95_low_m=found.U95_low,
         U95_high_m=found.U95_high,
         verdict=one.verdict,

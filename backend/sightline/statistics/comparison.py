@@ -45,7 +45,7 @@ def compare(first: TotalUncertainty, second: TotalUncertainty, percents: Sequenc
 
 
 def _figure(found: TotalFigure | Said | None) -> TotalFigure:
-    return found if isinstance(found, TotalFigure) else TotalFigure(float("nan"), None, None, found)
+    return found if isinstance(found, TotalFigure) else TotalFigure(None, None, None, found)
 
 
 def difference_of_figures(first: Figure, second: Figure) -> Compared:

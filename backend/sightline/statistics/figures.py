@@ -7,13 +7,13 @@ from sightline.messages.said import Said
 
 @dataclass(frozen=True)
 class TotalFigure:
-    """A figure of the true heights with its 95 % interval; `reason` says why there is none.
+    """A figure of the true heights with its 95 % interval; `reason` says why there is none, or no figure.
 
     effect: the design effect, of sampling alone: how much the variance exceeds that of as many vehicles drawn
     one by one.
     """
 
-    value: float
+    value: float | None
     U95_low: float | None
     U95_high: float | None
     reason: Said | None = None

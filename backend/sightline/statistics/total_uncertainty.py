@@ -354,7 +354,7 @@ class TotalUncertainty:
         Of the measured heights' variance the logarithm has a Student interval; 0 where errors explain it all.
         """
         if self.n < 3 or not self._drawn.tells_spread:
-            return TotalFigure(0.0, None, None, self._too_few(max(self.n + 1, 3)))
+            return TotalFigure(None, None, None, self._too_few(max(self.n + 1, 3)))
         apart = np.square(self._height_m - self._mean(self._height_m))
         measured_m2 = self._mean(apart) * self._n / (self._n - 1.0)
         found = self._drawn.sampled(apart - self._mean(apart), height=False)

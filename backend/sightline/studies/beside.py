@@ -3,8 +3,6 @@
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-import numpy as np
-
 from sightline.messages.said import Said
 from sightline.statistics.comparison import difference_of_figures
 from sightline.statistics.figures import Figure, TotalFigure
@@ -54,7 +52,7 @@ def difference_in_cells(before: Figure, after: Figure) -> dict[str, Any]:
     """Two figures, the second less the first, by the fields of `StudyDifference`."""
     one = difference_of_figures(before, after)
     told = one.difference
-    if np.isnan(told.value):
+    if told.value is None:
         return no_difference(told.reason)
     ends = {"low_m": told.U95_low, "high_m": told.U95_high}
     return {"value_m": told.value, **ends, "verdict": one.verdict, "reason": told.reason}

@@ -135,8 +135,11 @@ def remove_vehicle(
 
 
 def restore_vehicle(session: Session, vehicle_id: int, *, actor: int | None) -> Vehicle:
-    """Bring a deleted vehicle back. Raises Conflict for one that is not deleted."""
+    """Bring a deleted vehicle back. Raises Conflict for one that is not deleted, NotFound where its
+    recording is.
+    """
     before = get_row(session, vehicles, vehicle_id, "vehicle")
+    get_row(session, recordings, before["recording_id"], "recording", recordings.c.deleted_at.is_(None))
     if before["deleted_at"] is None:
         raise Conflict("scans-vehicle-not-deleted")
     bring_back_row(session, vehicles, before, actor=actor)

@@ -14,6 +14,7 @@ from sqlalchemy import (
 from sightline.enums import VehicleOrigin
 from sightline.infra.audit.vouched import changed_by_events
 from sightline.infra.database.types import (
+    GOES_ALONG,
     columns_for,
     enum_check,
 )
@@ -24,7 +25,7 @@ vehicles = changed_by_events(
     "vehicles",
     "vehicle",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False),
-    Column("recording_id", ForeignKey("recordings.id"), nullable=False, index=True),
+    Column("recording_id", ForeignKey("recordings.id"), nullable=False, index=True, info=GOES_ALONG),
     Column("number", Integer, nullable=False),
     *columns_for(VehicleFields, _LENGTHS, left_out=("check_target", "origin")),
     # driven by to check the measuring: no vehicle of the traffic

@@ -178,6 +178,16 @@ export function parseSmall(text: string, unit = lengthUnit.value): number | null
   return value === null ? null : unit === "ft" ? (value * METRES_PER_FOOT) / 12 : value / 1000;
 }
 
+/** A typed length in metres; one that was left as it stood is not rounded by having been shown. */
+export function keptLength(text: string, before: number | null | undefined): number | null {
+  return before != null && text === lengthText(before) ? before : parseLength(text);
+}
+
+/** The same of a small length. */
+export function keptSmall(text: string, before: number | null | undefined): number | null {
+  return before != null && text === smallText(before) ? before : parseSmall(text);
+}
+
 function typedNumber(value: number, decimals: number): string {
   return String(Number(value.toFixed(decimals)));
 }

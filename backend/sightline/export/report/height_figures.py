@@ -47,7 +47,8 @@ def _limits(target: Target, standards: Sequence[Standard], unit: LengthUnit) -> 
     shares = {one.limit: one.share for one in target.corrected.shares}
     if target.total is not None:
         told_of = zip(target.corrected.shares, target.total.shares, strict=True)
-        shares |= {one.limit: total.value for one, total in told_of if total.U95_low is not None}
+        known = ((one.limit, total) for one, total in told_of if total.U95_low is not None)
+        shares |= {limit: total.value for limit, total in known if total.value is not None}
     named = ((one.height_m, _short(in_language(one, spoken()).name)) for one in standards)
     return marks.limits_of(named, (low - reach, high + reach), unit, shares)
 

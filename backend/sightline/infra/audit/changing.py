@@ -6,14 +6,14 @@ A row counts its versions; whoever changes it says which one they saw.
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sqlalchemy import Table
+from sqlalchemy import Table, select
 from sqlalchemy.orm import Session
 
 from sightline.enums import AuditAction, JsonObject
 from sightline.infra.audit import trail
 from sightline.infra.audit.vouched import entity_of
-from sightline.infra.database.rows import add_rows, change_row, last_change
-from sightline.infra.database.types import now
+from sightline.infra.database.rows import add_rows, change_row, last_change, named_by
+from sightline.infra.database.types import GOES_ALONG, now
 
 
 def make_rows(
@@ -63,6 +63,14 @@ def take_out_row(
     """Delete a row softly; `named`: what of it the event tells beside."""
     told = ({**{name: before[name] for name in named}, "deleted": False}, {"deleted": True})
     alter_row(session, table, before, {"deleted_at": now()}, "delete", told, actor=actor)
+
+
+def take_out_along(session: Session, table: Table, row_id: int, *, actor: int | None) -> None:
+    """Delete softly what is nothing without a row that goes."""
+    for column in named_by(table, (GOES_ALONG,)):
+        rest = select(column.table).where(column == row_id, column.table.c.deleted_at.is_(None))
+        for row in session.execute(rest.order_by(column.table.c.id)).mappings().all():
+            take_out_row(session, column.table, dict(row), "number", actor=actor)
 
 
 def bring_back_row(session: Session, table: Table, before: Mapping[str, Any], *, actor: int | None) -> None:

@@ -61,17 +61,17 @@ def is_held(
     session: Session, table: Table, row_id: int, ways: tuple[Mapping[str, bool], ...] = (HOLDS,)
 ) -> bool:
     """Whether a row of another table holds this one in one of these ways."""
-    load_tables()
-    holding = (
-        column
-        for other in metadata.tables.values()
-        for column in other.columns
-        if column.info in ways and column.references(table.c.id)
-    )
     return any(
         session.execute(select(column).where(column == row_id).limit(1)).first() is not None
-        for column in holding
+        for column in named_by(table, ways)
     )
+
+
+def named_by(table: Table, ways: tuple[Mapping[str, bool], ...]) -> list[Column[Any]]:
+    """The columns of other tables that name rows of this one in one of these ways."""
+    load_tables()
+    every = (column for other in metadata.tables.values() for column in other.columns)
+    return [column for column in every if column.info in ways and column.references(table.c.id)]
 
 
 def named_table(column: Column[Any]) -> Table:

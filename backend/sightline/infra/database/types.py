@@ -40,6 +40,8 @@ metadata = MetaData(naming_convention=NAMING)
 HOLDS = {"holds": True}
 # This row rests on the times of the row that is named.
 KEEPS_TIMES = {"keeps_times": True}
+# This row is nothing without the row that is named, and is taken out with it.
+GOES_ALONG = {"goes_along": True}
 #: `info` of a column whose rows, while they are not removed, need the file of the media store that it names.
 NEEDS_MEDIA = {"needs_media": True}
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from datetime import datetime
 from itertools import groupby
 from math import sqrt
 
@@ -60,19 +61,20 @@ class Click:
 def clicks_of_survey(session: Session, survey_id: int) -> tuple[Click, ...]:
     """The standing repeats of a survey with what they repeat before them; by repeated measurement."""
     series = [list(found) for _, found in groupby(repeats_of_survey(session, survey_id), lambda one: one.id)]
-    by_first: dict[int, list[Measurement]] = {}
+    by_first: dict[int, list[list[Measurement]]] = {}
     for revisions in series:
         current = revisions[-1]
         if current.repeat_of is not None and not current.withdrawn:
-            by_first.setdefault(current.repeat_of, []).append(current)
+            by_first.setdefault(current.repeat_of, []).append(revisions)
     firsts = {revisions[-1].id: revisions for revisions in series if revisions[-1].repeat_of is None}
     out: list[Click] = []
     for first_id, again in by_first.items():
         if first_id in firsts:
             first = _standing_before(firsts[first_id], again[0])
-            person = author(firsts[first_id], first)
-            found = [(first, person), *((one, one.created_by) for one in again)]
-            out += [_click(session, one, first, who) for one, who in found if who is not None]
+            found = [(first, firsts[first_id]), *((revisions[-1], revisions) for revisions in again)]
+            for one, revisions in found:
+                if (who := author(revisions, one)) is not None:
+                    out.append(_click(session, one, first, who))
     return tuple(out)
 
 
@@ -102,10 +104,17 @@ def _u_clicks(height_m: float | None, budget: Iterable[BudgetPart]) -> float | N
     return sqrt(sum(u * u for u in parts)) if parts and height_m is not None else None
 
 
-def _standing_before(revisions: list[Measurement], again: Measurement) -> Measurement:
-    """The revision that stood when it was first repeated."""
-    before = [one for one in revisions if one.created_at <= again.created_at and not one.withdrawn]
-    return before[-1] if before else revisions[0]
+def _standing_before(revisions: list[Measurement], again: list[Measurement]) -> Measurement:
+    """The points that stood when they were first repeated, computed again as often as the repeat was."""
+
+    def standing(at: datetime) -> list[Measurement]:
+        return [one for one in revisions if one.created_at <= at and not one.withdrawn]
+
+    first = (standing(again[0].created_at) or revisions)[-1]
+    alike = [
+        one for one in standing(again[-1].created_at) if one.values.first_clicks == first.values.first_clicks
+    ]
+    return alike[-1] if alike else first
 
 
 def _click(session: Session, one: Measurement, first: Measurement, person: Who) -> Click:

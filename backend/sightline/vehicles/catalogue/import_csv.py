@@ -36,6 +36,7 @@ from sightline.vehicles.catalogue.store import (
     METRES,
     UNIT_WORDS,
     Key,
+    alike,
     changes,
     import_catalogue_rows,
     key_of,
@@ -257,18 +258,13 @@ def _nothing() -> None:
 
 
 def differs(before: CatalogueRow, row: CatalogueRow) -> bool:
-    """Whether a size, the last year or the class is known on both sides and not the same."""
+    """Whether a size, its u, the last year or the class is known on both sides and not the same."""
     pairs = ((getattr(before, name), getattr(row, name)) for name in _COMPARED)
-    return any(not (_empty(old) or _empty(new)) and not _alike(old, new) for old, new in pairs)
+    return any(not (_empty(old) or _empty(new)) and not alike(old, new) for old, new in pairs)
 
 
-_COMPARED = (*(f"{name}_m" for name in SIZES), "category", "year_to")
-
-
-def _alike(old: object, new: object) -> bool:
-    if isinstance(old, float) and isinstance(new, float):
-        return abs(old - new) <= 5e-7  # files carry six decimals
-    return old == new
+_UNCERTAINTIES = tuple(f"u_{name}_m" for name in SIZES)
+_COMPARED = (*(f"{name}_m" for name in SIZES), *_UNCERTAINTIES, "category", "year_to")
 
 
 def _differences(before: CatalogueRow, row: CatalogueRow) -> Said:
@@ -276,13 +272,13 @@ def _differences(before: CatalogueRow, row: CatalogueRow) -> Said:
     found = []
     for name in SIZES:
         old, new = before.size(name), row.size(name)
-        if old is not None and new is not None and not _alike(old, new):
+        if old is not None and new is not None and not alike(old, new):
             source = before.source_of(name)
             said = f"{name} {old:.3f} m" + (f" ({source})" if source else "")
             found.append(Said("catalogue-differs", here=f"{new:.3f} m", there=said))
-    for field in ("category", "year_to"):
+    for field in (*_UNCERTAINTIES, "category", "year_to"):
         old, new = getattr(before, field), getattr(row, field)
-        if not _empty(old) and not _empty(new) and old != new:
+        if not _empty(old) and not _empty(new) and not alike(old, new):
             found.append(Said("catalogue-differs", here=str(new), there=f"{field} {old}"))
     return with_commas(found)
 

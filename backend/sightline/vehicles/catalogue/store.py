@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, fields
 from typing import Any, get_args
 
-from sqlalchemy import ColumnElement, Select, bindparam, func, insert, select, tuple_, update
+from sqlalchemy import ColumnElement, Select, bindparam, func, insert, select, update
 from sqlalchemy.orm import Session
 
 from sightline.enums import Category, ModelSize, SizeUnit
@@ -71,12 +71,10 @@ def all_of_catalogue(session: Session) -> tuple[CatalogueEntry, ...]:
 
 def catalogue_of_models(session: Session, models: Iterable[tuple[str, str]]) -> tuple[CatalogueEntry, ...]:
     """The models of these makes and names, in any case, retired ones too."""
-    wanted = sorted({(make.lower(), model.lower()) for make, model in models})
-    found: list[CatalogueEntry] = []
-    for start in range(0, len(wanted), 400):
-        both = tuple_(func.lower(catalogue.c.make), func.lower(catalogue.c.model))
-        found += _entries(session, _found("").where(both.in_(wanted[start : start + 400])))
-    return tuple(found)
+    wanted = {(make.lower(), model.lower()) for make, model in models}
+    # SQLite's lower() leaves the Š of Škoda as it is
+    every = _entries(session, _found("")) if wanted else ()
+    return tuple(one for one in every if (one.make.lower(), one.model.lower()) in wanted)
 
 
 def get_catalogue_row(session: Session, entry_id: int) -> CatalogueEntry:
@@ -232,20 +230,31 @@ def import_catalogue_rows(
 
 
 def merge(before: CatalogueRow, given: CatalogueRow) -> CatalogueRow:
-    """What is given, and behind it what was there; a size that is given brings its own u and source."""
+    """What is given, and behind it what was there; a size that is given brings its own u and source, but one
+    that was known alike with a u, and is given without, says nothing new.
+    """
     values: dict[str, Any] = {name: getattr(before, name) for name in _FIELDS}
     for name in _FIELDS:
         value = getattr(given, name)
         if value is not None and value != "":
             values[name] = value
     for name in SIZES:
-        if given.size(name) is not None:
-            values[f"u_{name}_m"] = getattr(given, f"u_{name}_m")
+        new, u_m = given.size(name), getattr(given, f"u_{name}_m")
+        known = u_m is None and getattr(before, f"u_{name}_m") is not None and alike(before.size(name), new)
+        if new is not None and not known:
+            values[f"u_{name}_m"] = u_m
             values[f"{name}_source"] = given.source_of(name) or None
         elif before.size(name) is not None:
             values[f"{name}_source"] = before.source_of(name) or None
     values["make"], values["model"] = before.make, before.model
     return CatalogueRow(**values)
+
+
+def alike(old: object, new: object) -> bool:
+    """Whether two cells of a model say the same."""
+    if isinstance(old, float) and isinstance(new, float):
+        return abs(old - new) <= 5e-7  # files carry six decimals
+    return old == new
 
 
 def changes(before: CatalogueRow, after: CatalogueRow) -> bool:

@@ -4,7 +4,16 @@ import { api } from "../../core/api";
 import { fieldsOf, useForm } from "../../core/form";
 import { say } from "../../core/messages";
 import type { CatalogueRow } from "../../core/types";
-import { lengthText, lengthUnit, parseLength, parseSmall, smallScale, smallText } from "../../core/units";
+import {
+  keptLength,
+  keptSmall,
+  lengthText,
+  lengthUnit,
+  parseLength,
+  parseSmall,
+  smallScale,
+  smallText,
+} from "../../core/units";
 import { CATEGORY_WORDS } from "../../core/words";
 import { bodyOf, type ModelIn, SIZE_WORDS, SIZES, type Size } from "./model";
 
@@ -30,7 +39,7 @@ export function ModelDialog({ row, close, saved }: Props) {
   const { make, model, from, to, category, source } = form.values;
   const [typed, setTyped] = useState<Typed>(() => typedOf(row));
   const [tried, setTried] = useState(false);
-  const sizes = read(typed);
+  const sizes = read(typed, row);
   const years = [from, to].map(yearOf);
   const wrong = !make.trim() || !model.trim() || sizes === null || years.includes(undefined);
   const submit = async () => {
@@ -118,7 +127,7 @@ function SizeFields({ size, typed, tried, change }: SizeProps) {
   );
 }
 
-function typedOf(row: CatalogueRow | null): Typed {
+export function typedOf(row: CatalogueRow | null): Typed {
   const one = (size: Size) => ({
     size: lengthText(row?.[`${size}_m`]),
     u: smallText(row?.[`u_${size}_m`]),
@@ -127,13 +136,13 @@ function typedOf(row: CatalogueRow | null): Typed {
   return Object.fromEntries(SIZES.map((size) => [size, one(size)])) as Typed;
 }
 
-/** The typed sizes in metres; null where one is no number. */
-function read(typed: Typed): Partial<ModelIn> | null {
+/** The typed sizes in metres, those of the row that nobody typed as they are; null where one is no number. */
+export function read(typed: Typed, row: CatalogueRow | null): Partial<ModelIn> | null {
   const values: Record<string, number | string | null> = {};
   for (const size of SIZES) {
     const { size: length, u, source } = typed[size];
-    const metres = length.trim() ? parseLength(length) : null;
-    const uncertainty = u.trim() ? parseSmall(u) : null;
+    const metres = length.trim() ? keptLength(length, row?.[`${size}_m`]) : null;
+    const uncertainty = u.trim() ? keptSmall(u, row?.[`u_${size}_m`]) : null;
     if ((length.trim() && metres === null) || (u.trim() && uncertainty === null)) return null;
     values[`${size}_m`] = metres;
     values[`u_${size}_m`] = uncertainty;

@@ -143,7 +143,7 @@ type TotalFigure = NonNullable<OfTarget["total"]>["shares"][number];
 
 /** The share of true heights in place of that of the corrected ones, where it has an interval. */
 function inTotal(one: TotalFigure | undefined) {
-  if (!one || one.U95_low === null || one.U95_high === null) return {};
+  if (!one || one.value === null || one.U95_low === null || one.U95_high === null) return {};
   return { share: one.value, low: one.U95_low, high: one.U95_high };
 }
 

@@ -59,7 +59,7 @@ const nameOf = (one: Row) =>
     ? `P${plainPercent(one.percent)}`
     : say(one.figure === "mean" ? "study-mean" : "study-sd");
 
-function Percentiles({ found, targets }: { found: Found; targets: readonly Row["target"][] }) {
+export function Percentiles({ found, targets }: { found: Found; targets: readonly Row["target"][] }) {
   const unit = lengthScale()[1];
   const columns = found.figures.filter((one) => one.target === longest(found.figures));
   return (
@@ -67,7 +67,7 @@ function Percentiles({ found, targets }: { found: Found; targets: readonly Row["
       <Table class="table--dense" heads={[say("study-target"), ...columns.map((one) => num(nameOf(one)))]}>
         {targets.map((target) => {
           const rows = found.figures.filter((one) => one.target === target);
-          const reason = rows[0]?.value_m === null ? sentenceOf(rows[0].reason) : null;
+          const reason = rows.length === 1 ? sentenceOf(rows[0]?.reason ?? null) : null; // no figure at all
           return (
             <tr key={target}>
               <th scope="row">
@@ -78,7 +78,7 @@ function Percentiles({ found, targets }: { found: Found; targets: readonly Row["
                 <td colSpan={columns.length}>{reason}</td>
               ) : (
                 rows.map((one) => (
-                  <td key={nameOf(one)} class="num">
+                  <td key={nameOf(one)} class="num" title={sentenceOf(one.reason) ?? undefined}>
                     <Bounded
                       value={plainHeight(one.value_m)}
                       low={one.low_m === null ? null : plainHeight(one.low_m)}

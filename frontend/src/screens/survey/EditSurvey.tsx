@@ -4,7 +4,7 @@ import { useForm } from "../../core/form";
 import { say } from "../../core/messages";
 import { changeSurvey } from "../../core/survey";
 import type { Inset, InsetName, Survey } from "../../core/types";
-import { lengthText, lengthUnit, parseLength } from "../../core/units";
+import { keptLength, lengthText, lengthUnit } from "../../core/units";
 import { INSET_NAMES, INSET_WORDS, insetNote } from "../../core/words";
 import { AskedFields } from "../../parts/vehicles/AskedFields";
 import { PlaceFields, readPlace, typedPlace } from "../../parts/vehicles/PlaceFields";
@@ -97,8 +97,8 @@ function readInsets(typed: Typed, survey: Survey): Record<InsetName, Inset> | st
   const read = {} as Record<InsetName, Inset>;
   for (const key of INSET_NAMES) {
     const before = survey.insets[key];
-    const inset_m = metresOf(typed[key].inset, before?.inset_m);
-    const u_inset_m = metresOf(typed[key].u, before?.u_inset_m);
+    const inset_m = keptLength(typed[key].inset, before?.inset_m);
+    const u_inset_m = keptLength(typed[key].u, before?.u_inset_m);
     if (inset_m === null || u_inset_m === null || u_inset_m < 0) {
       const unit = lengthUnit.value;
       const inset = lengthText(0.12, unit, 2);
@@ -108,9 +108,4 @@ function readInsets(typed: Typed, survey: Survey): Record<InsetName, Inset> | st
     read[key] = { inset_m, u_inset_m, note: before?.note ?? "", code: before?.code ?? null };
   }
   return read;
-}
-
-/** A typed length; one that was left as it stood is not rounded by having been shown. */
-function metresOf(text: string, before: number | undefined): number | null {
-  return before !== undefined && text === lengthText(before) ? before : parseLength(text);
 }

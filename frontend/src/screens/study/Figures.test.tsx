@@ -1,0 +1,24 @@
+import { render } from "preact";
+import { afterEach, expect, it } from "vitest";
+import type { StudyResult } from "../../core/types";
+import { Percentiles } from "./Figures";
+
+afterEach(() => render(null, document.body));
+
+it("a percentile without a value takes none of the others away", () => {
+  const values = { percent: 2.5, needed: 146, count: 50 };
+  const few = { code: "stat-percentile-needs", values, message: "P2.5 needs 146; there are 50" };
+  const row = { target: "driver_eye", n: 50, low_m: null, high_m: null };
+  const figures = [
+    { ...row, figure: "percentile", percent: 2.5, value_m: null, reason: few },
+    { ...row, figure: "percentile", percent: 50, value_m: 1.172, reason: null },
+    { ...row, figure: "mean", percent: null, value_m: 1.181, reason: null },
+    { ...row, target: "roof", n: 1, figure: "mean", value_m: null, reason: few },
+  ];
+  const found = { figures } as unknown as StudyResult["found"];
+  render(<Percentiles found={found} targets={["driver_eye", "roof"]} />, document.body);
+  const [eyes, roofs] = [...document.querySelectorAll("tbody tr")].map((one) => one.textContent);
+  expect(eyes).toMatch(/–.*1\.172.*1\.181/);
+  expect(eyes).not.toContain("needs 146");
+  expect(roofs).toContain("needs 146");
+});
