@@ -21,8 +21,8 @@ def _written() -> set[str]:
                 said = list(zip(("action", "entity"), node.args[2:4], strict=True))
             elif called in FOR_OTHERS and len(node.args) > 3:
                 said = [("action", node.args[3])]
-            elif called == "WrittenOnce":
-                said = [("entity", node.args[0])]
+            elif called in ("table_written_once", "table_changed_by_events"):
+                said = [("entity", node.args[1])]
             for kind, given in said:
                 words = (one.value for one in ast.walk(given) if isinstance(one, ast.Constant))
                 keys |= {f"audit-{kind}-{word}" for word in words if isinstance(word, str)}

@@ -22,7 +22,7 @@ from sightline.enums import (
     ReviewVerdict,
     Target,
 )
-from sightline.infra.audit.vouched import WrittenOnceApart, vouched, written_once
+from sightline.infra.audit.vouched import WrittenOnceApart, table_written_once, vouched
 from sightline.infra.database.types import (
     HOLDS,
     CanonicalJson,
@@ -56,7 +56,7 @@ measurement_series = numbered(
 
 
 # Heights of a survey computed again in one go; each revision that it made names it.
-computings = written_once(
+computings = table_written_once(
     "computings",
     "computing",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
@@ -76,7 +76,7 @@ computings = written_once(
 
 # One row a revision; the one with the highest number is the current one. Of a line scan, points are (line,
 # row) of strip 1, `line_pose_id` is the pose, and what tells a frame is empty.
-measurements = written_once(
+measurements = table_written_once(
     "measurements",
     "measurement",
     Column("series_id", ForeignKey("measurement_series.id"), nullable=False),
@@ -145,7 +145,7 @@ measurements = written_once(
 
 
 # A person's own click sigma in a survey, from repeats; the newest row counts, without a figure the usual one.
-click_sigmas = written_once(
+click_sigmas = table_written_once(
     "click_sigmas",
     "click_sigma",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
@@ -157,7 +157,7 @@ click_sigmas = written_once(
 
 
 # Heights of a survey that are judged by a sample. The audit event names its items and binds the draw.
-lots = written_once(
+lots = table_written_once(
     "lots",
     "lot",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
@@ -188,7 +188,7 @@ lot_items = numbered(
 
 
 # What became of a lot; the newest row counts. `sample`: series judged; `left_out`: reason by series.
-lot_decisions = written_once(
+lot_decisions = table_written_once(
     "lot_decisions",
     "lot_decision",
     Column("lot_id", ForeignKey("lots.id"), nullable=False, index=True),
@@ -203,7 +203,7 @@ lot_decisions = written_once(
 
 
 # `revision` is what the reviewer saw, `result_revision` what the verdict holds for (a fix makes a new one).
-reviews = written_once(
+reviews = table_written_once(
     "reviews",
     "review",
     Column("series_id", ForeignKey("measurement_series.id"), nullable=False),
@@ -223,7 +223,7 @@ Index("ix_reviews_series_id_result_revision", reviews.c.series_id, reviews.c.res
 
 
 # Both tyre contacts of a vehicle on one frame: its direction of travel. The newest row of a vehicle counts.
-wheel_pairs = written_once(
+wheel_pairs = table_written_once(
     "wheel_pairs",
     "wheel_pair",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),

@@ -2,7 +2,7 @@
 
 from sqlalchemy import CheckConstraint, Column, ForeignKey
 
-from sightline.infra.audit.vouched import written_once
+from sightline.infra.audit.vouched import table_written_once
 from sightline.infra.database.types import columns_for
 from sightline.poses.records import NewPose
 
@@ -14,7 +14,7 @@ _KEYS = {
     "adjusted_from": "road_poses.id",
 }
 
-road_poses = written_once(
+road_poses = table_written_once(
     "road_poses",
     "pose",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),

@@ -14,7 +14,7 @@ from sqlalchemy import (
 )
 
 from sightline.enums import CutAlong, Lighting, ScanSource, ScanState, ScanVerdict, TimeAxis, VehicleOrigin
-from sightline.infra.audit.vouched import changed_by_events, written_once
+from sightline.infra.audit.vouched import table_changed_by_events, table_written_once
 from sightline.infra.database.types import (
     KEEPS_TIMES,
     NEEDS_MEDIA,
@@ -30,7 +30,7 @@ from sightline.scans.references.records import ReferenceValues
 _VERSION = {"code_version": 60}
 
 # A pair of strips and the rig that took them. `first` is the camera that a vehicle reaches first.
-scans = changed_by_events(
+scans = table_changed_by_events(
     "scans",
     "scan",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
@@ -82,7 +82,7 @@ scans = changed_by_events(
 )
 
 # One search for vehicles (or one measuring again of those that are known); written once.
-scan_runs = written_once(
+scan_runs = table_written_once(
     "scan_runs",
     "scan_run",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
@@ -91,7 +91,7 @@ scan_runs = written_once(
     *columns_for(ScanRunValues, _VERSION),
 )
 
-scan_vehicles = changed_by_events(
+scan_vehicles = table_changed_by_events(
     "scan_vehicles",
     "scan_vehicle",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
@@ -104,7 +104,7 @@ scan_vehicles = changed_by_events(
 )
 
 # One row a revision of a vehicle's motion, with the rig that it was computed with; written once.
-scan_measurements = written_once(
+scan_measurements = table_written_once(
     "scan_measurements",
     "scan_measurement",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
@@ -129,7 +129,7 @@ scan_measurements = written_once(
 )
 
 # Verdicts on a revision; written once, the newest of a revision counts.
-scan_reviews = written_once(
+scan_reviews = table_written_once(
     "scan_reviews",
     "scan_review",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
@@ -143,7 +143,7 @@ Index("ix_scan_reviews_measurement_id", scan_reviews.c.measurement_id)
 
 # What something else measured of a vehicle (m/s or m); the newest revision of a quantity and source counts,
 # and takes it away where it is withdrawn. Written once.
-scan_references = written_once(
+scan_references = table_written_once(
     "scan_references",
     "scan_reference",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),

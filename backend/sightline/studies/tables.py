@@ -11,10 +11,7 @@ from sqlalchemy import (
     UniqueConstraint,
 )
 
-from sightline.infra.audit.vouched import (
-    changed_by_events,
-    written_once,
-)
+from sightline.infra.audit.vouched import table_changed_by_events, table_written_once
 from sightline.infra.database.types import (
     NEEDS_MEDIA,
     CanonicalJson,
@@ -24,7 +21,7 @@ from sightline.infra.database.types import (
 from sightline.studies.records import StudyFacts
 
 # Surveys joined: which ones at which site and of which year, the fleet, facts of the sites.
-studies = changed_by_events(
+studies = table_changed_by_events(
     "studies",
     "study",
     *columns_for(StudyFacts, {"name": 200}),
@@ -46,7 +43,7 @@ study_members = numbered(
 )
 
 # What a computing found: the figures that its page shows, its package and its report.
-study_results = written_once(
+study_results = table_written_once(
     "study_results",
     "study_result",
     Column("study_id", ForeignKey("studies.id"), nullable=False, index=True),

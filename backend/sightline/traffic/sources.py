@@ -45,7 +45,14 @@ def read_recorded(path: Path, duration_s: float | None) -> Recorded:
     told = (whole or {}).get("u_start_s")
     u_start_s = float(told) if is_number(told) and told > 0 else 0.0
     sha256 = hashlib.sha256(data).hexdigest()
-    return Recorded(path.name, sha256, float(duration_s), passings, lanes, u_start_s)
+    return Recorded(
+        name=path.name,
+        sha256=sha256,
+        duration_s=float(duration_s),
+        passings=passings,
+        lanes=lanes,
+        u_start_s=u_start_s,
+    )
 
 
 def vehicles_in(path: Path, data: bytes) -> tuple[dict[str, Any] | None, list[Any]]:

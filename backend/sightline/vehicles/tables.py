@@ -12,7 +12,7 @@ from sqlalchemy import (
 )
 
 from sightline.enums import VehicleOrigin
-from sightline.infra.audit.vouched import changed_by_events
+from sightline.infra.audit.vouched import table_changed_by_events
 from sightline.infra.database.types import (
     GOES_ALONG,
     columns_for,
@@ -21,7 +21,7 @@ from sightline.infra.database.types import (
 from sightline.vehicles.records import VehicleFields
 
 _LENGTHS = {"make": 100, "model": 200, "model_sizes": 100}
-vehicles = changed_by_events(
+vehicles = table_changed_by_events(
     "vehicles",
     "vehicle",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False),

@@ -3,7 +3,7 @@
 from sqlalchemy import CheckConstraint, Column, ForeignKey, Integer, String
 
 from sightline.cameras.calibrations.records import Detection, NewCalibration
-from sightline.infra.audit.vouched import written_once
+from sightline.infra.audit.vouched import table_written_once
 from sightline.infra.database.types import NEEDS_MEDIA, columns_for, made_columns, numbered
 
 calibration_images = numbered(
@@ -19,7 +19,7 @@ calibration_images = numbered(
 )
 
 
-calibrations = written_once(
+calibrations = table_written_once(
     "calibrations",
     "calibration",
     Column("camera_id", ForeignKey("cameras.id"), nullable=False, index=True),

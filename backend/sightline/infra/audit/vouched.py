@@ -78,12 +78,12 @@ def vouched(mark: Mark) -> dict[str, Any]:
     return {_KEY: mark}
 
 
-def written_once(name: str, entity: AuditEntity, *content: SchemaItem) -> Table:
+def table_written_once(name: str, entity: AuditEntity, *content: SchemaItem) -> Table:
     """A table of rows that never change: a number, `content`, and who made it when (`WrittenOnce`)."""
     return numbered(name, *content, *made_columns(), info=vouched(WrittenOnce(entity)))
 
 
-def changed_by_events(name: str, entity: AuditEntity, *content: SchemaItem) -> Table:
+def table_changed_by_events(name: str, entity: AuditEntity, *content: SchemaItem) -> Table:
     """A table of rows that people change and delete softly (`ChangedByEvents`): a number, `content`, what
     every such row has.
     """

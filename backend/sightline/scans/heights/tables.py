@@ -2,12 +2,12 @@
 
 from sqlalchemy import CheckConstraint, Column, ForeignKey, Integer, UniqueConstraint
 
-from sightline.infra.audit.vouched import written_once
+from sightline.infra.audit.vouched import table_written_once
 from sightline.infra.database.types import columns_for
 from sightline.scans.heights.records import LinePoseValues
 
 # One row a calibration of a scan's camera 1 with the rod; the newest of a scan counts. Written once.
-line_poses = written_once(
+line_poses = table_written_once(
     "line_poses",
     "line_pose",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),

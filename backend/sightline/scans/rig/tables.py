@@ -2,12 +2,12 @@
 
 from sqlalchemy import CheckConstraint, Column, ForeignKey, Integer, UniqueConstraint
 
-from sightline.infra.audit.vouched import written_once
+from sightline.infra.audit.vouched import table_written_once
 from sightline.infra.database.types import columns_for
 from sightline.scans.rig.records import RigCalibrationValues
 
 # One row a calibration; the scan's rig took its values when it was stored. Written once.
-rig_calibrations = written_once(
+rig_calibrations = table_written_once(
     "rig_calibrations",
     "rig_calibration",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),

@@ -2,11 +2,11 @@
 
 from sqlalchemy import BigInteger, CheckConstraint, Column, ForeignKey, Integer, String, Text
 
-from sightline.infra.audit.vouched import changed_by_events
+from sightline.infra.audit.vouched import table_changed_by_events
 from sightline.infra.database.types import NEEDS_MEDIA
 
 # Pictures of the set-up: the rig, the road, the board in place. `position` is their order on the page.
-survey_photographs = changed_by_events(
+survey_photographs = table_changed_by_events(
     "survey_photographs",
     "photograph",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
