@@ -36,5 +36,7 @@ def test_columns_are_described_when_somebody_looks(
             assert described == [0, 1]
             cursor.execute("CREATE TEMPORARY TABLE nothing (id integer)")
             assert cursor.description is None
+            cursor.execute("SELECT FROM pg_roles")
+            assert cursor.description is not None and list(cursor.description) == []
         row = session.execute(text("SELECT 1 AS one, 'b' AS two")).one()
         assert (row.one, row.two) == (1, "b")

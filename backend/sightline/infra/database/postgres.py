@@ -65,7 +65,9 @@ class LazyCursor(psycopg.Cursor[Any]):
     @property
     def description(self) -> Any:
         result = self.pgresult
-        return _Columns(lambda: super(LazyCursor, self).description) if result and result.nfields else None
+        if result is None or not (result.nfields or result.status == psycopg.pq.ExecStatus.TUPLES_OK):
+            return None
+        return _Columns(lambda: super(LazyCursor, self).description)
 
 
 class LimitedConnection(psycopg.Connection[Any]):
