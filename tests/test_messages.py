@@ -319,6 +319,22 @@ def test_numbers_are_said_whole_and_ungrouped_unless_the_sentence_asks() -> None
     assert messages.say("said", {"sentence": 0.000125}) == "0.000125"
 
 
+@pytest.mark.parametrize(
+    ("key", "counted"),
+    [
+        ("report-concluded-of", {"measurements": 0, "vehicles": 0}),
+        ("export-described-otherwise", {"count": 0, "names": "title"}),
+        ("opened-evidence-events-fine", {"count": 0}),
+    ],
+)
+def test_none_is_not_said_to_be_one_in_french_whose_singular_holds_for_0(
+    key: str, counted: dict[str, str | int]
+) -> None:
+    told = messages.say(key, counted, "fr")
+    assert "0" in told
+    assert not re.search(r"\b1\b|\bune?\b", told)
+
+
 def test_a_value_that_is_missing_is_no_sentence() -> None:
     with pytest.raises(ValueError, match="sentence"):
         messages.say("said", {})

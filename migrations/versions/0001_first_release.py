@@ -404,6 +404,7 @@ def create_tables() -> None:
         sa.ForeignKeyConstraint(["camera_id"], ["cameras.id"], name=op.f("fk_calibration_images_camera_id")),
         sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_calibration_images_created_by")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_calibration_images")),
+        sqlite_autoincrement=True,
     )
     op.create_index(
         op.f("ix_calibration_images_camera_id"), "calibration_images", ["camera_id"], unique=False
@@ -670,6 +671,7 @@ def create_tables() -> None:
         sa.ForeignKeyConstraint(["scan_id"], ["scans.id"], name=op.f("fk_uploads_scan_id"), use_alter=True),
         sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_uploads_survey_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_uploads")),
+        sqlite_autoincrement=True,
     )
     op.create_index(op.f("ix_uploads_survey_id"), "uploads", ["survey_id"], unique=False)
     op.create_table(

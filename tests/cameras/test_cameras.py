@@ -1,5 +1,6 @@
 """Cameras: images with their detection; calibrations from images, a clip, and other tools' files."""
 
+import threading
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -8,8 +9,11 @@ import cv2
 import numpy as np
 import pytest
 
+from sightline.cameras.calibrations import images
 from sightline.cameras.calibrations.calibrating import CalibrationRequest, frames_of
 from sightline.infra.jobs.records import Job
+from sightline.infra.services import Services
+from sightline.recordings.calibrating import calibrate_job
 from tests.support.app import Client, error_of, upload
 from tests.support.boards import COLUMNS, FOCAL_PX, HEIGHT, POSES, ROWS, SQUARE_M, WIDTH, picture_bytes, view
 
@@ -100,6 +104,30 @@ def test_removing_an_image(operator: Client, camera_id: int) -> None:
     assert operator.http.get(second["url"]).status_code == 200
 
 
+def test_an_image_removed_while_its_twin_is_added_leaves_the_file(
+    operator: Client, camera_id: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    content = picture_bytes(view(POSES[0]))
+    first, put, removing = (
+        drop(operator, camera_id, content).json(),
+        images.put_bytes,
+        list[threading.Thread](),
+    )
+
+    def meanwhile(services: Services, content: bytes, suffix: str) -> str:
+        key = put(services, content, suffix)
+        removing.append(threading.Thread(target=images.remove_image, args=(services, first["id"], None)))
+        removing[0].start()
+        removing[0].join(0.3)  # without the lock it is through by now
+        return key
+
+    monkeypatch.setattr(images, "put_bytes", meanwhile)
+    second = drop(operator, camera_id, content).json()
+    removing[0].join()
+    assert operator.http.get(first["url"]).status_code == 404
+    assert operator.http.get(second["url"]).status_code == 200
+
+
 def test_calibration_from_images(operator: Client, camera_id: int, work: Work) -> None:
     few = operator.post(f"/cameras/{camera_id}/calibrations", BOARD)
     assert few.status_code == 422
@@ -144,6 +172,23 @@ def test_calibration_from_images(operator: Client, camera_id: int, work: Work) -
     camera = operator.seen(f"/cameras/{camera_id}")
     assert camera["current_calibration_id"] == calibration["id"]
     assert "10 of 12 views" in camera["calibrations"][0]["summary"]["message"]
+
+
+def test_an_image_removed_while_a_calibration_runs_is_in_none(
+    operator: Client, camera_id: int, work: Work, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first, *_ = [drop(operator, camera_id, picture_bytes(view(pose))).json() for pose in POSES[:4]]
+    operator.post(f"/cameras/{camera_id}/calibrations", BOARD)
+    fit = calibrate_job.calibrate_and_check
+
+    def meanwhile(*given: Any) -> Any:
+        assert operator.delete(f"/calibration-images/{first['id']}").status_code == 204
+        return fit(*given)
+
+    monkeypatch.setattr(calibrate_job, "calibrate_and_check", meanwhile)
+    (job,) = work()
+    assert job.state == "failed" and "removed while the calibration ran" in str(job.error)
+    assert operator.seen(f"/cameras/{camera_id}")["calibrations"] == []
 
 
 def test_calibration_from_a_clip(

@@ -1,5 +1,6 @@
 """`sightline export` and `sightline verify` on a stored survey."""
 
+import json
 import sqlite3
 from collections.abc import Iterator
 from pathlib import Path
@@ -7,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from sightline.cli import main
+from sightline.infra.audit import signing
 from sightline.infra.database.engine import make_engine, migrate, session_factory, writing
 from sightline.settings import Settings
 from sightline.surveys.store import create_survey
@@ -53,6 +55,48 @@ def test_an_unknown_survey_or_a_taken_place_is_refused(
     (stored / "taken").write_text("a file")
     assert main(["export", "--survey", "Other", "-o", str(stored / "taken")]) == 2
     assert (stored / "taken").read_text() == "a file"
+
+
+def test_an_earlier_export_gives_way_and_nothing_else_does(
+    stored: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out, videos = stored / "out", stored / "videos"
+    again = ["export", "--survey", "Other", "-o"]
+    assert main([*again, str(out)]) == 0
+    (out / ".DS_Store").write_text("a system's")
+    assert main([*again, str(out)]) == 0
+    assert not (out / ".DS_Store").exists()
+    videos.mkdir()
+    (videos / "road.mp4").write_text("a video")
+    (videos / "SHA256SUMS").write_text(f"{'0' * 64}  road.mp4\n")
+    (out / "notes.txt").write_text("mine")
+    kept = {videos: {"road.mp4", "SHA256SUMS"}, out: {one.name for one in out.iterdir()}}
+    for place, names in kept.items():
+        capsys.readouterr()
+        assert main([*again, str(place)]) == 2
+        assert "contains other files" in capsys.readouterr().err
+        assert {one.name for one in place.iterdir()} == names
+    (videos / "datapackage.json").write_text("{}")
+    (videos / "SHA256SUMS").write_text("no list\n")
+    assert main([*again, str(videos)]) == 2
+
+
+def test_a_change_of_the_key_killed_behind_its_commit_is_taken_up(
+    stored: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def killed(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    assert main(["checkpoint", "-o", str(stored / "first.json")]) == 0
+    with monkeypatch.context() as patched:
+        patched.setattr(signing, "put_in_force", killed)
+        assert main(["checkpoint", "--new-key"]) == 1
+    assert main(["export", "--survey", "1", "-o", str(stored / "out")]) != 0
+    assert "run `sightline checkpoint`" in capsys.readouterr().err
+    assert main(["checkpoint", "-o", str(stored / "second.json")]) == 0
+    first, second = (json.loads((stored / f"{one}.json").read_text()) for one in ("first", "second"))
+    assert [one["key"] for one in second["keys"]] == [first["key"], second["key"]] != [first["key"]] * 2
+    assert main(["export", "--survey", "1", "-o", str(stored / "out")]) == 0
 
 
 def test_a_row_changed_behind_our_back_is_found(

@@ -112,6 +112,17 @@ def test_what_broke_off_goes_on_where_it_was(
     assert running.http.get(f"/api/recordings/{recording_id}").json()["size_bytes"] == path.stat().st_size
 
 
+def test_only_ones_own_upload_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    film = video(tmp_path / "a.mp4", 0)
+    same = {"purpose": "video", "filename": "a.mp4", "size_bytes": film.stat().st_size}
+    under_way = [{**same, "id": 1, "mine": False}]
+    monkeypatch.setattr(Remote, "ask", lambda *_: under_way)
+    with Remote("http://localhost", "t") as server:
+        assert server._begun(1, film) is None
+        under_way.append({**same, "id": 2, "mine": True})
+        assert server._begun(1, film) == "/uploads/2"
+
+
 @pytest.mark.parametrize(
     ("name", "content", "said"),
     [

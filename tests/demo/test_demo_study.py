@@ -15,6 +15,7 @@ from sightline.infra.jobs.store import list_jobs
 from sightline.infra.services import Services
 from sightline.measurements.store import list_measurements
 from sightline.recordings.store import list_recordings
+from sightline.studies.store import list_studies, newest_result
 from sightline.vehicles.store import list_vehicles_of_recording
 from tests.support.app import Client
 
@@ -26,9 +27,18 @@ def test_a_site_is_measured_reviewed_and_said_to_be_simulated(
     site = replace(invented.SITES[0], daytime=30, low_light=10)
     monkeypatch.setattr(invented, "SITES", (site,))
     monkeypatch.setattr(invented, "FLEET_CSV", "")  # so few vehicles lack some of its classes
+    with monkeypatch.context() as broken:  # a first try comes as far as the study
+        broken.delattr(invented, "result_of")
+        with services.writing() as session:
+            registry.enqueue(session, STUDY_KIND, {}, survey_id=None, actor=None)
+        assert [job.state for job in work()] == ["failed"]
     with services.writing() as session:
         registry.enqueue(session, STUDY_KIND, {}, survey_id=None, actor=None)
     assert [job.error for job in work()] == [None]
+    with services.reading() as session:
+        (study,) = list_studies(session)
+        computed = newest_result(session, study.id)
+    assert computed is not None
     (survey,) = admin.seen("/surveys")
     assert survey["name"].startswith("Simulated study") and "not filmed" in survey["description"]
     with services.reading() as session:
@@ -61,6 +71,8 @@ def test_a_site_is_measured_reviewed_and_said_to_be_simulated(
         registry.enqueue(session, STUDY_KIND, {}, survey_id=None, actor=None)
     work()
     assert len(admin.seen("/surveys")) == 1
+    with services.reading() as session:
+        assert newest_result(session, study.id) == computed
 
 
 def test_four_sites_have_650_vehicles() -> None:

@@ -14,13 +14,15 @@ import pyarrow.parquet as pq
 import pytest
 
 from sightline.cli import main
-from sightline.errors import NoRoom
+from sightline.errors import NoRoom, SightlineError
 from sightline.export.verify.package import verify_package
 from sightline.infra.csv_package.files import FolderFiles, Staging
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Cancelled
 from sightline.infra.jobs.store import get_job
 from sightline.infra.services import Services
+from sightline.media.store.local import LocalStore
+from sightline.media.store.s3 import StorageAway
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.store import get_recording
 from tests.support.app import Client
@@ -239,6 +241,32 @@ def test_nothing_in_a_cell_runs(package: Path) -> None:
             for cell in row:
                 if cell[:1] in ("=", "+", "-", "@"):
                     float(cell)
+
+
+@pytest.mark.parametrize(
+    "trouble", [StorageAway("store-no-answer", key="k", name="Timeout"), NoRoom("store-disk-full", what="x")]
+)
+def test_storage_that_does_not_answer_stops_an_export(
+    trouble: SightlineError,
+    worked: Ground,
+    services: Services,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    with services.reading() as session:
+        film = get_recording(session, worked.recording_id).media_key
+    local_path = LocalStore.local_path
+
+    def away(store: LocalStore, key: str) -> Path:
+        if key == film:
+            raise trouble
+        return local_path(store, key)
+
+    stills_of(services).forget(worked.recording_id)
+    monkeypatch.setattr(LocalStore, "local_path", away)
+    with pytest.raises(type(trouble)):
+        written(services, worked.survey_id, tmp_path / "export")
+    assert list(tmp_path.glob("*export*")) == []
 
 
 def test_a_video_that_is_gone_gives_reasons_in_the_place_of_crops(

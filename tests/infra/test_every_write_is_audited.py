@@ -216,7 +216,7 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
     "create_api_token": (lambda s, o: None, lambda s, o, _: _token(s, o)),
     "revoke_api_token": (
         lambda s, o: _token(s, o)[0].id,
-        lambda s, o, id_: revoke_api_token(s, o.olga.id, id_),
+        lambda s, o, id_: revoke_api_token(s, o.olga.id, id_, actor=o.olga.id),
     ),
     "create_survey": (lambda s, o: None, lambda s, o, _: create_survey(s, name="B", actor=o.olga.id)),
     "update_survey": (

@@ -39,13 +39,26 @@ def test_the_checks_are_those_of_the_code(engine: Engine) -> None:
         assert {c["name"] for c in found.get_check_constraints(table.name)} == declared, table.name
 
 
+def test_no_number_is_given_out_again_where_rows_go_and_their_numbers_stay(engine: Engine) -> None:
+    if engine.dialect.name == "sqlite":  # PostgreSQL never does
+        with engine.connect() as connection:
+            made = text("SELECT name FROM sqlite_master WHERE sql LIKE '%AUTOINCREMENT%'")
+            counted = set(connection.execute(made).scalars())
+        assert counted == {"uploads", "calibration_images"}
+        assert counted == {
+            one.name for one in metadata.sorted_tables if one.kwargs.get("sqlite_autoincrement")
+        }
+
+
 def test_every_constraint_is_named(engine: Engine) -> None:
     found = inspect(engine)
     for table in metadata.sorted_tables:
         keys = found.get_foreign_keys(table.name)
         named = [*keys, *found.get_unique_constraints(table.name), *found.get_check_constraints(table.name)]
         assert all(one["name"] or _named_at_column(engine, table.name, one) for one in named), table.name
-        assert found.get_pk_constraint(table.name)["name"] == f"pk_{table.name}"
+        # SQLAlchemy writes AUTOINCREMENT at the column, without the key's name
+        nameless = engine.dialect.name == "sqlite" and table.kwargs.get("sqlite_autoincrement")
+        assert found.get_pk_constraint(table.name)["name"] == (None if nameless else f"pk_{table.name}")
         assert len(keys) == len(table.foreign_key_constraints), table.name
 
 

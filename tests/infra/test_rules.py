@@ -11,6 +11,7 @@ from sqlalchemy.orm import Session
 from sightline.cameras.store import choose_calibration, create_camera, get_camera
 from sightline.enums import InsetName
 from sightline.errors import BadInput, Conflict, NotAllowed, NotFound, NotSignedIn
+from sightline.infra.backup.state import needed_media
 from sightline.infra.jobs.store import create_job
 from sightline.measurements.sheets.query import get_sheet, list_sheets
 from sightline.measurements.store import (
@@ -37,7 +38,6 @@ from sightline.recordings.store import (
     get_recording,
     list_recordings,
     note_ingested,
-    recording_media_in_use,
     remove_recording,
     update_recording,
 )
@@ -234,7 +234,7 @@ def test_a_deleted_recording_is_gone_but_its_media_may_be_shared(session: Sessio
     remove_recording(session, other.id, actor=None)
     with pytest.raises(NotFound, match=f"no recording {other.id}"):
         get_recording(session, other.id)
-    assert recording_media_in_use(session, other.media_key)
+    assert needed_media(session, other.media_key)
     assert [r.id for r in list_recordings(session, one.survey.id)] == [one.recording.id]
 
 

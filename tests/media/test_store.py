@@ -10,8 +10,10 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
+from s3transfer.utils import OSUtils
 
 from sightline.errors import BadInput, NoRoom, NotFound, SightlineError
+from sightline.media.atomic import atomic_file
 from sightline.media.store import local
 from sightline.media.store.local import LocalStore, MediaStore, key_of, open_store, sha256_of
 from tests.support.waiting import NEVER_S
@@ -159,6 +161,16 @@ def test_s3_cache_is_bounded_and_refilled(open_s3: OpenS3, tmp_path: Path, video
     held = [p for p in (tmp_path / "cache").rglob("*") if p.is_file()]
     assert sum(p.stat().st_size for p in held) <= 700_000
     assert store.local_path("a/0").read_bytes() == DATA
+
+
+def test_s3_cache_leaves_alone_what_is_on_its_way(open_s3: OpenS3, tmp_path: Path, video: Path) -> None:
+    store = open_s3(cache_bytes=1)
+    store.put_file("a/b", video)
+    with atomic_file(tmp_path / "cache" / "a" / "large", lasting=False) as part:
+        coming = Path(OSUtils().get_temp_filename(str(part)))
+        coming.write_bytes(DATA)
+        store.local_path("a/b")
+        coming.rename(part)
 
 
 def test_s3_fetches_of_two_files_do_not_wait_for_each_other(

@@ -9,6 +9,7 @@ from sightline.errors import BadInput
 from sightline.infra.services import Services
 from sightline.infra.web.cookie import COOKIE
 from sightline.infra.web.person import Person
+from sightline.people import service
 from sightline.people.service import first_sign_in_link, new_sign_in_link
 from sightline.people.store import list_people
 from tests.support.app import Client, error_of
@@ -110,6 +111,54 @@ def test_a_link_for_a_forgotten_password_needs_no_current_one(
     assert back.put("/session/password", {"new": "yet another one"}).status_code == 403
     with pytest.raises(BadInput):
         new_sign_in_link(services, "stranger@example.org")
+
+
+def test_a_new_password_ends_the_links_that_wait(app: FastAPI, services: Services, operator: Client) -> None:
+    link = token_of(new_sign_in_link(services, "operator@example.org"))
+    assert operator.put("/session/password", {"new": PASSWORD}).status_code == 200
+    assert fresh(app).post("/session/link", {"token": link}).status_code == 401
+
+
+def test_whoever_is_switched_off_comes_back_by_no_old_link(
+    app: FastAPI, services: Services, admin: Client, operator: Client
+) -> None:
+    link = token_of(new_sign_in_link(services, "operator@example.org"))
+    me = operator.seen("/session")["person"]
+    for active in (False, True):
+        admin.put(f"/people/{me['id']}", {"name": me["name"], "role": me["role"], "active": active})
+    assert fresh(app).post("/session/link", {"token": link}).status_code == 401
+
+
+def test_a_sign_in_beside_a_change_of_password_is_over_with_the_other_sessions(
+    app: FastAPI, operator: Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    operator.put("/session/password", {"new": PASSWORD})
+    matches, meanwhile = service.matches, ["another password"]
+
+    def overtaken(stored: str | None, password: str) -> bool:
+        if meanwhile and password == PASSWORD:
+            new = {"current": PASSWORD, "new": meanwhile.pop()}
+            assert operator.put("/session/password", new).status_code == 200
+            return True
+        return matches(stored, password)
+
+    monkeypatch.setattr(service, "matches", overtaken)
+    monkeypatch.setattr(type(service._hasher), "check_needs_rehash", lambda *_: True)
+    other, credentials = fresh(app), {"email": "operator@example.org", "password": PASSWORD}
+    other.post("/session", credentials)
+    assert other.get("/session").status_code == 401
+    assert fresh(app).post("/session", credentials).status_code == 401
+    credentials["password"] = "another password"
+    assert fresh(app).post("/session", credentials).status_code == 200
+
+
+@pytest.mark.once
+def test_wrong_passwords_count_at_changing_them_too(operator: Client) -> None:
+    operator.put("/session/password", {"new": PASSWORD})
+    guesses = [{"current": f"guess {n}", "new": "another password"} for n in range(6)]
+    assert [operator.put("/session/password", one).status_code for one in guesses] == [403] * 5 + [429]
+    right = {"current": PASSWORD, "new": "another password"}
+    assert operator.put("/session/password", right).status_code == 429
 
 
 @pytest.mark.once

@@ -90,6 +90,8 @@ def test_a_token_ends_with_its_days_and_with_its_account(
     me = operator.seen("/session")["person"]
     admin.put(f"/people/{me['id']}", {"name": me["name"], "role": me["role"], "active": False})
     assert client.get("/surveys").status_code == 401
+    admin.put(f"/people/{me['id']}", {"name": me["name"], "role": me["role"], "active": True})
+    assert client.get("/surveys").status_code == 401  # for good
 
 
 def test_others_tokens_are_neither_seen_nor_revoked(operator: Client, viewer: Client) -> None:

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 from fastapi.testclient import TestClient
 
@@ -17,6 +18,8 @@ from sightline.recordings.uploads import service
 from sightline.recordings.uploads.store import get_upload
 from sightline.settings import Settings
 from tests.support.app import TUS, Client, announce, error_of, send, upload
+from tests.support.boards import picture_bytes
+from tests.support.scanning_ground import upload_strip
 
 pytestmark = pytest.mark.dialect
 
@@ -86,6 +89,36 @@ def test_the_connection_breaks_in_the_middle(
     assert offset_of(operator, location) == 5000
     assert operator.seen(f"/surveys/{survey_id}/uploads")[0]["offset"] == 5000
     assert send(operator, location, 5000, content[5000:]).headers["Sightline-Recording"]
+
+
+def test_a_part_left_behind_stands_in_no_ones_way(
+    operator: Client, survey_id: int, clip: Path, services: Services
+) -> None:
+    """What a commit that failed leaves, or a database put back to what it was."""
+    folder = service.upload_folder(services)
+    for number in range(1, 4):
+        upload_parts.create(folder, service.part_name(number), 9)
+        upload_parts.append(folder, service.part_name(number), 9, 0, [b"another's"])
+    assert upload(operator, survey_id, clip)
+
+
+def test_a_recording_is_of_who_sent_its_last_byte(
+    operator: Client, admin: Client, survey_id: int, clip: Path, work: Work
+) -> None:
+    content = clip.read_bytes()
+    location = announce(operator, survey_id, "a.mp4", len(content)).headers["Location"]
+    assert send(operator, location, 0, content[:4000]).status_code == 204
+    mine = [one.seen(f"/surveys/{survey_id}/uploads")[0]["mine"] for one in (operator, admin)]
+    assert mine == [True, False]
+    assert send(admin, location, 4000, content[4000:]).status_code == 204
+    assert [job.created_by for job in work()] == [admin.seen("/session")["person"]["id"]]
+
+
+def test_the_number_of_an_upload_given_up_is_no_others(operator: Client, survey_id: int) -> None:
+    gone = announce(operator, survey_id, "a.mp4", 9).headers["Location"]
+    assert operator.http.delete(gone, headers=TUS).status_code == 204
+    assert announce(operator, survey_id, "b.mp4", 9).headers["Location"] != gone
+    assert operator.http.head(gone, headers=TUS).status_code == 404
 
 
 def test_a_server_killed_behind_the_last_byte(
@@ -161,6 +194,27 @@ def test_a_twin_deleted_while_an_upload_ends_does_not_take_its_file_along(
     assert deleted == [first]
     assert [job.state for job in work()] == ["done"]
     assert operator.get(f"/recordings/{second}/frames/3.jpg").status_code == 200
+
+
+def test_what_is_no_video_goes_without_the_file_of_what_is_one(
+    operator: Client, survey_id: int, work: Work, tmp_path: Path, services: Services
+) -> None:
+    """A board's picture and a strip that were uploaded as videos too: they fail, and are taken out."""
+    file = tmp_path / "board.png"
+    file.write_bytes(picture_bytes(np.full((480, 640, 3), 128, np.uint8)))
+    camera_id = operator.made(f"/surveys/{survey_id}/cameras", {"name": "Left"})["id"]
+    path = f"/cameras/{camera_id}/images?columns=9&rows=6"
+    image = operator.post(path, files={"file": ("board.png", file.read_bytes())}).json()
+    strip = upload_strip(operator, survey_id, file.read_bytes(), "board.png")
+    taken = upload(operator, survey_id, file)
+    assert [job.state for job in work()] == ["failed"]
+    assert operator.delete(f"/recordings/{taken}").status_code == 204
+    assert operator.http.get(image["url"]).status_code == 200
+    assert operator.delete(f"/calibration-images/{image['id']}").status_code == 204
+    with services.reading() as session:
+        assert services.media.exists(get_upload(session, strip).media_key)
+    (left,) = (services.settings.data_dir / "media").rglob("*.png")
+    assert left.name.endswith("-strip.png")
 
 
 def test_what_two_names_of_one_video_share_stays_until_both_are_deleted(

@@ -16,6 +16,7 @@ from sightline.linescan.passing import measured
 from sightline.media.lines.followed import FollowedLines
 from sightline.media.lines.piped import PipedLines
 from sightline.media.lines.source import Ending, LineSource, Lost, Piece
+from sightline.media.strips import spool
 from sightline.media.strips.reader import open_strip
 from sightline.media.strips.sheet import Pixels
 from sightline.scans.live.records import Keeper, LiveHealth, LiveVehicle
@@ -264,6 +265,26 @@ def test_segments_begin_where_the_road_is_empty_and_lose_nothing(
     assert sum(kept) == len(twice[0]) + overlap * (len(kept) - 1)
     for one, same in zip(live, whole, strict=True):
         assert one.vehicle.motion.speed_mps == pytest.approx(same.vehicle.motion.speed_mps, rel=2e-3)
+
+
+def test_a_disk_that_is_full_where_a_segment_begins_ends_the_keeping_only(
+    pair: tuple[Pixels, Pixels], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    twice = tuple(np.concatenate([pixels, pixels]) for pixels in pair)
+    whole, _ = run_of(Played(twice), segment_s=1.5)  # type: ignore[arg-type]
+    truncate = spool.Spool._put_words
+
+    def full(made: spool.Spool) -> None:
+        if made.path.name.startswith("0002"):
+            raise OSError(28, "No space left on device")
+        truncate(made)
+
+    monkeypatch.setattr(spool.Spool, "_put_words", full)
+    told, said = run_of(Played(twice), tmp_path, segment_s=1.5)  # type: ignore[arg-type]
+    in_turn = [(one.segment, one.vehicle.number, one.vehicle.motion.speed_mps) for one in told]
+    assert in_turn == [(one.segment, one.vehicle.number, one.vehicle.motion.speed_mps) for one in whole]
+    assert told[-1].segment >= 2
+    assert len([one for one in said if "No space left" in one]) == 1
 
 
 @pytest.mark.parametrize("killed_again", [False, True])

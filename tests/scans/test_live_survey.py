@@ -8,6 +8,7 @@ import sys
 from collections.abc import Iterator
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -15,9 +16,10 @@ from sqlalchemy import update
 
 from sightline.cli import main
 from sightline.infra.audit.verification import verify_records
-from sightline.infra.database.engine import migrate
+from sightline.infra.database.engine import DatabaseAway, migrate
 from sightline.infra.database.types import now
 from sightline.infra.services import Services, open_services
+from sightline.scans.live import keeping
 from sightline.scans.live.records import LiveStream
 from sightline.scans.live.service import flow_of, live_streams
 from sightline.scans.live.state import live_state
@@ -98,6 +100,43 @@ def test_a_stream_becomes_a_recording_whose_vehicles_are_those_of_the_search(
     with services.reading() as session:
         assert list_scan_vehicles(session, scan.id) == before
         assert verify_records(session).ok
+
+
+@pytest.mark.parametrize(("at_begin", "at_end"), [(2, 2), (9, 1)])
+def test_what_a_busy_database_does_not_take_is_stored_with_the_next_second(
+    services: Services,
+    lines: bytes,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    at_begin: int,
+    at_end: int,
+) -> None:
+    def busy(name: str, times: int) -> None:
+        work, left = getattr(keeping, name), [times]
+
+        def tried(*given: Any, **named: Any) -> Any:
+            left[0] -= 1
+            if left[0] >= 0:
+                raise DatabaseAway("database-busy")
+            return work(*given, **named)
+
+        monkeypatch.setattr(keeping, name, tried)
+
+    monkeypatch.setattr(keeping, "AGAIN_S", 0.0, raising=False)
+    busy("create_scan", at_begin)
+    busy("add_scan_run", at_end)
+    path = tmp_path / "lines.raw"
+    path.write_bytes(lines)
+    where = ("--survey", "Hill", "--data-dir", str(tmp_path / "data"))
+    assert main([*STREAM, *where, "--follow", str(path), "--until-idle", "0.3"]) == 0
+    assert "vehicles wait to be stored" in capsys.readouterr().err
+    run_jobs(services)
+    with services.reading() as session:
+        (scan,) = list_scans(session, 1)
+        assert len(list_scan_vehicles(session, scan.id)) == 3
+        assert verify_records(session).ok
+    assert scan.state == "ready" and scan.run is not None and scan.run.found == 3
 
 
 def test_a_killed_stream_of_a_survey_is_taken_up(

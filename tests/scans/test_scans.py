@@ -7,10 +7,13 @@ from typing import Any
 import cv2
 import numpy as np
 import pytest
+from sqlalchemy import update
 
 from sightline.coverage import COVERAGE_95
 from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.tables import jobs
 from sightline.infra.services import Services
+from sightline.scans import read_job
 from sightline.scans.vehicles.measurement_store import scan_measurement_history
 from tests.support.app import Client, error_of
 from tests.support.scanning_ground import RIG, pictures, uploads
@@ -229,6 +232,12 @@ def everything_of_one(
     facts = {"make": "Fiat", "true_length_m": truth.vehicle.length_m, "version": with_wheels["version"]}
     told = operator.put(f"{address}/facts", facts).json()
     assert told["length_error_m"] == pytest.approx(motion["length_m"] - truth.vehicle.length_m)
+    named = {"true_wheelbase_m": 2.5, "facts_source": "a maker", "version": told["version"]}
+    told = operator.put(f"{address}/facts", named).json()
+    assert told["facts_source"] == "a maker"
+    typed = {"true_wheelbase_m": truth.vehicle.wheelbase_m, "version": told["version"]}
+    told = operator.put(f"{address}/facts", typed).json()
+    assert told["facts_source"] is None  # of the size before, not of this one
 
     lines = {name: motion[name] for name in motion if name.endswith(("line_1", "line_2"))}
     lines = {name: lines[name] for name in ("front_line_1", "rear_line_1", "front_line_2", "rear_line_2")}
@@ -306,3 +315,31 @@ def another_baseline(operator: Client, scan: dict[str, Any], work: Work) -> None
         assert ratio == pytest.approx(1.01, abs=0.002) and not other["measurement"]["older"]
     refused = operator.delete(f"/scans/{scan['id']}")
     assert refused.status_code == 409 and "cannot be deleted" in error_of(refused)
+
+
+def test_strips_that_a_twin_takes_along_while_they_are_read_are_read_again(
+    operator: Client,
+    survey_id: int,
+    services: Services,
+    work: Work,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    made = operator.made(f"/surveys/{survey_id}/scans", {**RIG, **uploads(operator, survey_id, tmp_path)})
+    stored, taken = read_job._stored, list[str]()
+
+    def and_gone(*given: Any) -> Any:
+        facts = stored(*given)
+        if not taken:
+            taken.append(facts.first_key)
+            services.media.delete(facts.first_key)
+        return facts
+
+    monkeypatch.setattr(read_job, "_stored", and_gone)
+    assert [job.state for job in work()] == ["queued"]
+    assert operator.seen(f"/scans/{made['id']}")["state"] == "reading"
+    with services.writing() as session:  # its pause is over
+        session.execute(update(jobs).values(not_before=None))
+    assert [job.state for job in work()] == ["done"]
+    assert operator.seen(f"/scans/{made['id']}")["state"] == "ready"
+    assert services.media.exists(taken[0])

@@ -137,19 +137,13 @@ def set_detection(
 
 
 def remove_calibration_image(session: Session, image_id: int, *, actor: int | None) -> CalibrationImage:
-    """Take an image out; the caller removes its file if no other row has its media_key."""
+    """Take an image out; the caller removes its file where `needed_media` does not name it."""
     gone = get_calibration_image(session, image_id)
     camera = get_row(session, cameras, gone.camera_id, "camera")
     session.execute(delete(calibration_images).where(calibration_images.c.id == image_id))
     before = {"camera_id": gone.camera_id, "name": gone.name, "media_key": gone.media_key}
     trail.record(session, actor, "delete", "calibration_image", image_id, camera["survey_id"], before, None)
     return gone
-
-
-def calibration_image_in_use(session: Session, media_key: str) -> bool:
-    """Whether any calibration image still has this file."""
-    query = select(calibration_images.c.id).where(calibration_images.c.media_key == media_key).limit(1)
-    return session.execute(query).first() is not None
 
 
 def _detection_row(detection: Detection) -> dict[str, Any]:

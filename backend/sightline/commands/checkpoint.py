@@ -6,6 +6,7 @@ import click
 
 from sightline.commands.files import write_whole
 from sightline.commands.options import data_dir_option, opened_services, output_option
+from sightline.settings import Settings
 
 
 @click.command("checkpoint")
@@ -19,12 +20,17 @@ def checkpoint(output: Path | None, new_key: bool, data_dir: Path | None) -> Non
     forged package (`sightline verify --key`). Every package is signed in the same way.
     """
     from sightline.infra.audit.checkpoints import hand_on, known_keys, sign_checkpoint
-    from sightline.infra.audit.signing import put_in_force, replacing_key, signing_key
+    from sightline.infra.audit.signing import replacing_key, signing_key, waiting_key
     from sightline.infra.csv_package.schema import json_bytes
 
     with opened_services(data_dir) as services:
         settings = services.settings
         key = signing_key(settings)
+        with services.reading() as session:
+            last = [one["key"] for one in known_keys(session)][-1:]
+        if last not in ([], [key.public]) and (left := waiting_key(settings.data_dir, last[0])):
+            _take_up(settings, left)  # a run was killed behind its commit
+            key = signing_key(settings)
         waiting = None
         with services.writing() as session:
             if new_key:
@@ -34,13 +40,18 @@ def checkpoint(output: Path | None, new_key: bool, data_dir: Path | None) -> Non
             signed = sign_checkpoint(session, key, actor=None)
             document = json_bytes({**signed, "keys": known_keys(session)}).decode()
         if waiting is not None:
-            # after the commit: until then the file waits beside the key in force
-            if settings.signing_key is None:
-                put_in_force(settings.data_dir, waiting)
-            else:
-                click.echo(f"Set SIGHTLINE_SIGNING_KEY on all machines to the key in {waiting}.", err=True)
+            _take_up(settings, waiting)  # after the commit: until then the file waits beside the key in force
     if output is None:
         click.echo(document, nl=False)
     else:
         write_whole(output, document)
         click.echo(f"Signed with key {signed['key']}.")
+
+
+def _take_up(settings: Settings, waiting: Path) -> None:
+    from sightline.infra.audit.signing import put_in_force
+
+    if settings.signing_key is None:
+        put_in_force(settings.data_dir, waiting)
+    else:
+        click.echo(f"Set SIGHTLINE_SIGNING_KEY on all machines to the key in {waiting}.", err=True)

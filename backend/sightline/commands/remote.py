@@ -90,10 +90,10 @@ class Remote:
                 time.sleep(_RETRY_S)
 
     def _begun(self, survey_id: int, video: Path) -> str | None:
-        """Where an upload of this file can go on."""
-        size = video.stat().st_size
+        """Where one's own upload of this file can go on."""
+        wanted = True, "video", video.name, video.stat().st_size
         for one in self.ask(f"/surveys/{survey_id}/uploads"):
-            if (one["purpose"], one["filename"], one["size_bytes"]) == ("video", video.name, size):
+            if (one["mine"], one["purpose"], one["filename"], one["size_bytes"]) == wanted:
                 return f"/uploads/{one['id']}"
         return None
 

@@ -47,7 +47,7 @@ from sightline.reviews.plan_store import choose_review_plan
 from sightline.reviews.store import add_review
 from sightline.statistics.acceptance import USUAL_RISKS
 from sightline.studies.records import StudyFacts, StudySurvey
-from sightline.studies.store import create_study, simulated_study
+from sightline.studies.store import create_study, list_studies, newest_result, simulated_study
 from sightline.studies.study_job import result_of
 from sightline.surveys.records import Asked
 from sightline.surveys.store import create_survey, survey_names
@@ -180,9 +180,10 @@ def make_site(services: Services, site: Site) -> int:
 
 
 def join(session: Session) -> int | None:
-    """The sites as a study, weighted to an invented fleet; None where it was made before."""
-    if simulated_study(session) is not None:
-        return None
+    """The sites as a study, weighted to an invented fleet; None where it was removed or computed before."""
+    if (made := simulated_study(session)) is not None:
+        is_due = any(one.id == made for one in list_studies(session)) and newest_result(session, made) is None
+        return made if is_due else None
     by_name = {name: survey_id for survey_id, (name, _) in survey_names(session).items()}
     facts = StudyFacts(
         name=JOINED,

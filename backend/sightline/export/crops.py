@@ -13,7 +13,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sightline.errors import Damaged, SightlineError
+from sightline.errors import Away, Damaged, NoRoom, SightlineError
 from sightline.infra.csv_package.columns import integer, key, pixel, text
 from sightline.infra.csv_package.files import Staging, Tick, number
 from sightline.infra.csv_package.schema import Cell, Column, Table, ids_of, sha256_hex
@@ -116,6 +116,8 @@ def _picture(services: Services, recording_id: int, frame: int, crc: int) -> Bgr
         if not frame < len(opened.media) or int(opened.media.crc[frame]) != crc:
             raise Damaged("export-frame-not-clicked", frame=frame)
         return services.frames.bgr(opened.media, frame)
+    except (Away, NoRoom):
+        raise  # no fact of the frame: the same export has it another time
     except SightlineError as error:
         return error.message
 

@@ -3449,7 +3449,7 @@ statistics-share = { $standard }, { $height }: <strong>{ $share }</strong> of { 
     [driver_eye] drivers’ eyes
     [taillight] taillights
    *[headlight] headlights
-} are below <muted>({ $low } to { $high }; { NUMBER($below) } of { NUMBER($n) })</muted>
+} are below <muted>({ $low } to { $high }; measured heights: { NUMBER($below) } of { NUMBER($n) })</muted>
 statistics-compared-title = { $second } compared with { $first }
 statistics-compared-figure = Figure
 statistics-compared-mean = Mean
@@ -3546,7 +3546,7 @@ statistics-groups-says = Cumulative distributions of { $target } heights by { $g
     [one] { $count } group
    *[other] { $count } groups
 }
-statistics-groups-note = The { NUMBER($count) } largest of { NUMBER($all) } groups; the table lists all.
+statistics-groups-note = The { NUMBER($count) } largest of { NUMBER($all) } groups; the table lists { NUMBER($listed) }.
 statistics-groups-nothing = { $grouping ->
     [category] Nothing to draw: no vehicle has a category.
     [class_set] Nothing to draw: no vehicle is in a set.
@@ -4793,6 +4793,7 @@ cameras-taken-without-calibration = Camera { $camera } has no calibration to cop
 cameras-taken-from-itself = Camera { $camera } belongs to this survey already; choose one of another survey.
 cameras-no-name = A camera needs a name; enter one.
 cameras-calibration-other-camera = Calibration { $calibration_id } belongs to another camera; choose one of this camera’s.
+cameras-image-gone-meanwhile = An image was removed while the calibration ran; calibrate again.
 cameras-image-without-reason = An image without a board needs a reason; state what was searched for.
 commands-baseline-or-rig = Give either --baseline (with --u-baseline) or --rig.
 
@@ -5018,7 +5019,7 @@ geometry-plan-range = A { $what } of { $value } { $unit } is out of range; give 
 ## Errors: audit
 
 audit-signing-key-unreadable = { $path } contains no signing key (64 hexadecimal digits); put it back from a backup.
-audit-signing-key-another = This machine’s signing key is not the one that the database was signed with; put signing.key back from a backup, or give all machines the same SIGHTLINE_SIGNING_KEY.
+audit-signing-key-another = This machine’s signing key is not the one that the database was signed with; if changing it was interrupted, run `sightline checkpoint`, else put signing.key back from a backup, or give all machines the same SIGHTLINE_SIGNING_KEY.
 audit-other-version = This database was made by another version; verify it with that version, or open it once with this one (`sightline serve`), which updates it.
 audit-guard-missing = The database no longer protects { $table }: a trigger that refuses changes is missing or switched off. Restore a backup, or restore the trigger and find out who removed it.
 audit-not-a-database = { $name } is not a Sightline database, or its beginning is damaged; name the sightline.db of a data folder, or restore a backup.
@@ -5555,6 +5556,7 @@ scans-cuts-unusable = { $what ->
 } { $cut_1 } and { $cut_2 } cannot be cut; choose two different ones from 0 to { $last_px }.
 scans-read-already = { $name } was already imported; there is nothing to do.
 scans-import-failed = { $name } could not be imported; see its error and try again.
+scans-strips-taken-along = Another recording with the same strips was deleted meanwhile; these are read again.
 scans-still-being-recorded = { $name } is still being recorded; its image is available when this part of the stream ends.
 scans-not-ready = { $name } is still being imported; wait until it is ready.
 scans-already-wait-cancel = { $name } is already { $what ->

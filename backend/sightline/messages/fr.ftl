@@ -3447,7 +3447,7 @@ statistics-share = { $standard }, { $height } : <strong>{ $share }</strong> des
     [driver_eye] yeux de conducteur
     [taillight] feux arrière
    *[headlight] projecteurs
-} sont en dessous <muted>({ $low } à { $high } ; { NUMBER($below) } sur { NUMBER($n) })</muted>
+} sont en dessous <muted>({ $low } à { $high } ; hauteurs mesurées : { NUMBER($below) } sur { NUMBER($n) })</muted>
 statistics-compared-title = { $second } comparé à { $first }
 statistics-compared-figure = Grandeur
 statistics-compared-mean = Moyenne
@@ -3544,7 +3544,7 @@ statistics-groups-says = Fonctions de répartition des hauteurs, { $target }, pa
     [one] { $count } groupe
    *[other] { $count } groupes
 }
-statistics-groups-note = Les { NUMBER($count) } plus grands groupes sur { NUMBER($all) } ; le tableau les donne tous.
+statistics-groups-note = Les { NUMBER($count) } plus grands groupes sur { NUMBER($all) } ; le tableau en donne { NUMBER($listed) }.
 statistics-groups-nothing = { $grouping ->
     [category] Rien à tracer : aucun véhicule n’a de catégorie.
     [class_set] Rien à tracer : aucun véhicule n’est dans un groupe.
@@ -4783,6 +4783,7 @@ cameras-taken-without-calibration = La caméra { $camera } n’a pas encore d’
 cameras-taken-from-itself = La caméra { $camera } appartient déjà à ce relevé ; choisissez-en une d’un autre relevé.
 cameras-no-name = Une caméra doit avoir un nom ; donnez-lui-en un.
 cameras-calibration-other-camera = L’étalonnage { $calibration_id } appartient à une autre caméra ; choisissez-en un de cette caméra.
+cameras-image-gone-meanwhile = Une photo a été retirée pendant l’étalonnage ; recommencez-le.
 cameras-image-without-reason = Une photo sans mire demande un motif ; indiquez ce qui a été cherché.
 commands-baseline-or-rig = Donnez soit --baseline (avec --u-baseline), soit --rig.
 
@@ -4892,7 +4893,7 @@ export-frame-not-clicked = L’image { $frame } de la vidéo stockée n’est pa
 export-format-not-known = L’archive a le format { $format }, que cette version de Sightline ne connaît pas ; vérifiez-la avec { $program } ou une version ultérieure.
 export-made-by-another-version = Faite par la version { $program } ; celle-ci est { $mine }.
 export-described-otherwise = datapackage.json énumère chaque fichier avec sa taille et son empreinte ; ses descriptions { $count ->
-    [one] d’un fichier
+    [one] de { $count } fichier
    *[other] de { $count } fichiers
   } (et : { $names }) sont celles de cette version-là ; couvertes par le sceau, non comparées.
 export-statistics-sealed-only = Les statistiques diffèrent de celles de cette version, car une autre version les a calculées ; couvertes par le sceau, non comparées (première différence : { $difference })
@@ -5011,7 +5012,7 @@ geometry-plan-range = { $what } : { $value } { $unit } est hors plage ; indiq
 ## Erreurs : audit
 
 audit-signing-key-unreadable = { $path } ne contient pas de clé de signature (64 chiffres hexadécimaux) ; rétablissez-la depuis une sauvegarde.
-audit-signing-key-another = La clé de signature de cette machine n’est pas celle qui a signé la base de données ; rétablissez signing.key depuis une sauvegarde, ou donnez à toutes les machines le même SIGHTLINE_SIGNING_KEY.
+audit-signing-key-another = La clé de signature de cette machine n’est pas celle qui a signé la base de données ; si un changement de clé a été interrompu, lancez `sightline checkpoint`, sinon rétablissez signing.key depuis une sauvegarde, ou donnez à toutes les machines le même SIGHTLINE_SIGNING_KEY.
 audit-other-version = Cette base de données a été faite par une autre version ; contrôlez-la avec celle-là, ou ouvrez-la une fois avec celle-ci (`sightline serve`), qui la met à jour.
 audit-guard-missing = La base de données ne protège plus { $table } : un déclencheur qui refuse les modifications manque ou est désactivé. Restaurez une sauvegarde, ou rétablissez le déclencheur et cherchez qui l’a retiré.
 audit-not-a-database = { $name } n’est pas une base de données de Sightline, ou son début est endommagé ; nommez le fichier sightline.db d’un dossier de données, ou restaurez une sauvegarde.
@@ -5600,6 +5601,7 @@ scans-cuts-unusable = { $what ->
 } { $cut_1 } et { $cut_2 } ne peuvent pas être extraites ; choisissez-en deux différentes de 0 à { $last_px }.
 scans-read-already = { $name } a déjà été importé ; il n’y a rien à faire.
 scans-import-failed = { $name } n’a pas pu être importé ; voyez son erreur et réessayez.
+scans-strips-taken-along = Un autre enregistrement ayant les mêmes bandes a été supprimé entre-temps ; elles sont relues.
 scans-still-being-recorded = { $name } est encore en cours d’enregistrement ; son image sera disponible quand cette partie du flux se terminera.
 scans-not-ready = { $name } est encore en cours d’import ; attendez qu’il soit prêt.
 scans-already-wait-cancel = { $name } : { $what ->
@@ -6661,7 +6663,7 @@ opened-evidence-text-wrong = Les données ne sont pas dans la forme qui est sign
 opened-evidence-pictures-fine = Les deux images correspondent aux SHA-256 des données.
 opened-evidence-pictures-wrong = Images qui ne correspondent pas aux données : { $named }.
 opened-evidence-events-fine = { $count ->
-    [one] L’événement d’audit correspond à son empreinte.
+    [1] L’événement d’audit correspond à son empreinte.
    *[other] Les { NUMBER($count) } événements d’audit correspondent à leurs empreintes.
   }
 opened-evidence-events-wrong = Événements d’audit qui ne correspondent pas à leurs empreintes : { $named }.
@@ -7741,10 +7743,10 @@ report-conclusion = Conclusion
 report-filmed-on = Filmé : { $moment }
 report-not-covered = Non couvert
 report-concluded-of = { $measurements ->
-    [one] 1 hauteur validée
+    [one] { $measurements } hauteur validée
    *[other] { $measurements } hauteurs validées
  } de { $vehicles ->
-    [one] 1 véhicule
+    [one] { $vehicles } véhicule
    *[other] { $vehicles } véhicules
  }, mesurées sur vidéo depuis le bord de la route.
 report-concluded-rule = P{ $percent } : { $of } ({ $classes }, n = { $n }) : { $value }{ $interval }. { $standard } retient { $limit } : { $verdict }.

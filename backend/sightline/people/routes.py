@@ -62,6 +62,7 @@ def change_person(
         )
     request.app.state.sign_in.forget()
     request.app.state.access.forget()
+    request.app.state.bearers.forget()
     return person
 
 

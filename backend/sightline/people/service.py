@@ -148,10 +148,10 @@ def sign_in(services: Services, attempts: Attempts, email: str, password: str, a
     # With a full disk these wait for another time: who makes room has to get in.
     with suppress(NoRoom), services.writing(SIGN_IN) as session:
         if stored is not None and _hasher.check_needs_rehash(stored):
-            rehash_password(session, person.id, _hasher.hash(password))
+            rehash_password(session, person.id, stored, _hasher.hash(password))
         note_person_seen(session, person.id)
-    with services.reading() as session:
-        return get_person(session, person.id)
+    # As read with the password that fits: a session begun beside a change of it is over with the others.
+    return person
 
 
 def sign_in_by_link(services: Services, attempts: Attempts, token: str, address: str) -> Person:
@@ -173,13 +173,20 @@ def matches(stored: str | None, password: str) -> bool:
 
 
 def change_password(
-    services: Services, person: Person, current: str | None, new: str, by_link: bool
+    services: Services,
+    attempts: Attempts,
+    person: Person,
+    current: str | None,
+    new: str,
+    by_link: bool,
+    address: str,
 ) -> Person:
     """Set a password and end all other sessions. Whoever came by a one-time link need not know the old one.
 
     Raises:
         BadInput: the new one is too short or too long, or spaces or one sign alone.
         NotAllowed: the current one is missing or wrong.
+        TooMany: it was wrong as often as may be at signing in.
     """
     if not MIN_PASSWORD <= len(new) <= MAX_PASSWORD:
         raise BadInput("people-password-length", min_password=MIN_PASSWORD, max_password=MAX_PASSWORD)
@@ -187,8 +194,11 @@ def change_password(
         raise BadInput("people-password-one-sign", least=LEAST_DIFFERENT)
     with services.reading() as session:
         stored = password_hash_of(session, person.id)
-    if stored is not None and not by_link and not matches(stored, current or ""):
-        raise NotAllowed("people-password-wrong")
+    if stored is not None and not by_link:
+        attempts.begin(person.email, address)
+        if not matches(stored, current or ""):
+            raise NotAllowed("people-password-wrong")
+        attempts.succeeded(person.email, address)
     hashed = _hasher.hash(new)
     with services.writing() as session:
         return set_password(session, person.id, hashed, actor=person.id)

@@ -92,8 +92,9 @@ def change_password(
     body: NewPassword, who: InPerson, request: Request, response: Response, services: Wired
 ) -> Me:
     """Set the password; every other session of the person ends."""
-    cookies = _cookies(request)
-    person = service.change_password(services, who, body.current, body.new, cookies.by_link(request))
+    attempts, by_link = request.app.state.attempts, _cookies(request).by_link(request)
+    address = address_of(request)
+    person = service.change_password(services, attempts, who, body.current, body.new, by_link, address)
     return _welcome(request, response, services, person, by_link=False)
 
 

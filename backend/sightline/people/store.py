@@ -18,7 +18,7 @@ from sightline.infra.database.people import people, sign_in_links
 from sightline.infra.database.rows import add_row, change_row, get_row
 from sightline.infra.database.types import now
 from sightline.infra.web.person import Person
-from sightline.people.token_store import token_hash
+from sightline.people.token_store import list_api_tokens, revoke_api_token, token_hash
 
 LINK_LIFETIME = timedelta(days=7)
 
@@ -58,7 +58,10 @@ def create_person(session: Session, *, name: str, email: str, role: Role, actor:
 def update_person(
     session: Session, person_id: int, *, name: str, role: Role, active: bool, actor: int | None
 ) -> Person:
-    """Change name, role or access. Raises Conflict for the last admin; switching off ends sessions."""
+    """Change name, role or access. Raises Conflict for the last admin.
+
+    Switching off ends sessions, one-time links and tokens for good.
+    """
     before = get_person(session, person_id)
     name = _checked(name, role)
     if before.role == "admin" and before.active and not (role == "admin" and active):
@@ -66,6 +69,9 @@ def update_person(
     change: dict[str, Any] = {"name": name, "role": role, "active": active}
     if before.active and not active:
         change["session_key"] = _another_key(before.session_key)
+        _end_links(session, person_id)
+        for token in list_api_tokens(session, person_id):
+            revoke_api_token(session, person_id, token.id, actor=actor)
     change_row(session, people, person_id, change)
     after = get_person(session, person_id)
     what = trail.changed(plain(before), plain(after), ("name", "role", "active"))
@@ -86,8 +92,9 @@ def password_hash_of(session: Session, person_id: int) -> str | None:
 
 
 def set_password(session: Session, person_id: int, hashed: str, *, actor: int | None) -> Person:
-    """Store a new hash and end all their other sessions (a new session_key)."""
+    """Store a new hash and end all their other sessions (a new session_key) and one-time links."""
     before = get_person(session, person_id)
+    _end_links(session, person_id)
     change_row(
         session, people, person_id, {"password_hash": hashed, "session_key": _another_key(before.session_key)}
     )
@@ -110,9 +117,10 @@ def _another_key(before: int) -> int:
     return key
 
 
-def rehash_password(session: Session, person_id: int, hashed: str) -> None:
-    """The same password under newer hash parameters; not a change, so not an event."""
-    change_row(session, people, person_id, {"password_hash": hashed})
+def rehash_password(session: Session, person_id: int, before: str, hashed: str) -> None:
+    """The same password under newer hash parameters, unless it was changed; not a change, so not an event."""
+    same = (people.c.id == person_id, people.c.password_hash == before)
+    session.execute(sql_update(people).where(*same).values(password_hash=hashed))
 
 
 def note_person_seen(session: Session, person_id: int) -> None:

@@ -48,5 +48,5 @@ def make_token(body: NewToken, who: InPerson, services: Wired) -> MadeToken:
 def revoke_token(token_id: PathId, who: InPerson, request: Request, services: Wired) -> None:
     """End a token at once; other processes of the app follow within two seconds."""
     with services.writing() as session:
-        token_store.revoke_api_token(session, who.id, token_id)
+        token_store.revoke_api_token(session, who.id, token_id, actor=who.id)
     request.app.state.bearers.forget()

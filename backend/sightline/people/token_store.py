@@ -74,13 +74,13 @@ def api_token_by_text(session: Session, text: str) -> ApiToken | None:
     return _token(row)
 
 
-def revoke_api_token(session: Session, person_id: int, token_id: int) -> None:
-    """End a token of the person's own. Raises NotFound for others' and for one that was revoked."""
+def revoke_api_token(session: Session, person_id: int, token_id: int, *, actor: int | None) -> None:
+    """End a token of a person's. Raises NotFound for others' and for one that was revoked."""
     own = _t.person_id == person_id, _t.revoked_at.is_(None)
     row = get_row(session, api_tokens, token_id, "token", *own)
     change_row(session, api_tokens, token_id, {"revoked_at": now()})
     before = {"person_id": person_id, "name": row["name"], "scopes": row["scopes"]}
-    trail.record(session, person_id, "revoke", "api_token", token_id, None, before, None)
+    trail.record(session, actor, "revoke", "api_token", token_id, None, before, None)
 
 
 def note_api_token_used(session: Session, token_id: int) -> None:

@@ -10,6 +10,7 @@ from typing import Any
 
 from sightline.enums import Lighting
 from sightline.errors import BadInput, Conflict, NotFound
+from sightline.infra.backup.state import needed_media
 from sightline.infra.database import Session
 from sightline.infra.database.types import now
 from sightline.infra.jobs import registry
@@ -269,7 +270,7 @@ def table_of(found: Ingested) -> FrameTable:
 
 
 def remove_recording(services: Services, recording_id: int, actor: int) -> None:
-    """Delete a recording without measurements, and its files if no other recording has the same content.
+    """Delete a recording without measurements, and its files if nothing else has the same content.
 
     Raises NotFound, Conflict (measurements, or an ingest is running).
     """
@@ -281,7 +282,7 @@ def remove_recording(services: Services, recording_id: int, actor: int) -> None:
     stills_of(services).forget(recording_id)
     # Nobody can record the same content while the lock is held; what was recorded since then keeps it.
     with services.writing() as session:
-        if not recordings.recording_media_in_use(session, recording.media_key):
+        if not needed_media(session, recording.media_key):
             services.media.delete(recording.media_key)
         if not recordings.recording_content_in_use(session, recording.sha256, recording.stream_number):
             copy = recording.report.get("working_copy")

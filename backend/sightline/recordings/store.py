@@ -218,7 +218,7 @@ def remove_recording(session: Session, recording_id: int, *, actor: int | None) 
     """Delete (softly) a recording without measurements, with its passes; its frame table goes. Raises
     Conflict otherwise.
 
-    The caller removes the media file if `media_in_use` says that nothing else needs it.
+    The caller removes the media file if `needed_media` does not name it any more.
     """
     gone = get_recording(session, recording_id)
     if is_held(session, recordings, recording_id):
@@ -274,12 +274,6 @@ def take_back_drift_decision(session: Session, recording_id: int, *, actor: int 
     if before["drift_decision"] is None:
         raise Conflict("recordings-no-decision")
     return _write(session, before, {"drift_decision": None}, "take_back_drift_decision", actor)
-
-
-def recording_media_in_use(session: Session, media_key: str) -> bool:
-    """Whether a recording that was not deleted still has this file."""
-    query = select(recordings.c.id).where(recordings.c.media_key == media_key, _ALIVE).limit(1)
-    return session.execute(query).first() is not None
 
 
 def recording_content_in_use(session: Session, sha256: str, stream_number: int | None) -> bool:

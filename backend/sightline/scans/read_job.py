@@ -6,7 +6,7 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
-from sightline.errors import NotFound
+from sightline.errors import Away, NotFound
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
@@ -55,6 +55,9 @@ def read_scan(context: JobContext) -> Finish:
         raise Cancelled("jobs-cancelled") from stopped
 
     def finish(session: Session) -> Mapping[str, Any]:
+        # Nobody deletes a file while the lock is held.
+        if not all(services.media.exists(key) for key in (facts.first_key, facts.second_key)):
+            raise Away("scans-strips-taken-along")
         note_scan_read(session, scan_id, facts, actor=context.actor)
         place: dict[str, Any] = {"survey_id": scan.survey_id, "actor": context.actor}
         if scan.source != "video":

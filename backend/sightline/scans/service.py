@@ -5,6 +5,7 @@ Finding and measuring their vehicles is in `vehicles.find_job` and `vehicles.mea
 
 from sightline.enums import Lighting, ScanMethod, TimeAxis
 from sightline.errors import BadInput, Conflict
+from sightline.infra.backup.state import needed_media
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
@@ -13,7 +14,7 @@ from sightline.infra.services import Services
 from sightline.linescan.parts import Rig
 from sightline.media.strips.stored_reader import ReaderCache, StripReader
 from sightline.media.video.report import require_clock_of_filming
-from sightline.recordings.store import get_ready_recording, recording_media_in_use
+from sightline.recordings.store import get_ready_recording
 from sightline.recordings.uploads.records import Upload
 from sightline.recordings.uploads.store import get_upload, upload_content_waits
 from sightline.scans import store
@@ -185,7 +186,7 @@ def remove_scan(services: Services, scan_id: int, actor: int) -> None:
 
 
 def tidy(services: Services, scan: Scan) -> None:
-    """Delete those files of a scan that no scan or waiting upload needs any more."""
+    """Delete those files of a scan that nothing needs any more."""
     sources = (
         (scan.first_source_key, scan.first_source_sha256),
         (scan.second_source_key, scan.second_source_sha256),
@@ -196,7 +197,7 @@ def tidy(services: Services, scan: Scan) -> None:
         for key, sha256 in (*sources, *tiled):
             if key is None or sha256 is None:
                 continue
-            needed = store.scan_media_in_use(session, key) or recording_media_in_use(session, key)
+            needed = store.scan_source_in_use(session, key) or needed_media(session, key)
             if not needed and not upload_content_waits(session, sha256):
                 services.media.delete(key)
 

@@ -183,7 +183,7 @@ def remove_scan(session: Session, scan_id: int, *, actor: int | None) -> Scan:
     """Delete (softly) a scan on which nobody worked yet; its vehicles leave all lists with it.
 
     Raises Conflict where a person placed boundaries, filled in facts, calibrated, measured a height or gave
-    a verdict. The caller removes the files that `media_in_use` says nothing needs.
+    a verdict. The caller removes the files that nothing needs.
     """
     gone = get_scan(session, scan_id)
     if scan_worked_on(session, scan_id):
@@ -192,10 +192,9 @@ def remove_scan(session: Session, scan_id: int, *, actor: int | None) -> Scan:
     return gone
 
 
-def scan_media_in_use(session: Session, media_key: str) -> bool:
-    """Whether a scan that was not deleted still needs this file: a tiled form, or a strip yet to be read."""
-    sources = (scans.c.first_source_key == media_key) | (scans.c.second_source_key == media_key)
-    used = or_(scans.c.first_key == media_key, scans.c.second_key == media_key, sources & _unread)
+def scan_source_in_use(session: Session, media_key: str) -> bool:
+    """Whether a scan that was not deleted has yet to be read from this strip."""
+    used = _unread & or_(scans.c.first_source_key == media_key, scans.c.second_source_key == media_key)
     return session.execute(select(scans.c.id).where(used, _ALIVE).limit(1)).first() is not None
 
 

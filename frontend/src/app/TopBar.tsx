@@ -168,19 +168,21 @@ function WorkMenu({ surveyId, name, title }: { surveyId: number; name: PlaceName
   );
 }
 
-function SaveWord() {
+export function SaveWord() {
   const { pending, waiting, savedAt, failed } = saveState.value;
-  const { queued } = outbox.counts.value;
+  const { queued, resting } = outbox.counts.value;
   const word =
     waiting > 0
-      ? say("save-waiting", { count: waiting + queued })
+      ? say("save-waiting", { count: waiting + queued + resting })
       : pending + queued > 0
         ? say("save-pending")
         : failed
           ? say("save-failed")
-          : savedAt
-            ? say("save-done", { time: formatClock(savedAt) })
-            : "";
+          : resting > 0
+            ? say("save-waiting", { count: resting })
+            : savedAt
+              ? say("save-done", { time: formatClock(savedAt) })
+              : "";
   return (
     <span class="topbar__save" role="status" data-testid="save-state">
       {word}

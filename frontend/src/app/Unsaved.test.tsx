@@ -2,6 +2,8 @@ import { render } from "preact";
 import { act } from "preact/test-utils";
 import { afterEach, describe, expect, it } from "vitest";
 import { outbox, type Wish } from "../core/outbox";
+import { saveState } from "../core/save";
+import { SaveWord } from "./TopBar";
 import { Unsaved } from "./Unsaved";
 
 const REFUSED: Wish = {
@@ -28,6 +30,14 @@ function show(wish: Wish): string {
 afterEach(() => {
   render(null, document.body);
   outbox.wishes.value = new Map();
+});
+
+it("the bar does not say saved while something refused rests", () => {
+  saveState.value = { pending: 0, waiting: 0, savedAt: new Date(), failed: false };
+  show(REFUSED);
+  act(() => render(<SaveWord />, document.body));
+  expect(document.querySelector("[data-testid=save-state]")?.textContent).toBe("1 not yet saved");
+  saveState.value = { ...saveState.value, savedAt: null };
 });
 
 describe("what was refused", () => {

@@ -1,6 +1,7 @@
 /** A package that lacks heights says so: at the step of the overview, and in its row of the list. */
 import { render } from "preact";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { me } from "../core/session";
 import { survey } from "../core/survey";
 import type { Survey } from "../core/types";
 import ExportScreen from "../screens/export/ExportScreen";
@@ -67,32 +68,52 @@ it.each([
   expect(said()).toEqual(words);
 });
 
+const entry = (id: number, since: typeof NOTHING) => ({
+  id,
+  since,
+  created_at: "2026-11-26T10:00:00Z",
+  created_by: null,
+  size_bytes: 9,
+  sha256: "a".repeat(64),
+  audit_head: "b".repeat(64),
+  selection: {
+    lighting: null,
+    class_sets: [],
+    categories: [],
+    filmed_from: null,
+    filmed_to: null,
+    hour_from: null,
+    hour_to: null,
+  },
+  language: "en",
+  signing_key: "c".repeat(64),
+  url: `/api/exports/${id}.zip`,
+  filename: "a.zip",
+});
+
 it("each package of the list says what it lacks itself", async () => {
-  const entry = (id: number, since: typeof NOTHING) => ({
-    id,
-    since,
-    created_at: "2026-11-26T10:00:00Z",
-    created_by: null,
-    size_bytes: 9,
-    sha256: "a".repeat(64),
-    audit_head: "b".repeat(64),
-    selection: {
-      lighting: null,
-      class_sets: [],
-      categories: [],
-      filmed_from: null,
-      filmed_to: null,
-      hour_from: null,
-      hour_to: null,
-    },
-    language: "en",
-    signing_key: "c".repeat(64),
-    url: `/api/exports/${id}.zip`,
-    filename: "a.zip",
-  });
   server.on("GET", /\/exports$/, () => [entry(2, NOTHING), entry(1, SEVEN)]);
   render(<ExportScreen surveyId={5} />, box);
   await vi.waitFor(() => expect(said()).toEqual(["Outdated, 7 heights since"]));
   const rows = [...box.querySelectorAll("table")][0]?.querySelectorAll("tbody tr");
   expect(rows?.[1]?.querySelector('[data-testid="package-outdated"]')).not.toBeNull();
+});
+
+it("the list is read again once heights were computed on the page", async () => {
+  let since = NOTHING;
+  server.on("GET", /\/exports$/, () => [entry(1, since)]);
+  const old = { heights: 7, in_line_scans: 0, waiting: 0, other_program: 0, causes: {}, measurements: {} };
+  server.on("GET", /\/computings$/, () => ({ out_of_date: old, computings: [] }));
+  server.on("POST", /\/computings$/, () => ({ id: 9, state: "done" }));
+  server.on("GET", /^\/jobs\/9$/, () => ({ id: 9, state: "done" }));
+  me.value = { person: { id: 1, role: "operator" } } as never;
+  survey.value = { id: 5, my_role: "operator", counts: { to_review: 0, rejected: 0 }, steps: [] } as never;
+  render(<ExportScreen surveyId={5} />, box);
+  const button = () =>
+    [...box.querySelectorAll("button")].find((one) => one.textContent?.includes("Compute"));
+  await vi.waitFor(() => expect(button()).toBeDefined());
+  expect(said()).toEqual([]);
+  since = SEVEN;
+  button()?.click();
+  await vi.waitFor(() => expect(said()).toEqual(["Outdated, 7 heights since"]));
 });

@@ -178,14 +178,24 @@ export function parseSmall(text: string, unit = lengthUnit.value): number | null
   return value === null ? null : unit === "ft" ? (value * METRES_PER_FOOT) / 12 : value / 1000;
 }
 
-/** A typed length in metres; one that was left as it stood is not rounded by having been shown. */
+/** What was typed; a value that was left as it was shown is not rounded by having been shown. */
+export function kept(
+  text: string,
+  shown: string,
+  before: number | null | undefined,
+  parse: (text: string) => number | null,
+): number | null {
+  return before != null && text === shown ? before : parse(text);
+}
+
+/** The same of a length, in metres. */
 export function keptLength(text: string, before: number | null | undefined): number | null {
-  return before != null && text === lengthText(before) ? before : parseLength(text);
+  return kept(text, lengthText(before), before, parseLength);
 }
 
 /** The same of a small length. */
 export function keptSmall(text: string, before: number | null | undefined): number | null {
-  return before != null && text === smallText(before) ? before : parseSmall(text);
+  return kept(text, smallText(before), before, parseSmall);
 }
 
 function typedNumber(value: number, decimals: number): string {

@@ -18,5 +18,7 @@ it("prints heights to the millimetre, errors and u to a tenth of one", () => {
   expect(shown("statistics/total_uncertainty.csv", "value", { figure: "percentile", value: "1.0865" })).toBe(
     "1.087",
   );
+  expect(shown("surveys.csv", "latitude_deg", { latitude_deg: "49.443232" })).toBe("49.44323");
+  expect(shown("surveys.csv", "longitude_deg", { longitude_deg: "-1.099971" })).toBe("-1.09997");
   expect(shown("insets.csv", "u_inset_m", { u_inset_m: "0.100000" })).toBe("0.1000");
 });

@@ -5,6 +5,8 @@ import { decimal } from "./language";
 const HEIGHT_DIGITS = 3;
 const SMALL_DIGITS = 4;
 const SQUARE_DIGITS = 6;
+/** Of degrees of latitude and longitude: a metre on the ground. */
+const PLACE_DIGITS = 5;
 /** Tables whose values are errors, and named so by `figure`. */
 const OF_ERRORS = /(?:^|\/)(?:error_table|agreement)\.csv$/;
 
@@ -23,5 +25,6 @@ export function shownHeight(metres: string | number): string {
 
 function digits(path: string, name: string, row: Row): number {
   if (OF_ERRORS.test(path)) return row["figure"]?.endsWith("_m2") ? SQUARE_DIGITS : SMALL_DIGITS;
+  if (name === "latitude_deg" || name === "longitude_deg") return PLACE_DIGITS;
   return name.startsWith("u_") || name === "difference_m" ? SMALL_DIGITS : HEIGHT_DIGITS;
 }

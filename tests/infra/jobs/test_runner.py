@@ -1,5 +1,6 @@
 """One job in this process: every way to end, each with its event, none half there."""
 
+import json
 import threading
 from collections.abc import Iterator
 from datetime import timedelta
@@ -7,9 +8,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from sqlalchemy import text, update
+from sqlalchemy import select, text, update
 
 from sightline.errors import Conflict, SightlineError
+from sightline.infra.audit.tables import audit_events
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.database.engine import DatabaseAway, SessionFactory, reading, writing
 from sightline.infra.database.types import now
@@ -300,6 +302,38 @@ def test_what_is_away_puts_a_job_back_for_later_and_uses_up_no_attempt(
     assert seconds == [5, 10, 20, 40, 80, 160, 300, 300]
     with reading(factory) as session:
         assert verify_records(session).ok
+
+
+@pytest.mark.parametrize(("what", "state"), [("claim_job", "queued"), ("fail_job", "running")])
+def test_a_job_that_can_be_neither_begun_nor_ended_ends_the_process_and_stays(
+    runner: Runner, factory: SessionFactory, monkeypatch: pytest.MonkeyPatch, what: str, state: str
+) -> None:
+    job = queued(factory, "test_fail", how="input")
+
+    def breaks(*_given: Any, **_named: Any) -> None:
+        raise RuntimeError("a defect")
+
+    with monkeypatch.context() as broken:
+        broken.setattr(runner_module, what, breaks)
+        assert not runner.run(job.id)
+    assert job_now(factory, job).state == state
+    take_back(factory, worker=runner.name)
+    assert runner.run(job.id)
+    assert job_now(factory, job).state == "failed"
+
+
+@pytest.mark.parametrize(("counted", "attempts"), [(True, 1), (False, 0)])
+def test_the_event_of_a_job_put_back_says_its_attempts(
+    factory: SessionFactory, counted: bool, attempts: int
+) -> None:
+    job = queued(factory, "test_fail", how="input")
+    with writing(factory) as session:
+        claim_job(session, job.id, worker="w")
+    take_back(factory, worker="w", counted=counted)
+    assert job_now(factory, job).attempts == attempts
+    with reading(factory) as session:
+        newest = select(audit_events.c.after).order_by(audit_events.c.id.desc()).limit(1)
+        assert json.loads(session.execute(newest).scalar_one()) == {"state": "queued", "attempts": attempts}
 
 
 def test_a_job_that_was_to_be_cancelled_does_not_wait_for_what_is_away(

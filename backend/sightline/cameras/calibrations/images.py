@@ -6,7 +6,6 @@ import numpy.typing as npt
 from sightline.cameras.calibrations.records import CalibrationImage, Detection
 from sightline.cameras.store import (
     add_calibration_image,
-    calibration_image_in_use,
     get_camera,
     list_calibration_images,
     remove_calibration_image,
@@ -15,6 +14,7 @@ from sightline.cameras.store import (
 from sightline.geometry.board import Board
 from sightline.geometry.corners import Corners, find_board
 from sightline.geometry.ruler import polyline
+from sightline.infra.backup.state import needed_media
 from sightline.infra.services import Services
 from sightline.infra.stored_bytes import put_bytes, suffix_of
 from sightline.media.images import jpeg
@@ -52,14 +52,14 @@ def add_image(
         get_camera(session, camera_id)
     gray = services.frames.image(content, name)
     found = look(gray, board)
-    key = put_bytes(services, content, suffix_of(name))
     height, width = gray.shape
     with services.writing() as session:
         return add_calibration_image(
             session,
             camera_id,
             name=name,
-            media_key=key,
+            # under the lock under which files go, so that none goes between
+            media_key=put_bytes(services, content, suffix_of(name)),
             width_px=int(width),
             height_px=int(height),
             detection=found,
@@ -95,9 +95,10 @@ def as_jpeg(services: Services, image: CalibrationImage) -> bytes:
 
 
 def remove_image(services: Services, image_id: int, actor: int) -> None:
-    """Take an image out, and its file if no other image has the same content."""
+    """Take an image out, and its file if nothing else has the same content."""
     with services.writing() as session:
         gone = remove_calibration_image(session, image_id, actor=actor)
-        in_use = calibration_image_in_use(session, gone.media_key)
-    if not in_use:
-        services.media.delete(gone.media_key)
+    # Nobody can begin to need the file while the lock is held.
+    with services.writing() as session:
+        if not needed_media(session, gone.media_key):
+            services.media.delete(gone.media_key)

@@ -11,6 +11,7 @@ from sightline.cameras.calibrations.tables import calibration_images, calibratio
 from sightline.cameras.records import CalibrationSummary
 from sightline.cameras.tables import cameras
 from sightline.enums import JsonObject
+from sightline.errors import Conflict
 from sightline.infra.audit.written import written_once, written_rows
 from sightline.infra.by_name import record_of
 from sightline.infra.database.rows import change_row, get_row, the_one
@@ -24,7 +25,7 @@ def add_calibration(
     actor: int | None,
     **values: Unpack[NewCalibration],
 ) -> Calibration:
-    """Store a calibration and (by default) make it the camera's current one. Raises NotFound."""
+    """Store a calibration and (by default) make it the camera's current one. Raises NotFound, Conflict."""
     camera = get_row(session, cameras, camera_id, "camera")
     calibration_id = written_once(
         session,
@@ -42,11 +43,17 @@ def add_calibration(
 
 
 def _images(session: Session, views: Sequence[JsonObject]) -> dict[str, str]:
-    """The stored file of each image that was looked at, by the image's number; its name holds its hash."""
+    """The stored file of each image that was looked at, by the image's number; its name holds its hash.
+
+    Raises Conflict where one was taken out meanwhile.
+    """
     ids = [view["image_id"] for view in views if view.get("image_id") is not None]
     i = calibration_images.c
     found = session.execute(select(i.id, i.media_key).where(i.id.in_(ids)).order_by(i.id)) if ids else ()
-    return {str(row.id): row.media_key for row in found}
+    keys = {str(row.id): row.media_key for row in found}
+    if len(keys) < len(ids):
+        raise Conflict("cameras-image-gone-meanwhile")
+    return keys
 
 
 def get_calibration(session: Session, calibration_id: int) -> Calibration:

@@ -16,6 +16,8 @@ calibration_images = numbered(
     *columns_for(Detection, {"dictionary": 40}),
     *made_columns(),
     CheckConstraint("found OR reason IS NOT NULL", name="missed_has_reason"),
+    # events and calibrations name an image by number after it was taken out
+    sqlite_autoincrement=True,
 )
 
 

@@ -33,8 +33,8 @@ from sightline.infra.csv_package.files import (
     Files,
     InFolder,
     checksum_lines,
-    is_plain,
     is_stray,
+    listed_sums,
     missing,
     open_package,
     package_inside,
@@ -178,14 +178,7 @@ def checksums(files: Files) -> dict[str, Written]:
     there = files.paths
     if CHECKSUMS not in there:
         raise BadInput("export-no-checksums", checksums=CHECKSUMS)
-    listed: dict[str, str] = {}
-    for line in read_whole(files, CHECKSUMS).decode("utf-8", "replace").splitlines():
-        sum_, _, path = line.partition("  ")
-        if len(sum_) != 64 or not is_plain(path):
-            raise Damaged("export-checksums-no-list", checksums=CHECKSUMS)
-        listed[path] = sum_
-    if not listed:
-        raise Damaged("export-checksums-no-list", checksums=CHECKSUMS)
+    listed = listed_sums(files)
     strange = sorted(there - set(listed) - {CHECKSUMS})
     if stray := [path for path in strange if is_stray(path)]:
         raise Damaged("export-stray-files", count=len(stray), names=", ".join(stray))

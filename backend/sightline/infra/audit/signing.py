@@ -5,6 +5,7 @@ What is signed is the canonical JSON (RFC 8785) of a statement. Keys and signatu
 
 import os
 from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -65,6 +66,15 @@ def replacing_key(data_dir: Path) -> tuple[SigningKey, Path]:
     """A new key and the file where it waits; `put_in_force` makes it the data folder's."""
     fresh = _written(data_dir / FILE, os.urandom(32))
     return _read(fresh), fresh
+
+
+def waiting_key(data_dir: Path, public: str) -> Path | None:
+    """The file in which this key waits, where whoever made it did not come to `put_in_force`."""
+    for path in data_dir.glob(f"{FILE}.*"):
+        with suppress(Damaged):
+            if _read(path).public == public:
+                return path
+    return None
 
 
 def put_in_force(data_dir: Path, fresh: Path) -> None:

@@ -38,8 +38,8 @@ def continues(session: Session, heads: Heads) -> bool:
     return True
 
 
-def needed_media(session: Session) -> set[str]:
-    """The keys of the media store without which a row would show nothing."""
+def needed_media(session: Session, key: str | None = None) -> set[str]:
+    """The keys of the media store without which a row would show nothing, or `key` alone if it is one."""
     load_tables()
     found: set[str] = set()
     for table in metadata.sorted_tables:
@@ -48,5 +48,7 @@ def needed_media(session: Session) -> set[str]:
                 query = select(column).where(column.is_not(None))
                 if "deleted_at" in table.c:
                     query = query.where(table.c.deleted_at.is_(None))
+                if key is not None:
+                    query = query.where(column == key).limit(1)
                 found |= set(session.execute(query).scalars())
     return found

@@ -24,6 +24,7 @@ from typing import BinaryIO, Generic, Protocol, TypeVar, cast, get_type_hints
 from sightline.errors import BadInput, Damaged
 from sightline.infra.csv_package.schema import (
     CHECKSUMS,
+    DESCRIPTION,
     TABLES,
     AnyTable,
     Cell,
@@ -216,8 +217,32 @@ def fresh_folder(target: Path) -> Iterator[Path]:
 def _refuse_strangers(target: Path) -> None:
     if target.is_symlink() or (target.exists() and not target.is_dir()):
         raise BadInput("csv_package-target-is-file", target=target)
-    if target.is_dir() and any(target.iterdir()) and not (target / CHECKSUMS).is_file():
+    if target.is_dir() and any(target.iterdir()) and not _is_export(FolderFiles(target)):
         raise BadInput("csv_package-target-not-empty", target=target)
+
+
+def _is_export(files: Files) -> bool:
+    """Whether these are a package and nothing else: its description, and only what its list names."""
+    if not {CHECKSUMS, DESCRIPTION} <= files.paths:
+        return False
+    try:
+        listed = listed_sums(files)
+    except Damaged:
+        return False
+    return all(path in listed or is_stray(path) for path in files.paths - {CHECKSUMS})
+
+
+def listed_sums(files: Files) -> dict[str, str]:
+    """The hash of each file by its path, by a package's list. Raises Damaged for what is no list."""
+    listed: dict[str, str] = {}
+    for line in read_whole(files, CHECKSUMS).decode("utf-8", "replace").splitlines():
+        sum_, _, path = line.partition("  ")
+        if len(sum_) != 64 or not is_plain(path):
+            raise Damaged("export-checksums-no-list", checksums=CHECKSUMS)
+        listed[path] = sum_
+    if not listed:
+        raise Damaged("export-checksums-no-list", checksums=CHECKSUMS)
+    return listed
 
 
 def _put_in_place(fresh: Path, target: Path) -> None:

@@ -54,6 +54,8 @@ class Runner:
             log.warning("job %s went to another worker", job_id)
         except DatabaseAway as away:
             log.warning("job %s: %s", job_id, away.message)
+        except Exception:
+            log.exception("neither begun nor ended: job %s", job_id)
         return False
 
     def _do(self, job: Job) -> bool:

@@ -231,7 +231,7 @@ def _back(session: Session, job: Job, change: Mapping[str, Any], action: AuditAc
     done = session.execute(update(jobs).where(*_held(job)).values(change).returning(jobs.c.id))
     if done.first() is None:
         raise JobLost("jobs-changed-meanwhile", id=job.id)
-    after = {"state": "queued", "attempts": job.attempts}
+    after = {"state": "queued", "attempts": change.get("attempts", job.attempts)}
     trail.record(session, None, action, "job", job.id, job.survey_id, {"state": "running"}, after)
     return get_job(session, job.id)
 

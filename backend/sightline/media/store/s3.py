@@ -152,7 +152,8 @@ class S3Store:
             self._client.download_file(self._bucket, self._name(key), str(part))
 
     def _evict(self, keep_free: int) -> None:
-        whole = (p for p in self._cache.rglob("*") if p.suffix != PART and p.is_file())
+        # boto3 writes to the name that it is given and a random ending
+        whole = (p for p in self._cache.rglob("*") if PART not in p.suffixes and p.is_file())
         files = [(p.stat().st_atime, p.stat().st_size, p) for p in whole]
         held = sum(size for _, size, _ in files)
         for _, size, path in sorted(files):

@@ -48,7 +48,7 @@ class UnsupportedMediaType(SightlineError):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class UploadBody:
-    """An upload that can go on."""
+    """An upload that can go on; `mine`: announced by who asks."""
 
     id: int
     survey_id: int
@@ -57,6 +57,7 @@ class UploadBody:
     offset: int
     purpose: UploadPurpose
     created_at: datetime
+    mine: bool
 
 
 def require_tus_version(tus_resumable: Annotated[str | None, Header()] = None) -> None:
@@ -79,7 +80,12 @@ async def upload_abilities() -> Response:
 def list_uploads(survey_id: PathId, who: Viewer, services: Wired) -> list[UploadBody]:
     """Uploads that can go on."""
     under_way = service.uploads_under_way(services, survey_id)
-    return [filled_from(UploadBody, upload, offset=arrived) for upload, arrived in under_way]
+    return [
+        filled_from(
+            UploadBody, one, offset=arrived, mine=one.created_by is not None and one.created_by.id == who.id
+        )
+        for one, arrived in under_way
+    ]
 
 
 @router.post("/surveys/{survey_id}/uploads", status_code=201, response_class=Response, dependencies=[SPEAKS])
@@ -136,7 +142,8 @@ async def continue_upload(
     def take() -> tuple[int, int | None]:
         allowed = _while_allowed(_in_thread(pieces), still_allowed)
         at = service.take_bytes(services, upload, upload_offset, allowed)
-        return at, service.upload_arrived_whole(services, upload) if at == upload.size_bytes else None
+        is_whole = at == upload.size_bytes
+        return at, service.upload_arrived_whole(services, upload, who.id) if is_whole else None
 
     try:
         offset, recording_id = await anyio.to_thread.run_sync(take)

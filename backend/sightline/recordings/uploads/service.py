@@ -77,6 +77,8 @@ def begin_upload(
             purpose=purpose,
             actor=actor,
         )
+        # What lies under this number is no upload's: a commit failed, or the database was put back.
+        upload_parts.discard(upload_folder(services), part_name(upload.id))
         # Inside the transaction: no room for the part, no row either.
         upload_parts.create(upload_folder(services), part_name(upload.id), size_bytes)
     return upload
@@ -113,45 +115,46 @@ def take_bytes(services: Services, upload: Upload, at: int, chunks: Iterable[byt
     return upload_parts.append(upload_folder(services), part_name(upload.id), upload.size_bytes, at, chunks)
 
 
-def upload_arrived_whole(services: Services, upload: Upload) -> int | None:
-    """What follows from the last byte: a video becomes a recording (its id), a strip waits for its scan."""
+def upload_arrived_whole(services: Services, upload: Upload, actor: int | None) -> int | None:
+    """What follows from the last byte, sent by `actor`: a recording (its id), or a waiting strip."""
     if upload.purpose == "video":
-        return complete(services, upload.id).id
-    keep_strip(services, upload.id)
+        return complete(services, upload.id, actor).id
+    keep_strip(services, upload.id, actor)
     return None
 
 
-def keep_strip(services: Services, upload_id: int) -> Upload:
+def keep_strip(services: Services, upload_id: int, actor: int | None) -> Upload:
     """Store a strip whose bytes are all here; may be done again. Raises Conflict while bytes are missing."""
     with services.reading() as session:
         upload = get_upload(session, upload_id)
-    return upload if upload.finished_at is not None else _kept(services, upload_id, _note_strip)
+    return upload if upload.finished_at is not None else _kept(services, upload_id, actor, _note_strip)
 
 
-def _note_strip(services: Services, upload_id: int, key: str, whole: upload_parts.FinishedUpload) -> Upload:
+def _note_strip(
+    services: Services, upload_id: int, actor: int | None, key: str, whole: upload_parts.FinishedUpload
+) -> Upload:
     with services.writing() as session:
         upload = get_upload(session, upload_id)
         if upload.finished_at is not None:
             return upload
-        actor = upload.created_by.id if upload.created_by else None
         return strip_arrived(session, upload_id, media_key=key, sha256=whole.sha256, actor=actor)
 
 
-def complete(services: Services, upload_id: int) -> Recording:
+def complete(services: Services, upload_id: int, actor: int | None) -> Recording:
     """Make the recording of an upload whose bytes are all here; the same one if that was done.
 
     Raises Conflict while bytes are missing, NoRoom.
     """
     done = _recording_of(services, upload_id)
-    return _kept(services, upload_id, _note_recording) if done is None else done
+    return _kept(services, upload_id, actor, _note_recording) if done is None else done
 
 
 def _note_recording(
-    services: Services, upload_id: int, key: str, whole: upload_parts.FinishedUpload
+    services: Services, upload_id: int, actor: int | None, key: str, whole: upload_parts.FinishedUpload
 ) -> Recording:
     try:
         with services.writing() as session:
-            return _record(session, upload_id, key, whole)
+            return _record(session, upload_id, actor, key, whole)
     except Conflict:
         # Another request, or another try of this one, was faster: its recording is the answer.
         done = _recording_of(services, upload_id)
@@ -163,16 +166,19 @@ def _note_recording(
 def _kept(
     services: Services,
     upload_id: int,
-    note: Callable[[Services, int, str, upload_parts.FinishedUpload], Made],
+    actor: int | None,
+    note: Callable[[Services, int, int | None, str, upload_parts.FinishedUpload], Made],
 ) -> Made:
     """Store the bytes by their content, note what they became, and let go of the part."""
     with services.reading() as session:
         upload = get_upload(session, upload_id)
     whole = upload_parts.finish(upload_folder(services), part_name(upload_id), upload.size_bytes)
-    key = key_of(whole.sha256, suffix_of(upload.filename))
+    # A strip goes when its scan is read, so it is never one file with what stays.
+    word = "-strip" if upload.purpose == "strip" else ""
+    key = key_of(whole.sha256, word + suffix_of(upload.filename))
     # Linked where the store can: a copy would need the room twice. The part is discarded further down.
     services.media.put_file(key, whole.path, link=True)
-    made = note(services, upload_id, key, whole)
+    made = note(services, upload_id, actor, key, whole)
     if not services.media.exists(key):
         # What had the same content was deleted between the two steps above, with its file.
         services.media.put_file(key, whole.path, link=True)
@@ -180,9 +186,10 @@ def _kept(
     return made
 
 
-def _record(session: Session, upload_id: int, key: str, whole: upload_parts.FinishedUpload) -> Recording:
+def _record(
+    session: Session, upload_id: int, actor: int | None, key: str, whole: upload_parts.FinishedUpload
+) -> Recording:
     upload = get_upload(session, upload_id)
-    actor = upload.created_by.id if upload.created_by else None
     made = create_recording(
         session,
         upload.survey_id,
@@ -223,7 +230,7 @@ def recover_uploads(services: Services) -> None:
     for upload in waiting:
         try:
             if _bytes_here(services, upload) == upload.size_bytes:
-                upload_arrived_whole(services, upload)
+                upload_arrived_whole(services, upload, upload.created_by.id if upload.created_by else None)
         except SightlineError as error:
             log.warning("upload %s cannot be finished: %s", upload.id, error.message)
 

@@ -19,4 +19,6 @@ uploads = numbered(
     Column("sha256", String(64)),
     Column("scan_id", Integer, ForeignKey("scans.id", use_alter=True)),
     enum_check("purpose", UploadPurpose),
+    # a client goes on by number: that of one given up is no other's
+    sqlite_autoincrement=True,
 )

@@ -1,13 +1,14 @@
 """A stream's vehicles on their way into a survey: a recording that grows, its strips once it has ended."""
 
+import time
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import AbstractContextManager
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from sightline.enums import ScanMethod
-from sightline.errors import SightlineError
+from sightline.errors import Away, NoRoom, SightlineError
 from sightline.infra.database import Session
 from sightline.infra.services import Services
 from sightline.linescan.parts import Motion, Rig
@@ -26,13 +27,26 @@ from sightline.scans.vehicles.store import create_scan_vehicles
 
 NOT_KEPT = Said("scans-lines-not-stored")
 _SUFFIX = ".spool.tif"
+AGAIN_S = 1.0
+
+
+@dataclass
+class _Recording:
+    """What is to be stored of one segment; `scan_id`: its row, once it is there."""
+
+    segment: SegmentFacts | None = None
+    belongs_to: Callable[[int], None] | None = None
+    scan_id: int | None = None
+    waiting: list[LiveVehicle] = field(default_factory=list)
+    motions: list[Motion] = field(default_factory=list)
 
 
 class SurveyKeeper(Keeper):
     """Stores vehicles as they come, with the store functions of the search and their audit events.
 
     A database that cannot be written delays the storing, never the stream: what waits is stored with the next
-    second. Strips are moved to the media store beside the stream, in a thread of their own.
+    second. Strips are moved to the media store beside the stream, in a thread of their own, which tries again
+    until what is away or full takes them.
     """
 
     def __init__(
@@ -40,62 +54,41 @@ class SurveyKeeper(Keeper):
     ) -> None:
         self._services, self._survey_id, self._rig, self._method = services, survey_id, rig, method
         self._say = say
-        self._scan_id: int | None = None
-        self._waiting: list[LiveVehicle] = []
-        self._motions: list[Motion] = []
+        self._recording: _Recording | None = None
         self._troubled = False
         self._mover = ThreadPoolExecutor(1)
         self._moves: list[Future[None]] = []
 
-    def begin(self, segment: SegmentFacts) -> int | None:
-        self._scan_id, self._motions = None, []
-
-        def begun() -> None:
-            with self._writing() as session:
-                made = create_scan(
-                    session,
-                    self._survey_id,
-                    name=f"Live {segment.began_at:%Y-%m-%d %H:%M:%S} UTC",
-                    source=LiveSource(),
-                    time_axis="height",
-                    rig=self._rig,
-                    actor=None,
-                )
-                add_live_scan(session, self._survey_id, made.id, segment)
-            self._scan_id = made.id
-
-        self._try(begun)
-        return self._scan_id
+    def begin(self, segment: SegmentFacts, belongs_to: Callable[[int], None]) -> None:
+        recording = self._recording = _Recording(segment, belongs_to)
+        self._try(lambda: self._store(recording))
 
     def take_up(self, scan_id: int | None) -> None:
-        self._scan_id, self._motions = scan_id, []
+        self._recording = None if scan_id is None else _Recording(scan_id=scan_id)
 
     def add(self, vehicle: LiveVehicle) -> None:
-        if self._scan_id is not None:
-            self._waiting.append(vehicle)
-            self._motions.append(replace(vehicle.vehicle.motion, profile=None))
-            self._try(self._store)
+        if (recording := self._recording) is not None:
+            recording.waiting.append(vehicle)
+            recording.motions.append(replace(vehicle.vehicle.motion, profile=None))
+            self._try(lambda: self._store(recording))
 
     def hear(self, health: LiveHealth) -> None:
-        scan_id = self._scan_id
-        if scan_id is None:
+        if (recording := self._recording) is None:
             return
 
         def heard() -> None:
-            self._store()
+            scan_id = self._store(recording)
             with self._writing() as session:
                 hear_live_scan(session, scan_id, health)
 
         self._try(heard)
 
     def end(self, paths: tuple[Path, Path] | None, notes: list[Said]) -> None:
-        scan_id, self._scan_id = self._scan_id, None
-        if scan_id is None:
-            return
-        waiting, self._waiting = self._waiting, []
-        motions, self._motions = self._motions, []
-        self._moves = [one for one in self._moves if not one.done()]
-        self._moves.append(self._mover.submit(self._end, scan_id, waiting, motions, paths, notes))
+        recording, self._recording = self._recording, None
+        if recording is not None:
+            recording.belongs_to = None  # its journal is closed
+            self._moves = [one for one in self._moves if not one.done() or one.exception()]
+            self._moves.append(self._mover.submit(self._end, recording, paths, notes))
 
     def close(self) -> None:
         """After all strips are where they belong."""
@@ -103,18 +96,27 @@ class SurveyKeeper(Keeper):
         for move in self._moves:
             move.result()
 
-    def _end(
-        self,
-        scan_id: int,
-        waiting: list[LiveVehicle],
-        motions: list[Motion],
-        paths: tuple[Path, Path] | None,
-        notes: list[Said],
-    ) -> None:
+    def _end(self, recording: _Recording, paths: tuple[Path, Path] | None, notes: list[Said]) -> None:
+        told = False
+        while True:
+            try:
+                self._store_end(recording, paths, notes)
+                break
+            except (Away, NoRoom) as error:
+                if not told:
+                    self._say(
+                        Said("stream-vehicles-wait", message=error.said, waiting=len(recording.waiting))
+                    )
+                told = True
+                time.sleep(AGAIN_S)
+        for path in paths or ():
+            path.unlink()  # the media store has it
+
+    def _store_end(self, recording: _Recording, paths: tuple[Path, Path] | None, notes: list[Said]) -> None:
+        scan_id = self._store(recording)
         source = None if paths is None else (self._strip(paths[0]), self._strip(paths[1]))
         with self._writing() as session:
-            self._store_in(session, scan_id, waiting)
-            run = run_values(self._method, self._rig, motions, len(motions), notes)
+            run = run_values(self._method, self._rig, recording.motions, len(recording.motions), notes)
             add_scan_run(session, scan_id, run, actor=None)
             end_live_scan(session, scan_id)
             if source is None:
@@ -122,8 +124,6 @@ class SurveyKeeper(Keeper):
             else:
                 note_scan_recorded(session, scan_id, source, actor=None)
                 queue_reading(session, get_scan(session, scan_id), None, None)
-        for path in paths or ():
-            path.unlink()  # the media store has it
 
     def _strip(self, path: Path) -> StripSource:
         sha256 = sha256_of(path)
@@ -131,12 +131,33 @@ class SurveyKeeper(Keeper):
         self._services.media.put_file(key, path, link=True)
         return StripSource(path.name, key, sha256)
 
-    def _store(self) -> None:
-        if not self._waiting or self._scan_id is None:
-            return
+    def _store(self, recording: _Recording) -> int:
+        """The recording and those of its vehicles that wait; its number."""
+        if recording.scan_id is None:
+            self._store_begin(recording)
+        assert recording.scan_id is not None
+        if recording.waiting:
+            with self._writing() as session:
+                self._store_in(session, recording.scan_id, recording.waiting)
+            recording.waiting = []
+        return recording.scan_id
+
+    def _store_begin(self, recording: _Recording) -> None:
+        assert recording.segment is not None
         with self._writing() as session:
-            self._store_in(session, self._scan_id, self._waiting)
-        self._waiting = []
+            made = create_scan(
+                session,
+                self._survey_id,
+                name=f"Live {recording.segment.began_at:%Y-%m-%d %H:%M:%S} UTC",
+                source=LiveSource(),
+                time_axis="height",
+                rig=self._rig,
+                actor=None,
+            )
+            add_live_scan(session, self._survey_id, made.id, recording.segment)
+        recording.scan_id = made.id
+        if recording.belongs_to is not None:
+            recording.belongs_to(made.id)
 
     def _store_in(self, session: Session, scan_id: int, vehicles: list[LiveVehicle]) -> None:
         values = [values_of(one.vehicle.motion, self._rig, "found") for one in vehicles]
@@ -146,12 +167,13 @@ class SurveyKeeper(Keeper):
     def _writing(self) -> AbstractContextManager[Session]:
         return self._services.writing(self._survey_id)
 
-    def _try(self, work: Callable[[], None]) -> None:
+    def _try(self, work: Callable[[], object]) -> None:
         """Whatever the database does, the stream goes on: said once, tried again with the next second."""
         try:
             work()
             self._troubled = False
         except SightlineError as error:
             if not self._troubled:
-                self._say(Said("stream-vehicles-wait", message=error.said, waiting=len(self._waiting)))
+                waiting = len(self._recording.waiting) if self._recording else 0
+                self._say(Said("stream-vehicles-wait", message=error.said, waiting=waiting))
             self._troubled = True

@@ -1,5 +1,6 @@
 """Records of a live stream: what is told of a vehicle, and how the stream is."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
@@ -54,9 +55,8 @@ class SegmentFacts:
 class Keeper:
     """Where a stream's vehicles go besides being told: here nowhere, of others a survey."""
 
-    def begin(self, segment: SegmentFacts) -> int | None:
-        """A segment begins; the number of its line-scan recording."""
-        return None
+    def begin(self, segment: SegmentFacts, belongs_to: Callable[[int], None]) -> None:
+        """A segment begins; `belongs_to` takes the number of its line-scan recording once that is stored."""
 
     def take_up(self, scan_id: int | None) -> None:
         """The segment that a killed stream left is the present one, until its end."""

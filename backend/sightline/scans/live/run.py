@@ -7,6 +7,7 @@ from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime, timedelta
+from functools import partial
 from itertools import chain
 from pathlib import Path
 
@@ -144,25 +145,30 @@ class LiveRun:
                 yield from segment.take(piece.since(skipped))
 
     def _new_segment(self, began_at: datetime, begin: int, since_s: float) -> Segment:
-        number = 1 + (last_number(self.folder) if self.folder else self._number)
-        self._number = number
+        number = 1 + max(self._number, last_number(self.folder) if self.folder else 0)
         facts = SegmentFacts(number, self._stream, self._name, began_at)
+        make = partial(
+            Segment,
+            facts,
+            self.rows,
+            self.rig,
+            self.method,
+            begin=begin,
+            skip=self._skip,
+            first_id=self._first_id,
+            behind=self._behind,
+        )
         try:
-            made = Segment(
-                facts,
-                self.rows,
-                self.rig,
-                self.method,
-                self.folder,
-                begin=begin,
-                skip=self._skip,
-                first_id=self._first_id,
-                behind=self._behind,
-            )
+            made = make(self.folder)
         except OSError as error:
-            raise BadInput("commands-not-writable", path=self.folder, strerror=error.strerror) from None
+            if not self._number:
+                raise BadInput("commands-not-writable", path=self.folder, strerror=error.strerror) from None
+            # The disk is full by now: that ends the keeping, not the stream.
+            self._say(Said("stream-lines-not-stored", strerror=error.strerror))
+            made = make(None)
+        self._number = number
         self._segment, self._skip, self._began = made, -1.0, self._clock.steady() - since_s
-        made.belongs_to(self._keeper.begin(facts))
+        self._keeper.begin(facts, made.belongs_to)
         return made
 
     def _is_over(self, segment: Segment) -> bool:

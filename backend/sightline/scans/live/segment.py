@@ -121,7 +121,7 @@ class Segment:
         """Say in the journal that a vehicle has been told."""
         self._write({**told_line(one), "stand": self._stand()})
 
-    def belongs_to(self, scan_id: int | None) -> None:
+    def belongs_to(self, scan_id: int) -> None:
         self._write({"scan_id": scan_id})
 
     def close(self, stop: int | None = None) -> list[Said]:

@@ -199,8 +199,12 @@ def fill_in(
 ) -> ScanVehicle:
     """Store what is known of a vehicle; what is not given comes from the catalogue's entry, if one is named.
 
+    A size that is given without its source has none, rather than that of the size before.
+
     Raises NotFound, Conflict for another version, BadInput.
     """
+    if "true_length_m" in changes or "true_wheelbase_m" in changes:
+        changes = {"facts_source": None, **changes}
     if catalogue_id is not None:
         entry = get_catalogue_row(session, catalogue_id)
         known = {

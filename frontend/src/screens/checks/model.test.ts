@@ -1,7 +1,8 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { ApiError } from "../../core/api";
 import { outbox } from "../../core/outbox";
-import type { WheelPair } from "../../core/types";
+import { survey } from "../../core/survey";
+import type { Survey, WheelPair } from "../../core/types";
 import { FakeServer, recording, vehicle } from "../../testing/server";
 import { imagePoint } from "../../viewer/points";
 import { TrafficModel } from "./model";
@@ -57,6 +58,21 @@ describe("the direction of travel", () => {
     await model.load(null);
     expect(model.problem.value).toBeNull();
     expect(model.loaded.value).toBe(true);
+  });
+
+  it("reads the survey again after a turn was taken back", async () => {
+    const pose = { pose_id: 1, turned_from: 9, recordings: [{ id: 1 }] };
+    server.on("GET", /\/checks\/traffic$/, () => ({ poses: [pose], pairs }));
+    const read = vi.fn(() => survey.value);
+    server.on("GET", /^\/surveys\/5$/, read);
+    survey.value = { id: 5 } as unknown as Survey;
+    await model.load(null);
+    await quiet();
+    await model.turnBack();
+    await quiet();
+    expect(server.writes).toEqual(["PUT /recordings/1"]);
+    expect(read).toHaveBeenCalledOnce();
+    survey.value = null;
   });
 
   it("takes two clicks on one frame, and undo and redo take the pair out and in where it was clicked", async () => {

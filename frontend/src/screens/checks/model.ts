@@ -213,6 +213,7 @@ export class TrafficModel {
     });
     await this.reload();
     this.turning.value = false;
+    void refreshSurvey();
   }
 
   private showRecording(id: number, frame: number): void {

@@ -96,7 +96,7 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
           />
         </div>
       </PageHead>
-      <OutOfDateNotice surveyId={Number(surveyId)} />
+      <OutOfDateNotice surveyId={Number(surveyId)} computed={packages.reload} />
       <Choosing wanted={wanted} onChange={setWanted} />
       {counts && review && counts.to_review + counts.rejected > 0 && (
         <Notice kind="warning">

@@ -3,7 +3,15 @@ import { Button, Empty, Loaded, Notice, Notices, num, PageHead, StateMark, Table
 import { say, sentenceOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useAsked, useEvery } from "../../core/resource";
-import { formatAgo, formatClock, formatDuration, formatMoment } from "../../core/times";
+import { survey } from "../../core/survey";
+import {
+  formatAgo,
+  formatClock,
+  formatDuration,
+  formatMoment,
+  formatPlaceClock,
+  placeTime,
+} from "../../core/times";
 import type { LiveStream, LiveVehicle } from "../../core/types";
 import { fixed, formatCount, formatLength, formatSpeed } from "../../core/units";
 import { LIVE_WORDS, vehicleName } from "../../core/words";
@@ -142,7 +150,7 @@ function Row({ vehicle, stream, surveyId, lanes }: RowProps) {
   return (
     <tr data-testid={`live-vehicle-${vehicle.number}`}>
       <td>{stream.ready ? <a href={bench}>{name}</a> : name}</td>
-      <td>{formatClock(new Date(vehicle.front_at))}</td>
+      <td>{clockThere(vehicle.front_at)}</td>
       {vehicle.status === "ok" ? (
         <>
           <td class="num">
@@ -255,5 +263,12 @@ function minuteWords(one: Minutes[number]): string {
 }
 
 function formatTime(iso: string): string {
-  return formatClock(new Date(iso)).replace(/:\d\d$/, "");
+  return clockThere(iso).replace(/:\d\d$/, "");
+}
+
+/** The time of day by the clocks of the survey's place; by the browser's where nobody said where it is. */
+export function clockThere(iso: string): string {
+  const zone = survey.value?.place.time_zone;
+  const there = zone ? placeTime(iso, zone) : null;
+  return there === null ? formatClock(new Date(iso)) : formatPlaceClock(there);
 }

@@ -165,13 +165,14 @@ function ToLookAt({ vehicle }: { vehicle: Vehicle }) {
 }
 
 /** "2 of 3" while it is being measured, else the state's own word. */
-function progress(model: MeasureModel, vehicle: Vehicle): string | undefined {
+export function progress({ records }: Pick<MeasureModel, "records">, vehicle: Vehicle): string | undefined {
   if (vehicle.state === "rejected") return STATE_WORDS.rejected;
   if (vehicle.state === "accepted") return undefined;
   const have = new Set(
-    model.records
+    records
       .of(vehicle.id)
-      .filter((entry) => !entry.values.withdrawn)
+      // of a refused click nothing is stored
+      .filter(({ values, state, saved }) => !values.withdrawn && !(state === "failed" && !saved))
       .map((entry) => entry.values.target),
   );
   const { asked } = vehicle;

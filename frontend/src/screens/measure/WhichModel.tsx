@@ -6,7 +6,7 @@ import { hint, useCommands } from "../../core/commands";
 import { allOf, say, sentenceOf } from "../../core/messages";
 import { type Resource, useAsked } from "../../core/resource";
 import type { CatalogueRow, FittingModel, ModelFits, ModelSize, Vehicle } from "../../core/types";
-import { formatSmall } from "../../core/units";
+import { formatSmall, localNumber } from "../../core/units";
 import { yearsOf } from "../../parts/vehicles/ModelYears";
 import { SIZE_WORDS, sizesWords } from "./sizes";
 
@@ -32,7 +32,7 @@ function differencesOf(fit: FittingModel, sizes?: readonly ModelSize[]): string 
 }
 
 function chance(p: number): string {
-  return p < 0.0001 ? "< 0.0001" : p.toPrecision(1);
+  return p < 0.0001 ? `< ${localNumber("0.0001")}` : localNumber(p.toPrecision(1));
 }
 
 /** Where the row filled in cannot be this vehicle. */
@@ -46,7 +46,7 @@ export function CannotFit({ fits, vehicle }: { fits: ModelFits | null; vehicle: 
             model: `${chosen.entry.make} ${chosen.entry.model}`,
             differences: differencesOf(chosen),
             p: chance(chosen.p),
-            limit: String(fits.limit_p),
+            limit: localNumber(String(fits.limit_p)),
           })
         : null}
     </p>

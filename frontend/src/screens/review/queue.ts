@@ -77,11 +77,28 @@ export class ReviewQueue {
     return items.find((item, i) => i > at && waits(item)) ?? items.find(waits);
   }
 
-  /** The measurement as it is now, in the place of what was read. */
+  /** The measurement as it is now, in the place of what was read. What was told of another revision does not hold of this one. */
   replace(measurement: Height): void {
+    const before = this.find(measurement.id);
+    if (!before) return;
+    const same = before.measurement.revision === measurement.revision;
+    const judged = same ? before.judged : { ...before.judged, signs: [], error_m: null, U95_error_m: null };
+    this.put({ ...before, measurement, judged });
+    if (!same) void this.readJudged(measurement);
+  }
+
+  private put(item: ReviewItem): void {
     this.items.value = (this.items.value ?? []).map((other) =>
-      other.measurement.id === measurement.id ? { ...other, measurement } : other,
+      other.measurement.id === item.measurement.id ? item : other,
     );
+  }
+
+  /** What the server tells beside the revision that stands now. */
+  private async readJudged({ id, revision }: Height): Promise<void> {
+    const [now] = await this.read({ measurement: id, state: "all" }).catch(() => []);
+    const here = this.find(id);
+    if (here?.measurement.revision === revision && now?.measurement.revision === revision)
+      this.put({ ...here, mine: now.mine, judged: now.judged });
   }
 
   /** Reads a measurement anew; answers whether it has another revision now, which is then in its place. */

@@ -7,7 +7,7 @@ import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { toastProblem } from "../../core/toasts";
 import type { ReferenceQuantity, ScanReference, ScanVehicle } from "../../core/types";
-import { fixed, lengthScale, parseNumber, type Scale, smallScale, speedScale } from "../../core/units";
+import { fixed, kept, lengthScale, parseNumber, type Scale, smallScale, speedScale } from "../../core/units";
 import type { ScanModel } from "./model";
 import { ReferenceImport } from "./ReferenceImport";
 import { agreementWords, QUANTITY_WORDS, referenceValue, SOURCE_WORDS } from "./referenceWords";
@@ -103,14 +103,12 @@ interface Props {
 function ReferenceDialog({ model, vehicle, before, onClose }: Props) {
   const form = useForm(() => {
     const { quantity = "speed", source = "radar", device = null } = before ?? {};
-    const first = scales(quantity);
-    const [value, u] = [typed(before?.value, first.value, 3), typed(before?.u, first.u, 3)];
-    return { quantity, source, value, u, device: device ?? "" };
+    return { quantity, source, ...typedOf(quantity, before), device: device ?? "" };
   });
   const { quantity, source, value, u, device } = form.values;
   const [asked, setAsked] = useState(false);
   const units = scales(quantity);
-  const read = { value: parsed(value, units.value), u: parsed(u, units.u) };
+  const read = readOf(quantity, { value, u }, before);
   const submit = async () => {
     setAsked(true);
     if (read.value === null || read.u === null) return;
@@ -174,8 +172,26 @@ function scales(quantity: ReferenceQuantity): { value: Scale; u: Scale } {
     : { value: lengthScale(), u: smallScale() };
 }
 
-function typed(value: number | undefined, [factor]: Scale, digits: number): string {
-  return value === undefined ? "" : fixed(value * factor, digits);
+type Figures = Pick<ScanReference, "value" | "u">;
+
+/** A reference's figures as they stand in the form; empty: one more. */
+export function typedOf(quantity: ReferenceQuantity, before: Figures | null): Record<keyof Figures, string> {
+  const { value, u } = scales(quantity);
+  const shown = (metres: number | undefined, [factor]: Scale) =>
+    metres === undefined ? "" : fixed(metres * factor, 3);
+  return { value: shown(before?.value, value), u: shown(before?.u, u) };
+}
+
+/** What stands in the form, in m/s or metres. */
+export function readOf(
+  quantity: ReferenceQuantity,
+  typed: Record<keyof Figures, string>,
+  before: Figures | null,
+): Record<keyof Figures, number | null> {
+  const [units, shown] = [scales(quantity), typedOf(quantity, before)];
+  const read = (name: keyof Figures) =>
+    kept(typed[name], shown[name], before?.[name], (text) => parsed(text, units[name]));
+  return { value: read("value"), u: read("u") };
 }
 
 /** What was typed, in m/s or metres; null for what is no number above 0. */

@@ -16,11 +16,10 @@ import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say, wordsOf } from "../../core/messages";
 import type { CalibrationLook, Scan } from "../../core/types";
-import { lengthUnit, localNumber, parseLength, parseNumber } from "../../core/units";
-import { typedLanes } from "./lanes";
+import { kept, lengthUnit, localNumber, parseLength, parseNumber } from "../../core/units";
 import { RigAnswer } from "./RigAnswer";
 import { type Lane, type PutRig, RigHistory, tellStored } from "./RigHistory";
-import { OF_CALIBRATION, typedOf } from "./rig";
+import { DISTANCE_DIGITS, OF_CALIBRATION, typedLength } from "./rig";
 import { COLUMNS, headOf, nextPass, type PassTyped, tableOf, USUAL, type Way } from "./rigPasses";
 
 interface Props {
@@ -45,7 +44,7 @@ export function RigCalibration({ scan, onClose, put, take }: Props) {
   const [file, setFile] = useState<File | null>(null);
   const [look, setLook] = useState<CalibrationLook | null>(null);
   const { busy, problem, run } = useAction();
-  const said = saidOf(beside);
+  const said = saidOf(beside, scan);
   const attempt = async (work: () => Promise<void>): Promise<void> => {
     if (!(await run(work))) setLook(null);
   };
@@ -156,11 +155,19 @@ interface BesideTyped {
 type BesideName = keyof BesideTyped;
 type Said = Lane & { u_tape_ratio: number };
 
-function besideOf(scan: Scan): BesideTyped {
-  const { distance, uDistance } = typedOf(scan);
-  const [first] = typedLanes(scan.rig.lanes);
-  if (!distance && first) return { distance: first.distance, uDistance: first.uDistance, tape: "" };
-  return { distance, uDistance, tape: "" };
+/** Where the vehicles drive, as it is stored: the first lane, where only lanes have a distance. */
+function standing({ rig }: Scan): Partial<Lane> {
+  const { distance_m, u_distance_m } = (rig.distance_m === null && rig.lanes[0]) || rig;
+  return distance_m === null ? {} : { distance_m, u_distance_m };
+}
+
+export function besideOf(scan: Scan): BesideTyped {
+  const { distance_m, u_distance_m } = standing(scan);
+  return {
+    distance: distance_m === undefined ? "" : typedLength(distance_m, DISTANCE_DIGITS),
+    uDistance: u_distance_m ? typedLength(u_distance_m) : "",
+    tape: "",
+  };
 }
 
 /** The value of a field in SI units, null where it cannot be. */
@@ -177,9 +184,10 @@ function within(value: number | null, fine: (value: number) => boolean): number 
   return value !== null && fine(value) ? value : null;
 }
 
-function saidOf(typed: BesideTyped): Said | null {
-  const distance_m = READ.distance(typed.distance);
-  const u_distance_m = READ.uDistance(typed.uDistance);
+export function saidOf(typed: BesideTyped, scan: Scan): Said | null {
+  const [shown, stands] = [besideOf(scan), standing(scan)];
+  const distance_m = kept(typed.distance, shown.distance, stands.distance_m, READ.distance);
+  const u_distance_m = kept(typed.uDistance, shown.uDistance, stands.u_distance_m, READ.uDistance);
   const u_tape_ratio = READ.tape(typed.tape);
   if (distance_m === null || u_distance_m === null || u_tape_ratio === null) return null;
   return { distance_m, u_distance_m, u_tape_ratio };

@@ -155,13 +155,15 @@ function Numbers({ m, vehicle, lanes }: { m: ScanMotion; vehicle: ScanVehicle; l
   );
 }
 
-function gapFacts(gap: ScanVehicle["gap"]): Fact[] {
+/** From front to front there may be a time where the rear of the vehicle before is not known. */
+export function gapFacts(gap: ScanVehicle["gap"]): Fact[] {
+  const headway: Fact = gap?.headway_s != null && [say("scan-headway"), formatSeconds(gap.headway_s, 3)];
   if (gap?.time_gap_s == null)
-    return [[say("scan-time-gap"), sentenceOf(gap?.reason) ?? say("scan-time-gap-first")]];
+    return [[say("scan-time-gap"), sentenceOf(gap?.reason) ?? say("scan-time-gap-first")], headway];
   return [
     [say("scan-time-gap"), formatSeconds(gap.time_gap_s, 3)],
     [say("scan-distance-gap"), <DistanceGap gap={gap} />],
-    [say("scan-headway"), formatSeconds(gap.headway_s, 3)],
+    headway,
   ];
 }
 
@@ -337,7 +339,10 @@ function Known({ model, vehicle }: { model: ScanModel; vehicle: ScanVehicle }) {
           disabled={disabled}
           check={wrong}
           hint={off(vehicle[`${name}_error_m`])}
-          onCommit={(text) => void model.edits.fillIn({ [`true_${name}_m`]: parseLength(text) })}
+          onCommit={(text) =>
+            // what was typed has not the catalogue's source
+            void model.edits.fillIn({ [`true_${name}_m`]: parseLength(text), facts_source: null })
+          }
         />
       ))}
     </section>

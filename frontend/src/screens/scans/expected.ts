@@ -3,7 +3,7 @@ import { say } from "../../core/messages";
 import type { Wish } from "../../core/outbox";
 import type { LineHeight, LineHeightAnswer } from "../../core/types";
 import { fixed, formatHeight } from "../../core/units";
-import type { Clicks, HeightAbout, HeightWanted } from "./kinds";
+import type { Clicks, HeightAbout, HeightWanted, Inset } from "./kinds";
 
 export type HeightWish = Wish<LineHeight, HeightWanted, HeightAbout>;
 
@@ -19,7 +19,7 @@ export function expected({
     vehicle_id: id,
     scan_id: scanId,
     target,
-    ...(clicks?.inset ?? {}),
+    ...(clicks ? toldOf(clicks.inset) : {}),
     ...(contact ? { contact: [contact.line, contact.row] } : {}),
     ...(point ? { target_point: [point.line, point.row] } : {}),
     ...(clicks ? { ...NO_FIGURES, ...(answer && answer.status !== "contact" ? figuresOf(answer) : {}) } : {}),
@@ -31,6 +31,12 @@ export function expected({
     mine: true,
     review: WAITS,
   };
+}
+
+/** What `insetSaid` reads back. */
+function toldOf(inset: Inset | null): Partial<LineHeight> {
+  const own = inset !== null && "inset_m" in inset;
+  return { side: null, ...inset, inset_from: own ? "own" : "usual" };
 }
 
 const WAITS: LineHeight["review"] = {

@@ -12,7 +12,7 @@ import type { LineHeight, LineHeightAnswer, Target } from "../../core/types";
 import { REQUIRED } from "../../core/words";
 import { type Place, placeOf } from "../../parts/strips/view";
 import type { Bench } from "./bench";
-import { KeptHeights } from "./keptHeights";
+import { heightKey, KeptHeights } from "./keptHeights";
 import { type Clicks, clicksOf, contactBody, type Inset, insetSaid, pointBody } from "./kinds";
 
 export interface Selected {
@@ -51,7 +51,8 @@ export class LineHeights {
     return this.kept.all.value.filter((one) => one.vehicle_id === id && !one.withdrawn);
   });
 
-  private readonly insets = new Map<Target, Inset>();
+  /** What was chosen of heights that are not there yet, by vehicle and target. */
+  private readonly insets = signal<ReadonlyMap<string, Inset>>(new Map());
   private resting: ReturnType<typeof setTimeout> | undefined;
   private readonly asker = new Latest<Looked, LineHeightAnswer>(
     (wish) =>
@@ -83,7 +84,7 @@ export class LineHeights {
   /** The inset that a click on this target would be stored with; null: the survey's. */
   insetOf(target: Target): Inset | null {
     const before = this.of(target);
-    return this.insets.get(target) ?? (before && insetSaid(before));
+    return before ? insetSaid(before) : (this.insets.value.get(this.keyOf(target)) ?? null);
   }
 
   /** Takes a target up; a contact that this vehicle has already is used again. */
@@ -158,8 +159,8 @@ export class LineHeights {
   }
 
   async setInset(target: Target, inset: Inset): Promise<void> {
-    this.insets.set(target, inset);
     const before = this.of(target);
+    this.insets.value = new Map(this.insets.value).set(this.keyOf(target), inset);
     if (before) await this.again(target, { ...clicksOf(before), inset });
   }
 
@@ -224,6 +225,10 @@ export class LineHeights {
       this.moved.value = null;
       if (!this.target.value) this.forget();
     });
+  }
+
+  private keyOf(target: Target): string {
+    return heightKey(this.bench.chosenId.value ?? 0, target);
   }
 
   private missing(): Target | null {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { lanesOf, NEW_LANE, type RigLane, sameLanes, typedLanes } from "./lanes";
+import { type LaneTyped, lanesOf, NEW_LANE, type RigLane, sameLanes, typedLanes } from "./lanes";
 
 const LANES: RigLane[] = [
   {
@@ -28,6 +28,17 @@ describe("lanes as they are typed", () => {
     expect(lanesOf(typed)).toEqual({ lanes: LANES, problems: [{}, {}] });
     expect(sameLanes(typed, LANES)).toBe(true);
     expect(sameLanes(typed.slice(1), LANES)).toBe(false);
+  });
+
+  it("keep the digits of a distance that nobody typed when another lane is changed", () => {
+    const stored = LANES.map((one) => ({
+      ...one,
+      distance_m: one.distance_m + 0.0041,
+      u_distance_m: 0.012345,
+    }));
+    const [near, far] = typedLanes(stored) as [LaneTyped, LaneTyped];
+    const { lanes } = lanesOf([{ ...near, distance: "5.6" }, far], stored);
+    expect(lanes).toEqual([{ ...stored[0], distance_m: 5.6 }, stored[1]]);
   });
 
   it("say what is wrong at the field", () => {

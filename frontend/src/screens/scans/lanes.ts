@@ -1,8 +1,8 @@
 /** Lanes of a rig as they are typed, and what is wrong with them. */
 import { say } from "../../core/messages";
 import type { Scan } from "../../core/types";
-import { parseLength, parseNumber } from "../../core/units";
-import { isShadow, notNegative, positive, readerOf, typedLength } from "./rig";
+import { kept, parseLength, parseNumber } from "../../core/units";
+import { DISTANCE_DIGITS, isShadow, notNegative, positive, readerOf, typedLength } from "./rig";
 
 export type RigLane = Scan["rig"]["lanes"][number];
 export type LaneWay = NonNullable<RigLane["direction"]> | "either";
@@ -36,7 +36,7 @@ export function typedLanes(lanes: readonly RigLane[]): LaneTyped[] {
   const plain = (value: number | null) => (value === null ? "" : String(Number(value.toPrecision(9))));
   return lanes.map((one) => ({
     name: one.name,
-    distance: typedLength(one.distance_m, 2),
+    distance: typedLength(one.distance_m, DISTANCE_DIGITS),
     uDistance: one.u_distance_m === 0 ? "" : typedLength(one.u_distance_m),
     direction: one.direction ?? "either",
     from: plain(one.tyres_from_px),
@@ -45,9 +45,12 @@ export function typedLanes(lanes: readonly RigLane[]): LaneTyped[] {
   }));
 }
 
-/** The lanes in SI units, or what is wrong with each. */
-export function lanesOf(typed: readonly LaneTyped[]): { lanes: RigLane[]; problems: LaneProblems[] } {
-  const found = typed.map((one, at) => laneOf(one, typed.slice(0, at)));
+/** The lanes in SI units, or what is wrong with each. A distance that nobody typed stays that of the stored lane. */
+export function lanesOf(
+  typed: readonly LaneTyped[],
+  stored: readonly RigLane[] = [],
+): { lanes: RigLane[]; problems: LaneProblems[] } {
+  const found = typed.map((one, at) => laneOf(one, typed.slice(0, at), stored));
   return {
     lanes: found.flatMap(({ lane }) => (lane ? [lane] : [])),
     problems: found.map(({ problems }) => problems),
@@ -57,6 +60,7 @@ export function lanesOf(typed: readonly LaneTyped[]): { lanes: RigLane[]; proble
 function laneOf(
   typed: LaneTyped,
   before: readonly LaneTyped[],
+  stored: readonly RigLane[],
 ): { lane: RigLane | null; problems: LaneProblems } {
   const problems: LaneProblems = {};
   const read = readerOf(typed, problems);
@@ -64,8 +68,23 @@ function laneOf(
   if (!name || name.length > 40) problems.name = say("scans-lane-problem-name");
   else if (before.some((one) => one.name.trim() === name)) problems.name = say("scans-lane-problem-twice");
   const rows = say("scans-lane-problem-rows");
-  const distance = read("distance", parseLength, positive, say("scans-lane-problem-distance"));
-  const uDistance = read("uDistance", parseLength, notNegative, say("scans-rig-problem-length"), 0);
+  const then = stored.find((one) => one.name === name);
+  const [shown] = then ? typedLanes([then]) : [];
+  const keep = (field: "distance" | "uDistance", value: number | undefined) => (text: string) =>
+    kept(text, shown?.[field] ?? "", value, parseLength);
+  const distance = read(
+    "distance",
+    keep("distance", then?.distance_m),
+    positive,
+    say("scans-lane-problem-distance"),
+  );
+  const uDistance = read(
+    "uDistance",
+    keep("uDistance", then?.u_distance_m),
+    notNegative,
+    say("scans-rig-problem-length"),
+    0,
+  );
   const from = read("from", parseNumber, notNegative, rows, null);
   const to = read("to", parseNumber, (value) => value > (from ?? 0), rows, null);
   const shadow = read("shadow", parseNumber, isShadow, say("scans-rig-problem-shadow"), null);

@@ -96,6 +96,56 @@ async function click(): Promise<void> {
   await quiet();
 }
 
+describe("the inset of a height", () => {
+  const OTHER = { id: 10, number: 2, version: 1, deleted: false, make: null };
+  const [near, own] = [{ side: "near" } as const, { inset_m: 0.4, u_inset_m: 0.1 }];
+
+  it("is chosen of one vehicle, not of the next", async () => {
+    server.on("GET", /^\/scans\/3\/vehicles$/, () => [vehicle, OTHER]);
+    server.on("GET", /^\/scan-vehicles\/10$/, () => ({ vehicle: OTHER }));
+    await page();
+    await model.heights.setInset("driver_eye", near);
+    expect(model.heights.insetOf("driver_eye")).toEqual(near);
+    model.choose(10);
+    expect(model.heights.insetOf("driver_eye")).toBeNull();
+    model.choose(9);
+    expect(model.heights.insetOf("driver_eye")).toEqual(near);
+  });
+
+  it("is that which is stored once there is one, also while it waits and after an undo", async () => {
+    server.on("POST", /^\/scan-vehicles\/9\/heights$/, (_match, { revision, ...clicks }) => {
+      heights = [...heights, stored(clicks, (revision as number) + 1)];
+      return heights.at(-1);
+    });
+    await model.heights.setInset("roof", own);
+    await click();
+    expect(model.heights.insetOf("roof")).toEqual(own);
+    const change = model.heights.setInset("roof", { inset_m: 0.1, u_inset_m: 0.05 });
+    expect(model.heights.insetOf("roof")).toEqual({ inset_m: 0.1, u_inset_m: 0.05 });
+    await change;
+    await quiet();
+    await model.history.undo();
+    await quiet();
+    expect(heights.at(-1)?.inset_m).toBe(0.4);
+    expect(model.heights.insetOf("roof")).toEqual(own);
+  });
+
+  function stored(clicks: Record<string, unknown>, revision: number): LineHeight {
+    const points = {
+      contact: [clicks["contact_line"], clicks["contact_row_px"]],
+      target_point: [clicks["target_line"], clicks["target_row_px"]],
+    };
+    const said = {
+      inset_m: clicks["inset_m"],
+      u_inset_m: clicks["u_inset_m"],
+      inset_from: "own",
+      side: null,
+    };
+    const rest = { target: clicks["target"], flags: [], budget: [], status: "ok", withdrawn: false };
+    return { ...points, ...said, ...rest, id: 1, vehicle_id: 9, revision, revision_id: revision } as never;
+  }
+});
+
 describe("what is done on the strips without a connection", () => {
   it("shows at once, is kept over a closed page, and is sent once and in order from the next", async () => {
     server.down = true;

@@ -1,4 +1,6 @@
 import { describe, expect, it } from "vitest";
+import type { Scan } from "../../core/types";
+import { besideOf, saidOf } from "./RigCalibration";
 import { isValues, NEW_RIG, type RigValues, sentOf, typedOf, valuesOf, withoutCorrelation } from "./rig";
 
 const RIG: RigValues = {
@@ -52,4 +54,16 @@ describe("the rig as it is typed", () => {
     expect(Object.keys(steep)).toEqual(["divergence"]);
     expect(Object.keys(valuesOf({ ...NEW_RIG, baseline: "1", rate: "9", shadow: "61" }))).toEqual(["shadow"]);
   });
+});
+
+it("a calibration stores the distance that stands, not the digits that are shown of it", () => {
+  const scan = { rig: { ...RIG, distance_m: 3.514, u_distance_m: 0.01234567, lanes: [] } } as unknown as Scan;
+  const shown = besideOf(scan);
+  expect(shown).toMatchObject({ distance: "3.51", uDistance: "0.0123" });
+  expect(saidOf(shown, scan)).toMatchObject({ distance_m: 3.514, u_distance_m: 0.01234567 });
+  expect(saidOf({ ...shown, distance: "3.6" }, scan)).toMatchObject({ distance_m: 3.6 });
+  expect(saidOf({ ...shown, uDistance: "" }, scan)).toMatchObject({ u_distance_m: 0 });
+  const lane = { distance_m: 7.218, u_distance_m: 0 };
+  const laned = { rig: { ...RIG, distance_m: null, lanes: [lane] } } as unknown as Scan;
+  expect(saidOf(besideOf(laned), laned)).toMatchObject(lane);
 });

@@ -13,6 +13,8 @@ const MOST_SHADOW = 60;
 export const isShadow = (value: number) => value >= 0 && value <= MOST_SHADOW;
 export const positive = (value: number) => value > 0;
 export const notNegative = (value: number) => value >= 0;
+/** Decimals of a distance from camera to vehicles. */
+export const DISTANCE_DIGITS = 2;
 const isAngle = (mrad: number) => Math.abs(mrad) <= 200;
 
 /** A value of the rig as a person types it. */
@@ -93,7 +95,7 @@ const DESCRIBED = {
   },
   distance: {
     value: "distance_m",
-    digits: 2,
+    digits: DISTANCE_DIGITS,
     unit: length,
     fine: positive,
     empty: null,

@@ -52,7 +52,13 @@ function linesWords(lines: readonly (number | null)[]): string {
 }
 
 function factsWords(facts: Facts): string {
-  const { category } = facts;
-  const known = Object.values({ ...facts, ...(category ? { category: CATEGORY_WORDS[category] } : {}) });
-  return known.filter((value) => value !== null).join(" ") || say("scan-wish-nothing-known");
+  const { category, true_length_m: length, true_wheelbase_m: wheelbase } = facts;
+  const sized = (name: string, metres: number) => `${name}: ${formatLength(metres)}`;
+  const known = Object.values({
+    ...facts,
+    ...(category ? { category: CATEGORY_WORDS[category] } : {}),
+    ...(length ? { true_length_m: sized(say("scan-known-length"), length) } : {}),
+    ...(wheelbase ? { true_wheelbase_m: sized(say("scan-known-wheelbase"), wheelbase) } : {}),
+  });
+  return known.filter((value) => value !== null).join(", ") || say("scan-wish-nothing-known");
 }

@@ -7,7 +7,18 @@ import { ASKABLE, CATEGORY_WORDS, HEIGHT_WORDS, LIGHTING_WORDS, STATE_WORDS } fr
 import { formatLimit, inWords, STANDARD_OF, standardKey } from "../../parts/figures/standards";
 import type { Standard } from "../../parts/figures/types";
 import { ClassChoice } from "../../parts/vehicles/ClassChoice";
-import { KIND_WORDS, type Kind, type Sight, STANDARDS_OBJECT, sharesOf, usualObject } from "./model";
+import {
+  KIND_WORDS,
+  type Kind,
+  type OfStandard,
+  ofHeight,
+  ofStandard,
+  type Sight,
+  STANDARDS_OBJECT,
+  sharesOf,
+  standardAt,
+  usualObject,
+} from "./model";
 
 /** What the crests are computed from. Each change goes into the address, and from there to the server. */
 export function SightForm({ standards, found }: { standards: readonly Standard[]; found: Sight | null }) {
@@ -40,7 +51,7 @@ export function SightForm({ standards, found }: { standards: readonly Standard[]
 }
 
 interface StandardChoiceProps {
-  name: "eye_m" | "object_m";
+  name: OfStandard;
   usual: number;
   label: string;
   options: readonly Standard[];
@@ -49,7 +60,7 @@ interface StandardChoiceProps {
 /** A height: one of a standard's, or any. */
 function StandardChoice({ name, usual, label, options }: StandardChoiceProps) {
   const height = Number(query.value.get(name) ?? usual);
-  const chosen = options.find((one) => one.height_m === height);
+  const chosen = standardAt(query.value, name, height, options);
   return (
     <>
       <SelectField
@@ -68,17 +79,15 @@ function StandardChoice({ name, usual, label, options }: StandardChoiceProps) {
         ]}
         onInput={(value) => {
           const one = options.find((option) => standardKey(option) === value);
-          const rule = name === "eye_m" ? "eye_percent" : "object_percent";
-          // the survey is read by the rule of the standard, where one is known
-          if (one)
-            setQuery({
-              [name]: one.height_m,
-              ...(one.percent === null ? {} : { [rule]: one.percent }),
-              ...(name === "eye_m" ? { eye_what: one.what } : {}), // whose eyes: of cars, of trucks
-            });
+          if (one) setQuery(ofStandard(name, one));
         }}
       />
-      <Length name={name} label={say("sight-standard-height")} usual={usual} />
+      <Length
+        name={name}
+        label={say("sight-standard-height")}
+        usual={usual}
+        change={(metres) => setQuery(ofHeight(name, metres, options))}
+      />
     </>
   );
 }
@@ -217,9 +226,11 @@ interface LengthProps {
   label: string;
   usual: number;
   most?: number;
+  /** Where more than the length changes with it. */
+  change?(metres: number | null): void;
 }
 
-function Length({ name, label, usual, most = 10 }: LengthProps) {
+function Length({ name, label, usual, most = 10, change }: LengthProps) {
   const stands = Number(query.value.get(name) ?? usual);
   return (
     <LengthField
@@ -230,7 +241,7 @@ function Length({ name, label, usual, most = 10 }: LengthProps) {
         const metres = parseLength(text);
         return metres === null || metres < 0 || metres > most ? say("sight-number-problem") : null;
       }}
-      onCommit={(metres) => setQuery({ [name]: metres })}
+      onCommit={change ?? ((metres) => setQuery({ [name]: metres }))}
     />
   );
 }

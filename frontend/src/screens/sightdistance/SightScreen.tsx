@@ -3,10 +3,10 @@ import { useEffect } from "preact/hooks";
 import { Facts, Loading, Notice, num, PageHead, Panel, Problem, Table } from "../../components";
 import { PageTabs } from "../../components/PageTabs";
 import { query } from "../../core/address";
-import { fromAddress } from "../../core/api";
+import { api, fromAddress } from "../../core/api";
 import { say, sentenceOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
-import { useAsked } from "../../core/resource";
+import { useAsked, useResource } from "../../core/resource";
 import { resultsTabs } from "../../core/tabs";
 import { fixed, formatLength, formatSpeed, lengthScale, numbersIn, plainHeight } from "../../core/units";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
@@ -17,8 +17,14 @@ import { SightForm } from "./SightForm";
 import "./sightdistance.css";
 
 export default function SightScreen(_props: ScreenProps) {
-  const asked = sightQuery(query.value);
-  const found = useAsked("GET /sightdistance", fromAddress<"GET /sightdistance">(asked), { keep: true });
+  const asked = fromAddress<"GET /sightdistance">(sightQuery(query.value));
+  const speed_mps = Number(query.value.get("speed_mps") ?? 100 / 3.6);
+  // the speed stays with the distance that is of it, while that of another is on its way
+  const found = useResource(
+    async (signal) => ({ speed_mps, ...(await api.ask("GET /sightdistance", asked, { signal })) }),
+    [JSON.stringify(asked)],
+    { keep: true },
+  );
   const only = query.value.getAll("survey").length === 1 ? Number(query.value.get("survey")) : null;
   const standards = useAsked(only === null ? null : "GET /surveys/{survey_id}/standards", {
     survey_id: only ?? 0,
@@ -90,13 +96,13 @@ const plain = (metres: number, digits: number) => fixed(metres * lengthScale()[0
 const tenths = (metres: number) => plain(metres, 1);
 const whole = (metres: number) => plain(metres, 0);
 
-function Cases({ sight }: { sight: Sight }) {
+function Cases({ sight }: { sight: Sight & { speed_mps: number } }) {
   const unit = lengthScale()[1];
   return (
     <Panel
       says="sight-cases-title"
       note={say("sight-cases-distance", {
-        speed: formatSpeed(Number(query.value.get("speed_mps") ?? 100 / 3.6), null, 0),
+        speed: formatSpeed(sight.speed_mps, null, 0),
         distance: formatLength(sight.distance.distance_m, 1),
         design: formatLength(sight.distance.design_m, 0),
         formula: numbersIn(sight.distance.formula),

@@ -4,6 +4,8 @@ import { apart, say, sentenceOf, wordsOf } from "../../core/messages";
 import type { AddressOf } from "../../core/routes";
 import { lengthUnit } from "../../core/units";
 import { HEIGHT_WORDS } from "../../core/words";
+import { standardKey } from "../../parts/figures/standards";
+import type { Standard } from "../../parts/figures/types";
 
 type Schemas = components["schemas"];
 export type Sight = Schemas["SightDistances"];
@@ -46,6 +48,47 @@ export function sightQuery(query: URLSearchParams): AddressOf<"GET /sightdistanc
   asked.object_target = target === STANDARDS_OBJECT ? undefined : target;
   asked.unit = lengthUnit.value;
   return asked;
+}
+
+/** Where the address has what is said of an eye and of an object. */
+const SAID = {
+  eye_m: { percent: "eye_percent", standard: "eye_standard" },
+  object_m: { percent: "object_percent", standard: "object_standard" },
+} as const;
+
+export type OfStandard = keyof typeof SAID;
+
+/** The standard of an address: that which was chosen, while its height stands, else the first of this height, of the same eyes. */
+export function standardAt(
+  at: URLSearchParams,
+  name: OfStandard,
+  height_m: number,
+  options: readonly Standard[],
+): Standard | undefined {
+  const whose = name === "eye_m" ? (at.get("eye_what") ?? "eye_car") : null;
+  const alike = options.filter((one) => one.height_m === height_m && (whose ?? one.what) === one.what);
+  return alike.find((one) => standardKey(one) === at.get(SAID[name].standard)) ?? alike[0];
+}
+
+/** What a chosen standard changes of the address: the survey is read by its rule, where one is known. */
+export function ofStandard(name: OfStandard, one: Standard): Record<string, string | number> {
+  return {
+    [name]: one.height_m,
+    [SAID[name].standard]: standardKey(one),
+    ...(one.percent === null ? {} : { [SAID[name].percent]: one.percent }),
+    ...(name === "eye_m" ? { eye_what: one.what } : {}), // whose eyes: of cars, of trucks
+  };
+}
+
+/** The same of a typed height: that of a standard is read as its eyes, any other as usual. */
+export function ofHeight(
+  name: OfStandard,
+  height_m: number | null,
+  options: readonly Standard[],
+): Record<string, string | number | null> {
+  const alike = options.filter((one) => one.height_m === height_m).map((one) => one.what);
+  const whose = alike.includes("eye_car") ? null : (alike[0] ?? null);
+  return { [name]: height_m, [SAID[name].standard]: null, ...(name === "eye_m" ? { eye_what: whose } : {}) };
 }
 
 /** A vehicle that stands is seen by its taillights; one that comes, by as much as an eye sees of another. */

@@ -62,6 +62,7 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
               ? say("statistics-groups-note", {
                   count: curves.length,
                   all: groups.length + (found?.left_out ?? 0),
+                  listed: groups.length,
                 })
               : undefined
           }

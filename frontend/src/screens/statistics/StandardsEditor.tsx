@@ -51,9 +51,9 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
   const change = (at: number, changes: Partial<Row>) =>
     setTyped(rows.map((row, i) => (i === at ? changed(row, changes) : row)));
   const save = async () => {
-    const wrong = rows.find((row) => row.height !== null && parseLength(row.height) === null);
+    const wrong = rows.map(problemOfRow).find((one) => one !== null);
     if (wrong) {
-      setProblem(new ApiError(heightProblem(wrong), 422));
+      setProblem(new ApiError(wrong, 422));
       return;
     }
     await run(async () => {
@@ -86,6 +86,20 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
 
 const shown = (metres: number) => lengthText(metres, lengthUnit.value, 3);
 const EXAMPLE_M = 1.08;
+
+function yearProblem({ year }: Row): string | null {
+  return /^(\d{4})?$/.test(year.trim()) ? null : say("catalogue-year-problem");
+}
+
+function percentProblem({ percent }: Row): string | null {
+  return percent.trim() && parseNumber(percent) === null ? say("catalogue-number-problem") : null;
+}
+
+/** Why a row cannot be saved, or null: nothing that is no number is left out in silence. */
+export function problemOfRow(row: Row): string | null {
+  if (row.height !== null && parseLength(row.height) === null) return heightProblem(row);
+  return yearProblem(row) ?? percentProblem(row);
+}
 
 function heightProblem(row: Row): string {
   const { name } = inWords(row);
@@ -127,19 +141,8 @@ function RowFields({ row: stored, change, remove }: RowProps) {
       <TextField says="statistics-standard-height" unit={lengthUnit.value} {...field("height")} />
       <TextField says="statistics-standard-source" {...field("source")} />
       <TextField says="statistics-standard-edition-field" {...field("edition")} />
-      <TextField
-        says="statistics-standard-year"
-        {...field("year")}
-        problem={/^(\d{4})?$/.test(row.year.trim()) ? null : say("catalogue-year-problem")}
-      />
-      <TextField
-        says="statistics-percentile"
-        numeric
-        {...field("percent")}
-        problem={
-          row.percent.trim() && parseNumber(row.percent) === null ? say("catalogue-number-problem") : null
-        }
-      />
+      <TextField says="statistics-standard-year" {...field("year")} problem={yearProblem(row)} />
+      <TextField says="statistics-percentile" numeric {...field("percent")} problem={percentProblem(row)} />
       <TextField says="statistics-standard-class" {...field("vehicle_class")} />
       <TextField says="statistics-standard-cited-by" {...field("cited_by")} />
       <SelectField

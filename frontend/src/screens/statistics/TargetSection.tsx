@@ -148,7 +148,7 @@ function inTotal(one: TotalFigure | undefined) {
 }
 
 /** "Which share of drivers sits below it", with its interval. */
-function Shares({ target, standards }: Props) {
+export function Shares({ target, standards }: Props) {
   const of = target.target;
   const names = new Set(standards.map((one) => `${one.name}|${one.height_m}`));
   const { shares: total } = target.total ?? { shares: [] };
@@ -263,7 +263,7 @@ function NoIntervals({ rows }: { rows: readonly Percentile[] }) {
       <ul>
         {[...byReason].map(([reason, percents]) => (
           <li key={reason}>
-            {say("statistics-percentiles-reason", { percentiles: allOf(percents.map(String)), reason })}
+            {say("statistics-percentiles-reason", { percentiles: allOf(percents.map(plainPercent)), reason })}
           </li>
         ))}
       </ul>

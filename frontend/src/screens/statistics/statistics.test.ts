@@ -6,7 +6,7 @@ import { type Hue, hueOf } from "../../parts/figures/hues";
 import { resolved } from "../../parts/figures/svg";
 import type { Standard } from "../../parts/figures/types";
 import { changed, narrowed, statisticsQuery } from "./filters";
-import { rowOf, standardOf } from "./StandardsEditor";
+import { problemOfRow, rowOf, standardOf } from "./StandardsEditor";
 
 describe("the address", () => {
   it("goes to the server without what only the page knows", () => {
@@ -38,6 +38,15 @@ describe("the table of standards", () => {
     expect(standardOf(rowOf(one))).toEqual(one);
     expect(standardOf({ ...rowOf(one), height: "3.5" }).height_m).toBeCloseTo(1.0668, 9);
   });
+});
+
+it("a standard whose year or percentile is no number is not saved without it", () => {
+  const row = rowOf({ name: "F", what: "vehicle", height_m: 1.315, year: 1998, percent: 10 } as Standard);
+  expect(problemOfRow(row)).toBeNull();
+  expect(problemOfRow({ ...row, year: "", percent: " " })).toBeNull();
+  expect(problemOfRow({ ...row, year: "19x8" })).toContain("four digits");
+  expect(problemOfRow({ ...row, percent: "ten" })).toContain("Enter a number");
+  expect(problemOfRow({ ...row, height: "tall" })).toContain("Enter the height");
 });
 
 describe("CSV", () => {

@@ -1,7 +1,7 @@
 import { render } from "preact";
 import { afterEach, expect, it } from "vitest";
 import type { StudyResult } from "../../core/types";
-import { Percentiles } from "./Figures";
+import { Figures, Percentiles } from "./Figures";
 
 afterEach(() => render(null, document.body));
 
@@ -21,4 +21,13 @@ it("a percentile without a value takes none of the others away", () => {
   expect(eyes).toMatch(/–.*1\.172.*1\.181/);
   expect(eyes).not.toContain("needs 146");
   expect(roofs).toContain("needs 146");
+});
+
+it("counts the sites that the heights are of, whatever the study joins now", () => {
+  const packages = [{ site: "Rouen" }, { site: "Rouen" }, { site: "Caen" }];
+  const none = { figures: [], rules: [], years: [], curves: [], errors: [], classes: [], plan: [] };
+  const found = { ...none, consequence: null, packages, heights: 30, vehicles: 20 };
+  render(<Figures found={found as unknown as StudyResult["found"]} />, document.body);
+  const counted = document.querySelector("[data-testid=study-counted]")?.textContent;
+  expect(counted).toBe("30 accepted heights of 20 vehicles at 2 sites.");
 });

@@ -15,13 +15,17 @@ type Row = Found["figures"][number];
 type Year = Found["years"][number];
 
 /** What came out of a study: percentiles with their total intervals first, then what they change. */
-export function Figures({ found, sites }: { found: Found; sites: number }) {
+export function Figures({ found }: { found: Found }) {
   const targets = [...new Set(found.figures.map((one) => one.target))];
   const measured = targets.filter((one) => found.figures.some((row) => row.target === one && row.n > 0));
   return (
     <>
       <p data-testid="study-counted">
-        {say("study-counted-words", { heights: found.heights, vehicles: found.vehicles, sites })}
+        {say("study-counted-words", {
+          heights: found.heights,
+          vehicles: found.vehicles,
+          sites: new Set(found.packages.map((one) => one.site)).size,
+        })}
       </p>
       <Percentiles found={found} targets={measured} />
       <SameRule rules={found.rules.map(asRule)} ofChosen={false} />

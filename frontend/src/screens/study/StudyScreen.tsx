@@ -68,9 +68,7 @@ function Page({ page, reload }: { page: StudyPage; reload: () => Promise<void> }
       <Problem error={problem} />
       {result && !underWay && isOld(result) && <Notice kind="warning">{oldWords(result)}</Notice>}
       {!result && !underWay && <NotComputed page={page} edit={edit} />}
-      {result && (
-        <Figures found={result.found} sites={new Set(page.study.surveys.map((one) => one.site)).size} />
-      )}
+      {result && <Figures found={result.found} />}
       {result && <Beside studyId={study.id} />}
       <Joined study={study} result={result} edit={edit} remove={edit && (() => setRemoving(true))} />
       <Members studyId={study.id} />

@@ -1,0 +1,16 @@
+import { afterEach, expect, it } from "vitest";
+import { survey } from "../../core/survey";
+import type { Survey } from "../../core/types";
+import { clockThere } from "./LiveScreen";
+
+afterEach(() => {
+  survey.value = null;
+});
+
+it.each([
+  ["Asia/Tokyo", "02:30:05"],
+  ["America/Lima", "12:30:05"],
+])("tells the time of day by the clocks of the place: %s", (time_zone, told) => {
+  survey.value = { place: { time_zone } } as unknown as Survey;
+  expect(clockThere("2026-05-03T17:30:05Z")).toBe(told);
+});
