@@ -11,6 +11,7 @@ from typing import Any, get_args
 
 import numpy as np
 
+from sightline.arrays import Ints
 from sightline.enums import Correction, Rounding, Target
 from sightline.export.scans import scan_heights_in, scanned_motions, scans_in
 from sightline.export.traffic import traffic_in
@@ -32,8 +33,7 @@ from sightline.results.measured_columns_query import (
     day_of,
     measured_of,
 )
-from sightline.results.selection import Selection
-from sightline.results.survey_statistics import Filter, Statistics, StatisticsOptions, filtered, made_of
+from sightline.results.survey_statistics import Statistics, StatisticsOptions, filter_of, filtered, made_of
 from sightline.results.usual_standards import standards_in
 from sightline.scans.statistics.heights import ScannedHeights
 from sightline.scans.statistics.service import ScanStatistics
@@ -78,8 +78,12 @@ AS_PAPER: tuple[Correction, Rounding] = ("none", _TO_CM)
 
 @dataclass(frozen=True, eq=False)
 class PackageStatistics:
-    """The statistics of a package: `of` the accepted measurements by (correction, rounding), and of scans."""
+    """The statistics of a package: `of` the accepted measurements by (correction, rounding), and of scans.
 
+    `evaluated` (N,): the measurements that they are of, check targets among them, by number.
+    """
+
+    evaluated: Ints
     of: Mapping[tuple[Correction, Rounding], Statistics]
     scans: ScanStatistics
     scan_heights: tuple[ScannedHeights, ...]
@@ -94,8 +98,7 @@ def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()
     """The statistics of the accepted measurements of a package that it is of, from its tables, under every
     correction.
     """
-    chosen_of = selection_in(files)
-    filter_ = Filter(**{one.name: getattr(chosen_of, one.name) for one in fields(Selection)})
+    filter_ = filter_of(selection_in(files))
     measured, left_out = filtered(measured_in(files), filter_)
     groupings = _groupings(files, measured)
     wanted: list[tuple[Correction, Rounding]] = [(one, "none") for one in CORRECTIONS]
@@ -107,7 +110,11 @@ def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()
         found[correction, rounding] = made_of(measured, left_out, filter_, chosen, groupings, {}, {})
     scanned = list(scanned_motions(files))
     return PackageStatistics(
-        found, scans_in(files, scanned), scan_heights_in(files), traffic_in(files, scanned)
+        measured.measurement_id,
+        found,
+        scans_in(files, scanned),
+        scan_heights_in(files),
+        traffic_in(files, scanned),
     )
 
 

@@ -59,7 +59,6 @@ class OfVehicle:
     known_m: Mapping[Target, float | None]
     model_chosen_by: str | None
     check_target: bool
-    counts: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,6 +67,7 @@ class Clicked:
 
     measurement: Measurement
     vehicle: OfVehicle
+    evaluated: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -381,12 +381,14 @@ CLICKS: Table[Clicked] = Table(
                 "whether it checks the measuring, and is no vehicle of the traffic",
                 required=True,
             ),
-            flag(
-                "counts",
-                "whether its height counts in results, as its vehicle's in vehicles.csv",
-                required=True,
-            ),
         ),
+        flag(
+            "counts",
+            "column-clicks-counts",
+            lambda c: c.evaluated and not c.vehicle.check_target,
+            required=True,
+        ),
+        flag("error_counts", "column-clicks-error-counts", lambda c: c.evaluated, required=True),
         *within("measurement.values", key("pose_id", "camera pose for the height")),
         text(
             "pose_file",

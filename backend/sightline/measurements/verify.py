@@ -378,9 +378,9 @@ class _OfVehicles:
     def __init__(self, files: Files) -> None:
         lacking = columns_lacking(files, "vehicles.csv") | columns_lacking(files, CLICKS.key)
         lit = dict(read_columns(files, "recordings.csv", ("id", "lighting")))
-        self._names = [
-            one for one in ("lighting", "category", "check_target", "counts") if one not in lacking
-        ]
+        # before `error_counts`, `counts` was the vehicle's; since then the statistics' check holds it
+        counts = ("counts",) if "error_counts" in lacking else ()
+        self._names = [one for one in ("lighting", "category", "check_target", *counts) if one not in lacking]
         self._told: dict[str, dict[str, str]] = {}
         for row in read_rows(files, "vehicles.csv"):
             lighting = row["lighting"] or lit.get(row["recording_id"], "")
