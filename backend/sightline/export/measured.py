@@ -16,9 +16,10 @@ from sightline.enums import Correction, Rounding, Target
 from sightline.export.scans import scan_heights_in, scanned_motions, scans_in
 from sightline.export.traffic import traffic_in
 from sightline.geometry.documents import camera_across_m
-from sightline.infra.csv_package.files import Files, read_columns, unsafe
+from sightline.infra.csv_package.files import Files, columns_lacking, read_columns, unsafe, whole
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.forms import read_json
+from sightline.measurements.csv import MEASUREMENTS
 from sightline.measurements.sheets.csv import counting_in
 from sightline.poses.csv import pose_path
 from sightline.recordings.filming import hour_filmed
@@ -52,6 +53,7 @@ _READ = (
     "withdrawn",
     "verdict",
     "created_by_id",
+    "operator_id",
     "created_at",
     "pose_id",
     "y_m",
@@ -122,6 +124,9 @@ def measured_in(files: Files) -> Measured:
     """The standing measurements with a height, from measurements.csv, vehicles.csv and recordings.csv."""
     cars, cameras = _cars(files), _Cameras(files)
     columns: dict[str, list[Any]] = {one.name: [] for one in fields(Measured)}
+    # before the column, who restored a height was told as its operator
+    earlier = "operator_id" in columns_lacking(files, MEASUREMENTS.key)
+    operator = "created_by_id" if earlier else "operator_id"
     for row in read_columns(files, "measurements.csv", _READ):
         of = dict(zip(_READ, row, strict=True))
         car = cars.get(of["vehicle_id"])
@@ -134,7 +139,7 @@ def measured_in(files: Files) -> Measured:
             "measurement_id": int(of["id"]),
             "vehicle_id": int(of["vehicle_id"]),
             "survey_id": 0,
-            "operator_id": int(of["created_by_id"]) if of["created_by_id"] else None,
+            "operator_id": whole(of[operator]),
             "day": _day(of["created_at"]),
             "target": of["target"],
             "verdict": of["verdict"],
