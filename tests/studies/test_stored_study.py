@@ -76,7 +76,9 @@ def test_a_study_of_two_sites(
     assert page["study"]["simulated"] and page["job"] is None
     first = page["result"]["found"]
     assert first["heights"] > 80, first["notes"]
-    assert "Too few heights for the percentile" in first["consequence"], first["rules"]
+    assert "Too few heights for the percentile" in first["consequence"]["m"], first["rules"]
+    assert first["consequence"]["ft"] == first["consequence"]["m"], "it names no length"
+    assert {one["whose"] for one in first["rules"]} <= {"cars", "trucks", "all"}
     asked = operator.get(f"/studies/{simulated}", headers={"Accept-Language": "fr"}).json()
     assert "Trop peu de hauteurs pour le centile" in asked["result"]["found"]["consequence"]
     _the_report_says_what_matters_first(operator, page["result"])
@@ -146,6 +148,7 @@ def _are_the_same(mine: dict[str, Any], told: dict[str, Any]) -> None:
         assert len(mine[name]) == len(told[name])
         for one, other in zip(mine[name], told[name], strict=True):
             assert one.pop("standard_code", None) in CODES  # by which pages say it; no column
+            assert (one.pop("whose", "all") == "all") == (not one.get("by_class"))  # follows from it
             said = {key: value["message"] for key, value in one.items() if isinstance(value, dict)}
             assert {key: value for key, value in {**one, **said}.items() if value is not None} == {
                 key: value for key, value in other.items() if value is not None and key in one
