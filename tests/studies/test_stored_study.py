@@ -80,7 +80,7 @@ def test_a_study_of_two_sites(
     assert first["consequence"]["ft"] == first["consequence"]["m"], "it names no length"
     assert {one["whose"] for one in first["rules"]} <= {"cars", "trucks", "all"}
     asked = operator.get(f"/studies/{simulated}", headers={"Accept-Language": "fr"}).json()
-    assert "Trop peu de hauteurs pour le centile" in asked["result"]["found"]["consequence"]
+    assert "Trop peu de hauteurs pour le centile" in asked["result"]["found"]["consequence"]["m"]
     _the_report_says_what_matters_first(operator, page["result"])
     _a_class_that_no_survey_saw_is_said(operator, work, page)
     page = operator.seen(f"/studies/{simulated}")

@@ -174,7 +174,9 @@ class FiguresBody(Out):
     heights: int
     vehicles: int
     notes: list[Said]
-    consequence: str | None
+    consequence: dict[LengthUnit, str] | None = Field(
+        description="What it changes on the road, by unit; of earlier versions in metres alone."
+    )
     curves: list[StudyCurveBody]
     packages: list[StudiedRow]
     figures: list[FigureRow]
