@@ -543,7 +543,7 @@ def total_figures(
     percents : sequence of float
         Which percentiles, 0 to 100.
     limits_m : sequence of float
-        For each of them, the share of heights at or below it.
+        For each of them, the share of heights below it; one that lies on it is not.
 
     Returns
     -------
