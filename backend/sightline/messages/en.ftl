@@ -4224,7 +4224,10 @@ surveys-card-with-site = { $site } · <made>{ $recordings ->
    *[other] { $recordings } recordings
 } · { $day }</made>
 surveys-vehicles-measured = Vehicles measured or not visible
-surveys-heights-reviewed = Heights reviewed
+surveys-heights-reviewed = Heights reviewed{ $scans ->
+    [0] { "" }
+   *[other] { "" } (frames and line scans)
+  }
 surveys-scans-reviewed = Line-scan vehicles reviewed
 surveys-scans = Line scans: { $summary }
 surveys-simulated = { $count ->

@@ -4216,7 +4216,10 @@ surveys-card-with-site = { $site } · <made>{ $recordings ->
    *[other] { $recordings } enregistrements
 } · { $day }</made>
 surveys-vehicles-measured = Véhicules mesurés ou non visibles
-surveys-heights-reviewed = Hauteurs vérifiées
+surveys-heights-reviewed = Hauteurs vérifiées{ $scans ->
+    [0] { "" }
+   *[other] { "" } (images et balayages)
+  }
 surveys-scans-reviewed = Véhicules de balayages vérifiés
 surveys-scans = Balayages : { $summary }
 surveys-simulated = { $count ->
