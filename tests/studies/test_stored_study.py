@@ -20,6 +20,7 @@ from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from sightline.results.usual_standards import STANDARDS
+from sightline.studies.document import consequence_in
 from tests.export.report.pdf_text import pages
 from tests.support.app import Client, error_of
 
@@ -59,6 +60,15 @@ def package(operator: Client, work: Work, survey_id: int, folder: Path) -> str:
     with zipfile.ZipFile(io.BytesIO(operator.http.get(made["url"]).content)) as archive:
         archive.extractall(place)
     return str(place)
+
+
+@pytest.mark.once
+def test_what_heights_change_is_told_in_the_units_that_are_stored() -> None:
+    """A result of an earlier version has the sentence in metres alone, one without a rule has none."""
+    assert consequence_in({"consequence": {"en": "1.080 m", "fr": "1,080 m"}}, "fr") == {"m": "1,080 m"}
+    both = {"m": "1.080 m", "ft": "3.543 ft"}
+    assert consequence_in({"consequence": {"en": both}}, "en") == both
+    assert consequence_in({"consequence": None}, "en") is None
 
 
 @pytest.mark.once
