@@ -127,7 +127,7 @@ def test_the_report_says_which_measurements_the_survey_page_leaves_out(
     counts = operator.seen(f"/surveys/{worked.survey_id}")["counts"]
     assert counts["measurements"] == len(standing) < len(told)
     report = " ".join(words((tmp_path / "package" / "report.pdf").read_bytes()).split())
-    assert f"Measurements of the survey, withdrawn ones included {len(told)}" in report
+    assert "withdrawn ones included" in report and "discarded ones included" in report
 
 
 def test_frictionless_finds_nothing_to_complain_about(package: Path) -> None:

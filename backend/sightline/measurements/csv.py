@@ -386,11 +386,18 @@ CLICKS: Table[Clicked] = Table(
         ),
         flag(
             "counts",
-            "column-clicks-counts",
+            "whether the statistics of this package evaluate its height: accepted, of a vehicle that counts "
+            "(vehicles.csv) and that the package is of (selection.csv)",
             lambda c: c.evaluated and not c.vehicle.check_target,
             required=True,
         ),
-        flag("error_counts", "column-clicks-error-counts", lambda c: c.evaluated, required=True),
+        flag(
+            "error_counts",
+            "whether the statistics of this package evaluate its error, where its reference height is known: as "
+            "counts, and also for check targets",
+            lambda c: c.evaluated,
+            required=True,
+        ),
         *within("measurement.values", key("pose_id", "camera pose for the height")),
         text(
             "pose_file",
