@@ -393,8 +393,8 @@ CLICKS: Table[Clicked] = Table(
         ),
         flag(
             "error_counts",
-            "whether the statistics of this package evaluate its error, where its reference height is known: as "
-            "counts, and also for check targets",
+            "whether the statistics of this package evaluate its error, where its reference height is known: "
+            "as counts, and also for check targets",
             lambda c: c.evaluated,
             required=True,
         ),
