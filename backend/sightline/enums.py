@@ -162,6 +162,7 @@ Rounding = Literal["cm", "none"]
 ErrorGrouping = Literal["all", "lighting", "category"]
 Correction = Literal["inset", "shift", "none", "regression", "deconvolution"]
 ComparisonVerdict = Literal["higher", "lower", "not_told_apart"]
+RuleHeights = Literal["cars", "trucks", "all"]  # whose a rule is read on; all: no class is known
 RuleVerdict = Literal["lower", "higher", "alike", "unknown"]
 IntervalPart = Literal["sampling", "sites", "shared_errors", "random_error", "known_heights"]
 LengthUnit = Literal["m", "ft"]

@@ -25,6 +25,7 @@ from sightline.media.store.local import LocalStore
 from sightline.media.store.s3 import StorageAway
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.store import get_recording
+from tests.export.report.pdf_text import words
 from tests.support.app import Client
 from tests.support.ground import Ground, measure
 from tests.support.packages import FORMULA, ground, package, rows, worked, written
@@ -115,6 +116,18 @@ def test_an_export_that_is_cancelled_leaves_nothing(
 
 def _bytes(place: Path) -> dict[str, bytes]:
     return {str(path.relative_to(place)): path.read_bytes() for path in place.rglob("*") if path.is_file()}
+
+
+def test_the_report_says_which_measurements_the_survey_page_leaves_out(
+    operator: Client, worked: Ground, services: Services, tmp_path: Path
+) -> None:
+    """The report counts all that its tables hold, the page those that stand."""
+    told = rows(written(services, worked.survey_id, tmp_path / "package"), "measurements.csv")
+    standing = [row for row in told if row["withdrawn"] == "false"]
+    counts = operator.seen(f"/surveys/{worked.survey_id}")["counts"]
+    assert counts["measurements"] == len(standing) < len(told)
+    report = " ".join(words((tmp_path / "package" / "report.pdf").read_bytes()).split())
+    assert "withdrawn ones included" in report and "discarded ones included" in report
 
 
 def test_frictionless_finds_nothing_to_complain_about(package: Path) -> None:

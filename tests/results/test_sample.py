@@ -7,9 +7,12 @@ import pytest
 
 from sightline.cli import main
 from sightline.commands.distribution import read_groups
+from sightline.commands.errors import read_heights
+from sightline.export.build import build
 from sightline.export.verify.package import verify_package
-from sightline.infra.csv_package.files import FolderFiles
+from sightline.infra.csv_package.files import FolderFiles, Staging, fresh_folder
 from sightline.infra.services import Services
+from sightline.results.selection import Selection
 from sightline.studies.packages import studied
 from sightline.studies.query import StudyTables
 from sightline.studies.records import StudiedPackage
@@ -283,6 +286,53 @@ def test_one_population_wherever_heights_are_counted(
     assert main(["height", "--pose", str(pose), "--clicks", str(clicks), "-o", str(heights)]) == 0
     (of_command,) = read_groups(heights, None)[0].values()
     assert sorted(of_command.height_m) == sorted(here.heights("roof").height_m)
+
+
+@pytest.mark.parametrize("selected", [False, True])
+def test_commands_evaluate_the_clicks_that_the_report_evaluates(
+    operator: Client,
+    reviewer: Client,
+    ground: Ground,
+    services: Services,
+    tmp_path: Path,
+    selected: bool,
+) -> None:
+    """Of accepted, rejected and waiting heights, of check targets alike, the accepted; of a selection's."""
+    said(operator, ground)
+    ids = fleet(operator, ground, 7)
+    verdicts = ("accepted", "rejected", None, "accepted", "rejected", None, "accepted")
+    for n, (one, verdict) in enumerate(zip(ids, verdicts, strict=True)):
+        facts = {"check_target": n in (3, 4, 5), "category": "lorry" if n == 6 else "saloon"}
+        known = {"manufacturer_height_m": 1.4 - n / 50, "height_source": "dealer", "version": 1}
+        assert operator.put(f"/vehicles/{one}", {**facts, **known}).status_code == 200
+        made = measure(operator, one, **lower(n))
+        if verdict:
+            judged = {"revision": 1, "verdict": verdict, "reason": "wrong vehicle"}
+            reviewer.made(f"/measurements/{made['id']}/reviews", judged)
+    chosen = Selection(categories=("saloon",)) if selected else Selection()
+    with services.reading() as session, fresh_folder(tmp_path / "package") as folder:
+        build(Staging(folder), session, ground.survey_id, services, selection=chosen)
+    place = tmp_path / "package"
+    found = verify_package(FolderFiles(place))
+    assert found.ok, found.problem
+    left_out = {row["measurement_id"]: row["state"] for row in rows(place, "exclusions.csv")}
+    for row in rows(place, "clicks.csv"):
+        state = left_out.get(row["id"].removeprefix("m"))
+        assert (row["counts"] == "true") == (state is None), row["id"]
+        assert (row["error_counts"] == "true") == (state in (None, "check_target")), row["id"]
+
+    heights, (pose,) = tmp_path / "heights.csv", (place / "poses").glob("*.json")
+    clicks = str(place / "tables" / "clicks.csv")
+    assert main(["height", "--pose", str(pose), "--clicks", clicks, "-o", str(heights)]) == 0
+    total = {row["n"] for row in rows(place, "statistics/total_uncertainty.csv") if row["target"] == "roof"}
+    (of_command,) = read_groups(heights, None)[0].values()
+    assert {str(len(of_command.height_m))} == total == {"1" if selected else "2"}
+    told = {
+        (row["target"], row["check_target"] == "true"): int(row["n"])
+        for row in rows(place, "statistics/errors_by_target.csv")
+        if (row["heights"], row["grouping"], row["figure"]) == ("inset", "all", "bias_m")
+    }
+    assert {key: len(of.height_m) for key, of in read_heights(heights)[0].items()} == told
 
 
 def test_what_counts_is_held_against_the_chain_and_the_passes(

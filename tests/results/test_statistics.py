@@ -90,7 +90,8 @@ def ground(services: Services, monkeypatch: pytest.MonkeyPatch) -> Ground:
                 made = store.revise_measurement(session, made, content, actor=operator.id)
                 verdict: Any = VERDICTS[(n + k) % 4] if n >= 6 else "accepted"
                 if verdict == "fixed":
-                    content = replace(content, height_m=height + 0.004)
+                    x, y = content.target_point
+                    content = replace(content, height_m=height + 0.004, target_point=(x, y - 0.5))
                     height += 0.004
                 if verdict:
                     verdict = judge(session, made, verdict, content, other.id)

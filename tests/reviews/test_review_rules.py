@@ -1,14 +1,24 @@
 """Reviews: never one's own, a rejection goes back with its reason, a fix is a new revision, counts follow."""
 
+from pathlib import Path
 from typing import Any
 
 import pytest
 
+from sightline.export.measured import measured_in
+from sightline.export.verify.package import verify_package
+from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.services import Services
+from sightline.quality.repeats.query import measurements_to_click_again
+from sightline.results.measured_columns_query import load_measured_columns
+from sightline.reviews import order_query
+from sightline.reviews.lots.query import waiting_measurements
+from sightline.reviews.order_query import standing_order
 from tests.scans.test_scan_again import in_survey
 from tests.support import scans_samples
 from tests.support.app import Client, error_of
 from tests.support.ground import Ground, add_vehicle, clicks, lay_ground, measure, pixel
+from tests.support.packages import edit, reseal, rows, written
 
 pytestmark = pytest.mark.dialect
 
@@ -232,6 +242,73 @@ def test_what_is_most_likely_wrong_comes_first_and_ones_own_last(
     assert work == {"to_review": 3, "own": 1, "in_lots": 0, "accepted": 0, "rejected": 0, "heights": 4}
     page = reviewer.seen(f"/surveys/{ground.survey_id}/review-queue?limit=2&after={ids[0]}")
     assert [item["measurement"]["id"] for item in page] == ids[1:3]
+
+
+def test_a_rejected_height_raises_no_doubt(operator: Client, reviewer: Client, vehicle_id: int) -> None:
+    """It counts nowhere: neither is it doubted, nor is another one because of it."""
+    measure(operator, vehicle_id, **clicks(1.3))
+    eye = measure(operator, vehicle_id, **clicks(1.5, target="driver_eye"))
+    doubts = operator.seen(f"/vehicles/{vehicle_id}")["doubts"]
+    assert ("driver_eye", "above_roof") in {(one["target"], one["kind"]) for one in doubts}
+    assert judge(reviewer, eye, "rejected", reason="Head rest.").status_code == 201
+    assert operator.seen(f"/vehicles/{vehicle_id}")["doubts"] == []
+
+
+def test_who_clicked_the_points_that_stand_is_their_operator_everywhere(
+    operator: Client,
+    reviewer: Client,
+    ground: Ground,
+    services: Services,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Not who restored them or changed another field; who fixed them. In statistics, queue, lots, repeats and
+    package.
+    """
+    restored, fixed, kept = (
+        measure(operator, add_vehicle(operator, ground.recording_id)["id"], **clicks(1.3 + n / 50))
+        for n in range(3)
+    )
+    assert reviewer.delete(f"/measurements/{restored['id']}?revision=1").status_code == 200
+    again = reviewer.post(f"/measurements/{restored['id']}/restore", {"revision": 2})
+    assert again.status_code == 200, again.text
+    olga, rene = kept["created_by"]["id"], again.json()["created_by"]["id"]
+    points = {"contact": fixed["contact"], "target_point": clicks(1.3)["target_point"]}
+    assert judge(reviewer, fixed, "fixed", **points, reason="Too high.").status_code == 201
+    whose = {restored["id"]: olga, fixed["id"]: rene, kept["id"]: olga}
+
+    queue = reviewer.seen(f"/surveys/{ground.survey_id}/review-queue?state=all")
+    assert {one["measurement"]["id"]: one["judged"]["operator"]["id"] for one in queue} == whose
+
+    asked: list[list[int]] = []
+    real = order_query.review_order
+
+    def noted(*given: Any) -> Any:
+        asked.append(given[3].tolist())
+        return real(*given)
+
+    monkeypatch.setattr(order_query, "review_order", noted)
+    with services.reading() as session:
+        found = load_measured_columns(session, [ground.survey_id])
+        standing_order(session, ground.survey_id, None)
+        of_lots = {row.series_id: row.operator_id for row in waiting_measurements(session, ground.survey_id)}
+        own = [
+            sorted(measurements_to_click_again(session, ground.survey_id, person_id=one, only_own=True)[0])
+            for one in (olga, rene)
+        ]
+    assert dict(zip(found.measurement_id.tolist(), found.operator_id.tolist(), strict=True)) == whose
+    assert asked == [list(whose.values())]
+    assert of_lots == {one: whose[one] for one in (restored["id"], kept["id"])}
+    assert own == [[one for one in whose if whose[one] == person] for person in (olga, rene)]
+
+    place = written(services, ground.survey_id, tmp_path / "package")
+    assert {int(row["id"]): int(row["operator_id"]) for row in rows(place, "measurements.csv")} == whose
+    checked = verify_package(FolderFiles(place))
+    assert checked.ok, checked.problem
+    assert measured_in(FolderFiles(place)).operator_id.tolist() == list(whose.values())
+    edit(place, "measurements.csv", lambda row: row["id"] == str(restored["id"]), operator_id=str(rene))
+    reseal(place)
+    assert "the operator of" in str(verify_package(FolderFiles(place)).problem)
 
 
 def test_heights_of_line_scans_stand_in_the_reviewers_queue(

@@ -10,7 +10,7 @@ from scipy import stats
 
 from sightline.messages.said import Said
 from sightline.statistics.deconvolution import noise_of, smooth_density
-from sightline.statistics.distributions import PERCENTILES
+from sightline.statistics.distributions import PERCENTILES, share_below
 from sightline.statistics.shared_errors import SharedErrors
 from sightline.statistics.sites import pooled_variance, sites_of
 from sightline.statistics.survey_design import Design
@@ -38,6 +38,15 @@ def test_no_share_below_a_higher_limit_is_smaller() -> None:
         parts = [getattr(one, name) for one in told.shares]
         assert parts == sorted(parts), name
     assert sorted(one.value for one in told.shares) == sorted(plain)
+
+
+def test_a_height_on_a_limit_is_not_below_it() -> None:
+    """As in the shares of the plain heights, for whole centimetres meet a standard's."""
+    height_m = np.array([1.06, 1.08, 1.08, 1.10])
+    told = total_figures(HeightSample(height_m, np.zeros(4)), [50.0], [1.08])
+    plain = share_below(height_m, 1.08)
+    assert told is not None and plain is not None and told.shares[0].value == plain.share == 0.25
+    assert total_figures.__doc__ and "heights below it" in total_figures.__doc__
 
 
 def sample(

@@ -20,6 +20,7 @@ from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from sightline.results.usual_standards import STANDARDS
+from sightline.studies.document import consequence_in
 from tests.export.report.pdf_text import pages
 from tests.support.app import Client, error_of
 
@@ -62,6 +63,15 @@ def package(operator: Client, work: Work, survey_id: int, folder: Path) -> str:
 
 
 @pytest.mark.once
+def test_what_heights_change_is_told_in_the_units_that_are_stored() -> None:
+    """A result of an earlier version has the sentence in metres alone, one without a rule has none."""
+    assert consequence_in({"consequence": {"en": "1.080 m", "fr": "1,080 m"}}, "fr") == {"m": "1,080 m"}
+    both = {"m": "1.080 m", "ft": "3.543 ft"}
+    assert consequence_in({"consequence": {"en": both}}, "en") == both
+    assert consequence_in({"consequence": None}, "en") is None
+
+
+@pytest.mark.once
 def test_a_study_of_two_sites(
     simulated: int,
     operator: Client,
@@ -76,9 +86,11 @@ def test_a_study_of_two_sites(
     assert page["study"]["simulated"] and page["job"] is None
     first = page["result"]["found"]
     assert first["heights"] > 80, first["notes"]
-    assert "Too few heights for the percentile" in first["consequence"], first["rules"]
+    assert "Too few heights for the percentile" in first["consequence"]["m"], first["rules"]
+    assert first["consequence"]["ft"] == first["consequence"]["m"], "it names no length"
+    assert {one["whose"] for one in first["rules"]} <= {"cars", "trucks", "all"}
     asked = operator.get(f"/studies/{simulated}", headers={"Accept-Language": "fr"}).json()
-    assert "Trop peu de hauteurs pour le centile" in asked["result"]["found"]["consequence"]
+    assert "Trop peu de hauteurs pour le centile" in asked["result"]["found"]["consequence"]["m"]
     _the_report_says_what_matters_first(operator, page["result"])
     _a_class_that_no_survey_saw_is_said(operator, work, page)
     page = operator.seen(f"/studies/{simulated}")
@@ -146,6 +158,7 @@ def _are_the_same(mine: dict[str, Any], told: dict[str, Any]) -> None:
         assert len(mine[name]) == len(told[name])
         for one, other in zip(mine[name], told[name], strict=True):
             assert one.pop("standard_code", None) in CODES  # by which pages say it; no column
+            assert (one.pop("whose", "all") == "all") == (not one.get("by_class"))  # follows from it
             said = {key: value["message"] for key, value in one.items() if isinstance(value, dict)}
             assert {key: value for key, value in {**one, **said}.items() if value is not None} == {
                 key: value for key, value in other.items() if value is not None and key in one

@@ -241,7 +241,16 @@ def a_light_of_clicks(place: Path) -> str:
 
 
 def clicks_that_do_not_count(place: Path) -> str:
-    return _of_clicks(place, counts="false")
+    _of_clicks(place, counts="false")
+    return "clicks.csv, line 2: counts, error_counts states false, true, the rows give true, true"
+
+
+def a_rejected_height_that_counts(place: Path) -> str:
+    """`sightline distribution` and `errors` would evaluate it."""
+    for path in ("clicks.csv", "clicks/pose-1.csv"):
+        edit(place, path, lambda row: row["target"] == "taillight", counts="true", error_counts="true")
+    rederive(place)
+    return "the rows give false, false"
 
 
 def a_verdict(place: Path) -> str:
@@ -470,6 +479,7 @@ WAYS: tuple[Callable[[Path], str], ...] = (
     a_known_height_of_clicks,
     a_light_of_clicks,
     clicks_that_do_not_count,
+    a_rejected_height_that_counts,
     a_verdict,
     an_event,
     an_event_and_its_hash,

@@ -144,8 +144,8 @@ def read_heights(path: Path) -> tuple[dict[Key, _Rows], int]:
     for line, row in table.sound_rows():
         has_both = row["height_m"] and row["reference_height_m"]
         check = row.get("check_target") == "true"
-        counts = check or row.get("counts") != "false"
-        if row["status"] != "ok" or not counts or not has_both:
+        counts = row.get("error_counts", "true" if check else row.get("counts"))
+        if row["status"] != "ok" or counts == "false" or not has_both:
             left_out += 1
             continue
         target = row.get("target") or "roof"

@@ -40,9 +40,9 @@ def counting_vehicles(files: Files) -> frozenset[str]:
     return frozenset(id_ for id_ in chosen_vehicles(files).of if counts[id_])
 
 
-def is_accepted(withdrawn: str, verdict: str) -> bool:
-    """Whether a height stands and is accepted, by the cells of its row."""
-    return withdrawn == "false" and verdict in get_args(AcceptedVerdict)
+def is_accepted(withdrawn: str, status: str, verdict: str) -> bool:
+    """Whether there is a height that stands and is accepted, by the cells of its row."""
+    return withdrawn == "false" and status == "ok" and verdict in get_args(AcceptedVerdict)
 
 
 def _chosen(files: Files, filmed: str, vehicles: Iterable[Sequence[str]]) -> ChosenVehicles:

@@ -4,7 +4,7 @@ Rows are written as they are read; what is held is a page of rows, one byte for 
 what statistics need of a measurement (some 100 bytes).
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
 from itertools import groupby
@@ -48,7 +48,7 @@ from sightline.measurements.csv import (
     clicks_with_frames,
     with_frames,
 )
-from sightline.measurements.records import Measurement
+from sightline.measurements.records import Measurement, operator_of
 from sightline.measurements.sheets.csv import VEHICLES
 from sightline.messages.said import Said
 from sightline.poses.csv import POSES, pose_path
@@ -56,7 +56,9 @@ from sightline.poses.store import list_whole_poses
 from sightline.quality.repeats.csv import REPEATS
 from sightline.recordings.frames.csv import ClickedFrame, clicked_frames
 from sightline.recordings.frames.store import get_frame_table
+from sightline.results.measured_columns_query import load_measured_columns
 from sightline.results.selection import Selection
+from sightline.results.survey_statistics import filter_of, filtered
 from sightline.reviews.lots.csv import LOT_ITEMS, LOTS, ItemOfLot
 from sightline.reviews.lots.query import items_of_deleted_vehicles, list_lots
 from sightline.reviews.lots.service import lots_with_items
@@ -157,8 +159,10 @@ def fill_measurements(found: Filling) -> None:
     tick = found.part(0.0, 0.35, Said("job-export-measurements"))
     done = 0
     stale = found.of_survey(measurements_out_of_date).measurements
+    measured = load_measured_columns(found.session, [found.survey.id])
+    evaluated, _ = filtered(measured, filter_of(found.selection))
     with ExitStack() as stack:
-        out = _Writers(found.staging, stack, found.most)
+        out = _Writers(found.staging, stack, found.most, set(evaluated.measurement_id.tolist()))
         for page in found.of_survey(revision_pages):
             current: list[Measurement] = []
             for _, group in groupby(page, key=lambda pair: pair[0].id):
@@ -182,8 +186,8 @@ def fill_measurements(found: Filling) -> None:
 class _Writers:
     """The open files of all tables that a pass over the measurements fills."""
 
-    def __init__(self, staging: Staging, stack: ExitStack, most: int) -> None:
-        self._staging, self._stack = staging, stack
+    def __init__(self, staging: Staging, stack: ExitStack, most: int, evaluated: Set[int]) -> None:
+        self._staging, self._stack, self._evaluated = staging, stack, evaluated
         self._clicks_table = clicks_with_frames(most)
         self._current = self._opened(with_frames(MEASUREMENTS, most))
         self._all = self._opened(with_frames(REVISIONS, most))
@@ -198,11 +202,12 @@ class _Writers:
         for one in revisions:
             self._all.add(one)
         newest = revisions[-1]
-        self._current.add(replace(newest, out_of_date=out_of_date))
+        operator = operator_of(revisions, newest)
+        self._current.add(replace(newest, out_of_date=out_of_date, operator=operator))
         for entry in budget_entries(newest):
             self._budget.add(entry)
         if not newest.withdrawn:
-            clicked = Clicked(newest, car)
+            clicked = Clicked(newest, car, newest.id in self._evaluated)
             self._clicks.add(clicked)
             self._of_pose(newest.values.pose_id).add(clicked)
 

@@ -11,13 +11,15 @@ from typing import Any, get_args
 
 import numpy as np
 
+from sightline.arrays import Ints
 from sightline.enums import Correction, Rounding, Target
 from sightline.export.scans import scan_heights_in, scanned_motions, scans_in
 from sightline.export.traffic import traffic_in
 from sightline.geometry.documents import camera_across_m
-from sightline.infra.csv_package.files import Files, read_columns, unsafe
+from sightline.infra.csv_package.files import Files, columns_lacking, read_columns, unsafe, whole
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.forms import read_json
+from sightline.measurements.csv import MEASUREMENTS
 from sightline.measurements.sheets.csv import counting_in
 from sightline.poses.csv import pose_path
 from sightline.recordings.filming import hour_filmed
@@ -32,8 +34,7 @@ from sightline.results.measured_columns_query import (
     day_of,
     measured_of,
 )
-from sightline.results.selection import Selection
-from sightline.results.survey_statistics import Filter, Statistics, StatisticsOptions, filtered, made_of
+from sightline.results.survey_statistics import Statistics, StatisticsOptions, filter_of, filtered, made_of
 from sightline.results.usual_standards import standards_in
 from sightline.scans.statistics.heights import ScannedHeights
 from sightline.scans.statistics.service import ScanStatistics
@@ -52,6 +53,7 @@ _READ = (
     "withdrawn",
     "verdict",
     "created_by_id",
+    "operator_id",
     "created_at",
     "pose_id",
     "y_m",
@@ -78,8 +80,12 @@ AS_PAPER: tuple[Correction, Rounding] = ("none", _TO_CM)
 
 @dataclass(frozen=True, eq=False)
 class PackageStatistics:
-    """The statistics of a package: `of` the accepted measurements by (correction, rounding), and of scans."""
+    """The statistics of a package: `of` the accepted measurements by (correction, rounding), and of scans.
 
+    `evaluated` (N,): the measurements that they are of, check targets among them, by number.
+    """
+
+    evaluated: Ints
     of: Mapping[tuple[Correction, Rounding], Statistics]
     scans: ScanStatistics
     scan_heights: tuple[ScannedHeights, ...]
@@ -94,8 +100,7 @@ def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()
     """The statistics of the accepted measurements of a package that it is of, from its tables, under every
     correction.
     """
-    chosen_of = selection_in(files)
-    filter_ = Filter(**{one.name: getattr(chosen_of, one.name) for one in fields(Selection)})
+    filter_ = filter_of(selection_in(files))
     measured, left_out = filtered(measured_in(files), filter_)
     groupings = _groupings(files, measured)
     wanted: list[tuple[Correction, Rounding]] = [(one, "none") for one in CORRECTIONS]
@@ -107,7 +112,11 @@ def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()
         found[correction, rounding] = made_of(measured, left_out, filter_, chosen, groupings, {}, {})
     scanned = list(scanned_motions(files))
     return PackageStatistics(
-        found, scans_in(files, scanned), scan_heights_in(files), traffic_in(files, scanned)
+        measured.measurement_id,
+        found,
+        scans_in(files, scanned),
+        scan_heights_in(files),
+        traffic_in(files, scanned),
     )
 
 
@@ -115,6 +124,9 @@ def measured_in(files: Files) -> Measured:
     """The standing measurements with a height, from measurements.csv, vehicles.csv and recordings.csv."""
     cars, cameras = _cars(files), _Cameras(files)
     columns: dict[str, list[Any]] = {one.name: [] for one in fields(Measured)}
+    # before the column, who restored a height was told as its operator
+    earlier = "operator_id" in columns_lacking(files, MEASUREMENTS.key)
+    operator = "created_by_id" if earlier else "operator_id"
     for row in read_columns(files, "measurements.csv", _READ):
         of = dict(zip(_READ, row, strict=True))
         car = cars.get(of["vehicle_id"])
@@ -127,7 +139,7 @@ def measured_in(files: Files) -> Measured:
             "measurement_id": int(of["id"]),
             "vehicle_id": int(of["vehicle_id"]),
             "survey_id": 0,
-            "operator_id": int(of["created_by_id"]) if of["created_by_id"] else None,
+            "operator_id": whole(of[operator]),
             "day": _day(of["created_at"]),
             "target": of["target"],
             "verdict": of["verdict"],

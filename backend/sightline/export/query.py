@@ -28,7 +28,6 @@ from sightline.measurements.tables import reviews as review_rows
 from sightline.poses.tables import road_poses
 from sightline.recordings.tables import recordings
 from sightline.vehicles.records import KNOWN
-from sightline.vehicles.store import vehicles_outside
 from sightline.vehicles.tables import vehicles as vehicle_rows
 
 PAGE = 1000
@@ -59,7 +58,7 @@ def revision_pages(session: Session, survey_id: int) -> Iterator[list[tuple[Meas
     v = vehicle_rows.c
     chosen: Select[Any] = (
         measurement_revision_rows()
-        .add_columns(v.id.label("vehicle"), v.number, v.category, v.model_chosen_by, v.check_target)
+        .add_columns(v.number, v.category, v.model_chosen_by, v.check_target)
         .add_columns(func.coalesce(v.lighting, recordings.c.lighting).label("lighting"))
         .add_columns(*(v[names.height] for names in KNOWN.values()))
         .join(vehicle_rows, v.id == measurement_series.c.vehicle_id)
@@ -67,7 +66,6 @@ def revision_pages(session: Session, survey_id: int) -> Iterator[list[tuple[Meas
         .where(measurement_series.c.survey_id == survey_id, v.deleted_at.is_(None))
         .order_by(measurements.c.series_id, measurements.c.revision)
     )
-    outside = vehicles_outside(session, [survey_id])
     of_survey = select(measurement_series.c.id).where(measurement_series.c.survey_id == survey_id)
     for first, last in _spans(session, of_survey, measurement_series.c.id):
         rows = session.execute(chosen.where(measurement_series.c.id.between(first, last))).all()
@@ -80,7 +78,6 @@ def revision_pages(session: Session, survey_id: int) -> Iterator[list[tuple[Meas
                 known_m={target: getattr(row, names.height) for target, names in KNOWN.items()},
                 model_chosen_by=row.model_chosen_by,
                 check_target=row.check_target,
-                counts=not row.check_target and row.vehicle not in outside,
             )
             for row in rows
         ]

@@ -390,7 +390,7 @@ def _rule_rows(found: Statistics) -> Iterator[Cells]:
     for one in found.rules:
         standard = one.standard
         named: Cells = {"standard": standard.name, "standard_m": standard.height_m}
-        named |= {"class": standard.vehicle_class}
+        named |= {"class": standard.vehicle_class, "by_class": one.by_class}
         ends = {"height_m": one.value_m, "low_m": one.U95_low_m, "high_m": one.U95_high_m}
         yield {"what": standard.what, "percent": standard.percent, **vars(one), **named, **ends}
 

@@ -21,10 +21,10 @@ class VerdictCounts:
 def verdicts_in(files: Files) -> VerdictCounts:
     """Of the vehicles whose heights count."""
     counting = counting_vehicles(files)
-    names = ("vehicle_id", "withdrawn", "verdict", "verdict_by", "lot_id")
+    names = ("vehicle_id", "withdrawn", "status", "verdict", "verdict_by", "lot_id")
     bases, standing = Counter[str](), Counter[str]()
-    for vehicle, withdrawn, verdict, basis, lot in read_columns(files, "measurements.csv", names):
-        if is_accepted(withdrawn, verdict) and vehicle in counting:
+    for vehicle, *cells, basis, lot in read_columns(files, "measurements.csv", names):
+        if is_accepted(*cells) and vehicle in counting:
             standing[lot] += 1
             bases[basis] += 1
     columns = ("id", "state", "judged", "rest", "nonconforming")

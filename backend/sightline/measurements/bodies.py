@@ -174,9 +174,10 @@ def vehicle_body(sheet: VehicleSheet) -> VehicleBody:
 
 
 def _doubts(sheet: VehicleSheet) -> tuple[Doubt, ...]:
+    """Of the heights that may count: a rejected one speaks against no other."""
     heights = {
         one.values.target: Height(one.values.height_m, one.values.u_height_m or 0.0)
         for one in sheet.measurements
-        if one.values.height_m is not None
+        if one.values.height_m is not None and one.review.verdict != "rejected"
     }
     return doubts(heights, sheet.category, sheet.reference_m, sheet.u_reference_m)

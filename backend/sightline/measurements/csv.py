@@ -59,15 +59,15 @@ class OfVehicle:
     known_m: Mapping[Target, float | None]
     model_chosen_by: str | None
     check_target: bool
-    counts: bool
 
 
 @dataclass(frozen=True, slots=True)
 class Clicked:
-    """A measurement and the vehicle that it is of."""
+    """A measurement, the vehicle that it is of, and whether the package's statistics evaluate its height."""
 
     measurement: Measurement
     vehicle: OfVehicle
+    evaluated: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -240,7 +240,7 @@ _HEIGHT: Columns = (
     *REASON,
     *_FLAGS,
     *within("values", text("code_version", "version of the program that computed the height", required=True)),
-    person("created_by_id", "who clicked the points"),
+    person("created_by_id", "column-measurements-created-by-id"),
     moment("created_at", "when the revision was stored"),
     flag("withdrawn", "true if the measurement was withdrawn", required=True),
     integer("computing_id", "recomputation that made this revision from the clicks of the previous one"),
@@ -306,6 +306,7 @@ MEASUREMENTS: Table[Measurement] = Table(
         ),
         *within("review", integer("lot_id", "of a verdict by lot: the lot")),
         out_of_date("recording's road pose"),
+        person("operator_id", "column-measurements-operator-id"),
     ),
     primary=("id",),
     foreign=(
@@ -316,6 +317,7 @@ MEASUREMENTS: Table[Measurement] = Table(
             calibration_id="calibrations",
             computing_id="computings",
             created_by_id="people",
+            operator_id="people",
             reviewer_id="people",
             lot_id="lots",
         ),
@@ -381,11 +383,20 @@ CLICKS: Table[Clicked] = Table(
                 "whether it checks the measuring, and is no vehicle of the traffic",
                 required=True,
             ),
-            flag(
-                "counts",
-                "whether its height counts in results, as its vehicle's in vehicles.csv",
-                required=True,
-            ),
+        ),
+        flag(
+            "counts",
+            "whether the statistics of this package evaluate its height: accepted, of a vehicle that counts "
+            "(vehicles.csv) and that the package is of (selection.csv)",
+            lambda c: c.evaluated and not c.vehicle.check_target,
+            required=True,
+        ),
+        flag(
+            "error_counts",
+            "whether the statistics of this package evaluate its error, where its reference height is known: "
+            "as counts, and also for check targets",
+            lambda c: c.evaluated,
+            required=True,
         ),
         *within("measurement.values", key("pose_id", "camera pose for the height")),
         text(

@@ -5,7 +5,7 @@ from dataclasses import fields
 from operator import itemgetter
 from typing import Any, Generic, TypeVar
 
-from sqlalchemy import ColumnElement, Row, Select, and_, exists, func, null, or_, select
+from sqlalchemy import ColumnElement, Row, Select, and_, case, exists, func, null, or_, select
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
@@ -64,18 +64,37 @@ verdict: ColumnElement[str] = func.coalesce(reviews.c.verdict, "to_review")
 waits: ColumnElement[bool] = verdict.in_(("to_review", "reopened"))
 
 _mine = measurements.alias("mine")
+_earlier = measurements.alias("earlier")
+
+
+def _same_points(other: Any) -> ColumnElement[bool]:
+    """Whether another revision of the series has the first frame's points, as `first_clicks` tells them."""
+    names = ("frame", "contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
+    alike = (other.c[name].is_not_distinct_from(measurements.c[name]) for name in names)
+    return and_(other.c.series_id == measurements.c.series_id, *alike)
+
+
+#: Who clicked the points of a revision (`operator_of`): made the first that has them. Who withdrew, restored
+#: or computed it again did not.
+operator_id: ColumnElement[int | None] = case(
+    (measurements.c.revision == 1, measurements.c.created_by),
+    else_=select(_earlier.c.created_by)
+    .where(_same_points(_earlier))
+    .order_by(_earlier.c.revision)
+    .limit(1)
+    .correlate(measurements)
+    .scalar_subquery(),
+)
 
 
 def is_own(actor: int | None) -> ColumnElement[bool]:
     """Whether a revision is of a person's making, or stands on the very points that they clicked; computed
     again by others, clicks are still theirs who placed them.
     """
-    names = ("frame", "contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
-    same = and_(*(_mine.c[name].is_not_distinct_from(measurements.c[name]) for name in names))
     return exists().where(
         _mine.c.series_id == measurements.c.series_id,
         _mine.c.created_by == actor,
-        or_(_mine.c.revision == measurements.c.revision, same),
+        or_(_mine.c.revision == measurements.c.revision, _same_points(_mine)),
     )
 
 

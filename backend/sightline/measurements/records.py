@@ -1,6 +1,6 @@
 """Measurements, their values and further frames, and the sheet of a vehicle that carries them."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Annotated, Generic
@@ -324,8 +324,10 @@ class Revision(RevisionFacts, Generic[Content]):
     verdict_of_revision: int | None = None
     #: The revision that the verdict was given to.
     judged_revision: int | None = None
-    #: Filled in for the package alone: the facts that it follows from and that hold no longer.
+    #: Filled in for the package alone: the facts that it follows from and that hold no longer, and who
+    #: clicked the points that stand.
     out_of_date: tuple[ComputingCause, ...] = ()
+    operator: Who | None = None
 
     @property
     def all_flags(self) -> list[Said]:
@@ -353,6 +355,12 @@ class Measurement(Revision[MeasurementValues]):
         """What was stored, and what was found out since about the camera."""
         flags = self.values.flags
         return flags if self.drift_flag is None else [*flags, self.drift_flag]
+
+
+def operator_of(revisions: Iterable[Measurement], standing: Measurement) -> Who | None:
+    """Who clicked the points that stand, not who restored them; of revisions from the first on."""
+    clicks = standing.values.first_clicks
+    return next((one.created_by for one in revisions if one.values.first_clicks == clicks), None)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -6,7 +6,7 @@ import hashlib
 import json
 import math
 import re
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from datetime import datetime
 from itertools import groupby
@@ -67,8 +67,9 @@ _RECOMPUTED = tuple(
     if (one.name.endswith("_m") and not one.name.startswith(("u_", "U95_", "inset")))
     or one.name in ("u_clicks_m", "u_by_inset_m")
 )
+_FIRST_CLICKS = ("frame", "contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
 _VERDICT = ("verdict", "review_reason", "reviewer_id", "reviewed_at", "verdict_by", "lot_id")
-_ONLY_CURRENT = ("id", "filmed_at", "out_of_date", *_VERDICT)
+_ONLY_CURRENT = ("id", "filmed_at", "out_of_date", "operator_id", *_VERDICT)
 
 
 @dataclass(eq=False)
@@ -213,6 +214,7 @@ def check_measurements(
             stored = heights.without_drift(f"revisions.csv: {name}", row, open_spans)
             _by_event(events, stored, "revisions.csv", (int(name), int(row["revision"])))
         _is_newest(current, rows[-1])
+        _is_of_operator(current, rows)
         _is_filmed(current, filmings.get(current["recording_id"]))
         budget.check(current)
         if current["withdrawn"] != "true":
@@ -351,6 +353,13 @@ def _is_newest(current: Row, newest: Row) -> None:
             raise Damaged("measurements-last-revision-differs", id=current["id"], column=column)
 
 
+def _is_of_operator(current: Row, revisions: Sequence[Row]) -> None:
+    """Who clicked is the maker of the first revision with the points that stand, as `operator_of` has it."""
+    first = next(row for row in revisions if all(row[name] == current[name] for name in _FIRST_CLICKS))
+    if current.get("operator_id", first["created_by_id"]) != first["created_by_id"]:
+        raise Damaged("measurements-operator-differs", id=current["id"])
+
+
 def _is_filmed(row: Row, filming: Filming | None) -> None:
     """When a frame was filmed follows from its recording's start; that is held against its events."""
     if row["filmed_at"] != ("" if filming is None else filming.at(float(row["time_s"]))):
@@ -378,9 +387,9 @@ class _OfVehicles:
     def __init__(self, files: Files) -> None:
         lacking = columns_lacking(files, "vehicles.csv") | columns_lacking(files, CLICKS.key)
         lit = dict(read_columns(files, "recordings.csv", ("id", "lighting")))
-        self._names = [
-            one for one in ("lighting", "category", "check_target", "counts") if one not in lacking
-        ]
+        # before `error_counts`, `counts` was the vehicle's; since then the statistics' check holds it
+        counts = ("counts",) if "error_counts" in lacking else ()
+        self._names = [one for one in ("lighting", "category", "check_target", *counts) if one not in lacking]
         self._told: dict[str, dict[str, str]] = {}
         for row in read_rows(files, "vehicles.csv"):
             lighting = row["lighting"] or lit.get(row["recording_id"], "")

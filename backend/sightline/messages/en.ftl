@@ -4224,7 +4224,10 @@ surveys-card-with-site = { $site } · <made>{ $recordings ->
    *[other] { $recordings } recordings
 } · { $day }</made>
 surveys-vehicles-measured = Vehicles measured or not visible
-surveys-heights-reviewed = Heights reviewed
+surveys-heights-reviewed = Heights reviewed{ $scans ->
+    [0] { "" }
+   *[other] { "" } (frames and line scans)
+  }
 surveys-scans-reviewed = Line-scan vehicles reviewed
 surveys-scans = Line scans: { $summary }
 surveys-simulated = { $count ->
@@ -5203,6 +5206,7 @@ measurements-pose-missing = { $path } is missing or is not a camera pose; get th
 measurements-result-differs = { $name } states { $words } { $told }, its clicks give { $computed }; one is wrong.
 measurements-last-revision-differs = measurements.csv: { $id } has another { $column } than its last revision.
 measurements-value-differs = { $path }: { $id } has another { $name } than measurements.csv; one is wrong.
+measurements-operator-differs = measurements.csv: the operator of { $id } is not who made the first revision with its points (revisions.csv); one is wrong.
 measurements-vehicle-differs = { $path }: { $id } has another { $name } than its vehicle in vehicles.csv; one is wrong.
 measurements-vehicle-missing = { $path }: the vehicle of { $id } is not in vehicles.csv; a row was removed.
 measurements-row-misplaced = { $path } { $found } where { $name } belongs; a row was removed or added.
@@ -6400,7 +6404,8 @@ column-measurements-flags-code = flags by code and values (JSON)
 column-statistics-warning-code = warning by code and values (JSON)
 column-statistics-words-code = words by code and values (JSON)
 column-measurements-code-version = version of the program that computed the height
-column-measurements-created-by-id = who clicked the points
+column-measurements-created-by-id = who made the revision: clicked the points, withdrew the measurement or restored it; of a recomputed one, as of the revision before
+column-measurements-operator-id = who clicked the points that stand, the maker of the first revision with them: the operator of all statistics
 column-measurements-created-at = when the revision was stored (ISO 8601, UTC)
 column-measurements-withdrawn = true if the measurement was withdrawn
 column-measurements-computing-id = recomputation that made this revision from the clicks of the previous one
@@ -7518,8 +7523,8 @@ report-verdicts = Verdicts
 report-state-of = Data as of
 report-code = Software
 report-count-recordings = recordings of the survey
-report-count-vehicles = vehicles of the survey
-report-count-measurements = measurements of the survey
+report-count-vehicles = vehicles of the survey, discarded ones included
+report-count-measurements = measurements of the survey, withdrawn ones included
 report-count-not-visible = targets not visible, of vehicles that count
 report-count-used = measurements counted in the results
 report-count-left-out = measurements of the survey excluded

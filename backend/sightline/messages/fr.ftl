@@ -4216,7 +4216,10 @@ surveys-card-with-site = { $site } · <made>{ $recordings ->
    *[other] { $recordings } enregistrements
 } · { $day }</made>
 surveys-vehicles-measured = Véhicules mesurés ou non visibles
-surveys-heights-reviewed = Hauteurs vérifiées
+surveys-heights-reviewed = Hauteurs vérifiées{ $scans ->
+    [0] { "" }
+   *[other] { "" } (images et balayages)
+  }
 surveys-scans-reviewed = Véhicules de balayages vérifiés
 surveys-scans = Balayages : { $summary }
 surveys-simulated = { $count ->
@@ -5234,6 +5237,7 @@ measurements-pose-missing = { $path } manque ou n’est pas une pose de la camé
 measurements-result-differs = { $name } indique { $words } { $told }, ses pointés donnent { $computed } ; l’un des deux est faux.
 measurements-last-revision-differs = measurements.csv : { $id } a une autre valeur de { $column } que sa dernière révision.
 measurements-value-differs = { $path } : { $id } a une autre valeur de { $name } que measurements.csv ; l’un des deux est faux.
+measurements-operator-differs = measurements.csv : l’opérateur de { $id } n’est pas l’auteur de la première révision avec ses points (revisions.csv) ; l’un des deux est faux.
 measurements-vehicle-differs = { $path } : { $id } a une autre valeur de { $name } que son véhicule dans vehicles.csv ; l’un des deux est faux.
 measurements-vehicle-missing = { $path } : le véhicule de { $id } n’est pas dans vehicles.csv ; une ligne a été supprimée.
 measurements-row-misplaced = { $path } { $found } là où { $name } a sa place ; une ligne a été retirée ou ajoutée.
@@ -6455,7 +6459,8 @@ column-measurements-flags-code = flags par code et valeurs (JSON)
 column-statistics-warning-code = avertissement par code et valeurs (JSON)
 column-statistics-words-code = texte par code et valeurs (JSON)
 column-measurements-code-version = version du programme qui a calculé la hauteur
-column-measurements-created-by-id = qui a placé les points
+column-measurements-created-by-id = qui a fait la révision : placé les points, retiré ou rétabli la mesure ; pour une révision recalculée, comme la précédente
+column-measurements-operator-id = qui a placé les points en vigueur, l’auteur de la première révision qui les a : l’opérateur de toutes les statistiques
 column-measurements-created-at = quand la révision a été enregistrée (ISO 8601, UTC)
 column-measurements-withdrawn = true si la mesure a été retirée
 column-measurements-computing-id = le recalcul dont vient cette révision, avec les pointés de la précédente
@@ -7575,8 +7580,8 @@ report-verdicts = Décisions
 report-state-of = État au
 report-code = Programme
 report-count-recordings = enregistrements du relevé
-report-count-vehicles = véhicules du relevé
-report-count-measurements = mesures du relevé
+report-count-vehicles = véhicules du relevé, y compris les écartés
+report-count-measurements = mesures du relevé, y compris les retirées
 report-count-not-visible = cibles non visibles, sur les véhicules comptés
 report-count-used = mesures comptées dans les résultats
 report-count-left-out = mesures du relevé exclues

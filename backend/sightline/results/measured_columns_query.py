@@ -17,7 +17,7 @@ from sightline.arrays import Floats, Ints
 from sightline.enums import Category, ClassSet, Direction, Lighting, Target, Verdict
 from sightline.errors import Damaged
 from sightline.geometry.documents import camera_across_m
-from sightline.measurements.query import is_current, is_first, series, verdict, with_verdict
+from sightline.measurements.query import is_current, is_first, operator_id, series, verdict, with_verdict
 from sightline.measurements.tables import measurements
 from sightline.poses.tables import road_poses
 from sightline.recordings.filming import filming_of
@@ -186,7 +186,7 @@ def _standing(survey_ids: Sequence[int] | None, days: bool) -> Select[Any]:
             series.c.id.label("measurement_id"),
             series.c.vehicle_id,
             series.c.survey_id,
-            m.created_by.label("operator_id"),
+            operator_id.label("operator_id"),
             (m.created_at if days else null()).label("day"),
             v.recording_id,
             FIRST_S,

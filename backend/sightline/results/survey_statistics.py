@@ -9,7 +9,7 @@ would tell is then given, `StatisticsOptions.standards` included.
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from datetime import date
 from threading import Lock
 from typing import Annotated, Any, get_args
@@ -103,6 +103,11 @@ class Filter(Selection):
     state: StatisticsState = "accepted"
     target: StatisticsTarget | None = None
     seen: Seen = None
+
+
+def filter_of(selection: Selection) -> Filter:
+    """The accepted measurements of the vehicles of a selection."""
+    return Filter(**{one.name: getattr(selection, one.name) for one in fields(Selection)})
 
 
 @dataclass(frozen=True)

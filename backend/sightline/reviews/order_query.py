@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 from cachetools import LRUCache, cached
-from sqlalchemy import Row, and_, func
+from sqlalchemy import Row, func
 from sqlalchemy.orm import Session
 
 from sightline.enums import ReviewSign, Verdict
 from sightline.infra.audit import trail
-from sightline.measurements.query import is_current, is_first, is_own, verdict, with_verdict
+from sightline.measurements.query import is_current, is_first, is_own, operator_id, verdict, with_verdict
 from sightline.measurements.tables import measurement_series
 from sightline.measurements.tables import measurements as revision_rows
 from sightline.scans.tables import scan_vehicles, scans
@@ -26,11 +26,14 @@ MOST_KEPT = 400_000
 
 @dataclass(frozen=True, slots=True)
 class Standing:
-    """A height that stands: its verdict, whose it is, what speaks against it; `scanned`: of a line scan."""
+    """A height that stands: its verdict, whose it is, what speaks against it; `scanned`: of a line scan.
+    `operator`: the number of who clicked its points; `mine`: whether the actor may not judge it.
+    """
 
     scanned: bool
     verdict: Verdict
     mine: bool
+    operator: int | None
     signs: tuple[ReviewSign, ...]
     error_m: float | None
     u_error_m: float | None
@@ -54,7 +57,6 @@ def _standing_order(session: Session, survey_id: int, actor: int | None, _end: s
     """`_end`: the hash in which the survey's audit chain ends: another one with each change."""
     r, of = revision_rows.c, measurement_series.c
     number = func.coalesce(vehicles.c.number, scan_vehicles.c.number)
-    maker = revision_rows.alias("maker")
     query = (
         with_verdict(
             *(
@@ -65,14 +67,13 @@ def _standing_order(session: Session, survey_id: int, actor: int | None, _end: s
                 verdict.label("verdict"),
                 is_own(actor).label("mine"),
             ),
-            *(maker.c.created_by.label("operator"), of.scan_id),
+            *(operator_id.label("operator"), of.scan_id),
             *(vehicles.c.manufacturer_height_m, vehicles.c.u_manufacturer_height_m),
             vehicles.c.model_chosen_by,
         )
         .outerjoin(vehicles, vehicles.c.id == of.vehicle_id)
         .outerjoin(scan_vehicles, scan_vehicles.c.id == of.scan_vehicle_id)
         .outerjoin(scans, scans.c.id == of.scan_id)
-        .join(maker, and_(maker.c.series_id == r.series_id, maker.c.revision == 1))
         .where(
             of.survey_id == survey_id,
             *(one.c.deleted_at.is_(None) for one in (vehicles, scan_vehicles, scans)),
@@ -101,6 +102,7 @@ def _standing_order(session: Session, survey_id: int, actor: int | None, _end: s
             scanned=rows[at].scan_id is not None,
             verdict="to_review" if rows[at].verdict == "reopened" else rows[at].verdict,
             mine=bool(rows[at].mine),
+            operator=rows[at].operator,
             signs=tuple(sign for sign, there in zip(SIGNS, found.signs[at], strict=True) if there),
             error_m=_known(errors[at, 0]),
             u_error_m=_known(errors[at, 1]),

@@ -6,6 +6,7 @@ from typing import Annotated
 from pydantic import Field
 
 from sightline.enums import Lighting, ReviewSign
+from sightline.infra.audit.records import Who
 from sightline.measurements.records import Measurement, Review, ScanHeight
 from sightline.reviews.lots.records import LotPlace
 
@@ -46,6 +47,7 @@ class Judged:
     signs: Annotated[tuple[ReviewSign, ...], Field(description="Why it may be wrong.")]
     error_m: Annotated[float | None, Field(description="Of a roof: less the maker's height.")] = None
     U95_error_m: float | None = None
+    operator: Annotated[Who | None, Field(description="Who clicked the points that stand.")] = None
     lot: Annotated[LotPlace | None, Field(description="The open lot that holds it.")] = None
 
 

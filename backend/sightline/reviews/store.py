@@ -10,8 +10,9 @@ from sqlalchemy.orm import Session
 from sightline.coverage import COVERAGE_95
 from sightline.enums import QueueState, ReviewVerdict, Verdict
 from sightline.errors import BadInput, Conflict, NotAllowed
+from sightline.infra.audit.records import Who
 from sightline.infra.audit.written import written_once
-from sightline.infra.database.rows import missing
+from sightline.infra.database.rows import missing, names
 from sightline.measurements.query import (
     fetch_measurements,
     is_current,
@@ -133,8 +134,15 @@ def review_queue(
     heights: tuple[Measurement | ScanHeight, ...] = (*filmed, *scanned)
     by_id = {one.id: one for one in heights}
     drawn = _drawn(session, survey_id, filmed, actor)
+    named = names(session, [order[id_].operator for id_ in ids])
+    people = {person: Who(person, name) for person, name in named.items()}
     return tuple(
-        QueueItem(by_id[id_], facts[id_], order[id_].mine, _judged(order[id_], id_ in drawn, places.get(id_)))
+        QueueItem(
+            by_id[id_],
+            facts[id_],
+            order[id_].mine,
+            _judged(order[id_], id_ in drawn, people, places.get(id_)),
+        )
         for id_ in ids
         if id_ in by_id and (state == "all" or _plain(by_id[id_].review.verdict) == state)
     )
@@ -150,9 +158,15 @@ def _sample_of(place: LotPlace, lot: int) -> bool:
     return place.in_sample and place.lot_id == lot
 
 
-def _judged(place: Standing, drawn: bool, lot: LotPlace | None) -> Judged:
-    error_m, u_m = place.error_m, place.u_error_m
-    return Judged(drawn and not place.mine, place.signs, error_m, u_m and COVERAGE_95 * u_m, lot)
+def _judged(place: Standing, drawn: bool, people: Mapping[int, Who], lot: LotPlace | None) -> Judged:
+    return Judged(
+        blind=drawn and not place.mine,
+        signs=place.signs,
+        error_m=place.error_m,
+        U95_error_m=place.u_error_m and COVERAGE_95 * place.u_error_m,
+        operator=None if place.operator is None else people.get(place.operator),
+        lot=lot,
+    )
 
 
 def _plain(verdict: Verdict) -> Verdict:

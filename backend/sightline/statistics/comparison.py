@@ -7,7 +7,7 @@ import numpy as np
 
 from sightline.enums import ComparisonVerdict
 from sightline.messages.said import Said
-from sightline.statistics.figures import Figure, TotalFigure
+from sightline.statistics.figures import Figure, TotalFigure, without_interval
 from sightline.statistics.total_uncertainty import TotalUncertainty, difference
 
 
@@ -45,7 +45,7 @@ def compare(first: TotalUncertainty, second: TotalUncertainty, percents: Sequenc
 
 
 def _figure(found: TotalFigure | Said | None) -> TotalFigure:
-    return found if isinstance(found, TotalFigure) else TotalFigure(None, None, None, found)
+    return found if isinstance(found, TotalFigure) else without_interval(found)
 
 
 def difference_of_figures(first: Figure, second: Figure) -> Compared:
@@ -61,7 +61,7 @@ def _apart(first: Figure, second: Figure) -> TotalFigure:
         return _figure(first.reason if first.value is None else second.reason)
     value = second.value - first.value
     if first.U95_low is None or first.U95_high is None or second.U95_low is None or second.U95_high is None:
-        return TotalFigure(value, None, None, first.reason or second.reason)
+        return without_interval(first.reason or second.reason, value)
     low = float(np.hypot(second.value - second.U95_low, first.U95_high - first.value))
     high = float(np.hypot(second.U95_high - second.value, first.value - first.U95_low))
     return TotalFigure(value, value - low, value + high)

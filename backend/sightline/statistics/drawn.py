@@ -15,7 +15,7 @@ from sightline.arrays import Floats, Ints
 from sightline.coverage import COVERAGE_95
 from sightline.messages.said import Said
 from sightline.statistics.draws import TAIL, ends_of, normal_draws, student_draws
-from sightline.statistics.figures import TotalFigure
+from sightline.statistics.figures import TotalFigure, without_interval
 from sightline.statistics.shared_errors import SharedErrors
 from sightline.statistics.sites import NOTHING, Sites, compact, mean_variance, pooled_variance, variances
 from sightline.statistics.survey_design import Design
@@ -190,7 +190,7 @@ class Drawn:
     def figure(self, value: float, influence: Floats, *, height: bool = False) -> TotalFigure:
         """A figure with this value and influence (N,), with Student's interval (Cochran 1977, 2.8)."""
         if not self.tells_spread:
-            return TotalFigure(value, None, None, self.more_needed())
+            return without_interval(self.more_needed(), value)
         found = self.sampled(influence, height=height)
         low, high = ends_of(found.draws() + np.sqrt(found.unseen) * normal_draws())
         return TotalFigure(value, value + low, value + high)
@@ -228,7 +228,7 @@ def share_of(drawn: Drawn, chosen: NDArray[np.bool_], among: NDArray[np.bool_] |
     whole, count = float(np.sum(share * part)), int(part.sum())
     value = float(np.sum(share * part * chosen)) / whole
     if not drawn.tells_spread:
-        return TotalFigure(value, None, None, drawn.more_needed())
+        return without_interval(drawn.more_needed(), value)
     found = drawn.sampled(np.asarray(part * (chosen - value) / whole, dtype=np.float64), height=False)
     if found.freedom == _MANY and 0.0 < value < 1.0:  # the weights were made to meet it
         return TotalFigure(value, value, value)

@@ -20,6 +20,11 @@ class TotalFigure:
     effect: float | None = None
 
 
+def without_interval(reason: Said | None, value: float | None = None) -> TotalFigure:
+    """A figure without an interval, or without a value too, and why."""
+    return TotalFigure(value, None, None, reason)
+
+
 @dataclass(frozen=True)
 class TotalPercentile:
     """A percentile of the true heights, metres, with its 95 % interval.

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from sightline.enums import RuleVerdict
+from sightline.enums import RuleHeights, RuleVerdict, StandardHeight
 from sightline.messages.said import Said
 from sightline.statistics.standards import Standard
 from sightline.statistics.total_uncertainty import TotalUncertainty
@@ -25,7 +25,7 @@ class RuleToday:
     """The percentile of a standard's rule in a survey, metres, and the verdict on its difference to the
     standard.
 
-    n: heights of the class; by_class: whether heights of other classes could be left out; lower: the
+    n: heights of the class; whose: those of the class, or of all where no class is known; lower: the
     probability that the true percentile lies below the standard's height; risk: that the verdict is wrong,
     None where the two are not told apart; by_pose_m: what one standard uncertainty of each road pose moves
     the percentile by, by the pose's number. Without an interval `verdict` is "unknown" and `reason` says why.
@@ -33,7 +33,7 @@ class RuleToday:
 
     standard: Standard
     n: int
-    by_class: bool
+    whose: RuleHeights
     value_m: float | None
     U95_low_m: float | None
     U95_high_m: float | None
@@ -43,6 +43,16 @@ class RuleToday:
     verdict: RuleVerdict
     reason: Said | None = None
     by_pose_m: Mapping[int, float] = field(default_factory=dict)
+
+    @property
+    def by_class(self) -> bool:
+        """Whether heights of other classes could be left out."""
+        return self.whose != "all"
+
+
+def whose_heights(what: StandardHeight, by_class: bool) -> RuleHeights:
+    """Whose heights the rule of a standard is read on: the standard may name others."""
+    return "all" if not by_class else "trucks" if what == "eye_truck" else "cars"
 
 
 def rule_today(standard: Standard, found: TotalUncertainty | None, by_class: bool) -> RuleToday | None:
@@ -64,7 +74,7 @@ def rule_today(standard: Standard, found: TotalUncertainty | None, by_class: boo
     return RuleToday(
         standard=standard,
         n=found.n,
-        by_class=by_class,
+        whose=whose_heights(standard.what, by_class),
         value_m=value,
         U95_low_m=figure.U95_low,
         U95_high_m=figure.U95_high,
@@ -91,7 +101,7 @@ def unknown_rule(
     return RuleToday(
         standard=standard,
         n=n,
-        by_class=by_class,
+        whose=whose_heights(standard.what, by_class),
         value_m=value_m,
         U95_low_m=None,
         U95_high_m=None,

@@ -26,7 +26,7 @@ from sightline.statistics.deconvolution import SmoothDensity, noise_of, smooth_d
 from sightline.statistics.distributions import PERCENTILES, too_few_for, vehicles_for_interval
 from sightline.statistics.drawn import Drawn, Sampled, ordered
 from sightline.statistics.draws import LEVELS, OTHER, TAIL, ends_of, normal_draws
-from sightline.statistics.figures import TotalFigure, TotalPercentile
+from sightline.statistics.figures import TotalFigure, TotalPercentile, without_interval
 from sightline.statistics.shared_errors import SharedErrors
 from sightline.statistics.sites import sites_of
 from sightline.statistics.study_plan import Components
@@ -339,7 +339,7 @@ class TotalUncertainty:
         """The mean height, metres: random errors leave it as it is."""
         value = float(self._height_m.mean()) if self._alike else self._mean(self._height_m)
         if self.n < 2 or not self._drawn.tells_spread:
-            return TotalFigure(value, None, None, self._too_few(max(self.n + 1, 2)))
+            return without_interval(self._too_few(max(self.n + 1, 2)), value)
         influence = self._height_m - value
         found = self._drawn.sampled(influence)
         u_m2 = self._unseen(found, np.arange(self.n))
@@ -354,7 +354,7 @@ class TotalUncertainty:
         Of the measured heights' variance the logarithm has a Student interval; 0 where errors explain it all.
         """
         if self.n < 3 or not self._drawn.tells_spread:
-            return TotalFigure(None, None, None, self._too_few(max(self.n + 1, 3)))
+            return without_interval(self._too_few(max(self.n + 1, 3)))
         apart = np.square(self._height_m - self._mean(self._height_m))
         measured_m2 = self._mean(apart) * self._n / (self._n - 1.0)
         found = self._drawn.sampled(apart - self._mean(apart), height=False)
@@ -375,7 +375,7 @@ class TotalUncertainty:
         """
         plain = self._mean(self._height_m < limit_m)
         if self._density is None or not self._drawn.tells_spread:
-            return TotalFigure(plain, None, None, self._too_few(vehicles_for_interval(50.0)))
+            return without_interval(self._too_few(vehicles_for_interval(50.0)), plain)
         correction = self._density.share_correction(limit_m)
         n = self._effective_n(plain, limit_m)
         draws = scipy.special.betaincinv(n * plain + 0.5, n * (1.0 - plain) + 0.5, LEVELS) - plain
@@ -543,7 +543,7 @@ def total_figures(
     percents : sequence of float
         Which percentiles, 0 to 100.
     limits_m : sequence of float
-        For each of them, the share of heights at or below it.
+        For each of them, the share of heights below it; one that lies on it is not.
 
     Returns
     -------

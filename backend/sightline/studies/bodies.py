@@ -4,13 +4,14 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Annotated
 
-from pydantic import Field
+from pydantic import Field, computed_field
 
-from sightline.enums import RuleVerdict, StandardHeight, StatisticsTarget
+from sightline.enums import LengthUnit, RuleHeights, RuleVerdict, StandardHeight, StatisticsTarget
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Finite, In, JobBody, Name, Out, Text
 from sightline.infra.web.named import SurveyId
 from sightline.messages.said import Said
+from sightline.statistics.rules import whose_heights
 from sightline.studies.records import PlanRow, StudyDifference, StudyFacts, StudySurvey, YearRow
 
 _MOST_SURVEYS = 2000
@@ -117,6 +118,11 @@ class RuleRow(Out):
     verdict: RuleVerdict
     reason: Said | None
 
+    @computed_field(description="Whose heights it is read on.")  # type: ignore[prop-decorator]
+    @property
+    def whose(self) -> RuleHeights:
+        return whose_heights(self.what, self.by_class)
+
 
 class BesideBody(Out):
     """A study less another one."""
@@ -168,7 +174,9 @@ class FiguresBody(Out):
     heights: int
     vehicles: int
     notes: list[Said]
-    consequence: str | None
+    consequence: dict[LengthUnit, str] | None = Field(
+        description="What it changes on the road, by unit; of earlier versions in metres alone."
+    )
     curves: list[StudyCurveBody]
     packages: list[StudiedRow]
     figures: list[FigureRow]

@@ -1,8 +1,9 @@
 """What is stored of a study's result: the rows of its package's tables, and what its page draws and says."""
 
 from collections.abc import Sequence
+from typing import get_args
 
-from sightline.enums import JsonObject
+from sightline.enums import JsonObject, LengthUnit
 from sightline.export.report.said import speaking
 from sightline.messages import languages
 from sightline.studies.consequence import consequence
@@ -27,16 +28,20 @@ def document_of(found: Computed) -> JsonObject:
     }
 
 
-def _consequences(rules: Sequence[StudyRule]) -> dict[str, str] | None:
-    """The sentence by language: its numbers are written as each writes them."""
-    said: dict[str, str] = {}
+def _consequences(rules: Sequence[StudyRule]) -> dict[str, dict[LengthUnit, str]] | None:
+    """The sentence by language and unit: its numbers are written as each writes them."""
+    said: dict[str, dict[LengthUnit, str]] = {}
     for language in languages():
         with speaking(language):
-            sentence = consequence(rules, "m")
-        if sentence is None:
-            return None
-        said[language] = sentence
-    return said
+            found = {unit: consequence(rules, unit) for unit in get_args(LengthUnit)}
+        said[language] = {unit: sentence for unit, sentence in found.items() if sentence is not None}
+    return said if all(said.values()) else None
+
+
+def consequence_in(document: JsonObject, language: str) -> dict[LengthUnit, str] | None:
+    """What was stored, by unit; earlier results have the sentence in metres alone."""
+    said = (document["consequence"] or {}).get(language)
+    return {"m": said} if isinstance(said, str) else said
 
 
 def _curve(one: Curve) -> JsonObject:

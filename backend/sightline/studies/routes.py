@@ -39,6 +39,7 @@ from sightline.studies.bodies import (
     StudyPage,
     StudySurveyBody,
 )
+from sightline.studies.document import consequence_in
 from sightline.studies.members_store import (
     add_study_member,
     is_open_to_all,
@@ -265,7 +266,7 @@ def _result(session: Session, study: StoredStudy, result: StudyResult, language:
     names, heads = survey_names(session), heads_of(session, result.heads)
     changed = [names[one][0] for one, head in result.heads.items() if heads[one] != head]
     base = f"/api/studies/{study.id}/results/{result.id}"
-    said = result.document["consequence"]
+    said = consequence_in(result.document, language)
     return filled_from(
         ResultBody,
         result,
@@ -273,5 +274,5 @@ def _result(session: Session, study: StoredStudy, result: StudyResult, language:
         surveys_changed=changed,
         package_url=f"{base}.zip",
         report_url=f"{base}.pdf",
-        found=FiguresBody.model_validate({**result.document, "consequence": said and said[language]}),
+        found=FiguresBody.model_validate({**result.document, "consequence": said}),
     )

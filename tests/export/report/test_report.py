@@ -102,7 +102,7 @@ def test_heights_without_a_class_are_not_said_to_be_of_one(example: ReportFacts)
     result = example.statistics
     assert result.sight is not None
     eye, thing = result.sight
-    some = replace(example, statistics=replace(result, sight=(eye, replace(thing, by_class=False))))
+    some = replace(example, statistics=replace(result, sight=(eye, replace(thing, whose="all"))))
     expected = {
         "of the class that each rule names": example,
         "the eyes of the class that their rule names, the objects of all vehicles": some,

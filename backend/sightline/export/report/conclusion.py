@@ -51,10 +51,9 @@ def _asked(result: Statistics) -> tuple[RuleToday, ...]:
     return pair or tuple(one for one in result.rules if one.n)
 
 
-def whose_heights(one: RuleToday, of_chosen: bool) -> str:
-    """Whose heights the percentile of a rule is read on, in words: the standard may name others."""
-    whose = "all" if not one.by_class else "trucks" if one.standard.what == "eye_truck" else "cars"
-    return said("statistics-rule-whose", whose=whose, chosen="yes" if of_chosen else "no")
+def whose_words(one: RuleToday, of_chosen: bool) -> str:
+    """Whose heights the percentile of a rule is read on."""
+    return said("statistics-rule-whose", whose=one.whose, chosen="yes" if of_chosen else "no")
 
 
 def _of_rule(one: RuleToday, unit: LengthUnit, of_chosen: bool) -> str:
@@ -62,7 +61,7 @@ def _of_rule(one: RuleToday, unit: LengthUnit, of_chosen: bool) -> str:
     target = RULE_OF[standard.what][0]
     key: dict[str, str | int] = {
         "of": words.MANY[target],
-        "classes": whose_heights(one, of_chosen),
+        "classes": whose_words(one, of_chosen),
         "percent": decimal(f"{standard.percent:g}"),
         "n": one.n,
     }

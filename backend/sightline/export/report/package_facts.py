@@ -107,11 +107,11 @@ def _not_visible(files: Files) -> int:
 def _out_of_date(files: Files) -> int:
     """Heights in the results that follow from facts that hold no longer."""
     tables = (("measurements.csv", counting_vehicles(files)), (LINE_HEIGHTS.key, chosen_scanned(files).of))
-    names = ("vehicle_id", "withdrawn", "verdict", "out_of_date")  # of an earlier revision it is empty
+    names = ("vehicle_id", "withdrawn", "status", "verdict", "out_of_date")
     return sum(
-        vehicle in counting and is_accepted(withdrawn, verdict) and stale != ""
+        vehicle in counting and is_accepted(*cells) and stale != ""  # of an earlier revision it is empty
         for path, counting in tables
-        for vehicle, withdrawn, verdict, stale in read_columns(files, path, names)
+        for vehicle, *cells, stale in read_columns(files, path, names)
     )
 
 

@@ -2,7 +2,7 @@
 
 from sightline.enums import LengthUnit, StatisticsTarget
 from sightline.export.report import words
-from sightline.export.report.conclusion import verdict_of, whose_heights
+from sightline.export.report.conclusion import verdict_of, whose_words
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.said import said, spoken, told
@@ -40,7 +40,7 @@ def rule_values(one: RuleToday, of_chosen: bool) -> Values:
             percent=decimal(f"{standard.percent:g}"),
             **{"class": standard.vehicle_class},
         ),
-        "read": said("statistics-rule-read", whose=whose_heights(one, of_chosen), n=one.n),
+        "read": said("statistics-rule-read", whose=whose_words(one, of_chosen), n=one.n),
         "today": one,
         "verdict": verdict_of(one),
     }

@@ -9,6 +9,7 @@ from typing import BinaryIO, cast
 import cv2
 import numpy as np
 
+from sightline.arrays import Ints
 from sightline.errors import BadInput, Damaged
 from sightline.export.contents import DRAWING
 from sightline.export.crops import expected_overlay
@@ -23,6 +24,7 @@ from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.files import Files, columns_lacking, read_columns, read_rows, read_whole
 from sightline.infra.csv_package.parquet import check_parquet
 from sightline.infra.csv_package.schema import Row, Table, Written, cell_text
+from sightline.measurements.csv import CLICKS, CLICKS_FOLDER
 
 
 def check_page_again(files: Files, found: Described, written: Mapping[str, Written]) -> bool:
@@ -55,11 +57,34 @@ def check_statistics(files: Files, *, same_program: bool) -> tuple[PackageStatis
         compared = {
             table.key: _compare(files, table, rows[table.key]) for table in (EXCLUSIONS, RESPONSE, *TABLES)
         }
+        _check_clicks(files, found.evaluated)
     except (Damaged, BadInput, LookupError, ValueError, TypeError) as difference:
         if same_program:
             raise
         return None, 0, getattr(difference, "message", "") or repr(difference)
     return found, sum(count for path, count in compared.items() if path != EXCLUSIONS.key), ""
+
+
+def _check_clicks(files: Files, evaluated: Ints) -> None:
+    """Every file of clicks says which heights the statistics evaluate. Raises Damaged."""
+    if "error_counts" in columns_lacking(files, CLICKS.key):
+        return
+    numbers = set(evaluated.tolist())
+    alone = sorted(path for path in files.paths if path.startswith(CLICKS_FOLDER))
+    for path in (CLICKS.key, *alone):
+        columns = read_columns(files, path, ("id", "check_target", "counts", "error_counts"))
+        for at, (id_, check, *told) in enumerate(columns, start=2):
+            is_in = int(id_.removeprefix("m")) in numbers
+            found = [str(one).lower() for one in (is_in and check == "false", is_in)]
+            if told != found:
+                raise Damaged(
+                    "export-line-differs",
+                    path=path,
+                    at=at,
+                    name="counts, error_counts",
+                    told=", ".join(told),
+                    found=", ".join(found),
+                )
 
 
 def _compare(files: Files, table: Table, rows: Iterable[Row]) -> int:

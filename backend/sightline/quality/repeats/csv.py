@@ -28,7 +28,7 @@ REPEATS: Table[Measurement] = Table(
             text("status", "whether there is a height", required=True),
         ),
         *REASON,
-        person("created_by_id", "who clicked the points"),
+        person("created_by_id", "column-measurements-created-by-id"),
         moment("created_at", "when it was stored"),
         flag("withdrawn", "true if the repeat was withdrawn", required=True),
         out_of_date("recording's road pose"),

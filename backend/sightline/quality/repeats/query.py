@@ -7,7 +7,13 @@ from sqlalchemy import ColumnElement, select, union
 from sqlalchemy.orm import Session
 
 from sightline.enums import Target
-from sightline.measurements.query import fetch_measurements, is_current, is_first, measurement_revision_rows
+from sightline.measurements.query import (
+    fetch_measurements,
+    is_current,
+    is_first,
+    measurement_revision_rows,
+    operator_id,
+)
 from sightline.measurements.records import Measurement
 from sightline.measurements.tables import measurement_series, measurements
 from sightline.vehicles.tables import vehicles
@@ -67,7 +73,7 @@ def measurements_to_click_again(
         .order_by(measurements.c.series_id)
     )
     if only_own:
-        query = query.where(measurements.c.created_by == person_id)
+        query = query.where(operator_id == person_id)
     mine = _repeated_by(session, survey_id, person_id)
     found = session.execute(query).scalars().all()
     return [one for one in found if one not in mine], [one for one in found if one in mine]

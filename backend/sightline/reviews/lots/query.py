@@ -12,7 +12,7 @@ from sightline.enums import AcceptedVerdict, LotLeaving
 from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import names, the_one, who
-from sightline.measurements.query import is_current, is_first, verdict, waits, with_verdict
+from sightline.measurements.query import is_current, is_first, operator_id, verdict, waits, with_verdict
 from sightline.measurements.tables import (
     lot_decisions,
     lot_items,
@@ -52,7 +52,7 @@ def waiting_measurements(session: Session, survey_id: int) -> Sequence[Any]:
     query = (
         with_verdict(
             *(_m.series_id, _m.revision, _m.target, light),
-            *(_m.created_by.label("operator_id"), _m.created_at),
+            *(operator_id.label("operator_id"), _m.created_at),
         )
         .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
         .join(recordings, recordings.c.id == measurement_series.c.recording_id)

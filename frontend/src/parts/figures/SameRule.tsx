@@ -55,7 +55,7 @@ export function SameRule({ rules, ofChosen }: Props) {
               <div class="stat-ci">
                 {say("statistics-rule-read", {
                   whose: say("statistics-rule-whose", {
-                    whose: whoseHeights(one),
+                    whose: one.whose,
                     chosen: ofChosen ? "yes" : "no",
                   }),
                   n: one.n,
@@ -86,12 +86,6 @@ export function SameRule({ rules, ofChosen }: Props) {
       <p class="stat-notes small">{say("statistics-rule-note")}</p>
     </Panel>
   );
-}
-
-/** Whose heights the percentile is read on: the standard may name others. */
-function whoseHeights({ by_class, standard }: Rule): "cars" | "trucks" | "all" {
-  if (!by_class) return "all";
-  return standard.what === "eye_truck" ? "trucks" : "cars";
 }
 
 function verdict({ verdict: word, lower, risk, reason }: Rule): string {

@@ -37,10 +37,11 @@ it.each([
     revision: 1,
     withdrawn: false,
     made,
-    created_by: { id: 2, name: "Marie" },
+    created_by: { id: 3, name: "René" }, // restored it
     created_at: "2026-11-26T10:00:00Z",
   });
-  const judged = { blind: false, signs: [], error_m: null, U95_error_m: null };
+  const operator = { id: 2, name: "Marie" };
+  const judged = { blind: false, signs: [], error_m: null, U95_error_m: null, operator };
   const item = { measurement, mine: false, vehicle: { number: 3 }, judged } as unknown as ReviewItem;
   server.on("GET", /\/review-queue/, () => [item]);
   const model = new ReviewModel(5);

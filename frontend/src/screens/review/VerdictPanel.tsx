@@ -94,7 +94,7 @@ function Known({ item }: { item: ReviewItem }) {
           say("review-points-set"),
           say("review-made-by", {
             made,
-            person: m.created_by?.name ?? say("person-unknown"),
+            person: judged.operator?.name ?? say("person-unknown"),
             time: formatMoment(m.created_at),
           }),
           "review-made",

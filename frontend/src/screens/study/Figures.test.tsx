@@ -1,6 +1,7 @@
 import { render } from "preact";
 import { afterEach, expect, it } from "vitest";
 import type { StudyResult } from "../../core/types";
+import { lengthUnit } from "../../core/units";
 import { Figures, Percentiles } from "./Figures";
 
 afterEach(() => render(null, document.body));
@@ -30,4 +31,20 @@ it("counts the sites that the heights are of, whatever the study joins now", () 
   render(<Figures found={found as unknown as StudyResult["found"]} />, document.body);
   const counted = document.querySelector("[data-testid=study-counted]")?.textContent;
   expect(counted).toBe("30 accepted heights of 20 vehicles at 2 sites.");
+});
+
+it("says what heights change on the road in the reader's unit", () => {
+  const none = { figures: [], rules: [], years: [], curves: [], errors: [], classes: [], plan: [] };
+  const packages = [{ site: "Rouen" }];
+  const consequence = { m: "eye 1.080 m", ft: "eye 3.543 ft" };
+  const told = (said: object) => {
+    const found = { ...none, consequence: said, packages, heights: 30, vehicles: 20 };
+    render(<Figures found={found as unknown as StudyResult["found"]} />, document.body);
+    return document.querySelector("[data-testid=study-consequence]")?.textContent;
+  };
+  lengthUnit.value = "ft";
+  expect(told(consequence)).toBe("eye 3.543 ft");
+  expect(told({ m: "eye 1.080 m" })).toBe("eye 1.080 m"); // a result of an earlier version
+  lengthUnit.value = "m";
+  expect(told(consequence)).toBe("eye 1.080 m");
 });

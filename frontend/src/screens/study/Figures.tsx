@@ -1,7 +1,14 @@
 import { DataTable, num, Table } from "../../components";
 import { say, sentenceOf } from "../../core/messages";
 import type { Category, StudyResult } from "../../core/types";
-import { formatCount, formatSmall, lengthScale, plainHeight, plainPercent } from "../../core/units";
+import {
+  formatCount,
+  formatSmall,
+  lengthScale,
+  lengthUnit,
+  plainHeight,
+  plainPercent,
+} from "../../core/units";
 import { CATEGORY_WORDS, HEIGHT_WORDS, LIGHTING_WORDS } from "../../core/words";
 import { Differences } from "../../parts/figures/Differences";
 import { Bounded } from "../../parts/figures/FigureCell";
@@ -18,6 +25,7 @@ type Year = Found["years"][number];
 export function Figures({ found }: { found: Found }) {
   const targets = [...new Set(found.figures.map((one) => one.target))];
   const measured = targets.filter((one) => found.figures.some((row) => row.target === one && row.n > 0));
+  const consequence = found.consequence?.[lengthUnit.value] ?? found.consequence?.m;
   return (
     <>
       <p data-testid="study-counted">
@@ -29,9 +37,9 @@ export function Figures({ found }: { found: Found }) {
       </p>
       <Percentiles found={found} targets={measured} />
       <SameRule rules={found.rules.map(asRule)} ofChosen={false} />
-      {found.consequence && (
+      {consequence && (
         <p class="panel panel__body" data-testid="study-consequence">
-          {found.consequence}
+          {consequence}
         </p>
       )}
       {found.years.length > 0 && <Years years={found.years} />}

@@ -143,12 +143,14 @@ function NoSurvey({ make }: { make: () => void }) {
   );
 }
 
-function SurveyCard({ survey }: { survey: Survey }) {
+/** One survey: how far the work has come, and what is next. */
+export function SurveyCard({ survey }: { survey: Survey }) {
   const { counts } = survey;
   const next = survey.steps.find((step) => step.state === "next");
   const { scans } = survey;
   const reviewed = counts.accepted + counts.rejected;
   const scanned = scans.accepted + scans.rejected;
+  const inScans = scans.heights_to_review + scans.heights_accepted + scans.heights_rejected;
   const made = { recordings: counts.recordings, day: formatDay(survey.created_at) };
   const parts = { made: (text: string) => <span title={survey.created_at}>{text}</span> };
   return (
@@ -174,7 +176,11 @@ function SurveyCard({ survey }: { survey: Survey }) {
           done={counts.vehicles_measured}
           of={counts.vehicles}
         />
-        <Tally label={say("surveys-heights-reviewed")} done={reviewed} of={reviewed + counts.to_review} />
+        <Tally
+          label={say("surveys-heights-reviewed", { scans: inScans })}
+          done={reviewed}
+          of={reviewed + counts.to_review}
+        />
         {scans.scans > 0 && (
           <Tally label={say("surveys-scans-reviewed")} done={scanned} of={scanned + scans.to_review} />
         )}
