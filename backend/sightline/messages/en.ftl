@@ -6873,6 +6873,7 @@ scan-gap-lane-unknown = Its lane is not known, so the vehicle in front of it is 
 scan-gap-before-unknown = A vehicle of unknown lane passed in front of it, perhaps in this lane.
 scan-gap-none-before = No vehicle was detected in front of this one.
 scan-gap-overlap = The two vehicles overlap at camera 1, so there is no gap.
+scan-gap-other-rate = The two vehicles were measured at different line rates; measure both again.
 scan-gap-leader-unmeasured = The vehicle in front has no measured motion.
 scan-gap-rear-unseen = The rear of the vehicle in front was not seen: it stood in view for too long.
 scan-gap-leader-stopped = At the measured deceleration, the vehicle in front would have stopped by then.

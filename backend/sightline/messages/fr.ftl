@@ -6936,6 +6936,7 @@ scan-gap-lane-unknown = Sa voie n’est pas connue ; le véhicule qui le préc
 scan-gap-before-unknown = Un véhicule dont la voie n’est pas connue l’a précédé, peut-être sur cette voie.
 scan-gap-none-before = Aucun véhicule n’a été détecté devant celui-ci.
 scan-gap-overlap = Les deux véhicules se recouvrent à la caméra 1 ; il n’y a pas d’intervalle.
+scan-gap-other-rate = Les deux véhicules ont été mesurés à des cadences différentes ; mesurez-les tous deux à nouveau.
 scan-gap-leader-unmeasured = Le véhicule précédent n’a pas de mouvement mesuré.
 scan-gap-rear-unseen = L’arrière du véhicule précédent n’a pas été vu : il est resté arrêté trop longtemps en vue.
 scan-gap-leader-stopped = À la décélération mesurée, le véhicule précédent se serait déjà arrêté.
