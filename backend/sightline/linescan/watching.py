@@ -184,6 +184,11 @@ class Watcher:
         """
         self._given_up = [_Open(0, 0, road, still=True, told=True, elsewhere=True) for road in behind]
 
+    @property
+    def stood_throughout(self) -> list[Event]:
+        """What was told before the lines began and has not left: in view from the first to the last."""
+        return [one.event(self.lines, cut=True) for one in self._given_up if one.elsewhere and self.lines]
+
     def one_stands_before(self, line: float) -> bool:
         """Whether one has stood since before a line that was given up and is still to be told."""
         return any(not one.told and one.front < line for one in self._given_up)
