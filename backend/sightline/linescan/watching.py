@@ -103,6 +103,7 @@ class Watcher:
     blips: int = 0
     jumps: int = 0
     moves: int = 0
+    in_front: int = 0
     lines: int = 0
     saturated_lines: float = 0.0
     bits: int = 8
@@ -338,6 +339,8 @@ class Watcher:
             return []
         if self._standing is None:
             self._standing = self._open
+        else:
+            self.in_front += 1
         self._take(block)
         return []
 
