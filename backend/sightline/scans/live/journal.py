@@ -152,8 +152,8 @@ def _read(path: Path, number: int) -> Told | None:
     for said in lines:
         if "settled" in said:
             stand.clear()
+            # less than before where one that was given up is seen to leave
             settled = max(before.settled, said["settled"])
-            passed = [one for one in passed if one[1] >= settled]
         # of several that are complete at once, those that follow stand no longer and are not yet told
         stand |= {one[0]: Crossings(*one) for one in said.get("stand", ())}
         stand.pop(said.get("front_line", -1.0), None)
@@ -169,7 +169,7 @@ def _read(path: Path, number: int) -> Told | None:
         began_at=datetime.fromisoformat(head["began_at"]),
         last_at=datetime.fromisoformat(known.pop("last_at")),
         **{name: head[name] for name in ("stream", "source", "rows", "rig", "begin")},
-        before=Before(settled, tuple(passed)),
+        before=Before(settled, tuple(one for one in passed if one[1] >= settled)),
         stand=tuple(stand.values()),
         **known,
     )
