@@ -7,7 +7,7 @@ import io
 import json
 from collections.abc import Sequence
 from datetime import datetime, timedelta
-from math import ceil
+from math import ceil, hypot
 from pathlib import Path
 from statistics import fmean, harmonic_mean
 from typing import Any
@@ -19,7 +19,7 @@ from sightline.commands.scanned import about_rig, object_of
 from sightline.errors import BadInput
 from sightline.infra.local_time import instant_of
 from sightline.linescan.finding import Finder
-from sightline.linescan.parts import Lane, Rig
+from sightline.linescan.parts import STOOD, STOPPED, Lane, Rig
 from sightline.linescan.passing import measured
 from sightline.linescan.rig import rig_from
 from sightline.linescan.traffic import LENGTH_LIMITS_M
@@ -274,6 +274,25 @@ def test_a_resumed_stream_is_on_one_clock(tmp_path: Path, capsys: pytest.Capture
         read_recorded(path, 4 * 3600.0)
 
 
+def test_who_stands_through_segments_of_a_stream_counts_once(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """In view where the second segment began, it was told of the first."""
+    names = ("reason", "lane", "speed_mps", "u_speed_mps", "length_m", "u_length_m")
+    first = {
+        **dict.fromkeys(names),
+        **{"id": 1, "segment": 1, "status": "not_measurable", "direction": "camera_1_first"},
+        **{"front_s": 50.0, "rear_s": None, "front_line_1": 250_000.0, "rear_line_1": None},
+        **{"reason": str(STOOD), "front_at": "2026-05-04T06:00:50+00:00"},
+    }
+    again = {**first, "id": 2, "segment": 2, "front_s": 60.0, "rear_s": 90.0, "front_line_1": 0.0}
+    again |= {"rear_line_1": 150_000.0, "reason": str(STOPPED), "front_at": "2026-05-04T06:01:00+00:00"}
+    path = tmp_path / "stream.jsonl"
+    path.write_text("\n".join(map(json.dumps, (first, again))))
+    (hour,) = table(flow(capsys, path, "--interval", "60"))
+    assert (hour["vehicles"], hour["headway_mean_s"], hour["occupancy_percent"]) == ("1", "", "")
+
+
 def test_lost_lines_and_whole_ms_leave_the_time_before_the_camera(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -314,6 +333,22 @@ def test_an_archive_agrees_with_its_own_figures(tmp_path: Path, capsys: pytest.C
             ("speed_p85_mps", "p85_speed_mps"),
         ):
             assert float(ours[own]) == pytest.approx(theirs[other], abs=2e-6)
+
+
+def test_an_archive_keeps_the_u_of_the_line_rate(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """After 670 s 1e-4 are 67 ms, which the archive's vehicles went without."""
+    path = as_json(tmp_path / "recording.json", 680.0, u_start_s=0.1, u_line_rate_ratio=1e-4)
+    add_recorded(tmp_path / "archive", read_recorded(path, None), Stood("Hill", "", "UTC", LINE_0, 0.1))
+    assert not json.loads(flow(capsys, path, "--json"))["notes"]
+    untold = as_json(tmp_path / "untold.json", 680.0)
+    (note,) = json.loads(flow(capsys, untold, "--json"))["notes"]
+    assert note.startswith("The uncertainty of the start of untold.json is not included")
+    told = []
+    for place in (path, tmp_path / "archive"):
+        cars = tmp_path / "cars.csv"
+        flow(capsys, place, "-o", tmp_path / "out.csv", "--vehicles", cars)
+        told.append([one["u_front_at_s"] for one in table(cars.read_text())])
+    assert told[0] == told[1] and float(told[0][-1]) == pytest.approx(hypot(0.1, 0.067), rel=1e-3)
 
 
 def _without(row: Row, *names: str) -> Row:

@@ -7,9 +7,10 @@ import pytest
 from sightline.errors import BadInput
 from sightline.linescan.equations import corrected, printed, solve_crossings
 from sightline.linescan.finding import STOPPED
-from sightline.linescan.gaps import OVERLAP, REAR_UNSEEN, Leaders, gaps
+from sightline.linescan.gaps import OTHER_RATE, OVERLAP, REAR_UNSEEN, Leaders, gaps
 from sightline.linescan.parts import CUT, STOOD, Crossings, Entry, Motion, Rig
 from sightline.linescan.planner import line_rate_for, speed_error
+from sightline.linescan.traffic import headways_s
 
 BASELINE_M, RATE_HZ = 0.593, 4882.8
 
@@ -126,9 +127,27 @@ def test_after_two_beside_each_other_a_gap_runs_from_the_rear_that_left_last() -
     _, beside, gap = gaps(vehicles, rig)
     assert beside.time_gap_s is None and "overlap" in str(beside.reason)
     assert gap.time_gap_s == pytest.approx(1.0) and gap.distance_gap_m == pytest.approx(12.0)
-    assert gap.headway_s == pytest.approx(2.5)
+    # front to front, as a count of traffic takes it: from the car beside the lorry
+    fronts_s = [one.front_line_1 / RATE_HZ for one, _ in vehicles]
+    assert headways_s(fronts_s, [True] * 3) == [
+        None,
+        *(pytest.approx(one.headway_s) for one in (beside, gap)),
+    ]
+    assert gap.headway_s == pytest.approx(2.5 - 600 / RATE_HZ)
     unseen = gaps([(lorry, Motion("direct", lorry, "not_measurable", STOOD)), *vehicles[1:]], rig)[2]
     assert (unseen.time_gap_s, unseen.reason, unseen.headway_s) == (None, REAR_UNSEEN, gap.headway_s)
+
+
+def test_lines_of_two_that_were_measured_at_different_rates_have_no_time_between_them() -> None:
+    """A rate that was corrected leaves the gap between those that were measured before it as it was."""
+    rig = Rig(BASELINE_M, RATE_HZ)
+    then = replace(rig, line_rate_hz=2 * RATE_HZ)
+    seen = [crossings(12.0, 0.0, 4.0, start=at) for at in (0.0, 90_000.0, 180_000.0)]
+    one, two, three = ((at, motion(at, 12.0, 0.0, 4.0)) for at in seen)
+    _, before, after = gaps([(*one, then), (*two, then), (*three, rig)], rig)
+    (_, alone) = gaps([one, two], then)
+    assert before == alone and alone.time_gap_s is not None
+    assert (after.time_gap_s, after.headway_s, after.reason) == (None, None, OTHER_RATE)
 
 
 def test_beside_one_that_is_told_later_there_is_no_gap_as_in_the_list() -> None:

@@ -13,6 +13,7 @@ from sightline.linescan.methods import MEASURE
 from sightline.linescan.parts import Lane, Motion, Passage, Rig
 from sightline.linescan.passing import measured
 from sightline.linescan.rig import at_lane, baseline_of, require_rig
+from sightline.linescan.traffic import headways_s
 from tests.linescan.scenes import SITE, at, cars, found
 from tests.simulation.scan_strips import strips
 from tests.simulation.scan_traffic import ScanTruth, traffic, truths
@@ -119,6 +120,12 @@ def test_after_an_unknown_lane_no_lane_knows_its_leader() -> None:
     motions[1] = replace(motions[1], lane=None)
     told = gaps([(one.crossings, one) for one in motions], RIG)
     assert [one.reason for one in told] == [NONE_BEFORE, LANE_UNKNOWN, BEFORE_UNKNOWN, BEFORE_UNKNOWN]
+    # nor has a count of traffic a headway there
+    fronts_s = [one.crossings.front_line_1 / RIG.line_rate_hz for one in motions]
+    for lane in {one.lane for one in motions}:
+        own = [at for at, one in enumerate(motions) if one.lane == lane]
+        headways = headways_s([fronts_s[at] for at in own], [True] * len(own), [fronts_s[1]])
+        assert headways == [told[at].headway_s and pytest.approx(told[at].headway_s) for at in own]
 
 
 def test_lanes_of_a_direction_that_is_not_theirs() -> None:

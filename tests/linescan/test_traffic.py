@@ -91,6 +91,9 @@ def test_a_vehicle_without_a_direction_follows_those_of_the_first_stream() -> No
     assert (headways_s([1.0, 4.0, 9.0], 3 * [True]), headways_s([], [])) == ([None, 3.0, 5.0], [])
     # nobody saw the front of one that was in view when the recording began
     assert headways_s([0.0, 4.0, 9.0], [False, True, True]) == [None, None, 5.0]
+    # one of unknown lane came between two of them, and none of its kind has a headway
+    assert headways_s([1.0, 4.0, 9.0], 3 * [True], [2.0]) == [None, None, 5.0]
+    assert headways_s([1.0, 4.0, 9.0], 3 * [True], [1.0, 4.0, 9.0]) == [None, None, None]
 
 
 def test_figures_of_a_steady_stream() -> None:

@@ -212,6 +212,16 @@ def test_an_edit_list_without_the_header_of_its_times_tells_nothing(header: byte
     assert not played_in_parts(path)
 
 
+@pytest.mark.parametrize("header", [b"tkhd", b"mdhd"])
+def test_a_broken_header_of_another_track_hides_no_edit_list(header: bytes, tmp_path: Path) -> None:
+    file = two_pictures(tmp_path / "two.mp4", (30, 30), (True, True))
+    path = edited(file, tmp_path / "edited.mp4", [(0.4, 0.0), (0.4, 0.8)])
+    content = path.read_bytes()
+    at = content.rindex(header)
+    path.write_bytes(content[:at] + b"free" + content[at + 4 :])
+    assert played_in_parts(path) == {1}
+
+
 def test_only_the_edit_list_of_the_picture_that_is_read_counts(tmp_path: Path, take_in: Ingest) -> None:
     file = two_pictures(tmp_path / "two.mp4", (30, 30), (True, True))
     path = edited(file, tmp_path / "edited.mp4", [(0.4, 0.0), (0.4, 0.8)], track=2)

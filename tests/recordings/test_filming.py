@@ -188,9 +188,14 @@ def test_a_recording_of_several_edits_stays_as_it_was_when_a_rate_is_stated(
     assert (after["state"], after["filmed_hz"]) == ("ready", None)
 
 
-def test_a_rate_that_nobody_has_to_state_is_refused(operator: Client, recording_id: int) -> None:
+def test_a_rate_that_nobody_has_to_state_is_refused(
+    operator: Client, recording_id: int, services: Services, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Before its video is fetched, which may lie far away."""
+    fetched: list[str] = []
+    monkeypatch.setattr(services.media, "local_path", fetched.append)
     answer = operator.put(f"/recordings/{recording_id}/filming-rate", json={"filmed_hz": 100})
-    assert answer.json()["error"]["code"] == "recordings-times-are-filming"
+    assert answer.json()["error"]["code"] == "recordings-times-are-filming" and not fetched
 
 
 def test_another_picture_of_a_file_becomes_a_recording(

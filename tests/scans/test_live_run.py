@@ -11,7 +11,7 @@ import pytest
 
 from sightline.linescan import finding
 from sightline.linescan.finding import Finder
-from sightline.linescan.parts import STOOD, Rig
+from sightline.linescan.parts import STOOD, STOPPED, Rig
 from sightline.linescan.passing import measured
 from sightline.media.lines.followed import FollowedLines
 from sightline.media.lines.piped import PipedLines
@@ -19,7 +19,8 @@ from sightline.media.lines.source import Ending, LineSource, Lost, Piece
 from sightline.media.strips import spool
 from sightline.media.strips.reader import open_strip
 from sightline.media.strips.sheet import Pixels
-from sightline.scans.live.records import Keeper, LiveHealth, LiveVehicle
+from sightline.messages.said import Said
+from sightline.scans.live.records import Keeper, LiveHealth, LiveVehicle, SegmentFacts
 from sightline.scans.live.run import Clock, LiveRun
 from tests.linescan.scenes import SLOW_RIG, standing
 from tests.simulation.scan_strips import strips
@@ -333,6 +334,68 @@ def test_who_stands_when_a_stream_is_killed_is_told_by_the_next_once(
     assert after.vehicle.number == 3
 
 
+def test_of_two_that_were_complete_at_once_the_second_is_told_after_a_kill(tmp_path: Path) -> None:
+    """One stood while the other passed beside it; as it left, the program died between the two."""
+    pair, _ = standing(1.6)
+    killed = live_run(lambda _: Played(pair), tmp_path, rig=SLOW_RIG, clock=stopped_at(1e9))
+    found = killed.vehicles()
+    stood = next(found)
+    killed.told(stood)
+    kill(killed)
+    nothing = Played((pair[0][:0], pair[1][:0]))
+    beside = next(live_run(lambda _: nothing, tmp_path, rig=SLOW_RIG).vehicles())
+    assert beside.vehicle.number == 2 and beside.vehicle.front_s < (stood.vehicle.rear_s or 0.0)
+    assert beside.vehicle.motion.speed_mps == pytest.approx(14.0, abs=0.1)
+
+
+def test_a_disk_that_is_full_where_a_killed_stream_is_taken_up_ends_no_stream(
+    pair: tuple[Pixels, Pixels], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    killed = live_run(lambda _: Played(pair), tmp_path)
+    found = killed.vehicles()
+    next(found)
+    next(found)
+    kill(killed)
+
+    def full(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("sightline.scans.live.run.append", full)
+    told, said = run_of(Played((pair[0][:0], pair[1][:0])), tmp_path)
+    assert [one.vehicle.number for one in told[:2]] == [1, 2]
+    assert any("No space left" in one for one in said)
+
+
+def test_strips_that_were_not_moved_when_a_stream_was_killed_are_moved_by_the_next(
+    pair: tuple[Pixels, Pixels], tmp_path: Path
+) -> None:
+    class Survey(Keeper):
+        keeps = True
+
+        def __init__(self, *, killed: bool) -> None:
+            self.killed, self.seen = killed, list[object]()
+
+        def begin(self, segment: SegmentFacts, belongs_to: Callable[[int | None], None]) -> None:
+            belongs_to(7)
+
+        def take_up(self, segment: SegmentFacts | None, scan_id: int | None) -> None:
+            self.seen.append((segment and segment.number, scan_id))
+
+        def end(self, paths: tuple[Path, Path] | None, notes: list[Said], moved: Callable[[], None]) -> None:
+            self.seen.append(paths and paths[0].name)
+            if not self.killed:
+                moved()
+
+    told = run_of(Played(pair), tmp_path, keeper=Survey(killed=True))[0]
+    assert len(told) == 4
+    nothing = Played((pair[0][:0], pair[1][:0]))
+    run_of(nothing, tmp_path)  # of no survey: they are another's
+    next_one, last = Survey(killed=False), Survey(killed=False)
+    for keeper in (next_one, last):
+        assert run_of(nothing, tmp_path, keeper=keeper)[0] == []
+    assert (next_one.seen, last.seen) == ([(1, 7), "0001-camera-1.tif"], [])
+
+
 def test_who_left_before_a_stream_was_killed_is_not_told_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -367,7 +430,9 @@ def test_a_gap_runs_from_one_that_stood_since_the_segment_before(monkeypatch: py
     begin_s = told[2].begin / SLOW_RIG.line_rate_hz
     assert begin_s + (stood.rear_s or 0.0) == pytest.approx(rear_s, abs=0.02)
     assert last.gap.time_gap_s == pytest.approx(next_s - rear_s, abs=0.02)
-    assert last.gap.headway_s is None and last.gap.distance_gap_m is None
+    # from the front of the one beside it, as `flow` counts
+    assert last.gap.headway_s == pytest.approx(last.front_s - beside.front_s)
+    assert last.gap.distance_gap_m is None
 
 
 def test_what_still_stands_where_a_segment_ends_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -387,7 +452,11 @@ def test_what_still_stands_where_a_segment_ends_is_told(monkeypatch: pytest.Monk
         segment_s=6.5,
     )
     told = list(run.vehicles())
-    # the one that stood is told once, not again as it leaves
-    assert [(one.segment, one.vehicle.number) for one in told] == [(1, 1), (2, 2), (3, 3)]
+    # not again as it leaves, but of the segment through all of which it stood: that told 0 % occupancy
+    assert [(one.segment, one.vehicle.number) for one in told] == [(1, 1), (2, 2), (2, 3), (3, 4)]
+    throughout = told[2].vehicle
+    assert (throughout.front_s, throughout.motion.reason) == (0.0, STOPPED)
+    begun = [one.begin / rig.line_rate_hz for one in told]
+    assert begun[2] + (throughout.rear_s or 0.0) == pytest.approx(begun[3], abs=0.1)
     assert told[0].vehicle.motion.reason == STOOD and told[0].vehicle.rear_s is None
     assert told[1].vehicle.motion.speed_mps == pytest.approx(14.0, abs=0.1)

@@ -20,6 +20,7 @@ from sightline.infra.database.engine import DatabaseAway, migrate
 from sightline.infra.database.types import now
 from sightline.infra.services import Services, open_services
 from sightline.scans.live import keeping
+from sightline.scans.live.keeping import SurveyKeeper
 from sightline.scans.live.records import LiveStream
 from sightline.scans.live.service import flow_of, live_streams
 from sightline.scans.live.state import live_state
@@ -175,6 +176,35 @@ def test_a_killed_stream_of_a_survey_is_taken_up(
     assert [scan_body(one).stream_state for one in scans] == [None, None]
     (stream,) = streams_of(services)
     assert [one.scan_id for one in stream.earlier] == [scans[0].id]
+
+
+@pytest.mark.parametrize("stored", [False, True])
+def test_strips_of_a_stream_that_was_killed_while_its_end_waited_are_moved_by_the_next(
+    services: Services, lines: bytes, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, stored: bool
+) -> None:
+    """Killed before, or after, the recording's end was stored: the journal had said that it was whole."""
+
+    def killed(keeper: SurveyKeeper, recording: Any, paths: Any, notes: Any, _moved: Any) -> None:
+        if stored:
+            keeper._store_end(recording, paths, notes)
+
+    path, empty = tmp_path / "lines.raw", tmp_path / "empty.raw"
+    path.write_bytes(lines)
+    empty.write_bytes(b"")
+    command = (*STREAM, "--survey", "Hill", "--data-dir", str(tmp_path / "data"), "--until-idle", "0.3")
+    with monkeypatch.context() as patched:
+        patched.setattr(SurveyKeeper, "_end", killed)
+        assert main([*command, "--follow", str(path)]) == 0
+    assert len(list((tmp_path / "data" / "live").rglob("*.tif"))) == 2
+    assert main([*command, "--follow", str(empty)]) == 2  # no lines come
+    assert not list((tmp_path / "data" / "live").rglob("*.tif"))
+    assert [job.state for job in run_jobs(services)] == ["done"]
+    with services.reading() as session:
+        (scan,) = list_scans(session, 1)
+        assert len(list_scan_vehicles(session, scan.id)) == 3
+        assert [event.action for event in events_of(session, 1)].count("recorded") == 1
+        assert verify_records(session).ok
+    assert scan.state == "ready"
 
 
 @pytest.mark.parametrize(

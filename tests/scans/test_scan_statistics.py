@@ -7,7 +7,7 @@ from math import hypot
 import numpy as np
 import pytest
 
-from sightline.linescan.parts import CUT, STOOD, Rig
+from sightline.linescan.parts import CUT, STOOD, STOPPED, Rig
 from sightline.linescan.rig import baseline_of
 from sightline.recordings.filming import Filming
 from sightline.scans.statistics.service import VehicleMotion, statistics_of_seen, when_passed
@@ -147,6 +147,44 @@ def test_the_recording_after_one_in_which_a_vehicle_still_stood_tells_no_occupan
     found = traffic_of_seen(watched, [stands], 60, accepted_only=True)
     shown = {scan.name: [one.occupancy_percent.value for one in scan.intervals] for scan in found}
     assert set(shown["2"]) == {told} and shown["1"] == [None]
+
+
+@pytest.mark.parametrize(("away_s", "counted"), [(3599.96, 1), (3620.0, 2)])
+def test_who_stands_from_one_segment_to_the_next_is_counted_once(away_s: float, counted: int) -> None:
+    """20 s later it may be another one."""
+    start = datetime(2026, 5, 4, 12, tzinfo=UTC)
+    stands = VehicleMotion(1, 1, 1, "not_measurable", False, "daytime", reason=STOOD, since_s=100.0)
+    in_view = replace(stands, scan_id=2, since_s=0.0, occupied_s=50.0, front_seen=False, reason=STOPPED)
+    watched = [
+        Watched(number, str(number), Filming(start + timedelta(seconds=at_s), "UTC"), 3600.0)
+        for number, at_s in ((1, 0.0), (2, away_s))
+    ]
+    found = traffic_of_seen(watched, [stands, in_view], 60, accepted_only=True)
+    assert sum(one.vehicles for scan in found for one in scan.intervals) == counted
+
+
+def test_one_of_unknown_lane_that_stands_may_stand_in_any() -> None:
+    """Of a rig with lanes, one whose picture was not kept told 0 % for both."""
+    start = Filming(datetime(2026, 5, 4, 12, tzinfo=UTC), "UTC")
+    cars = [
+        replace(seen(number), direction="camera_1_first", lane=lane, since_s=100.0 * number, occupied_s=0.5)
+        for number, lane in ((1, "near"), (2, "far"))
+    ]
+    stands = replace(cars[0], state="not_measurable", measured=False, lane=None, since_s=1000.0)
+    stands = replace(stands, vehicle_id=3, number=3, reason=STOOD, occupied_s=None)
+    after = Filming(datetime(2026, 5, 4, 12, 30, tzinfo=UTC), "UTC")
+    watched = [Watched(1, "Hill", start, 1800.0), Watched(2, "next", after, 1800.0)]
+    later = [replace(one, scan_id=2) for one in cars]
+    found = traffic_of_seen(watched, [*cars, stands, *later], 15, accepted_only=True)
+    told = {(scan.name, scan.lane): [one.occupancy_percent.value for one in scan.intervals] for scan in found}
+    share = pytest.approx(100 * 0.5 / 900)
+    assert told == {
+        ("Hill", "far"): [share, None],
+        ("Hill", "near"): [share, None],
+        ("Hill", None): [0.0, None],
+        ("next", "far"): [None, None],
+        ("next", "near"): [None, None],
+    }
 
 
 def test_vehicles_of_another_line_rate_have_no_traffic() -> None:

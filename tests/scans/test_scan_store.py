@@ -10,10 +10,11 @@ from sqlalchemy.orm import Session
 from sightline.errors import BadInput, Conflict, NotAllowed, NotFound
 from sightline.infra.audit import trail
 from sightline.infra.audit.verification import verify_records
+from sightline.linescan.gaps import OTHER_RATE
 from sightline.linescan.parts import STOOD, Crossings, Motion
 from sightline.scans.store import get_scan, remove_scan, update_scan
 from sightline.scans.vehicles.find_job import Search, plan
-from sightline.scans.vehicles.listing import shown
+from sightline.scans.vehicles.listing import shown, vehicles_of
 from sightline.scans.vehicles.measure import Readers
 from sightline.scans.vehicles.measurement_store import (
     append_scan_measurement,
@@ -92,6 +93,23 @@ def test_other_values_of_the_rig_leave_results_and_mark_them(session: Session) -
         update_scan(session, made.scan_id, {"baseline_m": 0.0}, version=2, actor=one.rene.id)
 
 
+def test_another_line_rate_leaves_the_gaps_of_those_measured_before_it(session: Session) -> None:
+    """They followed the rate of now: a time gap of 2 s beside speeds, times of day and heights of then."""
+    one = samples.sample(session)
+    scan_id, actor = scans_samples.ready(session, one).id, one.olga.id
+    rig, now = values().rig, {**values().rig, "line_rate_hz": 2441.4}
+    for number, with_rig in enumerate((rig, rig, now, now)):
+        made = create_scan_vehicle(session, scan_id, origin="found", actor=actor)
+        ends = {"front_line_1": 9765.6 * number, "rear_line_1": 9765.6 * number + 4882.8}
+        append_scan_measurement(session, made.id, values(rig=with_rig, **ends), actor=actor)
+    update_scan(
+        session, scan_id, {"line_rate_hz": 2441.4}, version=get_scan(session, scan_id).version, actor=actor
+    )
+    gaps = [one.gap for one in vehicles_of(session, scan_id)]
+    assert [gap and gap.time_gap_s for gap in gaps] == [None, pytest.approx(1.0), None, pytest.approx(2.0)]
+    assert gaps[2] is not None and gaps[2].reason == OTHER_RATE
+
+
 def test_a_scan_stays_once_people_worked_on_it(session: Session) -> None:
     one = samples.sample(session)
     made = scans_samples.measured(session, one)
@@ -116,8 +134,9 @@ def test_who_stood_until_the_last_ones_came_is_beside_them(session: Session) -> 
     for vehicle_id, span in zip(made, spans, strict=True):
         seen = values(front_line_1=span[0], rear_line_1=span[1])
         append_scan_measurement(session, vehicle_id, seen, actor=actor)
-    last = last_scan_vehicles(session, scan_id, 3)
-    assert [vehicle.number for vehicle in last] == [1, 5, 6, 7]
+    # one more than are shown, for the first one's headway
+    last = last_scan_vehicles(session, scan_id, 4)
+    assert [vehicle.number for vehicle in last] == [1, 4, 5, 6, 7]
     every = list_scan_vehicles(session, scan_id)
     told = [[one.gap for one in shown(get_scan(session, scan_id), found, {})] for found in (last, every)]
     assert told[0][-3:] == told[1][-3:]

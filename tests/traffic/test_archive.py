@@ -14,10 +14,12 @@ import pytest
 from sightline.errors import BadInput, Busy
 from sightline.infra.file_lock import take_lock
 from sightline.infra.local_time import day_start, instant_of
+from sightline.linescan.parts import STOOD, STOPPED
 from sightline.traffic import archive
 from sightline.traffic.archive import add_recorded, remove_recorded, require_archive, sites_of, watched_rows
 from sightline.traffic.query import ArchiveTables
-from sightline.traffic.records import Asked, Stood
+from sightline.traffic.records import Asked, Recorded, Stood
+from sightline.traffic.results import results_in, traffic_of
 from tests.traffic.samples import recorded
 
 PARIS = "Europe/Paris"
@@ -128,6 +130,36 @@ def test_what_is_there_already_is_refused(tmp_path: Path) -> None:
     assert files(tmp_path) == before
     add_recorded(tmp_path, other, stood("2026-05-04T06:30", lane="left"))
     assert len(files(tmp_path)) == len(before) + 2
+
+
+@pytest.mark.parametrize("order", [(0, 1, 2), (2, 0, 1)])
+def test_segments_of_one_stream_count_every_vehicle_once(tmp_path: Path, order: tuple[int, ...]) -> None:
+    """Each begins 40 ms before the one before it ends; one stands from the first to the last."""
+    cars = recorded(10, 6, 600.0).passings
+    stands = replace(cars[-1], front_s=500.0, front_line_1=2.5e6, rear_s=None, rear_line_1=None)
+    refused = {"speed_mps": None, "length_m": None, "status": "not_measurable"}
+    stands = replace(stands, reason=str(STOOD), **refused)
+    in_view = replace(stands, number=1, front_s=0.0, front_line_1=0.0, rear_s=599.999, reason=str(STOPPED))
+    left = replace(in_view, rear_s=300.0, rear_line_1=1.5e6)
+    last = replace(cars[0], number=2, front_s=400.0, rear_s=400.5)
+    segments = [
+        Recorded("1", "ab" * 32, 600.0, (*cars[:-1], stands)),
+        Recorded("2", "cd" * 32, 600.0, (in_view,)),
+        Recorded("3", "ef" * 32, 600.0, (left, last)),
+    ]
+    starts = ["2026-05-04T12:00:00", "2026-05-04T12:09:59.960", "2026-05-04T12:19:59.920"]
+    for at in order:
+        add_recorded(tmp_path, segments[at], stood(starts[at]))
+    with ArchiveTables(tmp_path) as tables:
+        rows = list(tables.intervals(Asked(minutes=10)))
+    assert [row["vehicles"] for row in rows] == [6, 0, 1]
+    assert [row["watched_s"] for row in rows] == pytest.approx([600.0, 600.0, 599.92])
+    assert [row["occupancy_ratio"] for row in rows] == [None, None, None]
+    by_flow = [one for scan in traffic_of(results_in(tmp_path)[0], 60) for one in scan.intervals]
+    assert sum(one.vehicles for one in by_flow) == 7
+    longer = replace(segments[1], sha256="01" * 32, duration_s=700.0)
+    with pytest.raises(BadInput, match="both observed this lane"):
+        add_recorded(tmp_path, longer, stood("2026-05-04T12:29:59.700"))
 
 
 @pytest.mark.parametrize("name", ["", " Hill", ".Hill", "a/b", "a=b", "a%20", "x" * 81, "a\nb"])

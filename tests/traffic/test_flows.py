@@ -180,6 +180,29 @@ def test_who_stands_when_a_recording_ends_is_the_road_of_the_next(
     assert [one.occupancy_percent.value for one in by_flow[6:]] == told
 
 
+def test_one_of_unknown_lane_that_stands_may_stand_in_any(tmp_path: Path) -> None:
+    cars = [
+        replace(standing_passing(n, 30.0 * n, 30.0 * n + 0.5), lane=lane) for n, lane in ((1, "a"), (2, "b"))
+    ]
+    stands = replace(standing_passing(3, 1000.0, 1000.0), rear_s=None, rear_line_1=None, reason=str(STOOD))
+    stands = replace(stands, speed_mps=None, u_speed_mps=None, length_m=None, status="not_measurable")
+    one = Recorded("one", "ab" * 32, 1800.0, (*cars, stands), ("a", "b"))
+    add_recorded(tmp_path, one, stood("2026-05-04T12:00"))
+    add_recorded(
+        tmp_path, Recorded("two", "cd" * 32, 900.0, tuple(cars), ("a", "b")), stood("2026-05-04T12:30")
+    )
+    with ArchiveTables(tmp_path) as tables:
+        rows = list(tables.intervals(Asked(minutes=15)))
+    share = pytest.approx(0.5 / 900)
+    shown = {lane: [row["occupancy_ratio"] for row in rows if row["lane"] == lane] for lane in ("a", "b", "")}
+    assert shown == {"a": [share, None, None], "b": [share, None, None], "": [0.0, None]}
+    by_flow: dict[str, list[float | None]] = defaultdict(list)
+    for scan in traffic_of(results_in(tmp_path)[0], 15):
+        by_flow[scan.lane or ""] += [one.occupancy_percent.value for one in scan.intervals]
+    percent = pytest.approx(100 * 0.5 / 900)
+    assert by_flow == {"a": [percent, None, None], "b": [percent, None, None], "": [0.0, None]}
+
+
 def test_a_rear_that_nobody_saw_is_of_its_recording_and_goes_over_midnight(tmp_path: Path) -> None:
     unseen = replace(standing_passing(1, 1700.0, 1700.0), rear_s=None, rear_line_1=None, length_m=None)
     cars = (unseen, standing_passing(2, 2200.0, 2206.0))

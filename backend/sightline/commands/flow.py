@@ -13,7 +13,7 @@ from sightline.commands.files import csv_text, write_whole
 from sightline.commands.options import FILE, json_option, print_json
 from sightline.commands.scanned import cell_of
 from sightline.errors import BadInput
-from sightline.linescan.traffic import LENGTH_LIMITS_M, MINUTES, headways_s, streams_of
+from sightline.linescan.traffic import LENGTH_LIMITS_M, MINUTES, headways_s, strays_s, streams_of
 
 if TYPE_CHECKING:
     from sightline.scans.statistics.service import VehicleMotion
@@ -103,6 +103,11 @@ def _of_place(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic], R
         f"{one.name} does not say how long was recorded: its first and last interval count as fully observed."
         for one in results
         if one.watched_s is None
+    ]
+    notes += [
+        f"The uncertainty of the start of {one.name} is not included, because it is not stated there."
+        for one in results
+        if not one.u_start_told
     ]
     return traffic, [row for one in results for row in _vehicle_rows(one)], notes
 
@@ -229,9 +234,10 @@ def _too_few(shown: ShownInterval) -> list[str]:
 def _vehicle_rows(of: Results) -> Iterator[dict[str, Any]]:
     """Each vehicle with its headway: from the front before, of its direction and lane."""
     found: list[tuple[float, float | None, VehicleMotion]] = []
-    for stream in streams_of(of.vehicles).values():
+    streams = streams_of(of.vehicles)
+    for (way, _), stream in streams.items():
         fronts_s = [one.since_s or 0.0 for one in stream]
-        headways = headways_s(fronts_s, [one.front_seen for one in stream])
+        headways = headways_s(fronts_s, [one.front_seen for one in stream], strays_s(streams, way))
         found += zip(fronts_s, headways, stream, strict=True)
     for since_s, headway_s, one in sorted(found, key=lambda each: each[0]):
         held = {

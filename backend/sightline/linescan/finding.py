@@ -158,6 +158,11 @@ class Finder:
             watcher.tell([event.front for event in told])
         return [self._passage(*pair) for pair in pairs]
 
+    def stood_throughout(self) -> list[Passage]:
+        """What was told before these lines began and still stands, as in view from the first to the last."""
+        ones, twos = (watcher.stood_throughout for watcher in self.watchers)
+        return [self._passage(*pair) for pair in zip(ones, twos, strict=False)]
+
     @property
     def behind(self) -> Behind:
         """Of both cameras, the roads behind those that were told and have not left: another finder's."""

@@ -1,10 +1,12 @@
 """Time gap, distance gap and headway of successive vehicles of one direction and lane at camera 1.
 
 Definitions. Time gap: from the rear of the vehicle before to this front, both at camera 1 (equation (5)).
-Headway: from its front to this front. Distance gap: between the same two points at the moment this front
-reaches camera 1, so the leader is carried on by its own motion from where its rear left camera 1. Its u holds
-what was measured. A leader that changes its acceleration by A after camera 1 changes the gap by A t^2 / 2, t
-being the time gap; nobody sees that, and no number here holds it: with 0.3 m/s^2 4 cm at 0.5 s, 0.6 m at 2 s.
+Headway: from the front before, of that direction and lane, to this front, also where both overlap, as a
+count of traffic takes it (`traffic.headways_s`). Distance gap: between the same two points as the time gap at
+the moment this front reaches camera 1, so the leader is carried on by its own motion from where its rear left
+camera 1. Its u holds what was measured. A leader that changes its acceleration by A after camera 1 changes
+the gap by A t^2 / 2, t being the time gap; nobody sees that, and no number here holds it: with 0.3 m/s^2 4 cm
+at 0.5 s, 0.6 m at 2 s.
 The paper's D, the time gap times the mean of the two speeds, is kept beside it by name: it is exact at
 mid-time only for equal or constant speeds, and far off where neighbours differ strongly.
 """
@@ -17,6 +19,7 @@ from sightline.enums import ScanDirection
 from sightline.linescan.boundaries import SAME_END, U_LINE_LINES
 from sightline.linescan.parts import Crossings, Gap, Motion, Rig, front_seen, rear_seen
 from sightline.linescan.rig import u_travelled_m
+from sightline.linescan.traffic import Stream
 from sightline.messages.said import Said
 
 NONE_BEFORE = Said("scan-gap-none-before")
@@ -24,6 +27,11 @@ LANE_UNKNOWN = Said("scan-gap-lane-unknown")
 BEFORE_UNKNOWN = Said("scan-gap-before-unknown")
 OVERLAP = Said("scan-gap-overlap")
 REAR_UNSEEN = Said("scan-gap-rear-unseen")
+OTHER_RATE = Said("scan-gap-other-rate")
+
+
+#: A vehicle with the rig that it was measured with.
+Measured = tuple[Crossings, Motion, Rig]
 
 
 class Leaders:
@@ -35,23 +43,42 @@ class Leaders:
 
     def __init__(self, rig: Rig) -> None:
         self._rig = rig
-        self._last: dict[tuple[ScanDirection, str | None], tuple[int, Crossings, Motion]] = {}
+        self._last: dict[Stream, tuple[int, Crossings, Motion, Rig]] = {}
+        self._fronts: dict[Stream, tuple[int, Crossings, Motion, Rig]] = {}
         self._unknown: dict[ScanDirection, int] = {}
         self._count = 0
 
-    def next(self, crossings: Crossings, motion: Motion, *, beside: bool = False) -> Gap:
+    def next(
+        self, crossings: Crossings, motion: Motion, rig: Rig | None = None, *, beside: bool = False
+    ) -> Gap:
         """The gap before this vehicle, which is the one before from now on unless that one leaves later.
 
-        `beside`: this one passes one that stands and is told later, which is then the leader of a list.
+        `rig`: that it was measured with, where the vehicles do not all have one. `beside`: this one passes
+        one that stands and is told later, which is then the leader of a list.
         """
-        leader = self.leader(crossings, motion)
+        this = crossings, motion, rig or self._rig
+        leader, headway_s = self.leader(*this), self._headway_s(*this)
         if beside and (leader == NONE_BEFORE or not isinstance(leader, Said)):
-            leader = OVERLAP
+            return Gap(None, None, None, reason=OVERLAP)
         if isinstance(leader, Said):
-            return Gap(None, None, None, reason=leader)
-        return _gap(leader[1:], (crossings, motion), self._rig)
+            return Gap(None, None, headway_s, reason=leader)
+        return replace(_gap(leader[1:], this), headway_s=headway_s)
 
-    def leader(self, crossings: Crossings, motion: Motion) -> tuple[int, Crossings, Motion] | Said:
+    def _headway_s(self, *this: *Measured) -> float | None:
+        """From the last front of its direction and lane to this one, which is the last from now on; None
+        where one of unknown lane may have come since.
+        """
+        way, lane = this[0].direction, this[1].lane
+        before = self._fronts.get((way, lane))
+        if before is None or this[0].front_line_1 >= before[1].front_line_1:
+            self._fronts[way, lane] = self._count, *this
+        if before is None or self._unknown.get(way, 0) >= before[0]:
+            return None
+        return _headway_s(before[1:], this)
+
+    def leader(
+        self, crossings: Crossings, motion: Motion, rig: Rig | None = None
+    ) -> tuple[int, *Measured] | Said:
         """The vehicle that this one's gap runs from, with its place from 1 among those told, or why none.
 
         One whose rear nobody saw was there at least until it was given up, and is taken to have left before
@@ -63,31 +90,42 @@ class Leaders:
             return LANE_UNKNOWN
         before = self._last.get((way, motion.lane))
         if before is None or crossings.rear_line_1 >= before[1].rear_line_1:
-            self._last[way, motion.lane] = self._count, crossings, motion
+            self._last[way, motion.lane] = self._count, crossings, motion, rig or self._rig
         if self._unknown.get(way, 0) > (before[0] if before else 0):
             return BEFORE_UNKNOWN
         return NONE_BEFORE if before is None else before
 
 
-def gaps(vehicles: Sequence[tuple[Crossings, Motion]], rig: Rig) -> list[Gap]:
+def gaps(vehicles: Sequence[tuple[Crossings, Motion] | Measured], rig: Rig) -> list[Gap]:
     """One gap a vehicle, in the order given (by front at camera 1), to the one before it of its direction and
-    lane; the first of each has nothing before it.
+    lane; the first of each has nothing before it. Lines of two that were measured at different line rates
+    have no time between them.
     """
     leaders = Leaders(rig)
     return [leaders.next(*one) for one in vehicles]
 
 
-def _gap(before: tuple[Crossings, Motion], this: tuple[Crossings, Motion], rig: Rig) -> Gap:
-    (ahead, leader), (behind, follower) = before, this
+def _headway_s(before: Measured, this: Measured) -> float | None:
+    """From front to front; None where one was not seen, is told late, or has another line rate."""
+    lines = this[0].front_line_1 - before[0].front_line_1
+    seen = all(front_seen(motion.reason, at.front_line_1) for at, motion, _ in (before, this))
+    rates_hz = {rig.line_rate_hz for _, _, rig in (before, this)}
+    return lines / rates_hz.pop() if seen and len(rates_hz) == 1 and lines >= 0 else None
+
+
+def _gap(before: Measured, this: Measured) -> Gap:
+    """All but the headway."""
+    (ahead, leader, rig_ahead), (behind, follower, rig) = before, this
     rate = rig.line_rate_hz
+    if rig_ahead.line_rate_hz != rate:
+        return Gap(None, None, None, reason=OTHER_RATE)
     time_s = (behind.front_line_1 - ahead.rear_line_1) / rate
     since_front_s = (behind.front_line_1 - ahead.front_line_1) / rate
     if time_s <= 0 or since_front_s <= 0:
         return Gap(None, None, None, reason=OVERLAP)
-    headway_s = since_front_s if front_seen(leader.reason, ahead.front_line_1) else None
     if not rear_seen(leader.reason):
-        return Gap(None, None, headway_s, reason=REAR_UNSEEN)
-    known = Gap(time_s, None, headway_s)
+        return Gap(None, None, None, reason=REAR_UNSEEN)
+    known = Gap(time_s, None, None)
     if leader.speed_mps is None or leader.acceleration_mps2 is None:
         return replace(known, reason=Said("scan-gap-leader-unmeasured"))
     passing_s = (ahead.rear_line_1 - ahead.front_line_1) / rate

@@ -10,7 +10,8 @@ is the time mean speed; their harmonic mean is the space mean speed, as a stretc
 before camera 1; vehicles beside each other are counted once. Where one stood and nobody saw it leave, it is
 not told from there to the end: who comes later may have passed beside it. Of another whose rear nobody saw it
 is not told to the first front after it was given up. Where one still stood when the recording before ended,
-this one took it for the road and does not know until when it stood: it tells none.
+this one took it for the road and does not know until when it stood: it tells none. One of unknown lane may
+stand in any.
 
 Uncertainties (k = 1) are those of measuring. A count has none of its own; `near_edge` says how many vehicles
 passed so near to an edge that the clock leaves it open on which side (95 %). `flow_low` and `flow_high` are
@@ -18,7 +19,7 @@ the exact 95 % interval of the rate of a Poisson process that such a count comes
 expect of as long a time again, where vehicles come independently of each other.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
@@ -55,7 +56,7 @@ class Passed:
     `u_since_s`: of its time of day, None where unknown. The rest is None where no motion of it counts.
     `rig_ratio`: the share of `u_speed_mps` that the rig gives to all vehicles alike, over the speed.
     `refused`: its motion could not be measured; `stands`: it stood, and may still; `front_seen`: False of one
-    that was in view when the recording began.
+    that was in view when the recording began, `told_before`: and that the recording before counts.
     """
 
     since_s: float
@@ -70,6 +71,7 @@ class Passed:
     refused: bool = False
     stands: bool = False
     front_seen: bool = True
+    told_before: bool = False
 
 
 class Came(Protocol):
@@ -105,12 +107,24 @@ def streams_of(vehicles: Sequence[V]) -> dict[Stream, list[V]]:
     return streams
 
 
-def headways_s(fronts_s: Sequence[float], seen: Sequence[bool]) -> list[float | None]:
-    """From the front before to each of a stream's fronts (N,), rising; None for the first, and where the one
-    before was not `seen` (N,).
+def strays_s(streams: Mapping[Stream, Sequence[V]], way: ScanDirection) -> list[float]:
+    """The fronts of one direction's vehicles whose lane is not known where others' is, rising."""
+    if all(lane is None for _, lane in streams):
+        return []
+    return sorted(one.since_s for one in streams.get((way, None), ()) if one.since_s is not None)
+
+
+def headways_s(
+    fronts_s: Sequence[float], seen: Sequence[bool], strays_s: Sequence[float] = ()
+) -> list[float | None]:
+    """From the front before to each of a stream's fronts (N,), rising; None for the first, where one of the
+    two was not `seen` (N,), and where one of unknown lane (`strays_s`, rising) came since.
     """
-    pairs = zip(pairwise(fronts_s), seen, strict=False)
-    return [None, *(behind - ahead if known else None for (ahead, behind), known in pairs)][: len(fronts_s)]
+    since = np.searchsorted(np.array(strays_s), np.array(fronts_s)).tolist()
+    known = [all(both) for both in pairwise(seen)]
+    none_since = [behind == ahead for ahead, behind in pairwise(since)]
+    found = zip(pairwise(fronts_s), known, none_since, strict=True)
+    return [None, *(b - a if known and none else None for (a, b), known, none in found)][: len(fronts_s)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -174,11 +188,15 @@ def intervals(
     limits_m: Sequence[float] = LENGTH_LIMITS_M,
     *,
     stood_before: bool = False,
+    strayed: Sequence[Passed] = (),
+    strays_s: Sequence[float] = (),
 ) -> tuple[Interval, ...]:
     """The intervals of `minutes` that a recording of `watched_s` touches, in order.
 
     `passed`: rising by `since_s`. `into_hour_s`: what clocks of the place show beyond an hour, so many
     seconds after line 0. `limits_m`: rising. `stood_before`: one stood when the recording just before ended.
+    `strayed`: those of unknown lane whose rear nobody saw, who may have stood in this one; `strays_s`:
+    see `headways_s`.
     Who is still in view at the end counts until then. Raises ValueError for minutes that do not divide an
     hour.
     """
@@ -187,10 +205,11 @@ def intervals(
     long_s = 60.0 * minutes
     fronts_s = [max(one.since_s, 0.0) for one in passed]
     end_s = max([watched_s, *fronts_s])
-    headways = headways_s(fronts_s, [one.front_seen for one in passed])
+    headways = headways_s(fronts_s, [one.front_seen for one in passed], strays_s)
     covered, edges = _covered(passed), _edges(into_hour_s, long_s, end_s)
     spans = [(max(begin_s, 0.0), min(stop_s, end_s)) for begin_s, stop_s in edges]
     unsure = _unsure(passed, fronts_s, end_s)
+    unsure = np.concatenate([unsure.reshape(-1, 2), *([[max(one.since_s, 0.0), end_s]] for one in strayed)])
     begins, stops = np.searchsorted(np.array(fronts_s), np.array(spans).reshape(-1, 2).T).tolist()
     still = _still_there(passed, spans)
     out = []
@@ -248,19 +267,20 @@ def _interval(
     partial: bool,
     limits_m: Sequence[float],
 ) -> Interval:
-    watched_s = span[1] - span[0]
+    watched_s, standing = span[1] - span[0], [*before, *inside]
+    inside = [one for one in inside if not one.told_before]
     moving = [one for one in inside if one.speed_mps]
     flow = _HOUR_S * len(inside) / watched_s
     low, high = poisson_interval(len(inside))
     time_mean, space_mean = mean_speeds(moving)
     occupancy = Figure()
     if occupied_s is not None:
-        occupancy = Figure(100 * occupied_s / watched_s, _u_occupancy([*before, *inside], watched_s))
+        occupancy = Figure(100 * occupied_s / watched_s, _u_occupancy(standing, watched_s))
     reasons = [] if moving else [_NO_SPEED]
     if occupancy.value is None:
         reasons.append(_REAR_UNSEEN)
     elif occupancy.u is None:
-        unmoved = sum(_u_standing_s(one) is None for one in (*before, *inside))
+        unmoved = sum(_u_standing_s(one) is None for one in standing)
         reasons.append(Said("scan-flow-no-u-occupancy", count=unmoved))
     lengths = [one for one in inside if one.length_m is not None]
     return Interval(

@@ -103,6 +103,7 @@ class Watcher:
     blips: int = 0
     jumps: int = 0
     moves: int = 0
+    in_front: int = 0
     lines: int = 0
     saturated_lines: float = 0.0
     bits: int = 8
@@ -183,6 +184,11 @@ class Watcher:
         that was in view then, where others pass before it leaves: gaps behind theirs run from its rear.
         """
         self._given_up = [_Open(0, 0, road, still=True, told=True, elsewhere=True) for road in behind]
+
+    @property
+    def stood_throughout(self) -> list[Event]:
+        """What was told before the lines began and has not left: in view from the first to the last."""
+        return [one.event(self.lines, cut=True) for one in self._given_up if one.elsewhere and self.lines]
 
     def one_stands_before(self, line: float) -> bool:
         """Whether one has stood since before a line that was given up and is still to be told."""
@@ -333,6 +339,8 @@ class Watcher:
             return []
         if self._standing is None:
             self._standing = self._open
+        else:
+            self.in_front += 1
         self._take(block)
         return []
 

@@ -6878,6 +6878,7 @@ scan-gap-lane-unknown = Its lane is not known, so the vehicle in front of it is 
 scan-gap-before-unknown = A vehicle of unknown lane passed in front of it, perhaps in this lane.
 scan-gap-none-before = No vehicle was detected in front of this one.
 scan-gap-overlap = The two vehicles overlap at camera 1, so there is no gap.
+scan-gap-other-rate = The two vehicles were measured at different line rates; measure both again.
 scan-gap-leader-unmeasured = The vehicle in front has no measured motion.
 scan-gap-rear-unseen = The rear of the vehicle in front was not seen: it stood in view for too long.
 scan-gap-leader-stopped = At the measured deceleration, the vehicle in front would have stopped by then.
@@ -6921,6 +6922,7 @@ scan-wheelbase-at-rest = By its fitted motion the vehicle was at rest at one of 
 scan-run-none-found = No vehicle was found; check the strips, and that time runs along the chosen axis.
 scan-run-swapped = { $reversed } of { $found } vehicles reached the second strip first; if traffic does not run that way here, the strips are swapped.
 scan-run-alone = { $alone } objects passed only one camera: check that both show the same lane, and check baseline and line rate.
+scan-run-stood-in-front = A vehicle stopped in front of another that stood; it may be missing, and so may vehicles that passed meanwhile.
 scan-run-light-changed = The brightness changed suddenly { $count ->
     [one] once
    *[other] { $count } times

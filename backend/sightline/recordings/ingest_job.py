@@ -70,6 +70,7 @@ def read_at_rate(services: Services, recording_id: int, filmed_hz: float, actor:
     Raises NotFound, Conflict, BadInput for one of several edits, which an earlier version read.
     """
     with services.reading() as session:
+        recordings.require_times_in_doubt(session, recording_id)
         recording = recordings.get_recording(session, recording_id)
     path = services.media.local_path(recording.media_key)
     require_whole(path, recording.name, recording.stream_number)

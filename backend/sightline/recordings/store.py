@@ -199,8 +199,16 @@ def state_filming_rate(
 ) -> Recording:
     """A person says at how many frames per second it was filmed: it is to be read again, with those times.
 
-    Raises Conflict where it is not ready, where nothing is in doubt, and where the rate that was said before
-    has been measured with.
+    Raises as `require_times_in_doubt`.
+    """
+    require_times_in_doubt(session, recording_id)
+    _write(session, _row(session, recording_id), {"filmed_hz": filmed_hz}, "update", actor)
+    return restart_ingest(session, recording_id, actor=actor)
+
+
+def require_times_in_doubt(session: Session, recording_id: int) -> None:
+    """Raise Conflict where a recording is not ready, where nothing is in doubt, and where the rate that was
+    said before has been measured with.
     """
     before = _row(session, recording_id)
     if before["state"] != "ready":
@@ -210,8 +218,6 @@ def state_filming_rate(
             raise Conflict("recordings-times-are-filming", name=before["name"])
         if is_held(session, recordings, recording_id, (HOLDS, KEEPS_TIMES)):
             raise Conflict("recordings-rate-in-use", name=before["name"])
-    _write(session, before, {"filmed_hz": filmed_hz}, "update", actor)
-    return restart_ingest(session, recording_id, actor=actor)
 
 
 def remove_recording(session: Session, recording_id: int, *, actor: int | None) -> Recording:

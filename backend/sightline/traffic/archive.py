@@ -40,6 +40,8 @@ _HASH_SIGNS = 16
 _WAIT_S = 10.0
 _UNSAFE = frozenset('/\\:*?"<>|=%+&#')
 _MOST_NAME_SIGNS = 80
+#: Segments of one stream overlap by twice the margin around a vehicle's lines, 0.04 s.
+SHARED_S = 0.1
 
 
 def add_recorded(folder: Path, recorded: Recorded, stood: Stood) -> int:
@@ -163,7 +165,9 @@ def _check_fits(folder: Path, recorded: Recorded, stood: Stood) -> None:
     for row in watched_rows(folder, stood.site, *days):
         begins = row["midnight_at"] + timedelta(seconds=row["from_s"])
         ends = row["midnight_at"] + timedelta(seconds=row["to_s"])
-        if row["lane"] in recorded.lanes_at(stood) and begins < end and stood.start < ends:
+        shared_s = (min(ends, end) - max(begins, stood.start)).total_seconds()
+        inside = (begins <= stood.start and end <= ends) or (stood.start <= begins and ends <= end)
+        if row["lane"] in recorded.lanes_at(stood) and shared_s > (0.0 if inside else SHARED_S):
             raise BadInput(
                 "traffic-overlap",
                 name=recorded.name,
@@ -251,6 +255,7 @@ def _watched(recorded: Recorded, stood: Stood, day: date, midnight: datetime) ->
         "recording_sha256": recorded.sha256,
         "start_at": stood.start,
         "u_start_s": stood.u_start_s,
+        "u_line_rate_ratio": recorded.u_line_rate_ratio,
         "midnight_at": midnight,
         "day_s": day_s,
         "from_s": max(0.0, begins),
@@ -263,6 +268,7 @@ def _vehicle_schema() -> pa.Schema:
 
     words, counts = ("status", "reason", "direction"), ("number", "axles")
     kinds = {**dict.fromkeys(words, pa.string()), **dict.fromkeys(counts, pa.int32())}
+    kinds["told_before"] = pa.bool_()
     own = [(one.name, kinds.get(one.name, pa.float64())) for one in fields(Passing) if one.name != "lane"]
     return pa.schema(
         [
@@ -280,11 +286,12 @@ def _vehicle_schema() -> pa.Schema:
 def _watched_schema() -> pa.Schema:
     import pyarrow as pa
 
-    instants, seconds = ("start_at", "midnight_at"), ("u_start_s", "day_s", "from_s", "to_s")
+    instants = "start_at", "midnight_at"
+    numbers = "u_start_s", "u_line_rate_ratio", "day_s", "from_s", "to_s"
     return pa.schema(
         [(name, pa.string()) for name in ("lane", "zone", "recording", "recording_sha256")]
         + [(name, pa.timestamp("us", "UTC")) for name in instants]
-        + [(name, pa.float64()) for name in seconds]
+        + [(name, pa.float64()) for name in numbers]
     )
 
 

@@ -10,7 +10,8 @@ squared times the square of the space mean speed (JCGM 100:2008, 5.2.2), the lar
 occupies every interval in which it does; where nobody saw it leave, occupancy is not told from its front to
 the end of its recording (who comes later may have passed beside it). Where one still stood when a recording
 ended, it is not told of the next one that begins within a minute, which took it for the road. Of another
-whose rear nobody saw it is not told to the first front after it was given up.
+whose rear nobody saw it is not told to the first front after it was given up. One of unknown lane may stand
+in any lane. Where segments of one stream overlap, time and vehicles are those of the first.
 """
 
 from __future__ import annotations
@@ -77,7 +78,7 @@ class ArchiveTables:
                 for row in self._rows(
                     """
                     SELECT lane, count(*) AS vehicles, count(*) FILTER (status = 'ok') AS measured
-                    FROM vehicles GROUP BY lane
+                    FROM vehicles WHERE NOT told_before GROUP BY lane
                     """,
                     site,
                     Asked(),
@@ -115,8 +116,9 @@ class ArchiveTables:
                 files_of(self._folder, table, site, None, asked.last_day) for table in (WATCHED, VEHICLES)
             )
         )
-        self._db.execute(f"CREATE OR REPLACE TEMP VIEW watched AS {_read(watched)}")
-        self._db.execute(f"CREATE OR REPLACE TEMP VIEW vehicles AS {_read(passed) if passed else _NOBODY}")
+        self._db.execute(f"CREATE OR REPLACE TEMP VIEW watched AS {_WATCHED.format(_read(watched))}")
+        read = f"{_read(passed)} UNION ALL BY NAME {_NOBODY}" if passed else _NOBODY
+        self._db.execute(f"CREATE OR REPLACE TEMP VIEW vehicles AS {_PASSED.format(read)}")
         result = self._db.execute(query)
         names = [one[0] for one in result.description or ()]
         return [dict(zip(names, row, strict=True)) for row in result.fetchall()]
@@ -164,7 +166,21 @@ _NOBODY = """
 SELECT NULL::DATE AS day, NULL::VARCHAR AS lane, NULL::VARCHAR AS status, NULL::DOUBLE AS since_midnight_s,
   NULL::DOUBLE AS occupied_s, NULL::DOUBLE AS speed_mps, NULL::DOUBLE AS u_speed_mps,
   NULL::DOUBLE AS length_m, NULL::DOUBLE AS time_gap_s,
-  NULL::VARCHAR AS reason, NULL::VARCHAR AS recording_sha256 WHERE false
+  false AS told_before, NULL::TIMESTAMPTZ AS passed_at, NULL::VARCHAR AS reason,
+  NULL::VARCHAR AS recording_sha256 WHERE false
+"""
+
+#: Where segments of a stream overlap, the first one watched.
+_WATCHED = """
+SELECT * EXCLUDE (before_s) REPLACE (if(before_s - from_s > 0.001, before_s, from_s) AS from_s)
+FROM (SELECT *, max(epoch(midnight_at) + to_s) OVER (PARTITION BY lane ORDER BY start_at, day
+  ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING) - epoch(midnight_at) AS before_s FROM ({}))
+"""
+#: Who came while another segment watched was told of that one.
+_PASSED = """
+SELECT * EXCLUDE (first_s) REPLACE (coalesce(told_before, false) OR epoch(passed_at) < first_s AS told_before)
+FROM ({}) JOIN (SELECT recording_sha256, lane, min(epoch(midnight_at) + from_s) - 0.001 AS first_s
+  FROM watched GROUP BY recording_sha256, lane) USING (recording_sha256, lane)
 """
 
 
@@ -182,7 +198,10 @@ def _intervals_sql(asked: Asked) -> str:
     begins = f"(day - DATE '1970-01-01') * {of_day}"
     classes = len(classes_of(asked.limits_m)) + 1
     return f"""
-    WITH cut AS (
+    WITH days AS (
+      SELECT day, any_value(day_s) AS day_s, epoch(any_value(midnight_at)) AS begin_s
+      FROM watched GROUP BY day
+    ), cut AS (
       SELECT *, unnest(range(floor(from_s / {step})::BIGINT, ceil(to_s / {step})::BIGINT)) AS nth FROM watched
       WHERE day >= DATE '{asked.first_day or date.min}'
     ), shown AS (
@@ -191,13 +210,11 @@ def _intervals_sql(asked: Asked) -> str:
         sum(least(to_s, (nth + 1) * {step}) - greatest(from_s, nth * {step})) AS watched_s,
         any_value(midnight_at) AS midnight_at, any_value(zone) AS zone
       FROM cut GROUP BY lane, cell
-    ), days AS (
-      SELECT day, any_value(day_s) AS day_s, epoch(any_value(midnight_at)) AS begin_s
-      FROM watched GROUP BY day
     ), passed AS (
       SELECT lane, length_m, time_gap_s, speed_mps, u_speed_mps, {_kind_sql(asked.limits_m)} AS kind,
         {begins} + least(floor(since_midnight_s / {step}), ceil(day_s / {step}) - 1)::BIGINT AS cell
-      FROM vehicles JOIN days USING (day) WHERE day >= DATE '{asked.first_day or date.min}'
+      FROM vehicles JOIN days USING (day)
+      WHERE day >= DATE '{asked.first_day or date.min}' AND NOT told_before
     ), came AS (SELECT *, since_midnight_s + occupied_s AS until_s FROM vehicles JOIN days USING (day)
     ), standing AS (
       SELECT lane, day, length_m, since_midnight_s AS from_s, least(until_s, day_s) AS until_s
@@ -221,14 +238,18 @@ def _intervals_sql(asked: Asked) -> str:
     ), occupied AS (
       SELECT lane, cell, kind, sum(part_s) AS occupied_s FROM parts GROUP BY lane, cell, kind
     ), ends AS (
-      SELECT recording_sha256, lane, min(begin_s + from_s) AS first_s, max(begin_s + to_s) AS end_s
+      SELECT recording_sha256, lane, min(begin_s + from_s) AS first_s, max(begin_s + to_s) AS end_s,
+        count(*) OVER (PARTITION BY recording_sha256) > 1 AS has_lanes
       FROM watched JOIN days USING (day) GROUP BY recording_sha256, lane
+    ), strays AS (
+      SELECT came.* REPLACE (ends.lane AS lane) FROM came JOIN ends USING (recording_sha256)
+      WHERE occupied_s IS NULL AND came.lane = '' AND has_lanes AND ends.lane <> ''
     ), stood AS (
       SELECT lane, recording_sha256, length_m, begin_s + since_midnight_s AS since_s,
         if(reason = '{_STOOD}', 'inf'::DOUBLE, NULL) AS stands_s,
         coalesce(min(begin_s + since_midnight_s) OVER (PARTITION BY lane ORDER BY begin_s + since_midnight_s
           RANGE BETWEEN {STANDS_S} FOLLOWING AND UNBOUNDED FOLLOWING), 'inf'::DOUBLE) AS next_s
-      FROM came QUALIFY occupied_s IS NULL
+      FROM (FROM came UNION ALL FROM strays) QUALIFY occupied_s IS NULL
     ), rear_unseen AS (
       SELECT lane, day, length_m, greatest(since_s - begin_s, 0) AS from_s,
         least(coalesce(stands_s, next_s) - begin_s, end_s - begin_s, day_s) AS until_s
@@ -237,7 +258,7 @@ def _intervals_sql(asked: Asked) -> str:
       UNION ALL
       SELECT lane, days.day, length_m, greatest(next.first_s - days.begin_s, 0) AS from_s,
         least(next.end_s - days.begin_s, days.day_s) AS until_s
-      FROM came JOIN ends USING (recording_sha256, lane)
+      FROM (FROM came UNION ALL FROM strays) AS came JOIN ends USING (recording_sha256, lane)
       JOIN ends AS next USING (lane)
       JOIN days ON next.first_s < days.begin_s + days.day_s AND next.end_s > days.begin_s
       WHERE next.first_s BETWEEN ends.end_s - 0.001 AND ends.end_s + {STANDS_S} AND (reason = '{_STOOD}'

@@ -15,7 +15,8 @@ class Passing:
 
     `number`: its number in the recording; seconds count from the recording's first line, lines as in
     vehicles.csv. Numbers are None where they could not be measured, for which `reason` stands. `lane`: of a
-    rig that has several; `direction`: which camera it reached first; `axles`: wheels found.
+    rig that has several; `direction`: which camera it reached first; `axles`: wheels found. `told_before`: in
+    view where a segment of a stream began, it was told of the one before.
     """
 
     number: int
@@ -36,6 +37,7 @@ class Passing:
     lane: str | None = None
     direction: ScanDirection | None = None
     axles: int | None = None
+    told_before: bool = False
 
     @property
     def occupied_s(self) -> float | None:
@@ -49,8 +51,8 @@ class Recorded:
     last.
 
     `sha256`: of the file it was read from, which names it in the archive. `lanes`: those of the rig that are
-    told of; none: vehicles are of the lane that it stood at. `u_start_s`: of its start (k = 1), as the file
-    says; 0: it does not.
+    told of; none: vehicles are of the lane that it stood at. `u_start_s`, `u_line_rate_ratio`: of its start
+    and its line rate (k = 1), as the file says; 0: it does not.
     """
 
     name: str
@@ -59,6 +61,7 @@ class Recorded:
     passings: tuple[Passing, ...]
     lanes: tuple[str, ...] = ()
     u_start_s: float = 0.0
+    u_line_rate_ratio: float = 0.0
 
     def lane_of(self, one: Passing, stood: Stood) -> str:
         """A vehicle's lane in the archive; empty where the rig has lanes and its own is not known."""

@@ -31,14 +31,15 @@ from sightline.traffic.sources import (
     bytes_of,
     check_passings,
     instant_told,
-    is_number,
     passing_of,
+    u_told,
     vehicles_in,
 )
 
 ENDINGS = (".csv", ".json", ".jsonl")
 #: A table that spans more is of several recordings, or has a wrong date.
 MOST_S = 366 * 86400.0
+_ROUNDED = timedelta(milliseconds=1)
 _FIRST_YEAR, _LAST_YEAR = 1990, 2200
 #: In the beginning of a file that speaks of scanned vehicles.
 _OF_VEHICLES = b"front_line_1"
@@ -59,13 +60,16 @@ class StatedClock:
 
 @dataclass(frozen=True, eq=False)
 class Results:
-    """The vehicles of one recording, from `clock`'s start on; `watched_s` None: it is not said how long."""
+    """The vehicles of one recording, from `clock`'s start on; `watched_s` None: it is not said how long;
+    `u_start_told`: whether the u of its times of day holds that of the start.
+    """
 
     name: str
     clock: Clock
     watched_s: float | None
     vehicles: tuple[VehicleMotion, ...]
     site: str = ""
+    u_start_told: bool = True
 
     def seen(self, number: int, minutes: int) -> tuple[Watched, list[VehicleMotion]]:
         """What was watched for intervals of `minutes`, as the recording of that number, and its vehicles."""
@@ -123,16 +127,17 @@ def _of_data(path: Path, data: bytes) -> Results:
             raise BadInput("commands-flow-no-vehicles", path=path)
         begun = _start(path, rows[0].get("front_at"))
         begun -= timedelta(seconds=passings[0].front_s)
-        return Results(path.name, StatedClock(begun), None, _motions(passings))
+        return Results(path.name, StatedClock(begun), None, _motions(passings), u_start_told=False)
     check_passings(path, passings, whole["duration_s"])
+    u_start_s = u_told(whole, "u_start_s")
     found = _motions(
         passings,
-        u_start_s=_number(whole, "u_start_s"),
-        u_rate=_number(whole, "u_line_rate_ratio"),
+        u_start_s=u_start_s,
+        u_rate=u_told(whole, "u_line_rate_ratio"),
         rig=_rig_told(whole),
     )
     clock = StatedClock(_start(path, whole.get("start")))
-    return Results(path.name, clock, float(whole["duration_s"]), found)
+    return Results(path.name, clock, float(whole["duration_s"]), found, u_start_told=u_start_s > 0)
 
 
 def _rig_told(whole: Mapping[str, Any]) -> Rig | None:
@@ -145,11 +150,6 @@ def _rig_told(whole: Mapping[str, Any]) -> Rig | None:
     except (AttributeError, TypeError, BadInput):
         return None
     return rig
-
-
-def _number(whole: Mapping[str, Any], name: str) -> float:
-    value = whole.get(name)
-    return float(value) if is_number(value) else 0.0
 
 
 def _start(path: Path, said: object) -> datetime:
@@ -229,33 +229,42 @@ def _passing(
 
 
 def _of_archive(folder: Path) -> Iterator[Results]:
-    """Each recording of each lane of each site."""
+    """Each recording of each site, of all its lanes."""
     import pyarrow.parquet as pq
 
     require_archive(folder)
     for site in sites_of(folder):
-        stretches: dict[tuple[str, str], list[dict[str, Any]]] = {}
+        watched: dict[str, list[dict[str, Any]]] = {}
         for row in watched_rows(folder, site):
-            stretches.setdefault((row["recording_sha256"], row["lane"]), []).append(row)
-        passed: dict[tuple[str, str], list[dict[str, Any]]] = {}
+            watched.setdefault(row["recording_sha256"], []).append(row)
+        passed: dict[str, list[dict[str, Any]]] = {}
         for file in files_of(folder, "vehicles", site, None, None):
             for row in pq.ParquetFile(file).read().to_pylist():
-                passed.setdefault((row["recording_sha256"], row["lane"]), []).append(row)
-        for key, rows in stretches.items():
+                passed.setdefault(row["recording_sha256"], []).append(row)
+        until: dict[str, datetime] = {}
+        for key, rows in sorted(watched.items(), key=lambda each: each[1][0]["start_at"]):
             one = rows[0]
-            cars = [_stored(each) for each in passed.get(key, ())]
+            watched_s = sum(each["to_s"] - each["from_s"] for each in rows if each["lane"] == one["lane"])
+            # what overlaps with the segment before was told there
+            cars = [_stored(each, until.get(each["lane"])) for each in passed.get(key, ())]
+            end = one["start_at"] + timedelta(seconds=watched_s)
+            until |= {each["lane"]: max(end, until.get(each["lane"], end)) for each in rows}
             yield Results(
                 f"{site}: {one['recording']}",
                 Filming(one["start_at"], one["zone"]),
-                sum(each["to_s"] - each["from_s"] for each in rows),
-                _motions(cars, u_start_s=one["u_start_s"]),
+                watched_s,
+                _motions(cars, u_start_s=one["u_start_s"], u_rate=u_told(one, "u_line_rate_ratio")),
                 site,
+                u_start_told=one["u_start_s"] > 0,
             )
 
 
-def _stored(row: Mapping[str, Any]) -> Passing:
+def _stored(row: Mapping[str, Any], before: datetime | None) -> Passing:
     named: dict[str, Any] = {one.name: row.get(one.name) for one in fields(Passing)}
-    return Passing(**{**named, "lane": row["lane"] or None})
+    told_before = bool(row.get("told_before")) or (
+        before is not None and row["passed_at"] < before - _ROUNDED
+    )
+    return Passing(**{**named, "lane": row["lane"] or None, "told_before": told_before})
 
 
 def _motions(
@@ -284,6 +293,7 @@ def _motions(
             since_s=one.front_s,
             occupied_s=one.occupied_s,
             front_seen=front_seen(one.reason, one.front_line_1),
+            told_before=one.told_before,
             u_filmed_at_s=u_passing_s(one.front_s, u_start_s, u_rate, one.speed_mps, one.u_length_m),
             rig_ratio=(
                 least.get(_stream_of(one), 0.0)

@@ -4,7 +4,7 @@ import hashlib
 import json
 import math
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import fields
 from datetime import datetime, timedelta
 from pathlib import Path
@@ -42,8 +42,6 @@ def read_recorded(path: Path, duration_s: float | None) -> Recorded:
     assert duration_s is not None
     check_passings(path, passings, duration_s)
     lanes = _lanes(path, whole, passings)
-    told = (whole or {}).get("u_start_s")
-    u_start_s = float(told) if is_number(told) and told > 0 else 0.0
     sha256 = hashlib.sha256(data).hexdigest()
     return Recorded(
         name=path.name,
@@ -51,7 +49,8 @@ def read_recorded(path: Path, duration_s: float | None) -> Recorded:
         duration_s=float(duration_s),
         passings=passings,
         lanes=lanes,
-        u_start_s=u_start_s,
+        u_start_s=u_told(whole, "u_start_s"),
+        u_line_rate_ratio=u_told(whole, "u_line_rate_ratio"),
     )
 
 
@@ -59,7 +58,7 @@ def vehicles_in(path: Path, data: bytes) -> tuple[dict[str, Any] | None, list[An
     """What is said of a whole recording, None in lines of `stream`, and its vehicles. Raises BadInput."""
     whole = _object_of(data)
     if whole is None or "vehicles" not in whole:
-        return None, _on_one_clock(_lines_of(path, data))
+        return None, _on_one_clock([row | _told_before(row) for row in _lines_of(path, data)])
     if not is_number(whole.get("duration_s")):
         raise BadInput("traffic-no-duration-inside", path=path)
     if not isinstance(whole["vehicles"], list):
@@ -112,6 +111,12 @@ def _lines_of(path: Path, data: bytes) -> list[Any]:
     return found
 
 
+def _told_before(row: dict[str, Any]) -> dict[str, Any]:
+    """Of a line of `stream`: seconds count from the stream's begin, lines from its segment's."""
+    line, front_s = row.get("front_line_1"), row.get("front_s")
+    return {"told_before": is_number(line) and is_number(front_s) and line <= 0 < front_s}
+
+
 def _on_one_clock(rows: list[Any]) -> list[Any]:
     """Lines of `stream`, whose seconds begin anew where it was resumed: all from line 0 of the first run, as
     `front_at` tells them, and every vehicle once.
@@ -155,7 +160,9 @@ def passing_of(path: Path, said: Any, at: int | str) -> Passing:
     held: dict[str, Any] = {}
     for name in (one.name for one in fields(Passing)):
         value = said.get(_NAMES.get(name, name))
-        if value is None and name not in _NEEDED:
+        if name == "told_before":
+            held[name] = value is True
+        elif value is None and name not in _NEEDED:
             held[name] = None
         elif name in _WORDS and isinstance(value, str) and value in _CLOSED.get(name, (value,)):
             held[name] = value
@@ -183,6 +190,12 @@ def check_passings(path: Path, passings: Sequence[Passing], duration_s: float) -
                 rear_s=round(rear_s, 3),
                 duration_s=round(duration_s, 3),
             )
+
+
+def u_told(whole: Mapping[str, Any] | None, name: str) -> float:
+    """A standard uncertainty of a whole recording; 0 where it is not told."""
+    told = (whole or {}).get(name)
+    return float(told) if is_number(told) and told > 0 else 0.0
 
 
 def is_number(value: object) -> TypeGuard[float]:

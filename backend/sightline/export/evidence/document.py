@@ -107,12 +107,14 @@ def _at_vehicle(document: Document) -> JsonObject:
 
 
 def _gap(document: Document) -> JsonObject | None:
+    """Without a headway, which runs from the front before: that may be another vehicle's."""
     if document["before"] is None:
         return None
     pair = [values_of_document(document[name]) for name in ("before", "measurement")]
-    found = gaps([(crossings_of(one), motion_of(one)) for one in pair], rig_from(document["rig_now"]))
+    vehicles = [(crossings_of(one), motion_of(one), rig_from(one.rig)) for one in pair]
+    found = gaps(vehicles, vehicles[1][2])
     gap: JsonObject = plain(asdict(found[1]))
-    return gap
+    return {name: value for name, value in gap.items() if name != "headway_s"}
 
 
 def words_of(

@@ -180,10 +180,19 @@ def _said(events: list[Document], part: str, measured: Document, review: Documen
 def _derived(page: ReadPage) -> Iterator[str]:
     for name, value in derived(page.document).items():
         told, found = page.document[name], plain(value)
-        if name == "gap" and found and found["headway_s"] is None and not _is_ours(page.document):
-            found = found | {"headway_s": told["headway_s"]}  # earlier ones took line 0 for a front
+        if name == "gap" and told and not _is_ours(page.document):
+            told = {part: each for part, each in told.items() if part != "headway_s"}
+            found = told if told == _gap_by_rig_now(page.document) else found
         if found != told:
             yield say("evidence-made-again", {"named": name})
+
+
+def _gap_by_rig_now(document: Document) -> Document:
+    """As earlier versions computed it: by the line rate that the recording had when the file was made."""
+    rig = {"rig": document["rig_now"]}
+    pair = {part: document[part] | rig for part in ("measurement", "before")}
+    gap: Document = plain(derived({**document, **pair})["gap"])
+    return gap
 
 
 def _decided(page: ReadPage) -> Document | str:

@@ -218,12 +218,21 @@ def played_in_parts(path: Path) -> frozenset[int]:
         try:
             inside = _within(file, moov)
             ticks_hz = _after_times(file, inside, b"mvhd")
-            tracks = [_within(file, one) for one in inside if one.kind == b"trak"]
-            return frozenset(
-                _after_times(file, track, b"tkhd") for track in tracks if _in_parts(file, track, ticks_hz)
-            )
-        except (LookupError, struct.error, ZeroDivisionError):
+        except (LookupError, struct.error):
             return frozenset()  # a header that says less than it must
+        tracks = (one for one in inside if one.kind == b"trak")
+        return frozenset(number for one in tracks if (number := _number_in_parts(file, one, ticks_hz)))
+
+
+def _number_in_parts(file: BinaryIO, track: Box, ticks_hz: int) -> int | None:
+    """A track's number where it is played in parts; None where not, and where its own headers say less than
+    they must: what another track's say stands.
+    """
+    try:
+        inside = _within(file, track)
+        return _after_times(file, inside, b"tkhd") if _in_parts(file, inside, ticks_hz) else None
+    except (LookupError, struct.error, ZeroDivisionError):
+        return None
 
 
 def _in_parts(file: BinaryIO, track: list[Box], ticks_hz: int) -> bool:

@@ -1,8 +1,8 @@
 """What a stream writes beside its spooled strips, a JSON line each, so that it can be taken up when killed.
 
 First what was recorded and how, then every vehicle that was told, and every second the line before which all
-vehicles are told ("settled"), but for those that stand for too long ("stand"). A journal without its last
-line, "ended", is that of a stream that was killed.
+vehicles are told ("settled"), but for those that stand for too long ("stand"). A journal without the line
+"closed" is that of a stream that was killed; without its last line, "ended", its strips are yet to be moved.
 """
 
 import json
@@ -14,10 +14,35 @@ from pathlib import Path
 from typing import Any
 
 from sightline.linescan.parts import Crossings
+from sightline.messages.said import Said
 from sightline.scans.live.records import LiveVehicle
 
 FORMAT = "sightline-live-1"
+_LAST_BYTES = 100
 _NAME = re.compile(r"(\d{4,})\.jsonl")
+
+
+@dataclass(frozen=True)
+class Before:
+    """Which vehicles are told: all whose front came before line `settled`, and those that passed camera 1
+    from line to line (`passed`).
+    """
+
+    settled: float = -1.0
+    passed: tuple[tuple[float, float], ...] = ()
+
+    def has(self, front: float, within: float) -> bool:
+        """Whether a front, known to so many lines, is of one of them; what shows until the rear of one that
+        came before all others may be its leaving.
+        """
+        return front < self.settled or any(
+            abs(front - one) <= within or (one < self.settled and front < rear) for one, rear in self.passed
+        )
+
+    def since(self, line: float) -> "Before":
+        """The same where lines count from that one on."""
+        passed = tuple((front - line, rear - line) for front, rear in self.passed)
+        return Before(self.settled - line, passed)
 
 
 @dataclass(frozen=True)
@@ -25,8 +50,9 @@ class Told:
     """What is known of a segment from its journal.
 
     `began_at`: time of line 0; `begin`: number of line 0 in the followed file; `last_at`: when lines last
-    came; `settled`: all vehicles before this line are told; `rear_line`: last rear at camera 1 of those
-    told; `stand`: of those that stood for too long and are not told, where they came and were given up.
+    came; `before`: who is told; `stand`: of those that stood for too long and are not told, where they came
+    and were given up; `kept`: in a survey, as `scan_id` once that is stored; `closed`: all is told; `notes`:
+    what was said of it then.
     """
 
     number: int
@@ -38,11 +64,12 @@ class Told:
     begin: int
     last_at: datetime
     vehicles: int
-    settled: int
-    rear_line: float
+    before: Before
     stand: tuple[Crossings, ...]
+    kept: bool
     scan_id: int | None
-    ended: bool
+    closed: bool
+    notes: tuple[Said, ...]
 
 
 class Journal:
@@ -76,11 +103,28 @@ def last_number(folder: Path) -> int:
 
 
 def interrupted(folder: Path) -> Told | None:
-    """The last segment of a folder where it was not ended: its program was killed."""
-    number = last_number(folder)
+    """The last segment of a folder where it was not closed: its program was killed."""
+    told = _unended(folder, last_number(folder))
+    return told if told is not None and not told.closed else None
+
+
+def unmoved(folder: Path) -> list[Told]:
+    """Segments that were closed and not ended: the program was killed before their strips were moved."""
+    numbers = sorted(
+        int(found[1]) for path in folder.glob("*.jsonl") if (found := _NAME.fullmatch(path.name))
+    )
+    return [told for number in numbers if (told := _unended(folder, number)) is not None and told.closed]
+
+
+def _unended(folder: Path, number: int) -> Told | None:
     path = journal_path(folder, number)
-    told = _read(path, number) if path.is_file() else None
-    return told if told is not None and not told.ended else None
+    if not path.is_file():
+        return None
+    with path.open("rb") as file:
+        file.seek(max(0, path.stat().st_size - _LAST_BYTES))
+        if b'"ended"' in file.read():
+            return None
+    return _read(path, number)
 
 
 def append(folder: Path, number: int, said: dict[str, Any]) -> None:
@@ -101,24 +145,31 @@ def _read(path: Path, number: int) -> Told | None:
     head = next(lines, None)
     if head is None or head.get("format") != FORMAT:
         return None
-    known: dict[str, Any] = {"vehicles": head["first_id"] - 1, "settled": 0, "rear_line": -1.0}
-    known |= {"scan_id": None, "last_at": head["began_at"], "ended": False}
-    stand = dict[float, Crossings]()
+    known: dict[str, Any] = {"vehicles": head["first_id"] - 1, "scan_id": None, "last_at": head["began_at"]}
+    known |= {"kept": False, "closed": False, "notes": ()}
+    stand, before = dict[float, Crossings](), Before(*head.get("before", ()))
+    settled, passed = max(0.0, before.settled), [(front, rear) for front, rear in before.passed]
     for said in lines:
         if "settled" in said:
             stand.clear()
+            # less than before where one that was given up is seen to leave
+            settled = max(before.settled, said["settled"])
         # of several that are complete at once, those that follow stand no longer and are not yet told
         stand |= {one[0]: Crossings(*one) for one in said.get("stand", ())}
         stand.pop(said.get("front_line", -1.0), None)
-        known |= {"ended": "ended" in said or known["ended"]}
-        known |= {name: said[name] for name in ("vehicles", "settled", "scan_id") if name in said}
-        known["rear_line"] = max(known["rear_line"], said.get("rear_line", -1.0))
+        if "front_line" in said:
+            passed.append((said["front_line"], said["rear_line"]))
+        if "closed" in said:
+            known |= {"closed": True, "notes": tuple(map(Said.read, said["closed"]))}
+        known |= {"kept": True} if "scan_id" in said else {}
+        known |= {name: said[name] for name in ("vehicles", "scan_id") if name in said}
         known["last_at"] = said.get("at", known["last_at"])
     return Told(
         number=number,
         began_at=datetime.fromisoformat(head["began_at"]),
         last_at=datetime.fromisoformat(known.pop("last_at")),
         **{name: head[name] for name in ("stream", "source", "rows", "rig", "begin")},
+        before=Before(settled, tuple(one for one in passed if one[1] >= settled)),
         stand=tuple(stand.values()),
         **known,
     )

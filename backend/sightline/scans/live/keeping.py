@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from sightline.enums import ScanMethod
-from sightline.errors import Away, NoRoom, SightlineError
+from sightline.errors import Away, NoRoom, NotFound, SightlineError
 from sightline.infra.database import Session
 from sightline.infra.services import Services
 from sightline.linescan.parts import Motion, Rig
@@ -35,7 +35,7 @@ class _Recording:
     """What is to be stored of one segment; `scan_id`: its row, once it is there."""
 
     segment: SegmentFacts | None = None
-    belongs_to: Callable[[int], None] | None = None
+    belongs_to: Callable[[int | None], None] | None = None
     scan_id: int | None = None
     waiting: list[LiveVehicle] = field(default_factory=list)
     motions: list[Motion] = field(default_factory=list)
@@ -49,6 +49,8 @@ class SurveyKeeper(Keeper):
     until what is away or full takes them.
     """
 
+    keeps = True
+
     def __init__(
         self, services: Services, survey_id: int, rig: Rig, method: ScanMethod, say: Callable[[Said], None]
     ) -> None:
@@ -59,12 +61,13 @@ class SurveyKeeper(Keeper):
         self._mover = ThreadPoolExecutor(1)
         self._moves: list[Future[None]] = []
 
-    def begin(self, segment: SegmentFacts, belongs_to: Callable[[int], None]) -> None:
+    def begin(self, segment: SegmentFacts, belongs_to: Callable[[int | None], None]) -> None:
+        belongs_to(None)
         recording = self._recording = _Recording(segment, belongs_to)
         self._try(lambda: self._store(recording))
 
-    def take_up(self, scan_id: int | None) -> None:
-        self._recording = None if scan_id is None else _Recording(scan_id=scan_id)
+    def take_up(self, segment: SegmentFacts | None, scan_id: int | None) -> None:
+        self._recording = None if segment is None else _Recording(segment, scan_id=scan_id)
 
     def add(self, vehicle: LiveVehicle) -> None:
         if (recording := self._recording) is not None:
@@ -83,12 +86,14 @@ class SurveyKeeper(Keeper):
 
         self._try(heard)
 
-    def end(self, paths: tuple[Path, Path] | None, notes: list[Said]) -> None:
+    def end(self, paths: tuple[Path, Path] | None, notes: list[Said], moved: Callable[[], None]) -> None:
         recording, self._recording = self._recording, None
-        if recording is not None:
-            recording.belongs_to = None  # its journal is closed
-            self._moves = [one for one in self._moves if not one.done() or one.exception()]
-            self._moves.append(self._mover.submit(self._end, recording, paths, notes))
+        if recording is None:
+            moved()
+            return
+        recording.belongs_to = None  # its journal is closed
+        self._moves = [one for one in self._moves if not one.done() or one.exception()]
+        self._moves.append(self._mover.submit(self._end, recording, paths, notes, moved))
 
     def close(self) -> None:
         """After all strips are where they belong."""
@@ -96,7 +101,13 @@ class SurveyKeeper(Keeper):
         for move in self._moves:
             move.result()
 
-    def _end(self, recording: _Recording, paths: tuple[Path, Path] | None, notes: list[Said]) -> None:
+    def _end(
+        self,
+        recording: _Recording,
+        paths: tuple[Path, Path] | None,
+        notes: list[Said],
+        moved: Callable[[], None],
+    ) -> None:
         told = False
         while True:
             try:
@@ -109,11 +120,18 @@ class SurveyKeeper(Keeper):
                     )
                 told = True
                 time.sleep(AGAIN_S)
+            except NotFound:
+                moved()  # it was deleted: no later run can store them
+                raise
         for path in paths or ():
             path.unlink()  # the media store has it
+        moved()
 
     def _store_end(self, recording: _Recording, paths: tuple[Path, Path] | None, notes: list[Said]) -> None:
         scan_id = self._store(recording)
+        with self._services.reading() as session:
+            if get_scan(session, scan_id).state != "live":
+                return  # stored by one that was killed before it had said so
         source = None if paths is None else (self._strip(paths[0]), self._strip(paths[1]))
         with self._writing() as session:
             run = run_values(self._method, self._rig, recording.motions, len(recording.motions), notes)

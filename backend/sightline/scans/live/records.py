@@ -53,13 +53,19 @@ class SegmentFacts:
 
 
 class Keeper:
-    """Where a stream's vehicles go besides being told: here nowhere, of others a survey."""
+    """Where a stream's vehicles go besides being told: here nowhere; a survey `keeps` them."""
 
-    def begin(self, segment: SegmentFacts, belongs_to: Callable[[int], None]) -> None:
-        """A segment begins; `belongs_to` takes the number of its line-scan recording once that is stored."""
+    keeps = False
 
-    def take_up(self, scan_id: int | None) -> None:
-        """The segment that a killed stream left is the present one, until its end."""
+    def begin(self, segment: SegmentFacts, belongs_to: Callable[[int | None], None]) -> None:
+        """A segment begins; `belongs_to` takes the number of its line-scan recording, None until that is
+        stored.
+        """
+
+    def take_up(self, segment: SegmentFacts | None, scan_id: int | None) -> None:
+        """A segment that a killed stream left is the present one, until its end (None: not kept here);
+        `scan_id`: its recording, if that was stored.
+        """
 
     def add(self, vehicle: LiveVehicle) -> None:
         """A vehicle was told."""
@@ -67,8 +73,11 @@ class Keeper:
     def hear(self, health: LiveHealth) -> None:
         """How the stream is, once a second."""
 
-    def end(self, paths: tuple[Path, Path] | None, notes: list[Said]) -> None:
-        """The segment has ended; its strips (None: not kept) and what is to be said of them."""
+    def end(self, paths: tuple[Path, Path] | None, notes: list[Said], moved: Callable[[], None]) -> None:
+        """The segment has ended; its strips (None: not kept) and what is to be said of them. `moved`: is told
+        once they are where they belong.
+        """
+        moved()
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,6 +10,7 @@ from datetime import UTC, datetime, timedelta
 from functools import partial
 from itertools import chain
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -21,12 +22,23 @@ from sightline.linescan.parts import Rig
 from sightline.linescan.rig import rig_from
 from sightline.media.lines.source import LineSource, Piece
 from sightline.messages.said import Said
-from sightline.scans.live.journal import Told, append, interrupted, last_number, spool_paths, told_line
+from sightline.scans.live.journal import (
+    Before,
+    Told,
+    append,
+    interrupted,
+    journal_path,
+    last_number,
+    spool_paths,
+    told_line,
+    unmoved,
+)
 from sightline.scans.live.records import Keeper, LiveHealth, LiveVehicle, SegmentFacts
 from sightline.scans.live.segment import LEAD_S, Remainder, Segment
 
 TICK_S = 1.0
 JUMP_S = 0.5
+_ENDED = {"ended": "whole"}
 Say = Callable[[Said | str], None]
 
 
@@ -71,7 +83,7 @@ class LiveRun:
         self._said: set[tuple[str, object]] = set()
         self._segment: Segment | None = None
         self._stream = secrets.token_hex(8)
-        self._begin, self._skip, self._first_id = 0, -1.0, 1
+        self._begin, self._before, self._first_id = 0, Before(), 1
         self._resumed_at: datetime | None = None
         self._behind: Behind = ((), ())
         self._ticked = self._clock.steady()
@@ -83,6 +95,8 @@ class LiveRun:
     def vehicles(self) -> Iterator[LiveVehicle]:
         """Every vehicle as soon as it is measured; first those that a killed run had not told."""
         left = interrupted(self.folder) if self.folder else None
+        for closed in unmoved(self.folder) if self.folder else ():
+            self._hand_on(closed)
         if left is not None:
             yield from self._taken_up(left)
         self.source = self._open(self._begin)
@@ -101,7 +115,7 @@ class LiveRun:
         if self._segment is not None:
             self._segment.told(one)
         elif self.folder is not None:
-            append(self.folder, one.segment, told_line(one))
+            self._append(one.segment, told_line(one))
         self._keeper.add(one)
         self.found += one.vehicle.motion.status == "ok"
 
@@ -154,7 +168,7 @@ class LiveRun:
             self.rig,
             self.method,
             begin=begin,
-            skip=self._skip,
+            before=self._before,
             first_id=self._first_id,
             behind=self._behind,
         )
@@ -167,7 +181,7 @@ class LiveRun:
             self._say(Said("stream-lines-not-stored", strerror=error.strerror))
             made = make(None)
         self._number = number
-        self._segment, self._skip, self._began = made, -1.0, self._clock.steady() - since_s
+        self._segment, self._before, self._began = made, Before(), self._clock.steady() - since_s
         self._keeper.begin(facts, made.belongs_to)
         return made
 
@@ -187,9 +201,9 @@ class LiveRun:
         self._keeper.hear(self._health(segment))
         self._first_id, self._segment = segment.vehicles + 1, None
         notes = self._losses(segment) + faults.notes_of(segment.finder)
-        for sentence in [*segment.close(stop), *notes]:
+        for sentence in [*segment.close(notes, stop), *notes]:
             self._say(sentence)
-        self._keeper.end(segment.paths, notes)
+        self._keeper.end(segment.paths, notes, partial(self._append, segment.facts.number, _ENDED))
 
     def _tick(self) -> None:
         """Once a second: how the stream is, and whether the clock was set."""
@@ -245,16 +259,15 @@ class LiveRun:
         assert self.folder is not None
         if left.rows != self.rows or rig_from(left.rig) != self.rig:
             raise BadInput("commands-stream-other-rig", path=self.folder, number=f"{left.number:04}")
-        after = max(float(left.settled), left.rear_line)
+        after = left.before.settled
         self._first_id, self._stream = left.vehicles + 1, left.stream
-        paths = spool_paths(self.folder, left.number)
-        self._keeper.take_up(left.scan_id)
-        facts = SegmentFacts(left.number, left.stream, left.source, left.began_at)
+        paths, facts = spool_paths(self.folder, left.number), _facts_of(left)
+        self._keeper.take_up(facts if left.kept else None, left.scan_id)
         again, kept = self._go_back and left.source == self._name, all(path.is_file() for path in paths)
         lines = 0
         if kept or not again:
             rest = Remainder(
-                paths, facts, self.rig, self.method, after, self._first_id, left.begin, left.stand
+                paths, facts, self.rig, self.method, left.before, self._first_id, left.begin, left.stand
             )
             lines, self._behind = rest.lines, rest.behind
             for one in chain(rest.stood(), () if again else rest.vehicles()):
@@ -262,13 +275,32 @@ class LiveRun:
                 yield one
         if again:
             lead = max(0, int(after - LEAD_S * self.rig.line_rate_hz))
-            self._begin, self._skip = left.begin + lead, after - lead
+            self._begin, self._before = left.begin + lead, left.before.since(lead)
             self._resumed_at = left.began_at + timedelta(seconds=lead / self.rig.line_rate_hz)
             self._say(Said("stream-resumed", begin=left.begin + int(after), name=self._name))
         else:
             self._say(self._missing(left, lines))
-        self._keeper.end(paths if kept else None, [])
-        append(self.folder, left.number, {"ended": "taken up"})
+        self._append(left.number, {"closed": []})
+        self._hand_on(left)
+
+    def _hand_on(self, left: Told) -> None:
+        """Give the strips of a segment that a killed run left to who keeps them."""
+        assert self.folder is not None
+        if left.kept and not self._keeper.keeps:
+            return
+        if left.closed:
+            self._keeper.take_up(_facts_of(left) if left.kept else None, left.scan_id)
+        paths = spool_paths(self.folder, left.number)
+        kept = paths if all(path.is_file() for path in paths) else None
+        self._keeper.end(kept, list(left.notes), partial(self._append, left.number, _ENDED))
+
+    def _append(self, number: int, said: dict[str, Any]) -> None:
+        """Say it in a journal that is closed, where there is one; a full disk ends no stream."""
+        try:
+            if self.folder is not None and journal_path(self.folder, number).is_file():
+                append(self.folder, number, said)
+        except OSError as error:
+            self._say(Said("stream-journal-not-written", strerror=error.strerror))
 
     def _missing(self, left: Told, lines: int) -> Said:
         end = left.began_at.timestamp() + lines / self.rig.line_rate_hz
@@ -281,6 +313,10 @@ class LiveRun:
             gap_s=round(gap_s, 1),
             gap_lines=round(gap_s * self.rig.line_rate_hz),
         )
+
+
+def _facts_of(left: Told) -> SegmentFacts:
+    return SegmentFacts(left.number, left.stream, left.source, left.began_at)
 
 
 def _memory_mib() -> float:

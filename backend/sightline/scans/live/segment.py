@@ -18,7 +18,7 @@ from sightline.media.lines.source import Lines, Lost, Piece
 from sightline.media.strips.notes import Dropped, columns_of
 from sightline.media.strips.spool import Spool, SpooledLines
 from sightline.messages.said import Said
-from sightline.scans.live.journal import Journal, journal_path, spool_paths, told_line
+from sightline.scans.live.journal import Before, Journal, journal_path, spool_paths, told_line
 from sightline.scans.live.records import LiveVehicle, SegmentFacts
 from sightline.scans.vehicles.measure import without_losses
 
@@ -59,8 +59,8 @@ class Camera:
 class Segment:
     """Lines that are counted from 0, one finder, a pair of files (`folder` None: not kept).
 
-    `begin`: number of line 0 in a followed file; `skip`: vehicles whose front comes before this line are
-    already told; `first_id`: number of the first vehicle; `behind`: roads behind who stands and was told.
+    `begin`: number of line 0 in a followed file; `before`: vehicles that are already told; `first_id`: number
+    of the first vehicle; `behind`: roads behind who stands and was told.
     """
 
     def __init__(
@@ -72,7 +72,7 @@ class Segment:
         folder: Path | None,
         *,
         begin: int = 0,
-        skip: float = -1.0,
+        before: Before = Before(),
         first_id: int = 1,
         behind: Behind = ((), ()),
     ) -> None:
@@ -81,13 +81,14 @@ class Segment:
         self.finder = Finder(rows, rig, behind=behind)
         self.vehicles = first_id - 1
         self.found = 0
-        self._skip, self.begin = skip, begin
+        self._before, self.begin = before, begin
         self.paths = spool_paths(folder, facts.number) if folder else None
         spools = [Spool(path, rows, rig.line_rate_hz) for path in self.paths] if self.paths else [None, None]
         self.cameras = (Camera(spools[0]), Camera(spools[1]))
         self._follower = Follower(rig, method, self._columns, first_id)
         head = {"stream": facts.stream, "source": facts.source, "rows": rows, "rig": asdict(rig)}
         head |= {"began_at": facts.began_at.isoformat(), "begin": begin, "first_id": first_id}
+        head |= {"before": [before.settled, before.passed]}
         self.journal = Journal(journal_path(folder, facts.number), head) if folder else None
 
     def take(self, piece: Piece) -> Iterator[LiveVehicle]:
@@ -107,25 +108,32 @@ class Segment:
         """What is complete at the end of the lines."""
         if self.lines:
             yield from self._told(self.finder.finish())
+            yield from self._told(self.finder.stood_throughout(), always=True)
 
     def give_up(self) -> Iterator[LiveVehicle]:
-        """What still stands, where another segment goes on."""
+        """What still stands, where another segment goes on; what has stood all the time is told of this one
+        too.
+        """
         yield from self._told(self.finder.give_up())
+        yield from self._told(self.finder.stood_throughout(), always=True)
 
     def note(self, at: datetime) -> None:
         """Say in the journal how far everything is told."""
-        settled, stand = self.finder.settled_line, self._stand()
+        # a front lies half a line before the first line that shows it
+        settled, stand = max(0, self.finder.settled_line - 1), self._stand()
         self._write({"settled": settled, "stand": stand, "lines": self.lines, "at": at.isoformat()})
 
     def told(self, one: LiveVehicle) -> None:
         """Say in the journal that a vehicle has been told."""
         self._write({**told_line(one), "stand": self._stand()})
 
-    def belongs_to(self, scan_id: int) -> None:
+    def belongs_to(self, scan_id: int | None) -> None:
         self._write({"scan_id": scan_id})
 
-    def close(self, stop: int | None = None) -> list[Said]:
-        """Close the files, both with the same lines (`stop`: only so many); what is to be said of them."""
+    def close(self, notes: Sequence[Said], stop: int | None = None) -> list[Said]:
+        """Close the files, both with the same lines (`stop`: only so many); what is to be said of them.
+        `notes`: of the segment, for whoever moves its strips after a kill.
+        """
         said = []
         for camera in self.cameras:
             if camera.spool is not None:
@@ -139,7 +147,7 @@ class Segment:
                     path.unlink(missing_ok=True)
             self.paths = self.paths if kept else None
         if self.journal is not None:
-            self._write({"ended": "whole"})
+            self._write({"closed": [one.document for one in notes]})
             self.journal.close()
         return said + ([self.full] if self.full else [])
 
@@ -156,9 +164,9 @@ class Segment:
     def time_of(self, line: float) -> datetime:
         return self.facts.began_at + timedelta(seconds=line / self.rig.line_rate_hz)
 
-    def _told(self, passages: Sequence[Passage]) -> Iterator[LiveVehicle]:
+    def _told(self, passages: Sequence[Passage], *, always: bool = False) -> Iterator[LiveVehicle]:
         for passage in passages:
-            counted = passage.crossings.front_line_1 >= self._skip
+            counted = always or not self._before.has(passage.crossings.front_line_1, self.finder.spans.guard)
             dropped = (self.cameras[0].dropped, self.cameras[1].dropped)
             vehicle = self._follower.next(without_losses(passage, dropped), counted=counted)
             if counted:
@@ -198,15 +206,15 @@ class Remainder:
         facts: SegmentFacts,
         rig: Rig,
         method: ScanMethod,
-        after: float,
+        before: Before,
         first_id: int,
         begin: int,
         stand: Sequence[Crossings],
     ) -> None:
         self.lines = trimmed(paths)
         self._spooled = [SpooledLines(path) for path in paths]
-        self._start = max(0, int(after - LEAD_S * rig.line_rate_hz))
-        self._after, self._facts, self._rig, self._begin = after, facts, rig, begin
+        self._start = max(0, int(before.settled - LEAD_S * rig.line_rate_hz))
+        self._before, self._facts, self._rig, self._begin = before, facts, rig, begin
         dropped = (self._spooled[0].dropped, self._spooled[1].dropped)
         self._follower = Follower(rig, method, lambda crossings: columns_of(crossings, *dropped), first_id)
         self.behind = (
@@ -216,7 +224,7 @@ class Remainder:
         self._stand = stand
 
     def stood(self) -> Iterator[LiveVehicle]:
-        """Those whom nobody saw leave: all that is known of them are their lines, far before `after`."""
+        """Those whom nobody saw leave: all that is known of them are their lines, far before the others'."""
         rows, stand = self._spooled[0].rows, self._stand
         nothing, road = np.empty((0, rows), np.uint8), np.zeros(rows, np.float32)
         for at in stand:
@@ -234,18 +242,18 @@ class Remainder:
             yield self._vehicle(passage, counted=True)
 
     def vehicles(self) -> Iterator[LiveVehicle]:
-        """The vehicles whose front came after line `after`, the last of them cut off where the lines end."""
+        """The vehicles that were not told before, the last of them cut off where the lines end."""
         first, second = self._spooled
         finder = Finder(first.rows, self._rig, behind=self.behind)
         for one, two in zip(first.chunks(self._start), second.chunks(self._start), strict=True):
-            yield from self._told(finder.push(one, two))
-        yield from self._told(finder.finish())
+            yield from self._told(finder.push(one, two), finder.spans.guard)
+        yield from self._told(finder.finish(), finder.spans.guard)
 
-    def _told(self, passages: Sequence[Passage]) -> Iterator[LiveVehicle]:
+    def _told(self, passages: Sequence[Passage], within: float) -> Iterator[LiveVehicle]:
         dropped = (self._spooled[0].dropped, self._spooled[1].dropped)
         for passage in passages:
             moved = _moved(passage, self._start)
-            counted = moved.crossings.front_line_1 >= self._after
+            counted = not self._before.has(moved.crossings.front_line_1, within)
             vehicle = self._vehicle(without_losses(moved, dropped), counted=counted)
             if counted:
                 yield vehicle

@@ -65,7 +65,12 @@ def _stream(session: Session, scans: list[LiveScan]) -> LiveStream:
     until = _until(newest)
     recent = [one for one in scans if _until(one) > until - timedelta(minutes=FLOW_MINUTES)]
     begun = {one.scan_id: one for one in recent}
-    fronts = [_time(begun[scan_id], line) for scan_id, line in fronts_of(session, list(begun))]
+    # in view where a later recording begins, one was told of the recording before
+    fronts = [
+        _time(begun[scan_id], line)
+        for scan_id, line in fronts_of(session, list(begun))
+        if line > 0 or scan_id == scans[-1].scan_id
+    ]
     flow = flow_of(fronts, [(one.began_at, _until(one)) for one in recent])
     found = last_scan_vehicles(session, newest.scan_id, LAST + 1)
     references = standing_references(session, newest.scan_id)

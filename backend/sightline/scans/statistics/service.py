@@ -67,7 +67,8 @@ class VehicleMotion:
     that this motion was computed with, and their `line_rate_hz`; `rig_baseline_m`: their distance at the
     vehicle; `rig_errors_m`: what of it all vehicles share (`shared_errors_m`). None where there is no value.
     `known`: the maker's sizes. `since_s`, `occupied_s`: when it reached camera 1 after line 0, and how long
-    it stood before it (None: its rear was not seen); `front_seen`: False of one in view at line 0;
+    it stood before it (None: its rear was not seen); `front_seen`: False of one in view at line 0,
+    `told_before`: where it is of the recording before;
     `filmed_at`: the first by the clocks of the place (ISO 8601), empty where its recording has none;
     `rig_ratio`: what the rig gives to every speed alike, a share of it (k = 1). `run_of`: the car of which it
     is one run; `references`: what stands of what something else measured. `direction`: which camera it
@@ -91,6 +92,7 @@ class VehicleMotion:
     since_s: float | None = None
     occupied_s: float | None = None
     front_seen: bool = True
+    told_before: bool = False
     filmed_at: str = ""
     u_filmed_at_s: float | None = None
     rig_ratio: float = 0.0

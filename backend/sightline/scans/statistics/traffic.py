@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import partial
-from typing import Annotated, Protocol
+from typing import Annotated, Any, Protocol
 
 import numpy as np
 from pydantic import Field
@@ -12,7 +12,7 @@ from pydantic import Field
 from sightline.enums import ScanDirection
 from sightline.infra.by_name import filled_from
 from sightline.linescan.parts import STANDS_S, may_still_stand, stands_at_end
-from sightline.linescan.traffic import Interval, Passed, Stream, intervals, streams_of
+from sightline.linescan.traffic import Interval, Passed, Stream, intervals, strays_s, streams_of
 from sightline.messages.said import Said
 from sightline.recordings.filming import FilmedWithin
 from sightline.scans.statistics.service import VehicleMotion, counts
@@ -22,6 +22,8 @@ from sightline.statistics.distributions import Percentile, percentiles
 PERCENTS = (15.0, 50.0, 85.0)
 #: By so much at most the next recording of a stream begins before the one before it ends, as a person tells.
 _SHARED_S = 2.0
+#: And by so much at most it begins later, where what is in view then is what stood at the end.
+_NEXT_S = 0.1
 
 
 class Clock(Protocol):
@@ -113,7 +115,7 @@ def traffic_of_seen(
     the first.
     Every vehicle counts for flow and occupancy; its speed and length where its motion counts. Intervals are
     those that begin within the days and hours `filmed`. Where one stood when a recording ended, the next one,
-    within a minute, tells no occupancy.
+    within a minute, tells no occupancy, and one in view where that goes on at once is not counted again.
     """
     of_scan: dict[int, list[VehicleMotion]] = {one.scan_id: [] for one in watched}
     for car in found:
@@ -129,15 +131,33 @@ def traffic_of_seen(
     out = []
     for one, by_stream in zip(watched, streams, strict=True):
         begin_s = (one.span_s or (0.0,))[0]
-        for stream, cars in by_stream.items():
-            before = any(
-                (site, other) == (one.site, stream) and -_SHARED_S <= begin_s - end_s <= STANDS_S
-                for site, other, end_s in stood
-            )
-            whole = _traffic(one, cars, stream, minutes, accepted_only, before)
+        ended = [
+            (other, begin_s - end_s)
+            for site, other, end_s in stood
+            if site == one.site and -_SHARED_S <= begin_s - end_s <= STANDS_S
+        ]
+        goes_on = any(later_s <= _NEXT_S for _, later_s in ended)
+        for stream, seen in by_stream.items():
+            before = any(_may_be_of(other, stream) for other, _ in ended)
+            cars = [replace(car, told_before=True) if goes_on and not car.front_seen else car for car in seen]
+            strayed = [
+                car
+                for other, passed in by_stream.items()
+                if other != stream and _may_be_of(other, stream)
+                for car in passed
+            ]
+            since_s = strays_s(by_stream, stream[0])
+            whole = _traffic(one, cars, stream, minutes, accepted_only, before, strayed, since_s)
             within = tuple(each for each in whole.intervals if filmed.holds(each.begins_at))
             out.append(replace(whole, intervals=within))
     return tuple(out)
+
+
+def _may_be_of(one: Stream, lane: Stream) -> bool:
+    """Whether vehicles of one stream may be of another: those of unknown lane may be in any lane, and which
+    way one that stands goes is not known.
+    """
+    return one == lane or (one[1] is None and lane[1] is not None)
 
 
 def _traffic(
@@ -147,8 +167,11 @@ def _traffic(
     minutes: int,
     accepted_only: bool,
     stood_before: bool,
+    strayed: Sequence[VehicleMotion],
+    since_s: Sequence[float],
 ) -> ScanTraffic:
     passed = [_passed(one, accepted_only) for one in found if one.since_s is not None]
+    unseen = [one for one in strayed if one.since_s is not None and one.occupied_s is None]
     reason = None if scan.clock else Said("scans-traffic-no-start")
     if scan.watched_s is None:
         reason = Said("scans-traffic-not-read")
@@ -160,7 +183,17 @@ def _traffic(
         minutes=minutes,
         direction=stream[0],
         lane=stream[1],
-        intervals=() if reason else _intervals(passed, scan.clock, scan.watched_s, minutes, stood_before),
+        intervals=()
+        if reason
+        else _intervals(
+            passed,
+            scan.clock,
+            scan.watched_s,
+            minutes,
+            stood_before=stood_before,
+            strayed=[_passed(one, accepted_only) for one in unseen],
+            strays_s=since_s,
+        ),
         unplaced=len(found) - len(passed),
         reason=reason,
     )
@@ -171,7 +204,7 @@ def _intervals(
     clock: Clock | None,
     watched_s: float | None,
     minutes: int,
-    stood_before: bool,
+    **more: Any,
 ) -> tuple[ShownInterval, ...]:
     if clock is None or watched_s is None:
         return ()
@@ -182,9 +215,7 @@ def _intervals(
             begins_at=clock.at(one.begin_s),
             percentiles=percentiles(np.array(one.speeds_mps, dtype=np.float64), PERCENTS),
         )
-        for one in intervals(
-            passed, watched_s, partial(_into_hour_s, clock), minutes, stood_before=stood_before
-        )
+        for one in intervals(passed, watched_s, partial(_into_hour_s, clock), minutes, **more)
     )
 
 
@@ -203,6 +234,7 @@ def _passed(one: VehicleMotion, accepted_only: bool) -> Passed:
             refused=not one.measured,
             stands=may_still_stand(one.reason),
             front_seen=one.front_seen,
+            told_before=one.told_before,
         )
     return Passed(
         one.since_s,
@@ -215,6 +247,7 @@ def _passed(one: VehicleMotion, accepted_only: bool) -> Passed:
         rig_ratio=one.rig_ratio,
         axles=one.axles,
         front_seen=one.front_seen,
+        told_before=one.told_before,
     )
 
 

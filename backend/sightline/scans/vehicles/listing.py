@@ -73,10 +73,10 @@ def shown(
 ) -> list[ShownVehicle]:
     """The same for vehicles that are at hand, in the order in which they passed; `references` by vehicle."""
     measured = (one.measurement for one in found)
-    gaps = gaps_of(scan.rig, [None if one is None else motion_of(one.values) for one in measured])
+    motions = [None if one is None else (motion_of(one.values), one.values.rig) for one in measured]
     return [
         ShownVehicle(vehicle, scan.rig, gap, _passing(scan.clock, vehicle), references.get(vehicle.id, ()))
-        for vehicle, gap in zip(found, gaps, strict=True)
+        for vehicle, gap in zip(found, gaps_of(scan.rig, motions), strict=True)
     ]
 
 

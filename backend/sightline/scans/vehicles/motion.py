@@ -115,12 +115,12 @@ def wheels_of(values: ScanValues) -> tuple[float, float] | None:
     return values.front_wheel_line, values.rear_wheel_line
 
 
-def gaps_of(rig: Rig, motions: Sequence[Motion | None]) -> list[Gap | None]:
+def gaps_of(rig: Rig, motions: Sequence[tuple[Motion, Mapping[str, Any]] | None]) -> list[Gap | None]:
     """The gap before each vehicle, in the order of the vehicles; None for the first of its direction and
-    lane, and for the unmeasured.
+    lane, and for the unmeasured. `motions`: each with the rig that it was measured with, as stored.
     """
-    told = gaps([(one.crossings, one) for one in motions if one is not None], rig)
-    after = iter(None if one.reason == NONE_BEFORE else one for one in told)
+    there = [(one[0].crossings, one[0], rig_from(one[1])) for one in motions if one is not None]
+    after = iter(None if one.reason == NONE_BEFORE else one for one in gaps(there, rig))
     return [None if one is None else next(after) for one in motions]
 
 

@@ -50,7 +50,7 @@ def _place(passed: tuple[Row, Told | None]) -> tuple[float, int]:
 def _check(rig: Rig, passed: list[tuple[Row, Told | None]]) -> None:
     with_u = all(told is None or "budget" in told for _, told in passed)
     columns = {name: one for name, one in _COLUMNS.items() if with_u or not name.startswith("u_")}
-    gaps = gaps_of(rig, [None if told is None else _motion(told) for _, told in passed])
+    gaps = gaps_of(rig, [None if told is None else (_motion(told), told["rig"]) for _, told in passed])
     for (row, _), gap in zip(passed, gaps, strict=True):
         cells = {name: None if gap is None else one.of_object(gap) for name, one in columns.items()}
         name = first_difference(columns, row, cells)

@@ -10,6 +10,7 @@ import {
   formatDuration,
   formatMoment,
   formatPlaceClock,
+  formatPlaceMoment,
   placeTime,
 } from "../../core/times";
 import type { LiveStream, LiveVehicle } from "../../core/types";
@@ -74,7 +75,7 @@ function Stream({ stream, surveyId }: { stream: LiveStream; surveyId: number }) 
       <header class="row row--apart row--wrap">
         <div>
           <h2 class="clip">{stream.source}</h2>
-          <p class="small muted">{say("live-since", { time: formatMoment(stream.began_at) })}</p>
+          <p class="small muted">{say("live-since", { time: momentThere(stream.began_at) })}</p>
         </div>
         <StateOf stream={stream} />
       </header>
@@ -82,7 +83,7 @@ function Stream({ stream, surveyId }: { stream: LiveStream; surveyId: number }) 
         <Notice kind="warning">{say("live-silent", { ago: formatAgo(stream.heard_at) })}</Notice>
       )}
       {stream.state === "stopped" && (
-        <Notice kind="warning">{say("live-stopped", { time: formatMoment(stream.heard_at) })}</Notice>
+        <Notice kind="warning">{say("live-stopped", { time: momentThere(stream.heard_at) })}</Notice>
       )}
       <Notices of={stream.health?.words} kind="warning" />
       <Health stream={stream} />
@@ -95,7 +96,7 @@ function Stream({ stream, surveyId }: { stream: LiveStream; surveyId: number }) 
           <span class="muted">{say("live-earlier")}</span>
           {stream.earlier.map((one) => (
             <a key={one.scan_id} href={`/surveys/${surveyId}/scan?scan=${one.scan_id}`}>
-              {formatMoment(one.began_at)}
+              {momentThere(one.began_at)}
             </a>
           ))}
         </p>
@@ -268,7 +269,17 @@ function formatTime(iso: string): string {
 
 /** The time of day by the clocks of the survey's place; by the browser's where nobody said where it is. */
 export function clockThere(iso: string): string {
-  const zone = survey.value?.place.time_zone;
-  const there = zone ? placeTime(iso, zone) : null;
+  const there = shownThere(iso);
   return there === null ? formatClock(new Date(iso)) : formatPlaceClock(there);
+}
+
+/** The same with its day. */
+export function momentThere(iso: string): string {
+  const there = shownThere(iso);
+  return there === null ? formatMoment(iso) : formatPlaceMoment(there);
+}
+
+function shownThere(iso: string): string | null {
+  const zone = survey.value?.place.time_zone;
+  return zone ? placeTime(iso, zone) : null;
 }
