@@ -53,6 +53,7 @@ def add_image(
     gray = services.frames.image(content, name)
     found = look(gray, board)
     height, width = gray.shape
+    put_bytes(services, content, suffix_of(name))  # takes its time; below it is there
     with services.writing() as session:
         return add_calibration_image(
             session,
