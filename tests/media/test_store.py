@@ -171,6 +171,13 @@ def test_s3_cache_leaves_alone_what_is_on_its_way(open_s3: OpenS3, tmp_path: Pat
         coming.write_bytes(DATA)
         store.local_path("a/b")
         coming.rename(part)
+        left = part.with_name(f"{part.name}.Ab12")
+        left.write_bytes(DATA)
+        os.utime(left, (0, 0))  # its process was killed long ago
+        store.delete("a/b")
+        store.put_file("a/b", video)
+        store.local_path("a/b")
+        assert not left.exists() and part.exists()
 
 
 def test_s3_fetches_of_two_files_do_not_wait_for_each_other(
