@@ -157,15 +157,13 @@ def _keep_working_copy(store: MediaStore, recording: Recording, found: Ingested)
     if not found.is_working_copy:
         return None
     key = key_of(recording.sha256, f".work{_of_picture(_number(found))}{found.media_path.suffix}")
-    store.delete(key)
-    store.put_file(key, found.media_path, link=True)
+    store.put_file(key, found.media_path, link=True, replace=True)
     return key
 
 
 def _keep_thumbnails(store: MediaStore, recording: Recording, folder: Path, found: Ingested) -> None:
     key = thumbnails_key_of(recording.sha256, _number(found))
-    store.delete(key)
-    store.put_file(key, pack_thumbnails(folder, found), link=True)
+    store.put_file(key, pack_thumbnails(folder, found), link=True, replace=True)
 
 
 def pack_thumbnails(folder: Path, found: Ingested) -> Path:

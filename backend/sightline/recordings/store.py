@@ -277,8 +277,12 @@ def take_back_drift_decision(session: Session, recording_id: int, *, actor: int 
 
 
 def recording_content_in_use(session: Session, sha256: str, stream_number: int | None) -> bool:
-    """Whether a recording that was not deleted reads this picture of this content, whatever its name."""
-    same = recordings.c.sha256 == sha256, recordings.c.stream_number.is_not_distinct_from(stream_number)
+    """Whether a recording that was not deleted reads this picture of this content, whatever its name.
+
+    One that is being read does not know yet which of several pictures it has.
+    """
+    picture = recordings.c.stream_number
+    same = recordings.c.sha256 == sha256, picture.is_(None) | picture.is_not_distinct_from(stream_number)
     query = select(recordings.c.id).where(*same, _ALIVE).limit(1)
     return session.execute(query).first() is not None
 

@@ -64,11 +64,13 @@ class S3Store:
         )
         self._make_bucket()
 
-    def put_file(self, key: str, path: Path, *, link: bool = False) -> None:
-        if self.exists(key):
+    def put_file(self, key: str, path: Path, *, link: bool = False, replace: bool = False) -> None:
+        if not replace and self.exists(key):
             return
         with _told(key):
             self._client.upload_file(str(path), self._bucket, self._name(key))
+        if replace:
+            safe_path(self._cache, key).unlink(missing_ok=True)
 
     def local_path(self, key: str) -> Path:
         path = safe_path(self._cache, key)
