@@ -197,6 +197,17 @@ def test_a_twin_deleted_while_an_upload_ends_does_not_take_its_file_along(
     assert operator.get(f"/recordings/{second}/frames/3.jpg").status_code == 200
 
 
+def test_a_strip_that_is_given_up_takes_its_file_along_unless_another_has_it(
+    operator: Client, survey_id: int, services: Services
+) -> None:
+    first, second = (upload_strip(operator, survey_id, b"lines", "left.tif") for _ in range(2))
+    with services.reading() as session:
+        key = get_upload(session, first).media_key
+    for upload_id, left in ((first, True), (second, False)):
+        assert operator.http.delete(f"/api/uploads/{upload_id}", headers=TUS).status_code == 204
+        assert services.media.exists(key) is left
+
+
 def test_what_is_no_video_goes_without_the_file_of_what_is_one(
     operator: Client, survey_id: int, work: Work, tmp_path: Path, services: Services
 ) -> None:

@@ -17,6 +17,7 @@ from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
 from sightline.infra.services import Services
+from sightline.infra.stored_bytes import require_media
 from sightline.media.cancelling import IngestCancelled
 from sightline.media.store.local import MediaStore, key_of
 from sightline.media.video.decode import require_whole
@@ -270,8 +271,9 @@ def table_of(found: Ingested) -> FrameTable:
 def remove_recording(services: Services, recording_id: int, actor: int) -> None:
     """Delete a recording without measurements, and its files if nothing else has the same content.
 
-    Raises NotFound, Conflict (measurements, or an ingest is running).
+    Raises NotFound, Conflict (measurements, or an ingest is running), Away.
     """
+    require_media(services)
     with services.writing() as session:
         recording = recordings.get_recording(session, recording_id)
         if recording.job and recording.job.kind == KIND and recording.job.state in ("queued", "running"):
