@@ -122,6 +122,7 @@ def run_ingest(context: JobContext) -> Finish:
         recording = recordings.get_recording(session, recording_id)
     with tempfile.TemporaryDirectory(prefix="ingest-", dir=services.scratch) as folder:
         found = _read(context, services.media.local_path(recording.media_key), recording, Path(folder))
+        _require_same_pictures(services, recording, found)
         working_copy = _keep_working_copy(services.media, recording, found)
         _keep_thumbnails(services.media, recording, Path(folder) / "thumbs", found)
     facts, table = facts_of(found, working_copy), table_of(found)
@@ -134,6 +135,13 @@ def run_ingest(context: JobContext) -> Finish:
         return {"recording_id": recording_id, "frames": len(table)}
 
     return finish
+
+
+def _require_same_pictures(services: Services, recording: Recording, found: Ingested) -> None:
+    """Before the working copy is replaced: what was clicked on it must be on the new one, of twins too."""
+    with services.reading() as session:
+        for one in recordings.recordings_of_content(session, recording.sha256, _number(found)):
+            recordings.require_same_pictures(session, one, table_of(found))
 
 
 def _read(context: JobContext, path: Path, recording: Recording, folder: Path) -> Ingested:
@@ -284,7 +292,7 @@ def remove_recording(services: Services, recording_id: int, actor: int) -> None:
     with services.writing() as session:
         if not needed_media(session, recording.media_key):
             services.media.delete(recording.media_key)
-        if not recordings.recording_content_in_use(session, recording.sha256, recording.stream_number):
+        if not recordings.recordings_of_content(session, recording.sha256, recording.stream_number):
             copy = recording.report.get("working_copy")
             for key in (thumbnails_key(recording), *([str(copy)] if copy else [])):
                 services.media.delete(key)
