@@ -13,9 +13,11 @@ from sightline.cameras.calibrations import images
 from sightline.cameras.calibrations.calibrating import CalibrationRequest, frames_of
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
+from sightline.media.store.local import LocalStore
 from sightline.recordings.calibrating import calibrate_job
 from tests.support.app import Client, error_of, upload
 from tests.support.boards import COLUMNS, FOCAL_PX, HEIGHT, POSES, ROWS, SQUARE_M, WIDTH, picture_bytes, view
+from tests.support.waiting import NEVER_S
 
 pytestmark = pytest.mark.once
 
@@ -104,28 +106,49 @@ def test_removing_an_image(operator: Client, camera_id: int) -> None:
     assert operator.http.get(second["url"]).status_code == 200
 
 
+@pytest.mark.parametrize("behind", [1, 2])
 def test_an_image_removed_while_its_twin_is_added_leaves_the_file(
-    operator: Client, camera_id: int, monkeypatch: pytest.MonkeyPatch
+    operator: Client, camera_id: int, monkeypatch: pytest.MonkeyPatch, behind: int
 ) -> None:
     content = picture_bytes(view(POSES[0]))
-    first, put, removing = (
-        drop(operator, camera_id, content).json(),
-        images.put_bytes,
-        list[threading.Thread](),
-    )
+    first, put = drop(operator, camera_id, content).json(), images.put_bytes
+    puts, removing = list[str](), list[threading.Thread]()
 
     def meanwhile(services: Services, content: bytes, suffix: str) -> str:
-        key = put(services, content, suffix)
-        removing.append(threading.Thread(target=images.remove_image, args=(services, first["id"], None)))
-        removing[0].start()
-        removing[0].join(0.3)  # without the lock it is through by now
-        return key
+        puts.append(put(services, content, suffix))
+        if len(puts) == behind:
+            removing.append(threading.Thread(target=images.remove_image, args=(services, first["id"], None)))
+            removing[0].start()
+            removing[0].join(0.3)  # without the lock it is through by now
+        return puts[-1]
 
     monkeypatch.setattr(images, "put_bytes", meanwhile)
     second = drop(operator, camera_id, content).json()
     removing[0].join()
     assert operator.http.get(first["url"]).status_code == 404
     assert operator.http.get(second["url"]).status_code == 200
+
+
+def test_nobody_waits_to_write_while_an_image_goes_to_the_store(
+    operator: Client, camera_id: int, services: Services, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    put_file, written = LocalStore.put_file, list[bool]()
+
+    def write() -> None:
+        with services.writing():
+            written.append(True)
+
+    def slow(store: LocalStore, key: str, path: Path, **how: bool) -> None:
+        if not store.exists(key):
+            other = threading.Thread(target=write)
+            other.start()
+            other.join(NEVER_S)
+            assert written
+        put_file(store, key, path, **how)
+
+    monkeypatch.setattr(LocalStore, "put_file", slow)
+    assert drop(operator, camera_id, picture_bytes(view(POSES[0]))).status_code == 201
+    assert written
 
 
 def test_calibration_from_images(operator: Client, camera_id: int, work: Work) -> None:

@@ -22,8 +22,9 @@ from sqlalchemy.orm import Session
 
 from sightline.cli import main
 from sightline.errors import BadInput, Conflict, Damaged, SightlineError
+from sightline.infra.audit.checkpoints import hand_on, sign_checkpoint
 from sightline.infra.audit.records import Verification
-from sightline.infra.audit.signing import signing_key
+from sightline.infra.audit.signing import put_in_force, replacing_key, signing_key
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.audit.verification import verify_database, verify_records
 from sightline.infra.backup import make
@@ -114,6 +115,41 @@ def click(session: Session, key: str, values: MeasurementValues, first: int) -> 
 
 def backed_up(services: Services, folder: Path, **options: bool) -> MadeBackup:
     return make_backup(services, folder, silent, **options)
+
+
+@pytest.mark.parametrize("killed", [True, False])
+def test_the_key_of_a_backup_is_that_of_its_database(
+    filled: Services, tmp_path: Path, new_place: NewPlace, monkeypatch: pytest.MonkeyPatch, killed: bool
+) -> None:
+    """It was changed: by who was killed behind the commit, or while the database was being copied."""
+    settings = filled.settings
+
+    def change(*, committed_only: bool) -> None:
+        old, (new, waiting) = signing_key(settings), replacing_key(settings.data_dir)
+        with filled.writing() as session:
+            hand_on(session, old, new, actor=None)
+        if not committed_only:
+            put_in_force(settings.data_dir, waiting)
+
+    described = make._described
+
+    def meanwhile(*given: Any) -> Any:
+        change(committed_only=False)
+        return described(*given)
+
+    with filled.writing() as session:
+        sign_checkpoint(session, signing_key(settings), actor=None)
+    if killed:
+        change(committed_only=True)
+    else:
+        monkeypatch.setattr(make, "_described", meanwhile)
+    make_backup(filled, tmp_path / "backup", silent)
+    place = new_place("restored")
+    restore_backup(tmp_path / "backup", place, silent)
+    restored = open_services(place)
+    with restored.writing() as session:
+        sign_checkpoint(session, signing_key(place), actor=None)
+    restored.close()
 
 
 def rows_of(url: str) -> dict[str, list[tuple[object, ...]]]:
@@ -487,6 +523,12 @@ def test_folders_that_hold_other_things_are_left_alone(filled: Services, tmp_pat
         backed_up(filled, filled.settings.data_dir / "backup")
     with pytest.raises(BadInput, match="lies within the other"):
         backed_up(filled, tmp_path)
+    media = tmp_path / "elsewhere"
+    for url in (str(media), f"file://{media}"):
+        apart = replace(filled, settings=filled.settings.model_copy(update={"media_url": url}))
+        for folder in (media / "backup", media):
+            with pytest.raises(BadInput, match="within the other"):
+                backed_up(apart, folder)
 
 
 def test_a_backup_of_another_installation_is_not_replaced(filled: Services, tmp_path: Path) -> None:

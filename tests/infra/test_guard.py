@@ -96,6 +96,13 @@ def test_huge_bodies_are_refused(operator: Client) -> None:
     error_of(answer)
 
 
+def test_a_huge_body_that_says_it_is_of_an_upload_is_refused_where_none_goes_on(nobody: Client) -> None:
+    headers = {"Content-Type": "application/offset+octet-stream"}
+    answer = nobody.http.post("/api/session", content=b"y" * 3_000_000, headers=headers)
+    assert answer.status_code == 413
+    error_of(answer)
+
+
 def test_an_unexpected_failure_is_a_sentence(app: FastAPI, nobody: Client) -> None:
     @app.get("/api/broken-for-the-test")
     def broken() -> None:

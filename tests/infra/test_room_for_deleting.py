@@ -4,13 +4,18 @@ import errno
 import os
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from sightline.errors import NoRoom
 from sightline.infra.services import Services
 from sightline.infra.web import ballast
 from sightline.infra.web.ballast import Ballast, try_to_write
-from tests.support.app import Client
+from sightline.media.store.local import LocalStore
+from sightline.media.store.s3 import StorageAway
+from tests.support.app import TUS, Client
+from tests.support.boards import picture_bytes
+from tests.support.scanning_ground import RIG, upload_strip, uploads
 
 
 @pytest.fixture
@@ -49,6 +54,41 @@ def test_a_deletion_gives_the_room_up_before_it_writes(
     assert operator.get(f"/surveys/{survey_id}").status_code == 200 and kept.path.exists()
     assert operator.delete("/recordings/999").status_code == 404
     assert not kept.path.exists()
+
+
+def test_nothing_is_deleted_while_the_store_of_its_files_is_away(
+    operator: Client,
+    survey_id: int,
+    recording_id: int,
+    services: Services,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    camera_id = operator.made(f"/surveys/{survey_id}/cameras", {"name": "Left"})["id"]
+    picture = {"file": ("board.png", picture_bytes(np.full((480, 640, 3), 128, np.uint8)))}
+    image = operator.post(f"/cameras/{camera_id}/images?columns=9&rows=6", files=picture).json()["id"]
+    strip = upload_strip(operator, survey_id, b"lines", "left.tif")
+    scan = operator.made(f"/surveys/{survey_id}/scans", {**RIG, **uploads(operator, survey_id, tmp_path)})[
+        "id"
+    ]
+    operator.post(f"/jobs/{operator.seen(f'/scans/{scan}')['job']['id']}/cancel")
+    paths = (
+        f"/recordings/{recording_id}",
+        f"/calibration-images/{image}",
+        f"/uploads/{strip}",
+        f"/scans/{scan}",
+    )
+
+    def away(_store: LocalStore, key: str) -> bool:
+        raise StorageAway("store-no-answer", key=key, name="Timeout")
+
+    stored = sorted(services.media.listing())
+    with monkeypatch.context() as outage:
+        outage.setattr(LocalStore, "exists", away)
+        outage.setattr(LocalStore, "delete", away)
+        assert [operator.delete(path, headers=TUS).status_code for path in paths] == [503] * 4
+    assert sorted(services.media.listing()) == stored
+    assert [operator.delete(path, headers=TUS).status_code for path in paths] == [204] * 4
 
 
 def test_ready_tries_to_write(nobody: Client, services: Services, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -77,6 +77,21 @@ def test_what_is_put_is_there_until_deleted(store: MediaStore, video: Path) -> N
     assert not store.exists(key)
 
 
+@pytest.mark.parametrize("link", [False, True])
+def test_what_replaces_another_is_there_at_once(
+    store: MediaStore, video: Path, tmp_path: Path, link: bool
+) -> None:
+    other = tmp_path / "other"
+    other.write_bytes(b"made anew")
+    for _ in range(2):
+        store.put_file("a/b", video, link=link, replace=True)
+        assert store.local_path("a/b").read_bytes() == DATA
+    store.put_file("a/b", other, link=link)
+    assert store.local_path("a/b").read_bytes() == DATA
+    store.put_file("a/b", other, link=link, replace=True)
+    assert store.local_path("a/b").read_bytes() == b"made anew"
+
+
 def test_linking_needs_no_room_and_outlives_the_given_file(
     store: MediaStore, video: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -171,6 +186,13 @@ def test_s3_cache_leaves_alone_what_is_on_its_way(open_s3: OpenS3, tmp_path: Pat
         coming.write_bytes(DATA)
         store.local_path("a/b")
         coming.rename(part)
+        left = part.with_name(f"{part.name}.Ab12")
+        left.write_bytes(DATA)
+        os.utime(left, (0, 0))  # its process was killed long ago
+        store.delete("a/b")
+        store.put_file("a/b", video)
+        store.local_path("a/b")
+        assert not left.exists() and part.exists()
 
 
 def test_s3_fetches_of_two_files_do_not_wait_for_each_other(

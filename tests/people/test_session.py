@@ -5,13 +5,14 @@ from argon2 import PasswordHasher
 from fastapi import FastAPI, Request
 from fastapi.testclient import TestClient
 
-from sightline.errors import BadInput
+from sightline.errors import BadInput, NotSignedIn
 from sightline.infra.services import Services
 from sightline.infra.web.cookie import COOKIE
 from sightline.infra.web.person import Person
 from sightline.people import service
 from sightline.people.service import first_sign_in_link, new_sign_in_link
-from sightline.people.store import list_people
+from sightline.people.store import get_person, list_people, update_person
+from sightline.people.token_store import list_api_tokens
 from tests.support.app import Client, error_of
 
 pytestmark = pytest.mark.dialect
@@ -149,6 +150,54 @@ def test_a_sign_in_beside_a_change_of_password_is_over_with_the_other_sessions(
     assert other.get("/session").status_code == 401
     assert fresh(app).post("/session", credentials).status_code == 401
     credentials["password"] = "another password"
+    assert fresh(app).post("/session", credentials).status_code == 200
+
+
+def test_a_change_of_ones_name_brings_no_rights_back(services: Services, operator: Client) -> None:
+    """The request was let in as somebody read it a moment ago; an admin was faster."""
+    with services.reading() as session:
+        (before,) = [one for one in list_people(session) if one.email == "operator@example.org"]
+    with services.writing() as session:
+        update_person(session, before.id, name="Op", role="viewer", active=True, actor=None)
+    assert service.change_name(services, before, "Olga").role == "viewer"
+    with services.writing() as session:
+        update_person(session, before.id, name="Op", role="viewer", active=False, actor=None)
+    with pytest.raises(NotSignedIn):
+        service.change_name(services, before, "Olga")
+    with services.reading() as session:
+        after = get_person(session, before.id)
+    assert (after.name, after.role, after.active) == ("Op", "viewer", False)
+
+
+def test_whoever_was_switched_off_a_moment_ago_makes_no_token(services: Services, operator: Client) -> None:
+    """Another process may still let them in; the token would hold once they are switched on again."""
+    me = operator.seen("/session")["person"]
+    with services.writing() as session:
+        update_person(session, me["id"], name="Op", role="operator", active=False, actor=None)
+    made = operator.post("/session/tokens", {"name": "import", "scopes": ["read"], "days": 9})
+    assert made.status_code == 401
+    with services.reading() as session:
+        assert list_api_tokens(session, me["id"]) == ()
+
+
+def test_of_two_changes_of_a_password_the_first_ends_the_other(
+    app: FastAPI, operator: Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    operator.put("/session/password", {"new": PASSWORD})
+    hashes, meanwhile = service.PasswordHasher.hash, ["the first of two"]
+
+    def overtaken(hasher: PasswordHasher, password: str) -> str:
+        if meanwhile and password == "the second of two":
+            new = {"current": PASSWORD, "new": meanwhile.pop()}
+            assert operator.put("/session/password", new).status_code == 200
+        return hashes(hasher, password)
+
+    other = fresh(app)
+    assert other.post("/session", {"email": "operator@example.org", "password": PASSWORD}).status_code == 200
+    monkeypatch.setattr(service.PasswordHasher, "hash", overtaken)
+    second = other.put("/session/password", {"current": PASSWORD, "new": "the second of two"})
+    assert second.status_code == 401
+    credentials = {"email": "operator@example.org", "password": "the first of two"}
     assert fresh(app).post("/session", credentials).status_code == 200
 
 

@@ -1,20 +1,36 @@
 """Proposals on drawn frames: contacts, roof, lamps and eye where they are drawn, else a refusal in words."""
 
 from collections.abc import Sequence
+from types import SimpleNamespace
+from typing import Any, cast
 
 import cv2
 import numpy as np
 import pytest
 
 from sightline.detection.background import Background
+from sightline.geometry.camera import Camera
 from sightline.geometry.height import measure_height
+from sightline.geometry.road_pose import RoadPose
 from sightline.media.networks import proposal_networks
+from sightline.proposals import canvas
 from sightline.proposals.canvas import UNSEEN, laid
 from sightline.proposals.frames import box_on, frame_seen, frames_to_look_at
 from sightline.proposals.keypoints import FINE_POINTS, fine_canvas, moved_to_plane, plane_point
-from sightline.proposals.propose import POINTS, FrameSeen, Proposals, Proposed, propose_points
+from sightline.proposals.motion import Motion
+from sightline.proposals.propose import (
+    POINTS,
+    REST_PX,
+    TRUST,
+    FrameSeen,
+    Proposals,
+    Proposed,
+    _Base,
+    _Best,
+    propose_points,
+)
 from sightline.proposals.road import FEWEST, road_behind
-from sightline.proposals.targets import BY_HAND
+from sightline.proposals.targets import BY_HAND, Place
 from tests.bench.surveys import boxes_of, pose_of
 from tests.simulation import PassTruth, day_scene, render_frame, truth
 from tests.simulation.scene import Scene
@@ -107,6 +123,68 @@ def test_what_is_laid_out_lies_under_its_own_place() -> None:
     assert bright[:22, 26:].all() and not bright[26:].any() and not bright[:, :22].any()
     beside = fine_canvas("taillight", x + 40, z, 0.2, 1)
     assert (laid(beside, picture, np.zeros((480, 640), np.float32), pose)[3] == UNSEEN).all()
+
+
+C_M, TURN = np.array([0.0, -4.0, 1.5]), np.deg2rad(35.0)
+LENS = Camera("turned", 1920, 1080, "brown", 1400.0, 1400.0, 959.5, 539.5, np.zeros(5))
+
+
+def turned() -> RoadPose:
+    """A level camera that looks by TURN to the right of straight across the road."""
+    cos, sin = np.cos(TURN), np.sin(TURN)
+    rotation = np.array([[cos, -sin, 0.0], [0.0, 0.0, -1.0], [sin, cos, 0.0]])
+    return RoadPose(LENS, rotation, -rotation @ C_M)
+
+
+def seen_at(x_m: float, y_m: float, z_m: float) -> np.ndarray:
+    """The same camera written out."""
+    away = np.sin(TURN) * x_m + np.cos(TURN) * (y_m - C_M[1])
+    along = np.cos(TURN) * x_m - np.sin(TURN) * (y_m - C_M[1])
+    return 1400.0 * np.array([along, C_M[2] - z_m]) / away + (959.5, 539.5)
+
+
+@pytest.mark.parametrize("x_m", [1.2, 2.8, 7.0])
+def test_what_an_error_up_comes_to_in_pixels_follows_the_distance_along_the_cameras_way(x_m: float) -> None:
+    one = SimpleNamespace(n=3, gray=np.zeros((1080, 1920), np.uint8))
+    motion = Motion(x_m=x_m, step_m=0.5, n0=3, y_m=0.0, wheelbase_m=2.6, only=None, used=(3,))
+    place = Place(along_m=0.0, drift=0.0, z_m=1.4, u_z_m=0.004, sure={3: 1.0})
+    nothing: dict[Any, Any] = {}
+    best = _Best(
+        seen=[],
+        looks=nothing,
+        pose=turned(),
+        motion=motion,
+        found=nothing,
+        places={"roof": place},
+        ahead=1,
+    )
+    found = best.target("roof", cast(FrameSeen, one), _Base(tuple(seen_at(x_m, 0.0, 0.0)), 1.0))
+    assert isinstance(found, Proposed)
+    drawn = [seen_at(x_m, 0.0, z) for z in np.random.default_rng(1).normal(1.4, 0.004, 4000)]
+    spread = TRUST["roof"] * np.std(drawn, axis=0)[1]
+    assert found.expected_px == pytest.approx(np.hypot(REST_PX, spread), rel=0.04)
+
+
+@pytest.mark.parametrize("x_m", [0.5, 7.0])
+def test_a_picture_is_smoothed_by_half_a_cell_as_it_is_seen(
+    x_m: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    smoothed = list[tuple[float, float]]()
+
+    def blur(values: np.ndarray, _size: object, sigma: float, sigmaY: float) -> np.ndarray:
+        smoothed.append((sigma, sigmaY))
+        return values
+
+    monkeypatch.setattr(canvas.cv2, "GaussianBlur", blur)
+    size, cell_m = (33, 33), (0.02, 0.02)
+    at = canvas.Canvas(y_m=0.0, ahead=1, along_m=x_m - 0.32, z_m=0.8, cell_m=cell_m, size=size)
+    picture = np.zeros((1080, 1920, 3), np.uint8)
+    laid(at, picture, np.zeros((1080, 1920), np.float32), turned())
+    middle = seen_at(x_m, 0.0, 1.12)
+    half_a_cell = [
+        0.5 * np.linalg.norm(seen_at(*to) - middle) for to in ((x_m + 0.02, 0, 1.12), (x_m, 0, 1.14))
+    ]
+    assert smoothed == [pytest.approx(half_a_cell, rel=0.02)] * 2
 
 
 def test_a_vehicle_that_goes_the_other_way_than_said_is_no_vehicle(road: Background) -> None:

@@ -176,7 +176,7 @@ def test_a_pose_that_was_turned_is_looked_at_again_and_flags_what_is_computed_wi
 
 
 def test_a_pose_made_of_another_recordings_keeps_the_frames_in_which_its_board_stood(
-    operator: Client, services: Services, recording_id: int, ground: Ground
+    operator: Client, services: Services, recording_id: int, ground: Ground, work: Callable[[], list[Job]]
 ) -> None:
     operator.put(f"/recordings/{recording_id}", {"pose_id": ground.pose_id})
     add_pose(services, ground.recording_id, ground.calibration_id, flat_camera())
@@ -189,3 +189,7 @@ def test_a_pose_made_of_another_recordings_keeps_the_frames_in_which_its_board_s
             made = store_turned(session, user.pose_id, [user], 0.001, 0.0001, 5, actor=None)
         assert operator.seen(f"/recordings/{recording_id}")["pose_id"] == made.id
         assert (made.recording_id, made.first_frame, made.last_frame) == (ground.recording_id, 0, 3)
+    work()
+    operator.made(f"/recordings/{recording_id}/drift", {})
+    (job,) = work()
+    assert job.state == "failed" and "its recording was deleted" in str(job.error)

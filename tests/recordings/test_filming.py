@@ -13,7 +13,7 @@ from sightline.infra.services import Services
 from sightline.media.video.ingest import ingest
 from sightline.media.video.stated import Stated
 from sightline.recordings.filming import misfits
-from sightline.recordings.store import get_recording
+from sightline.recordings.store import get_recording, recordings_of_content
 from tests.media.clips import edited, painted
 from tests.media.test_other_recorders import two_pictures
 from tests.support.app import Client, run_jobs, upload
@@ -216,6 +216,15 @@ def test_another_picture_of_a_file_becomes_a_recording(
     assert cv2.imdecode(np.frombuffer(still.content, np.uint8), cv2.IMREAD_GRAYSCALE).shape == (480, 640)
     assert operator.get(second["thumbs"][0]["url"].removeprefix("/api")).status_code == 200
     assert operator.post(f"{path}/pictures/2").json()["error"]["code"] == "recordings-picture-is-there"
+    with services.reading() as session:
+        told = get_recording(session, first["id"])
+        assert not recordings_of_content(session, told.sha256, 3)
+    twin = upload(operator, survey_id, file, "twin.mp4")
+    with services.reading() as session:  # not read yet: it may turn out to be any of the pictures
+        assert recordings_of_content(session, told.sha256, 3)
+    waiting = operator.seen(f"/recordings/{twin}")["job"]["id"]
+    assert operator.post(f"/jobs/{waiting}/cancel").status_code == 200
+    assert operator.delete(f"/recordings/{twin}").status_code == 204
     assert operator.post(f"{path}/pictures/3").json()["error"]["code"] == "video-no-such-stream"
     assert operator.delete(path).status_code == 204  # the file stays for the other
     assert operator.get(f"/recordings/{second['id']}/frames/0.jpg").status_code == 200

@@ -13,6 +13,7 @@ from sightline.infra.jobs.store import claim_job
 from sightline.infra.services import Services
 from sightline.media.video.writer import write_mp4
 from sightline.recordings import ingest_job
+from sightline.recordings import store as recordings_store
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.store import get_recording
 from tests.media.clips import painted
@@ -239,6 +240,34 @@ def test_a_stream_without_an_index_is_served_from_a_working_copy(
         answer = operator.get(f"/recordings/{recording_id}/frames/{n}.jpg")
         assert number_of(answer.content) == n
     assert operator.delete(f"/recordings/{recording_id}").status_code == 204
+
+
+def test_a_working_copy_on_which_was_clicked_stays_where_it_would_be_another(
+    operator: Client,
+    survey_id: int,
+    tmp_path: Path,
+    work: Work,
+    services: Services,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Another version reads the same file otherwise: for the recording itself, or for its twin."""
+    from tests.media.clips import Spec, write
+
+    path = write(tmp_path / "road.ts", Spec("road.ts", container="mpegts", count=20))
+    other = write(tmp_path / "other.ts", Spec("other.ts", container="mpegts", count=12))
+    recording_id = upload(operator, survey_id, path)
+    work()
+    with services.reading() as session:
+        key = get_recording(session, recording_id).report["working_copy"]
+    before, read = services.media.local_path(key).read_bytes(), ingest_job.ingest
+    monkeypatch.setattr(
+        recordings_store, "is_held", lambda _session, _table, id_, *_ways: id_ == recording_id
+    )
+    monkeypatch.setattr(ingest_job, "ingest", lambda _path, *given, **named: read(other, *given, **named))
+    assert operator.post(f"/recordings/{recording_id}/ingest").status_code == 202
+    upload(operator, survey_id, path, "twin.ts")
+    assert [job.state for job in work()] == ["failed", "failed"]
+    assert services.media.local_path(key).read_bytes() == before
 
 
 def test_the_video_is_handed_out_as_it_came(

@@ -8,6 +8,7 @@ import pytest
 from fastapi.testclient import TestClient
 
 from sightline.app import create_app
+from sightline.errors import NoRoom
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services, open_services
 from sightline.infra.stored_bytes import suffix_of
@@ -183,8 +184,8 @@ def test_a_twin_deleted_while_an_upload_ends_does_not_take_its_file_along(
     work()
     put_file, deleted = local.LocalStore.put_file, []
 
-    def then_deleted(store: local.LocalStore, key: str, path: Path, *, link: bool = False) -> None:
-        put_file(store, key, path, link=link)
+    def then_deleted(store: local.LocalStore, key: str, path: Path, **how: bool) -> None:
+        put_file(store, key, path, **how)
         if not deleted:
             deleted.append(first)
             remove_recording(services, first, None)
@@ -194,6 +195,17 @@ def test_a_twin_deleted_while_an_upload_ends_does_not_take_its_file_along(
     assert deleted == [first]
     assert [job.state for job in work()] == ["done"]
     assert operator.get(f"/recordings/{second}/frames/3.jpg").status_code == 200
+
+
+def test_a_strip_that_is_given_up_takes_its_file_along_unless_another_has_it(
+    operator: Client, survey_id: int, services: Services
+) -> None:
+    first, second = (upload_strip(operator, survey_id, b"lines", "left.tif") for _ in range(2))
+    with services.reading() as session:
+        key = get_upload(session, first).media_key
+    for upload_id, left in ((first, True), (second, False)):
+        assert operator.http.delete(f"/api/uploads/{upload_id}", headers=TUS).status_code == 204
+        assert services.media.exists(key) is left
 
 
 def test_what_is_no_video_goes_without_the_file_of_what_is_one(
@@ -225,6 +237,26 @@ def test_what_two_names_of_one_video_share_stays_until_both_are_deleted(
     assert operator.delete(f"/recordings/{one}").status_code == 204
     assert operator.get(f"/recordings/{other}/frames/3.jpg").status_code == 200
     thumb = operator.seen(f"/recordings/{other}")["thumbs"][0]["url"]
+    assert operator.http.get(thumb).status_code == 200
+
+
+def test_a_twin_that_cannot_be_read_takes_nothing_from_what_was(
+    operator: Client, survey_id: int, clip: Path, work: Work, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The disk is full where its thumbnails are stored."""
+    one = upload(operator, survey_id, clip)
+    work()
+    put_file = local.LocalStore.put_file
+
+    def full(store: local.LocalStore, key: str, path: Path, **how: bool) -> None:
+        if ".thumbs" in key:
+            raise NoRoom("store-disk-full", what="this file")
+        put_file(store, key, path, **how)
+
+    monkeypatch.setattr(local.LocalStore, "put_file", full)
+    upload(operator, survey_id, clip, "copy.mp4")
+    assert [job.state for job in work()] == ["failed"]
+    thumb = operator.seen(f"/recordings/{one}")["thumbs"][0]["url"]
     assert operator.http.get(thumb).status_code == 200
 
 

@@ -20,7 +20,7 @@ def checkpoint(output: Path | None, new_key: bool, data_dir: Path | None) -> Non
     forged package (`sightline verify --key`). Every package is signed in the same way.
     """
     from sightline.infra.audit.checkpoints import hand_on, known_keys, sign_checkpoint
-    from sightline.infra.audit.signing import replacing_key, signing_key, waiting_key
+    from sightline.infra.audit.signing import key_file, replacing_key, signing_key
     from sightline.infra.csv_package.schema import json_bytes
 
     with opened_services(data_dir) as services:
@@ -28,7 +28,7 @@ def checkpoint(output: Path | None, new_key: bool, data_dir: Path | None) -> Non
         key = signing_key(settings)
         with services.reading() as session:
             last = [one["key"] for one in known_keys(session)][-1:]
-        if last not in ([], [key.public]) and (left := waiting_key(settings.data_dir, last[0])):
+        if last not in ([], [key.public]) and (left := key_file(settings.data_dir, last[0])):
             _take_up(settings, left)  # a run was killed behind its commit
             key = signing_key(settings)
         waiting = None

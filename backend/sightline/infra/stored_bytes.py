@@ -20,6 +20,13 @@ def put_bytes(services: Services, content: bytes, suffix: str) -> str:
     return key
 
 
+def require_media(services: Services) -> None:
+    """Raises Away where the store does not answer: what is deleted then would leave its files there for ever,
+    and who asks it under the lock under which files go keeps everybody waiting.
+    """
+    services.media.exists("00/00/nothing")
+
+
 def suffix_of(filename: str) -> str:
     """The file name's ending where it is an ordinary one, in lower case; else nothing."""
     ending = _SUFFIX.search(PurePosixPath(filename.replace("\\", "/")).name)

@@ -4777,6 +4777,7 @@ drift-few-points = Only { $count } background points were found again, or all of
 drift-no-frame = No frame was checked.
 drift-no-such-frame = The recording has no such frame.
 drift-nothing-in-pose-frame = The frame of the camera pose has nothing that can be followed; it is too dark or has too little contrast.
+drift-recording-of-pose-deleted = The camera pose cannot be compared with this recording, because its recording was deleted; compute a new pose.
 drift-other-size = The frame size differs from that of the camera pose.
 drift-no-target = No target { $target_m } m high on the road between 3 and 12 m is in the frame.
 
@@ -4855,7 +4856,7 @@ backup-manifest-damaged = { $path } was changed after the backup; use another ba
 backup-file-missing = { $name } is missing from the backup; use another backup, or run sightline backup again.
 backup-file-changed = { $name } in the backup is not the file that was backed up; use another backup.
 backup-folder-not-empty = { $folder } contains files that are not a backup; choose an empty folder or an earlier backup.
-backup-folders-nested = One of { $folder } and the data folder lies within the other; choose a separate folder, preferably on another disk.
+backup-folders-nested = One of { $folder } and the folder of data or media lies within the other; choose a separate folder, preferably on another disk.
 backup-under-way = Another backup is being written to { $folder }; wait until it ends.
 backup-database-not-copied = The database { $path } could not be copied ({ $said }); try again.
 backup-of-another-installation = The folder contains a backup of another installation, or of a later state than this; choose another folder.

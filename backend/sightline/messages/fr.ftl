@@ -4769,6 +4769,7 @@ drift-few-points = Seuls { $count } points du fond sont retrouvés, ou tous dans
 drift-no-frame = Aucune image n’a été examinée.
 drift-no-such-frame = L’enregistrement n’a pas cette image.
 drift-nothing-in-pose-frame = L’image de la pose de la caméra n’a rien qui puisse être suivi ; elle est trop sombre ou trop peu contrastée.
+drift-recording-of-pose-deleted = La pose de la caméra ne peut pas être comparée à cet enregistrement, car le sien a été supprimé ; calculez une nouvelle pose.
 drift-other-size = La taille d’image diffère de celle de la pose de la caméra.
 drift-no-target = Aucune cible haute de { $target_m } m sur la route entre 3 et 12 m n’est dans l’image.
 
@@ -4845,7 +4846,7 @@ backup-manifest-damaged = { $path } a été modifié après la sauvegarde ; ut
 backup-file-missing = { $name } manque dans la sauvegarde ; utilisez une autre sauvegarde, ou relancez sightline backup vers celle-ci.
 backup-file-changed = { $name } de la sauvegarde n’est pas le fichier qui a été sauvegardé ; utilisez une autre sauvegarde.
 backup-folder-not-empty = { $folder } contient autre chose qu’une sauvegarde ; choisissez un dossier vide ou une sauvegarde antérieure.
-backup-folders-nested = { $folder } et le dossier de données sont l’un dans l’autre ; choisissez un dossier ailleurs, de préférence sur un autre disque.
+backup-folders-nested = { $folder } et le dossier de données ou de médias sont l’un dans l’autre ; choisissez un dossier ailleurs, de préférence sur un autre disque.
 backup-under-way = Une autre sauvegarde est en cours d’écriture dans { $folder } ; attendez la fin.
 backup-database-not-copied = La base de données { $path } n’a pas pu être copiée ({ $said }) ; réessayez.
 backup-of-another-installation = Le dossier contient une sauvegarde d’une autre installation, ou d’un état postérieur à celui-ci ; choisissez un autre dossier.

@@ -19,6 +19,7 @@ from sightline.people.store import (
     create_person,
     create_sign_in_link,
     get_person,
+    get_person_still,
     list_people,
     note_person_seen,
     password_hash_of,
@@ -186,6 +187,7 @@ def change_password(
     Raises:
         BadInput: the new one is too short or too long, or spaces or one sign alone.
         NotAllowed: the current one is missing or wrong.
+        NotSignedIn: the session ended meanwhile.
         TooMany: it was wrong as often as may be at signing in.
     """
     if not MIN_PASSWORD <= len(new) <= MAX_PASSWORD:
@@ -201,15 +203,15 @@ def change_password(
         attempts.succeeded(person.email, address)
     hashed = _hasher.hash(new)
     with services.writing() as session:
+        get_person_still(session, person)
         return set_password(session, person.id, hashed, actor=person.id)
 
 
 def change_name(services: Services, person: Person, name: str) -> Person:
-    """Another name of one's own."""
+    """Another name of one's own. Raises NotSignedIn where the session ended meanwhile."""
     with services.writing() as session:
-        return update_person(
-            session, person.id, name=name, role=person.role, active=person.active, actor=person.id
-        )
+        now = get_person_still(session, person)
+        return update_person(session, now.id, name=name, role=now.role, active=now.active, actor=now.id)
 
 
 def link_path(token: str) -> str:

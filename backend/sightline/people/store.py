@@ -28,6 +28,14 @@ def get_person(session: Session, person_id: int) -> Person:
     return _person(get_row(session, people, person_id, "person"))
 
 
+def get_person_still(session: Session, known: Person) -> Person:
+    """The person as they are now. Raises NotSignedIn where the session in which they were `known` is over."""
+    person = get_person(session, known.id)
+    if not person.active or person.session_key != known.session_key:
+        raise NotSignedIn("web-not-signed-in")
+    return person
+
+
 def person_by_email(session: Session, email: str) -> Person | None:
     """The account with this address, whatever its case."""
     query = select(people).where(people.c.email == email.strip().lower())

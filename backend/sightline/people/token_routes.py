@@ -11,6 +11,7 @@ from sightline.infra.web.bodies import In, Name, Out, example
 from sightline.infra.web.deps import InPerson, PathId, Reading, Wired
 from sightline.infra.web.idempotency import TOLD_ONCE
 from sightline.people import token_store
+from sightline.people.store import get_person_still
 
 router = APIRouter()
 
@@ -38,6 +39,7 @@ def list_tokens(who: InPerson, session: Reading) -> list[ApiTokenFacts]:
 def make_token(body: NewToken, who: InPerson, services: Wired) -> MadeToken:
     """A token that may do what its scopes say, as far as one may oneself, until it ends or is revoked."""
     with services.writing() as session:
+        get_person_still(session, who)
         token, text = token_store.create_api_token(
             session, who.id, name=body.name, scopes=body.scopes, days=body.days
         )

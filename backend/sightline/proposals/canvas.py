@@ -2,6 +2,7 @@
 the right.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -68,7 +69,8 @@ def laid(canvas: Canvas, picture: Bgr, change: Plane, pose: RoadPose) -> Values:
         return np.full((4, *seen.shape), UNSEEN, np.float32)
     part, corner = _part(maps, seen, picture, change)
     maps = maps - corner
-    colour, apart = (_smoothed(one, canvas, pose) for one in part)
+    cell_px = [_apart_px(pixels, axis) for axis in (1, 0)]
+    colour, apart = (_smoothed(one, cell_px) for one in part)
     border = cv2.BORDER_REPLICATE
     laid_out = cv2.remap(colour, maps[..., 0], maps[..., 1], cv2.INTER_LINEAR, borderMode=border)
     moved = cv2.remap(apart, maps[..., 0], maps[..., 1], cv2.INTER_LINEAR, borderMode=border)
@@ -91,10 +93,14 @@ def _part(
     return (picture[rows, columns].astype(np.float32), apart), low.astype(np.float32)
 
 
-def _smoothed(values: Values, canvas: Canvas, pose: RoadPose) -> Values:
-    away = abs(canvas.y_m - float(pose.centre_m[1]))
-    pixel_m = away / (0.5 * (pose.camera.fx_px + pose.camera.fy_px))
-    sigma = [0.5 * cell / pixel_m for cell in canvas.cell_m]
+def _apart_px(pixels: Floats, axis: int) -> float:
+    """How far apart cells beside each other are seen, in the middle of the canvas."""
+    apart = np.linalg.norm(np.diff(pixels, axis=axis), axis=-1)
+    return float(np.median(apart[np.isfinite(apart)]))
+
+
+def _smoothed(values: Values, cell_px: Sequence[float]) -> Values:
+    sigma = [0.5 * apart for apart in cell_px]
     if max(sigma) < 0.7:
         return values
     return np.asarray(

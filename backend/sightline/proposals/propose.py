@@ -195,23 +195,24 @@ class _Best:
         place = self.places[name]
         if isinstance(place, str):
             return place
-        wheel = self.motion.at(one.n)
-        x = wheel + self.ahead * place.along(wheel)
-        at = pixel_of(self.pose, x, self.motion.y_m, place.z_m)
+        at = self._seen(place, one, place.z_m)
         if not _inside(at, one):
             return "proposals-not-in-picture"
         return at if place.sure.get(one.n, 0.0) >= LEAST_FINE else "proposals-hidden-here"
+
+    def _seen(self, place: Place, one: FrameSeen, z_m: float) -> tuple[float, float]:
+        wheel = self.motion.at(one.n)
+        x = wheel + self.ahead * place.along(wheel)
+        return pixel_of(self.pose, x, self.motion.y_m, z_m)
 
     def target(self, name: ProposedTarget, best: FrameSeen, base: _Base) -> Proposed | str:
         """A target's place on the best frame with its predicted error, and that of its height."""
         place, at = self.places[name], self.pixel(name, best)
         if isinstance(place, str) or isinstance(at, str):
             return str(at)
-        pose = self.pose
-        away = self.motion.y_m - float(pose.centre_m[1])
-        pixel_m = away / (0.5 * (pose.camera.fx_px + pose.camera.fy_px))
-        sigma = float(np.hypot(REST_PX, TRUST[name] * place.u_z_m / pixel_m))
-        height = measure_height(pose, base.contact_px, at, 1.0, INSETS_M[name])
+        above = self._seen(place, best, place.z_m + place.u_z_m)
+        sigma = float(np.hypot(REST_PX, TRUST[name] * np.hypot(*np.subtract(above, at))))
+        height = measure_height(self.pose, base.contact_px, at, 1.0, INSETS_M[name])
         if height.status != "ok":
             return "proposals-no-height"
         u_m = {entry.source: entry.u_m for entry in height.budget}

@@ -17,6 +17,7 @@ from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
 from sightline.infra.services import Services
+from sightline.infra.stored_bytes import require_media
 from sightline.media.cancelling import IngestCancelled
 from sightline.media.store.local import MediaStore, key_of
 from sightline.media.video.decode import require_whole
@@ -122,6 +123,7 @@ def run_ingest(context: JobContext) -> Finish:
         recording = recordings.get_recording(session, recording_id)
     with tempfile.TemporaryDirectory(prefix="ingest-", dir=services.scratch) as folder:
         found = _read(context, services.media.local_path(recording.media_key), recording, Path(folder))
+        _require_same_pictures(services, recording, found)
         working_copy = _keep_working_copy(services.media, recording, found)
         _keep_thumbnails(services.media, recording, Path(folder) / "thumbs", found)
     facts, table = facts_of(found, working_copy), table_of(found)
@@ -134,6 +136,13 @@ def run_ingest(context: JobContext) -> Finish:
         return {"recording_id": recording_id, "frames": len(table)}
 
     return finish
+
+
+def _require_same_pictures(services: Services, recording: Recording, found: Ingested) -> None:
+    """Before the working copy is replaced: what was clicked on it must be on the new one, of twins too."""
+    with services.reading() as session:
+        for one in recordings.recordings_of_content(session, recording.sha256, _number(found)):
+            recordings.require_same_pictures(session, one, table_of(found))
 
 
 def _read(context: JobContext, path: Path, recording: Recording, folder: Path) -> Ingested:
@@ -158,15 +167,13 @@ def _keep_working_copy(store: MediaStore, recording: Recording, found: Ingested)
     if not found.is_working_copy:
         return None
     key = key_of(recording.sha256, f".work{_of_picture(_number(found))}{found.media_path.suffix}")
-    store.delete(key)
-    store.put_file(key, found.media_path, link=True)
+    store.put_file(key, found.media_path, link=True, replace=True)
     return key
 
 
 def _keep_thumbnails(store: MediaStore, recording: Recording, folder: Path, found: Ingested) -> None:
     key = thumbnails_key_of(recording.sha256, _number(found))
-    store.delete(key)
-    store.put_file(key, pack_thumbnails(folder, found), link=True)
+    store.put_file(key, pack_thumbnails(folder, found), link=True, replace=True)
 
 
 def pack_thumbnails(folder: Path, found: Ingested) -> Path:
@@ -273,8 +280,9 @@ def table_of(found: Ingested) -> FrameTable:
 def remove_recording(services: Services, recording_id: int, actor: int) -> None:
     """Delete a recording without measurements, and its files if nothing else has the same content.
 
-    Raises NotFound, Conflict (measurements, or an ingest is running).
+    Raises NotFound, Conflict (measurements, or an ingest is running), Away.
     """
+    require_media(services)
     with services.writing() as session:
         recording = recordings.get_recording(session, recording_id)
         if recording.job and recording.job.kind == KIND and recording.job.state in ("queued", "running"):
@@ -285,7 +293,7 @@ def remove_recording(services: Services, recording_id: int, actor: int) -> None:
     with services.writing() as session:
         if not needed_media(session, recording.media_key):
             services.media.delete(recording.media_key)
-        if not recordings.recording_content_in_use(session, recording.sha256, recording.stream_number):
+        if not recordings.recordings_of_content(session, recording.sha256, recording.stream_number):
             copy = recording.report.get("working_copy")
             for key in (thumbnails_key(recording), *([str(copy)] if copy else [])):
                 services.media.delete(key)

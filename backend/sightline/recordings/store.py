@@ -155,6 +155,18 @@ def note_ingested(
     return _write(session, before, values, "ingest", actor, ({"state": before["state"]}, after))
 
 
+def require_same_pictures(session: Session, recording_id: int, found: FrameTable) -> None:
+    """Raises Conflict when measurements exist and these frames, but for times, are not those clicked on."""
+    if not is_held(session, recordings, recording_id):
+        return
+    known = get_frame_table(session, recording_id)
+    same = len(known) == len(found) and frame_table_fingerprint(known) == frame_table_fingerprint(
+        replace(found, time_s=known.time_s)
+    )
+    if not same:
+        raise Conflict("recordings-frames-differ")
+
+
 def durations_to_correct(session: Session) -> dict[int, float]:
     """What earlier versions stored otherwise: how long recordings last by their frame tables, s, by number.
     They let the last frame last as long as the mean one, with every pause in it.
@@ -282,11 +294,14 @@ def take_back_drift_decision(session: Session, recording_id: int, *, actor: int 
     return _write(session, before, {"drift_decision": None}, "take_back_drift_decision", actor)
 
 
-def recording_content_in_use(session: Session, sha256: str, stream_number: int | None) -> bool:
-    """Whether a recording that was not deleted reads this picture of this content, whatever its name."""
-    same = recordings.c.sha256 == sha256, recordings.c.stream_number.is_not_distinct_from(stream_number)
-    query = select(recordings.c.id).where(*same, _ALIVE).limit(1)
-    return session.execute(query).first() is not None
+def recordings_of_content(session: Session, sha256: str, stream_number: int | None) -> list[int]:
+    """The recordings that were not deleted and read this picture of this content, whatever their names.
+
+    One that is being read does not know yet which of several pictures it has.
+    """
+    picture = recordings.c.stream_number
+    same = recordings.c.sha256 == sha256, picture.is_(None) | picture.is_not_distinct_from(stream_number)
+    return list(session.execute(select(recordings.c.id).where(*same, _ALIVE)).scalars())
 
 
 def _state(

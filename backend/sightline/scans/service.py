@@ -11,6 +11,7 @@ from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.store import latest_jobs_of_scans
 from sightline.infra.services import Services
+from sightline.infra.stored_bytes import require_media
 from sightline.linescan.parts import Rig
 from sightline.media.strips.stored_reader import ReaderCache, StripReader
 from sightline.media.video.report import require_clock_of_filming
@@ -176,8 +177,9 @@ def require_idle(session: Session, scan: Scan) -> None:
 def remove_scan(services: Services, scan_id: int, actor: int) -> None:
     """Delete a scan on which nobody worked, and the files that nothing else needs.
 
-    Raises NotFound, Conflict (worked on, or a job of it runs).
+    Raises NotFound, Conflict (worked on, or a job of it runs), Away.
     """
+    require_media(services)
     with services.writing() as session:
         scan = store.get_scan(session, scan_id)
         require_idle(session, scan)

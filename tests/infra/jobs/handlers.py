@@ -66,6 +66,17 @@ def fail(context: registry.JobContext) -> registry.Outcome:
             os._exit(9)
 
 
+def _break(session: Session, job: Job, error: Said) -> None:
+    _mark(session, job, error)
+    raise ZeroDivisionError
+
+
+@registry.handler("test_unclean", failed=_break)
+def fail_uncleanly(context: registry.JobContext) -> registry.Outcome:
+    """The same as `test_fail`, of a kind whose `failed` is broken."""
+    return fail(context)
+
+
 def _broken_finish(session: Session) -> Mapping[str, Any]:
     create_survey(session, name="half there", actor=None)
     raise BadInput("said", sentence="The result cannot be stored; try again.")

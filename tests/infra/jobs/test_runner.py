@@ -1,21 +1,25 @@
 """One job in this process: every way to end, each with its event, none half there."""
 
+import asyncio
 import json
 import threading
 from collections.abc import Iterator
+from dataclasses import replace
 from datetime import timedelta
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 from sqlalchemy import select, text, update
+from sqlalchemy.orm import Session
 
 from sightline.errors import Conflict, SightlineError
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.database.engine import DatabaseAway, SessionFactory, reading, writing
 from sightline.infra.database.types import now
-from sightline.infra.jobs import registry
+from sightline.infra.jobs import postgres, recovery, registry
 from sightline.infra.jobs import runner as runner_module
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.recovery import take_back
@@ -280,6 +284,30 @@ def test_progress_that_found_the_database_busy_is_stored_with_the_next_look(
     assert [one for one in caplog.records if one.levelname == "WARNING"] == []
 
 
+def test_who_cannot_store_the_progress_still_hears_that_the_job_is_cancelled(
+    services: Services, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    job = queued(services.sessions, "test_make_survey")
+    with writing(services.sessions) as session:
+        claimed = claim_job(session, job.id, worker="w")
+    assert claimed is not None
+    store, defects = runner_module.note_progress, [RuntimeError("a defect")]
+
+    def note(*given: Any) -> Any:
+        if defects:
+            raise defects.pop()
+        return store(*given)
+
+    monkeypatch.setattr(runner_module, "note_progress", note)
+    monkeypatch.setattr(runner_module, "PROGRESS_S", 0.01)
+    with Watch(services.sessions, claimed, threading.Event()) as watch:
+        watch.report(0.5, None)
+        with writing(services.sessions) as session:
+            request_job_cancel(session, job.id, actor=None)
+        until(watch.is_over)
+    assert not defects
+
+
 @pytest.mark.parametrize("what", ["storage", "database"])
 def test_what_is_away_puts_a_job_back_for_later_and_uses_up_no_attempt(
     runner: Runner, factory: SessionFactory, what: str
@@ -320,6 +348,74 @@ def test_a_job_that_can_be_neither_begun_nor_ended_ends_the_process_and_stays(
     take_back(factory, worker=runner.name)
     assert runner.run(job.id)
     assert job_now(factory, job).state == "failed"
+
+
+def test_what_cannot_be_cleaned_up_after_keeps_no_other_job(runner: Runner, factory: SessionFactory) -> None:
+    """A kind's own `failed` breaks, in the worker and where the jobs of dead ones are taken back."""
+    bad, dead, good = [
+        queued(factory, kind, how="input") for kind in ("test_unclean", "test_unclean", "test_fail")
+    ]
+    assert runner.run(bad.id)
+    assert str(job_now(factory, bad).error) == "The video has no picture; upload another."
+    with writing(factory) as session:
+        change = {"state": "running", "worker": "w", "attempts": MAX_ATTEMPTS}
+        session.execute(update(jobs).where(jobs.c.id.in_([dead.id, good.id])).values(change))
+    assert take_back(factory, worker="w") == 2
+    assert [job_now(factory, one).state for one in (dead, good)] == ["failed", "failed"]
+    assert survey_names(factory) == [f"test_fail: {job_now(factory, good).error}"]
+
+
+def test_a_job_that_cannot_be_put_back_keeps_no_other(
+    factory: SessionFactory, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    bad, good = [queued(factory, "test_fail", how="input") for _ in range(2)]
+    with writing(factory) as session:
+        for job in (bad, good):
+            claim_job(session, job.id, worker="w")
+    put_back = recovery.put_back
+
+    def breaks(session: Session, job: Job, **how: bool) -> None:
+        if job.id == bad.id:
+            raise RuntimeError("a defect")
+        put_back(session, job, **how)
+
+    monkeypatch.setattr(recovery, "put_back", breaks)
+    take_back(factory)
+    assert [job_now(factory, job).state for job in (bad, good)] == ["running", "queued"]
+
+
+@pytest.mark.once
+def test_a_silent_worker_that_cannot_be_taken_back_keeps_no_other(monkeypatch: pytest.MonkeyPatch) -> None:
+    taken, both = list[int](), [SimpleNamespace(id=1), SimpleNamespace(id=2)]
+
+    async def stalled(**_given: object) -> list[SimpleNamespace]:
+        return both
+
+    def take_up(_sessions: object, delivery: SimpleNamespace) -> None:
+        taken.append(delivery.id)
+        if delivery.id == 1:
+            raise RuntimeError("a defect")
+        raise asyncio.CancelledError
+
+    monkeypatch.setattr(postgres, "take_up_stalled", take_up)
+    app: Any = SimpleNamespace(job_manager=SimpleNamespace(get_stalled_jobs=stalled))
+    sessions: Any = None
+    with pytest.raises(asyncio.CancelledError):
+        asyncio.run(postgres._look_for_stalled(app, sessions, 0.5))
+    assert taken == [1, 2]
+
+
+def test_what_is_away_while_it_is_cleaned_up_ends_no_job(
+    runner: Runner, factory: SessionFactory, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def away(*_given: Any) -> None:
+        raise DatabaseAway("database-busy")
+
+    job = queued(factory, "test_fail", how="input")
+    with monkeypatch.context() as broken:
+        broken.setitem(registry._handlers, job.kind, replace(registry._handlers[job.kind], failed=away))
+        assert not runner.run(job.id)
+    assert job_now(factory, job).state == "running"
 
 
 @pytest.mark.parametrize(("counted", "attempts"), [(True, 1), (False, 0)])

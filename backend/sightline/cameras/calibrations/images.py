@@ -16,7 +16,7 @@ from sightline.geometry.corners import Corners, find_board
 from sightline.geometry.ruler import polyline
 from sightline.infra.backup.state import needed_media
 from sightline.infra.services import Services
-from sightline.infra.stored_bytes import put_bytes, suffix_of
+from sightline.infra.stored_bytes import put_bytes, require_media, suffix_of
 from sightline.media.images import jpeg
 from sightline.messages.said import Said
 
@@ -53,6 +53,7 @@ def add_image(
     gray = services.frames.image(content, name)
     found = look(gray, board)
     height, width = gray.shape
+    put_bytes(services, content, suffix_of(name))  # takes its time; below it is there
     with services.writing() as session:
         return add_calibration_image(
             session,
@@ -96,6 +97,7 @@ def as_jpeg(services: Services, image: CalibrationImage) -> bytes:
 
 def remove_image(services: Services, image_id: int, actor: int) -> None:
     """Take an image out, and its file if nothing else has the same content."""
+    require_media(services)
     with services.writing() as session:
         gone = remove_calibration_image(session, image_id, actor=actor)
     # Nobody can begin to need the file while the lock is held.

@@ -68,9 +68,9 @@ def replacing_key(data_dir: Path) -> tuple[SigningKey, Path]:
     return _read(fresh), fresh
 
 
-def waiting_key(data_dir: Path, public: str) -> Path | None:
-    """The file in which this key waits, where whoever made it did not come to `put_in_force`."""
-    for path in data_dir.glob(f"{FILE}.*"):
+def key_file(data_dir: Path, public: str) -> Path | None:
+    """The file with this key: in force, or where it waits if who made it did not come to `put_in_force`."""
+    for path in (data_dir / FILE, *data_dir.glob(f"{FILE}.*")):
         with suppress(Damaged):
             if _read(path).public == public:
                 return path

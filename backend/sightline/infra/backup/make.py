@@ -18,7 +18,9 @@ from sqlalchemy.orm import Session
 
 from sightline.enums import KeyFrom
 from sightline.errors import BadInput, Damaged
+from sightline.infra.audit.checkpoints import known_keys
 from sightline.infra.audit.signing import FILE as SIGNING_KEY
+from sightline.infra.audit.signing import key_file
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.backup.manifest import (
     FORMAT,
@@ -68,6 +70,7 @@ class _State:
     heads: dict[str, tuple[int, str]]
     needed: set[str]
     tables: dict[str, CopiedTable]
+    signed_with: str | None
 
 
 class _Unsound(Exception):
@@ -91,8 +94,9 @@ def make_backup(services: Services, folder: Path, tell: Tell, *, pruning: bool =
         name = moment.strftime("%Y%m%dT%H%M%S.%fZ")
         place = folder / STATES / name
         place.mkdir(parents=True, mode=0o700)
-        state = _sound_copy(services, folder, place, before, tell)
         keys = _copy_keys(settings, place)
+        state = _sound_copy(services, folder, place, before, tell)
+        _copy_changed_key(settings, place, keys, state.signed_with)
         copies.take(services.media, lambda share: tell(0.9 + 0.1 * share, "media that came meanwhile"))
         manifest = Manifest(
             format=FORMAT,
@@ -118,10 +122,13 @@ def make_backup(services: Services, folder: Path, tell: Tell, *, pruning: bool =
 
 
 def _require_apart(folder: Path, settings: Settings) -> None:
-    """Neither holds the other: a backup must outlive the data folder, and not hold itself."""
-    ours, data = folder.absolute().resolve(), settings.data_dir.absolute().resolve()
-    if ours.is_relative_to(data) or data.is_relative_to(ours):
-        raise BadInput("backup-folders-nested", folder=folder)
+    """Neither holds the other: a backup must outlive data folder and media, and not hold itself."""
+    ours = folder.absolute().resolve()
+    media = settings.media_url.removeprefix("file://")
+    for place in (settings.data_dir, *(() if "://" in media else (media,))):
+        theirs = Path(place).absolute().resolve()
+        if ours.is_relative_to(theirs) or theirs.is_relative_to(ours):
+            raise BadInput("backup-folders-nested", folder=folder)
 
 
 def _sound_copy(services: Services, folder: Path, place: Path, before: Manifest | None, tell: Tell) -> _State:
@@ -165,7 +172,8 @@ def _described(session: Session, before: Manifest | None, tables: dict[str, Copi
         raise BadInput("backup-of-another-installation")
     if (problem := verify_records(session).problem) is not None:
         raise _Unsound(problem)
-    return _State(revision, heads_of(session), needed_media(session), tables)
+    signed_with = next((one["key"] for one in reversed(known_keys(session))), None)
+    return _State(revision, heads_of(session), needed_media(session), tables, signed_with)
 
 
 def _copy_keys(settings: Settings, place: Path) -> dict[str, KeyFrom]:
@@ -175,10 +183,23 @@ def _copy_keys(settings: Settings, place: Path) -> dict[str, KeyFrom]:
         source = settings.data_dir / name
         found[name] = "environment" if given is not None else "file" if source.is_file() else "none"
         if found[name] == "file":
-            handle = os.open(place / name, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
-            with os.fdopen(handle, "wb") as file:
-                file.write(source.read_bytes())
+            _copy_key(source, place / name)
     return found
+
+
+def _copy_changed_key(settings: Settings, place: Path, keys: dict[str, KeyFrom], public: str | None) -> None:
+    """The key that the database was signed with last, where it is not the one that was in force before."""
+    source = key_file(settings.data_dir, public) if public and not key_file(place, public) else None
+    if source is not None and keys[SIGNING_KEY] != "environment":
+        (place / SIGNING_KEY).unlink(missing_ok=True)
+        _copy_key(source, place / SIGNING_KEY)
+        keys[SIGNING_KEY] = "file"
+
+
+def _copy_key(source: Path, target: Path) -> None:
+    handle = os.open(target, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+    with os.fdopen(handle, "wb") as file:
+        file.write(source.read_bytes())
 
 
 def _told_settings(services: Services) -> dict[str, object]:

@@ -145,6 +145,8 @@ async def _look_for_stalled(app: App, sessions: SessionFactory, limit_s: float) 
                 await asyncio.to_thread(take_up_stalled, sessions, stalled)
             except SightlineError as error:
                 log.warning("delivery %s: %s", stalled.id, error.message)
+            except Exception:  # nobody would look after the others any more
+                log.exception("delivery %s", stalled.id)
 
 
 def take_up_stalled(sessions: SessionFactory, stalled: Delivery) -> None:

@@ -4,11 +4,11 @@ import logging
 
 from sqlalchemy.orm import Session
 
-from sightline.errors import SightlineError
+from sightline.errors import Away, NoRoom, SightlineError
 from sightline.infra.database.engine import SessionFactory, reading, writing
 from sightline.infra.jobs.engine import engine_of_session
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.registry import STOPPED, registered
+from sightline.infra.jobs.registry import STOPPED, clean_up
 from sightline.infra.jobs.store import (
     MAX_ATTEMPTS,
     JobLost,
@@ -20,16 +20,8 @@ from sightline.infra.jobs.store import (
     requeue_job,
     running_jobs,
 )
-from sightline.messages.said import Said
 
 log = logging.getLogger("sightline.jobs")
-
-
-def clean_up(session: Session, job: Job, error: Said) -> None:
-    """Let the kind's `failed` function write what follows from a job that came to nothing."""
-    handler = registered(job.kind)
-    if handler is not None and handler.failed is not None:
-        handler.failed(session, job, error)
 
 
 def put_back(session: Session, job: Job, *, counted: bool = True, postponed: bool = False) -> None:
@@ -76,6 +68,11 @@ def take_back(sessions: SessionFactory, *, worker: str | None = None, counted: b
             with writing(sessions) as session:
                 put_back(session, job, counted=counted)
         except JobLost:
+            continue
+        except (Away, NoRoom):
+            raise
+        except Exception:
+            log.exception("job %s (%s) cannot be put back", job.id, job.kind)
             continue
         if counted:
             log.warning("a worker process ended in the middle of job %s (%s)", job.id, job.kind)

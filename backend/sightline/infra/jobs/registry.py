@@ -10,6 +10,7 @@ that a job that was run twice leaves its outcome once.
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -17,7 +18,8 @@ from typing import TYPE_CHECKING, Any
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
-from sightline.errors import BadInput, Conflict, SightlineError
+from sightline.errors import Away, BadInput, Conflict, NoRoom, SightlineError
+from sightline.infra.database.engine import explained
 from sightline.infra.jobs.engine import engine_of_session
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.store import create_job, request_job_cancel
@@ -25,6 +27,8 @@ from sightline.messages.said import Said
 
 if TYPE_CHECKING:
     from sightline.infra.services import Services
+
+log = logging.getLogger("sightline.jobs")
 
 Finish = Callable[[Session], Mapping[str, Any]]
 Outcome = Mapping[str, Any] | Finish
@@ -114,12 +118,28 @@ def is_long(kind: str) -> bool:
     return known is None or known.long
 
 
+def clean_up(session: Session, job: Job, error: Said) -> None:
+    """Let the kind's `failed` function write what follows from a job that came to nothing.
+
+    One that breaks writes nothing, and the job ends all the same: it would be begun again for ever.
+    """
+    handler = registered(job.kind)
+    if handler is None or handler.failed is None:
+        return
+    try:
+        with explained(), session.begin_nested():
+            handler.failed(session, job, error)
+    except (Away, NoRoom):
+        raise  # the whole is tried again
+    except Exception:
+        log.exception("what follows from the end of job %s (%s) is not written", job.id, job.kind)
+
+
 def cancel(session: Session, job: Job, actor: int) -> Job:
     """Stop a queued job at once, a running one when it next looks. Raises Conflict for one that has ended."""
     asked = request_job_cancel(session, job.id, actor=actor)
-    kind = registered(job.kind)
-    if asked.state == "cancelled" and kind is not None and kind.failed is not None:
-        kind.failed(session, asked, STOPPED)
+    if asked.state == "cancelled":
+        clean_up(session, asked, STOPPED)
     return asked
 
 

@@ -11,8 +11,8 @@ from sqlalchemy.orm import Session
 from sightline.errors import Away, SightlineError
 from sightline.infra.database.engine import DatabaseAway, SessionFactory, reading, writing
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.recovery import clean_up, put_back
-from sightline.infra.jobs.registry import Cancelled, JobContext, Outcome, registered
+from sightline.infra.jobs.recovery import put_back
+from sightline.infra.jobs.registry import Cancelled, JobContext, Outcome, clean_up, registered
 from sightline.infra.jobs.store import (
     Hold,
     JobLost,
@@ -154,8 +154,8 @@ class Watch:
                 missed += 1
                 level = logging.INFO if missed == 1 else logging.WARNING
                 log.log(level, "progress of job %s waits for the next look: %s", self._job.id, away.message)
-            except SightlineError as error:
-                log.warning("progress of job %s not stored: %s", self._job.id, error.message)
+            except Exception as error:  # whoever does not look any more hears of no cancelling
+                log.warning("progress of job %s not stored: %s", self._job.id, error)
 
     def _look(self) -> Hold:
         progress = self._progress

@@ -68,10 +68,10 @@ def cross_site_refusal(headers: Headers) -> CrossSite | None:
     return None
 
 
-def most_bytes(headers: Headers) -> int | None:
-    """How large a body of this kind may be; None where the route counts by itself (uploads)."""
+def most_bytes(headers: Headers, path: str) -> int | None:
+    """How large a body of this kind may be; None where the route counts by itself (an upload's pieces)."""
     kind = headers.get("content-type", "").partition(";")[0].strip().lower()
-    if kind == UPLOADED:
+    if kind == UPLOADED and path.startswith("/api/uploads/"):
         return None
     return MOST_FORM_BYTES if kind == "multipart/form-data" else MOST_JSON_BYTES
 
@@ -117,7 +117,7 @@ class Guard:
             if refusal is not None:
                 await answer(refusal)(scope, receive, send_with_headers)
                 return
-            most = most_bytes(headers)
+            most = most_bytes(headers, scope["path"])
             if most is not None:
                 receive = counted(receive, most)
         await self.app(scope, receive, send_with_headers)

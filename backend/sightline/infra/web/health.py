@@ -17,6 +17,7 @@ from sightline.infra.jobs.store import count_jobs
 from sightline.infra.licences import Library, libraries
 from sightline.infra.page_watch import PageWatch
 from sightline.infra.services import Services
+from sightline.infra.stored_bytes import require_media
 from sightline.infra.version import code_version
 from sightline.infra.web.ballast import try_to_write
 from sightline.infra.web.bodies import Out
@@ -26,7 +27,6 @@ from sightline.infra.web.turns import Turns
 from sightline.infra.web.write_gate import WriteGate
 
 router = APIRouter()
-NOWHERE = "00/00/nothing"
 #: seconds that each part has to answer in
 ASK_S = 2.0
 #: seconds after which a change that is under way is taken for stuck
@@ -149,7 +149,7 @@ def database_trouble(services: Services) -> str | None:
 
 def _media(services: Services) -> str | None:
     try:
-        services.media.exists(NOWHERE)
+        require_media(services)
     except SightlineError as error:
         return error.message
     return None

@@ -21,8 +21,10 @@ RESERVE_BYTES = 64 << 20
 class MediaStore(Protocol):
     """Files by key; keys are made by `key_of`, so the same content has the same key and is stored once."""
 
-    def put_file(self, key: str, path: Path, *, link: bool = False) -> None:
+    def put_file(self, key: str, path: Path, *, link: bool = False, replace: bool = False) -> None:
         """Store the file's content; nothing is written if the key is there. Raises NoRoom.
+
+        With `replace` (for keys that do not tell the content) it takes the place of what is there, whole.
 
         With `link` the store may share the bytes on disk with the given file instead of copying them: no time
         and no room are needed, but the given file must never be changed in place (deleting it is fine).
@@ -109,9 +111,9 @@ class LocalStore:
         self._folder = folder.resolve()
         self._folder.mkdir(parents=True, exist_ok=True)
 
-    def put_file(self, key: str, path: Path, *, link: bool = False) -> None:
+    def put_file(self, key: str, path: Path, *, link: bool = False, replace: bool = False) -> None:
         target = self._path(key)
-        if target.exists() or (link and link_whole(path, target)):
+        if (target.exists() and not replace) or (link and link_whole(path, target)):
             return
         check_room(self._folder, path.stat().st_size)
         with no_room_told():

@@ -3,9 +3,11 @@
 import io
 import os
 import threading
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from stat import S_ISREG
 from typing import Any, BinaryIO
 from urllib.parse import parse_qs, urlsplit
 from weakref import WeakValueDictionary
@@ -21,6 +23,8 @@ from sightline.media.store.local import check_room, no_room_told, safe_path
 
 #: tries of one request, and seconds of silence until one has failed
 ATTEMPTS, CONNECT_S, READ_S = 3, 5.0, 20.0
+#: nothing was written to a part for so long: who fetched it is gone
+SILENT_S = 3600.0
 _PIECE_BYTES = 1 << 20
 
 
@@ -60,11 +64,13 @@ class S3Store:
         )
         self._make_bucket()
 
-    def put_file(self, key: str, path: Path, *, link: bool = False) -> None:
-        if self.exists(key):
+    def put_file(self, key: str, path: Path, *, link: bool = False, replace: bool = False) -> None:
+        if not replace and self.exists(key):
             return
         with _told(key):
             self._client.upload_file(str(path), self._bucket, self._name(key))
+        if replace:
+            safe_path(self._cache, key).unlink(missing_ok=True)
 
     def local_path(self, key: str) -> Path:
         path = safe_path(self._cache, key)
@@ -152,15 +158,24 @@ class S3Store:
             self._client.download_file(self._bucket, self._name(key), str(part))
 
     def _evict(self, keep_free: int) -> None:
-        # boto3 writes to the name that it is given and a random ending
-        whole = (p for p in self._cache.rglob("*") if PART not in p.suffixes and p.is_file())
-        files = [(p.stat().st_atime, p.stat().st_size, p) for p in whole]
+        files = [one for path in self._cache.rglob("*") if (one := _may_go(path)) is not None]
         held = sum(size for _, size, _ in files)
         for _, size, path in sorted(files):
             if held + keep_free <= self._cache_bytes:
                 break
             path.unlink(missing_ok=True)
             held -= size
+
+
+def _may_go(path: Path) -> tuple[float, int, Path] | None:
+    """When a file was used last, and its size; None while it is on its way. Killed fetches leave parts."""
+    try:
+        of = path.stat()
+    except FileNotFoundError:
+        return None  # it has come, under its own name
+    # boto3 writes to the name that it is given and a random ending
+    coming = PART in path.suffixes and of.st_mtime > time.time() - SILENT_S
+    return (of.st_atime, of.st_size, path) if S_ISREG(of.st_mode) and not coming else None
 
 
 class _Body(io.RawIOBase):

@@ -7,6 +7,7 @@ from typing import Any, cast
 import numpy as np
 
 from sightline.enums import DriftState
+from sightline.errors import NotFound
 from sightline.geometry.drift import TARGET_M, HeightChange, Motion, height_change
 from sightline.geometry.drift_spans import Course, Look, Span, course
 from sightline.geometry.road_pose import RoadPose
@@ -90,7 +91,10 @@ def frames_to_look_at(count: int, duration_s: float) -> list[int]:
 
 def _of_pose(services: Services, pose: Pose) -> Background:
     frames = sorted({int(n) for n in np.linspace(pose.first_frame, pose.last_frame, _OF_POSE)})
-    return background(mean_of([stills_of(services).gray(pose.recording_id, n) for n in frames]))
+    try:
+        return background(mean_of([stills_of(services).gray(pose.recording_id, n) for n in frames]))
+    except NotFound as gone:
+        raise NotFound("drift-recording-of-pose-deleted") from gone
 
 
 def document_of(check: _Check) -> DriftCheck:

@@ -16,7 +16,7 @@ from sightline.errors import Conflict, NotFound, SightlineError, TooMany
 from sightline.infra.database import Session
 from sightline.infra.database.types import now
 from sightline.infra.services import Services
-from sightline.infra.stored_bytes import suffix_of
+from sightline.infra.stored_bytes import require_media, suffix_of
 from sightline.media.store import upload_parts
 from sightline.media.store.local import key_of
 from sightline.recordings.ingest_job import queue_ingest
@@ -30,6 +30,7 @@ from sightline.recordings.uploads.store import (
     remove_upload,
     strip_arrived,
     unfinished_uploads,
+    upload_media_in_use,
 )
 
 Made = TypeVar("Made")
@@ -216,10 +217,20 @@ def _recording_of(services: Services, upload_id: int) -> Recording | None:
 
 
 def abandon_upload(services: Services, upload_id: int, actor: int | None) -> None:
-    """Forget an unfinished upload and its bytes. Raises Conflict for a finished one."""
+    """Forget an upload that became nothing, and its bytes. Raises Conflict for any other, Away."""
+    with services.reading() as session:
+        is_stored = bool(get_upload(session, upload_id).media_key)
+    if is_stored:
+        require_media(services)
     with services.writing() as session:
-        remove_upload(session, upload_id, actor=actor)
+        gone = remove_upload(session, upload_id, actor=actor)
     upload_parts.discard(upload_folder(services), part_name(upload_id))
+    if not gone.media_key:
+        return
+    # Nobody can begin to need the file while the lock is held.
+    with services.writing() as session:
+        if not upload_media_in_use(session, gone.media_key):
+            services.media.delete(gone.media_key)
 
 
 def recover_uploads(services: Services) -> None:

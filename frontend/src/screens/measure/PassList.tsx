@@ -19,6 +19,7 @@ import { filter, type MeasureModel, order } from "./model";
 import { readAgain } from "./passes/actions";
 import { PassMark } from "./passes/marks";
 import { PassMenu } from "./passes/PassMenu";
+import { isStored } from "./records";
 import "../../parts/vehicles/passes.css";
 
 const FindPasses = late(async () => (await import("../../parts/vehicles/FindPasses")).FindPasses);
@@ -171,8 +172,7 @@ export function progress({ records }: Pick<MeasureModel, "records">, vehicle: Ve
   const have = new Set(
     records
       .of(vehicle.id)
-      // of a refused click nothing is stored
-      .filter(({ values, state, saved }) => !values.withdrawn && !(state === "failed" && !saved))
+      .filter((entry) => !entry.values.withdrawn && isStored(entry))
       .map((entry) => entry.values.target),
   );
   const { asked } = vehicle;

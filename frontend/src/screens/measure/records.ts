@@ -27,6 +27,11 @@ export interface Entry {
   readonly theirs: Measurement | null;
 }
 
+/** Of a refused click nothing is stored. */
+export function isStored({ state, saved }: Entry): boolean {
+  return !(state === "failed" && !saved);
+}
+
 type Clicked = Wish<Measurement, Values, MeasurementAbout>;
 
 export class Records {

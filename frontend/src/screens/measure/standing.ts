@@ -4,7 +4,7 @@ import type { Target } from "../../core/types";
 import { type ImagePoint, samePoint } from "../../viewer/points";
 import { type FramePoints, pointsOn } from "../../viewer/values";
 import type { Selection } from "./flow";
-import type { Entry, Records } from "./records";
+import { type Entry, isStored, type Records } from "./records";
 
 /** As much of the measure page as this needs. */
 interface Table {
@@ -68,9 +68,10 @@ export class Standing {
     return this.entriesHere().filter((other) => samePoint(this.here(other).contact, contact));
   }
 
-  /** Targets that a vehicle has; a rejected one counts as missing. */
+  /** Targets that a vehicle has; a rejected one counts as missing, and one whose click was refused. */
   targetsOf(vehicleId: number | null): Set<Target> {
-    return new Set(this.standingOf(vehicleId).map((entry) => entry.values.target));
+    const stored = this.standingOf(vehicleId).filter(isStored);
+    return new Set(stored.map((entry) => entry.values.target));
   }
 
   /** The contact to go on with on each frame; that of a rejected measurement is not offered again. */

@@ -50,7 +50,7 @@ const WAYS: readonly LaneWay[] = ["either", "camera_1_first", "camera_2_first"];
 
 function Lane({ number, lane, problems, put, remove }: LaneProps) {
   const unit = lengthUnit.value;
-  const typed = (name: Exclude<keyof LaneTyped, "direction">) => ({
+  const typed = (name: Exclude<keyof LaneTyped, "direction" | "stored">) => ({
     value: lane[name],
     problem: problems[name],
     onInput: (text: string) => put({ [name]: text }),

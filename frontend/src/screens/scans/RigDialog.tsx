@@ -59,7 +59,7 @@ export function RigDialog({ model, scan, onClose, changed, offered }: Props) {
   };
   const submit = async () => {
     const values = valuesOf(typed, lanes.length > 0);
-    const found = lanesOf(lanes, scan.rig.lanes);
+    const found = lanesOf(lanes);
     const sound = found.lanes.length === lanes.length;
     if (isValues(values) && sound)
       return store({

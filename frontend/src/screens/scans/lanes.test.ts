@@ -37,8 +37,16 @@ describe("lanes as they are typed", () => {
       u_distance_m: 0.012345,
     }));
     const [near, far] = typedLanes(stored) as [LaneTyped, LaneTyped];
-    const { lanes } = lanesOf([{ ...near, distance: "5.6" }, far], stored);
+    const { lanes } = lanesOf([{ ...near, distance: "5.6" }, far]);
     expect(lanes).toEqual([{ ...stored[0], distance_m: 5.6 }, stored[1]]);
+    const swapped = lanesOf([
+      { ...near, name: "far" },
+      { ...far, name: "kerb" },
+    ]);
+    expect(swapped.lanes).toEqual([
+      { ...stored[0], name: "far" },
+      { ...stored[1], name: "kerb" },
+    ]);
   });
 
   it("say what is wrong at the field", () => {

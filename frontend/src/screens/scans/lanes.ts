@@ -17,9 +17,11 @@ export interface LaneTyped {
   readonly to: string;
   /** % of the rows; empty: the rig's. */
   readonly shadow: string;
+  /** The lane as it is stored, of which a distance that nobody types stays; null: a new one. */
+  readonly stored: RigLane | null;
 }
 
-export type LaneProblems = Partial<Record<keyof LaneTyped, string>>;
+export type LaneProblems = Partial<Record<Exclude<keyof LaneTyped, "stored">, string>>;
 
 export const NEW_LANE: LaneTyped = {
   name: "",
@@ -29,6 +31,7 @@ export const NEW_LANE: LaneTyped = {
   from: "",
   to: "",
   shadow: "",
+  stored: null,
 };
 export const MOST_LANES = 8;
 
@@ -42,15 +45,13 @@ export function typedLanes(lanes: readonly RigLane[]): LaneTyped[] {
     from: plain(one.tyres_from_px),
     to: plain(one.tyres_to_px),
     shadow: one.shadow_share === null ? "" : plain(100 * one.shadow_share),
+    stored: one,
   }));
 }
 
-/** The lanes in SI units, or what is wrong with each. A distance that nobody typed stays that of the stored lane. */
-export function lanesOf(
-  typed: readonly LaneTyped[],
-  stored: readonly RigLane[] = [],
-): { lanes: RigLane[]; problems: LaneProblems[] } {
-  const found = typed.map((one, at) => laneOf(one, typed.slice(0, at), stored));
+/** The lanes in SI units, or what is wrong with each. */
+export function lanesOf(typed: readonly LaneTyped[]): { lanes: RigLane[]; problems: LaneProblems[] } {
+  const found = typed.map((one, at) => laneOf(one, typed.slice(0, at)));
   return {
     lanes: found.flatMap(({ lane }) => (lane ? [lane] : [])),
     problems: found.map(({ problems }) => problems),
@@ -60,7 +61,6 @@ export function lanesOf(
 function laneOf(
   typed: LaneTyped,
   before: readonly LaneTyped[],
-  stored: readonly RigLane[],
 ): { lane: RigLane | null; problems: LaneProblems } {
   const problems: LaneProblems = {};
   const read = readerOf(typed, problems);
@@ -68,7 +68,7 @@ function laneOf(
   if (!name || name.length > 40) problems.name = say("scans-lane-problem-name");
   else if (before.some((one) => one.name.trim() === name)) problems.name = say("scans-lane-problem-twice");
   const rows = say("scans-lane-problem-rows");
-  const then = stored.find((one) => one.name === name);
+  const then = typed.stored;
   const [shown] = then ? typedLanes([then]) : [];
   const keep = (field: "distance" | "uDistance", value: number | undefined) => (text: string) =>
     kept(text, shown?.[field] ?? "", value, parseLength);
