@@ -23,7 +23,6 @@ from sightline.geometry.sides import TrafficFacts
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.web.person import Person
-from sightline.media.cancelling import IngestCancelled
 from sightline.messages.said import Said
 from sightline.people.store import create_person, person_by_email, update_person
 from sightline.poses.service import Solved
@@ -81,10 +80,7 @@ def make(context: registry.JobContext) -> registry.Outcome:
         known = demo_survey_id(session)
     if known is not None:
         return {"survey_id": known}
-    try:
-        parts = make_parts(services, context.progress)
-    except IngestCancelled as stopped:  # its threads may be heard before the one that told them to stop
-        raise registry.Cancelled("jobs-cancelled") from stopped
+    parts = make_parts(services, context.progress)
     context.progress(0.95, Said("job-demo-saving"))
 
     def store(session: Session) -> Mapping[str, Any]:

@@ -116,7 +116,7 @@ def _board_corners(scene: SceneTruth) -> BoardSeen:
 
 
 def _lens(services: Services, is_cancelled: Cancelled) -> tuple[tuple[LabPicture, ...], CheckedCalibration]:
-    """The lab images and the calibration from them. Raises IngestCancelled when it is to stop."""
+    """The lab images and the calibration from them. Raises Stopped when it is to stop."""
     lab = []
     for path in lab_images():
         check_cancelled(is_cancelled, "the demonstration")

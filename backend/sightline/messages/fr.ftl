@@ -4615,7 +4615,6 @@ proposals-too-uncertain = N’a pas été localisé assez précisément pour une
 
 proposals-looking = Recherche de points à proposer.
 proposals-made = Propositions pour { $some } passages sur { $passes }, points en tout : { $points }.
-proposals-cancelled = La proposition de points a été annulée ; les propositions antérieures restent. Vous pouvez la relancer.
 proposals-being-made-already = Les propositions pour { $name } sont déjà en cours ; attendez la fin.
 proposals-no-found-passes = { $name } n’a pas de passages trouvés par Sightline ; détectez d’abord les passages.
 second-frame-followed = Le véhicule a été suivi pendant son passage.
@@ -5710,7 +5709,6 @@ csv-size-not-positive = { $name }, ligne { $line } : { $column } vaut « { $ce
 csv-uncertainty-below-0 = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; une incertitude n’est pas négative. Corrigez la cellule.
 csv-not-utf-8 = { $name } n’est pas un texte UTF-8 ; enregistrez-le en CSV UTF-8.
 vehicles-frames-changed = { $name } a maintenant { $count } images et en avait { $count_2 } à l’import ; importez-le à nouveau.
-vehicles-search-cancelled = La détection des passages a été annulée. Vous pouvez la relancer.
 vehicles-search-running = Une détection des passages de { $name } est déjà en cours ; attendez la fin.
 vehicles-no-frames = Un véhicule demande sa première et sa dernière image ; marquez le passage sur la frise.
 vehicles-year-to-come = Aucun modèle de { $year } n’a pu passer encore ; donnez une année jusqu’à { $most }.

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
-from sightline.errors import BadInput, Conflict, SightlineError
+from sightline.errors import BadInput, Conflict
 from sightline.infra.jobs.engine import engine_of_session
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.store import create_job, request_job_cancel
@@ -31,10 +31,6 @@ Outcome = Mapping[str, Any] | Finish
 Failed = Callable[[Session, Job, Said], None]
 #: The error of a job that was stopped because somebody asked for it.
 STOPPED = Said("jobs-cancelled")
-
-
-class Cancelled(SightlineError):
-    """The job was asked to stop, and did."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -57,7 +53,7 @@ class JobContext:
         return self.job.created_by
 
     def progress(self, fraction: float, message: Said | None = None) -> None:
-        """Say how far the job is (0 to 1). Raises Cancelled if it is to stop, JobLost if another has it."""
+        """Say how far the job is (0 to 1). Raises Stopped if it is to stop, JobLost if another has it."""
         self.report(fraction, message)
 
     def is_cancelled(self) -> bool:

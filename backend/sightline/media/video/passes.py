@@ -12,19 +12,13 @@ import numpy as np
 from sightline.detection.classify import FoundPass
 from sightline.detection.finder import PassFinder, downsample
 from sightline.detection.steadiness import Wander
-from sightline.errors import BadInput
+from sightline.errors import BadInput, Stopped
 from sightline.media.cancelling import Cancelled, Progress, Watch
 from sightline.media.video.decode import numbered, open_container, video_stream
 from sightline.media.video.picture import upright_gray
 from sightline.messages.said import Said
 
 PICTURES_HZ = 60.0
-
-
-class PassesCancelled(BadInput):
-    """Nobody wants the passes any more."""
-
-    kind = "cancelled"
 
 
 @dataclass(frozen=True)
@@ -57,7 +51,7 @@ def find_passes(
     that go the same way and cover each other all the way are one pass. Where the traffic runs down the
     picture it is searched a second time with rows and columns exchanged. A camera that wanders is followed,
     and the notes say so; one that wanders too far gives no passes. Raises BadInput (not a video),
-    PassesCancelled.
+    Stopped.
     """
     name = name or path.name
     how = (is_cancelled, threads, stream_number)
@@ -90,7 +84,7 @@ def _searched(
         stride = max(1, round(rate / PICTURES_HZ))
         n = width_px = 0
         finder: PassFinder | None = None
-        stopped = partial(PassesCancelled, "video-search-cancelled")
+        stopped = partial(Stopped, "video-search-cancelled")
         watch = Watch(on_progress, is_cancelled, name, path.stat().st_size, stopped)
         for n, frame, layout in numbered(container, stream, name, look=watch.look):
             if n % stride:

@@ -12,10 +12,10 @@ from sightline.geometry.road_pose import RoadPose
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
+from sightline.infra.jobs.registry import Finish, JobContext
 from sightline.infra.jobs.store import jobs_under_way
 from sightline.infra.services import Services
-from sightline.media.video.passes import PassesCancelled, find_passes
+from sightline.media.video.passes import find_passes
 from sightline.messages.said import Said
 from sightline.poses.store import get_pose
 from sightline.recordings.frames.stills import stills_of
@@ -49,18 +49,15 @@ def look_for_passes(context: JobContext) -> Finish:
     recording = opened.recording
     board, square_at = _posed(services, recording)
     context.progress(0.0, Said("job-passes-searching"))
-    try:
-        search = find_passes(
-            opened.media.path,
-            rate_hz=rate_hz_of(opened.time_s),
-            square_at=square_at,
-            on_progress=lambda fraction: context.progress(0.98 * fraction, Said("job-passes-searching")),
-            is_cancelled=context.is_cancelled,
-            name=recording.name,
-            stream_number=opened.media.stream_number,
-        )
-    except PassesCancelled as stopped:
-        raise Cancelled("vehicles-search-cancelled") from stopped
+    search = find_passes(
+        opened.media.path,
+        rate_hz=rate_hz_of(opened.time_s),
+        square_at=square_at,
+        on_progress=lambda fraction: context.progress(0.98 * fraction, Said("job-passes-searching")),
+        is_cancelled=context.is_cancelled,
+        name=recording.name,
+        stream_number=opened.media.stream_number,
+    )
     count = search.frames
     if count != len(opened.media):
         raise Damaged(

@@ -9,9 +9,9 @@ from sightline.geometry.documents import pose_from_dict
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
+from sightline.infra.jobs.registry import Finish, JobContext
 from sightline.infra.jobs.store import jobs_under_way
-from sightline.media.video.proposals import ProposalsCancelled, propose_in_video
+from sightline.media.video.proposals import propose_in_video
 from sightline.messages.said import Said
 from sightline.poses.store import get_pose
 from sightline.proposals.propose import POINTS, Proposals, Proposed
@@ -57,21 +57,18 @@ def make_proposals(context: JobContext) -> Finish:
         pose = pose_from_dict(get_pose(session, pose_id).document, "the camera pose")
     context.progress(0.0, Said("proposals-looking"))
     made: list[PointProposal] = []
-    try:
-        found = propose_in_video(
-            opened.media.path,
-            [_found(one) for one in vehicles],
-            pose,
-            rate_hz=rate_hz_of(opened.time_s),
-            on_progress=lambda fraction: context.progress(0.98 * fraction, Said("proposals-looking")),
-            is_cancelled=context.is_cancelled,
-            name=recording.name,
-            stream_number=opened.media.stream_number,
-        )
-        for index, one in found:
-            made += proposals_of(vehicles[index].id, one)
-    except ProposalsCancelled as stopped:
-        raise Cancelled("proposals-cancelled") from stopped
+    found = propose_in_video(
+        opened.media.path,
+        [_found(one) for one in vehicles],
+        pose,
+        rate_hz=rate_hz_of(opened.time_s),
+        on_progress=lambda fraction: context.progress(0.98 * fraction, Said("proposals-looking")),
+        is_cancelled=context.is_cancelled,
+        name=recording.name,
+        stream_number=opened.media.stream_number,
+    )
+    for index, one in found:
+        made += proposals_of(vehicles[index].id, one)
 
     def finish(session: Session) -> Mapping[str, Any]:
         replace_proposals(session, recording_id, pose_id, made, actor=context.actor)
