@@ -6,11 +6,15 @@ from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from sightline.errors import SightlineError
 from sightline.media.video.caches import MemoryCache
 from sightline.media.video.seeker import RecordingMedia
-from sightline.media.video.window import CancelCheck, NoLongerWanted, Pictures
+from sightline.media.video.window import CancelCheck, NoLongerWanted
+
+if TYPE_CHECKING:
+    from sightline.media.video.decode_host import DecodeHost
 
 log = logging.getLogger("sightline.decode")
 
@@ -49,7 +53,7 @@ class Prefetcher:
     """
 
     def __init__(
-        self, jpegs: MemoryCache[bytes], pictures: Pictures, key_of: Callable[[RecordingMedia, int], str]
+        self, jpegs: MemoryCache[bytes], pictures: "DecodeHost", key_of: Callable[[RecordingMedia, int], str]
     ) -> None:
         self._jpegs = jpegs
         self._pictures = pictures
