@@ -4897,7 +4897,6 @@ commands-place-missing = { $place } does not exist; name a database, a data fold
 
 ## Errors: export
 
-export-crop-not-encoded = An image could not be encoded; export the survey again.
 export-frame-not-clicked = Frame { $frame } of the stored video is not the frame that was clicked on.
 export-format-not-known = The package has format { $format }, which this version of Sightline does not know; verify it with { $program } or later.
 export-made-by-another-version = Made by version { $program }; this is { $mine }.

@@ -4887,7 +4887,6 @@ commands-place-missing = { $place } n’existe pas ; nommez une base de donné
 
 ## Erreurs : export
 
-export-crop-not-encoded = Une vue n’a pas pu être encodée ; exportez à nouveau le relevé.
 export-frame-not-clicked = L’image { $frame } de la vidéo stockée n’est pas celle qui a été pointée.
 export-format-not-known = L’archive a le format { $format }, que cette version de Sightline ne connaît pas ; vérifiez-la avec { $program } ou une version ultérieure.
 export-made-by-another-version = Faite par la version { $program } ; celle-ci est { $mine }.

@@ -16,6 +16,7 @@ from sightline.infra.jobs.registry import Finish, JobContext
 from sightline.infra.jobs.store import jobs_under_way
 from sightline.infra.services import Services
 from sightline.media.video.passes import find_passes
+from sightline.media.video.report import mean_rate_hz
 from sightline.messages.said import Said
 from sightline.poses.store import get_pose
 from sightline.recordings.frames.stills import stills_of
@@ -51,7 +52,7 @@ def look_for_passes(context: JobContext) -> Finish:
     context.progress(0.0, Said("job-passes-searching"))
     search = find_passes(
         opened.media.path,
-        rate_hz=rate_hz_of(opened.time_s),
+        rate_hz=mean_rate_hz(opened.time_s),
         square_at=square_at,
         on_progress=lambda fraction: context.progress(0.98 * fraction, Said("job-passes-searching")),
         is_cancelled=context.is_cancelled,
@@ -129,12 +130,6 @@ def _told(found: int, new: int) -> Said:
     if new == found:
         return Said("passes-were-found", found=found)
     return Said("passes-were-found-again", found=found, new=new, known=found - new)
-
-
-def rate_hz_of(time_s: np.ndarray[Any, np.dtype[np.float64]]) -> float | None:
-    """How many frames a second are, on average; None where one says nothing of it."""
-    span_s = float(time_s[-1] - time_s[0]) if len(time_s) > 1 else 0.0
-    return (len(time_s) - 1) / span_s if span_s > 0 else None
 
 
 def _posed(services: Services, recording: Recording) -> tuple[tuple[int, int] | None, float]:

@@ -12,12 +12,12 @@ from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Finish, JobContext
 from sightline.infra.jobs.store import jobs_under_way
 from sightline.media.video.proposals import propose_in_video
+from sightline.media.video.report import mean_rate_hz
 from sightline.messages.said import Said
 from sightline.poses.store import get_pose
 from sightline.proposals.propose import POINTS, Proposals, Proposed
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.store import get_ready_recording, get_recording
-from sightline.vehicles.passes.find_job import rate_hz_of
 from sightline.vehicles.proposing.records import PointProposal
 from sightline.vehicles.proposing.store import replace_proposals
 from sightline.vehicles.records import Vehicle
@@ -61,7 +61,7 @@ def make_proposals(context: JobContext) -> Finish:
         opened.media.path,
         [_found(one) for one in vehicles],
         pose,
-        rate_hz=rate_hz_of(opened.time_s),
+        rate_hz=mean_rate_hz(opened.time_s),
         on_progress=lambda fraction: context.progress(0.98 * fraction, Said("proposals-looking")),
         is_cancelled=context.is_cancelled,
         name=recording.name,
