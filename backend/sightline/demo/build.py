@@ -25,7 +25,7 @@ from sightline.infra.jobs import registry
 from sightline.infra.web.person import Person
 from sightline.messages.said import Said
 from sightline.people.store import create_person, person_by_email, update_person
-from sightline.poses.service import Solved
+from sightline.poses.records import SolvedPose
 from sightline.poses.store import add_pose
 from sightline.recordings.drift_request import request_if_posed
 from sightline.recordings.filming import Filming
@@ -191,21 +191,15 @@ def _recording(session: Session, survey_id: int, camera_id: int, video: Video) -
     return made.id
 
 
-def _pose(session: Session, recording_id: int, calibration_id: int, video: Video, solved: Solved) -> None:
+def _pose(session: Session, recording_id: int, calibration_id: int, video: Video, solved: SolvedPose) -> None:
     add_pose(
         session,
         recording_id,
         calibration_id=calibration_id,
         first_frame=0,
         last_frame=video.truth.board.last_frame,
-        rms_px=solved.pose.rms_px,
-        distance_m=solved.distance_m,
-        summary=solved.summary,
-        document=solved.document,
-        warnings=solved.warnings,
-        expected=solved.expected,
-        overlay=solved.overlay,
         actor=None,
+        **solved,
     )
 
 

@@ -22,7 +22,8 @@ from sightline.media.store.local import key_of, sha256_of
 from sightline.media.video.decode import frames_of
 from sightline.media.video.ingest import Ingested, ingest
 from sightline.messages.said import Said
-from sightline.poses.service import BoardSeen, Solved, frames_to_try, preview_board, solve
+from sightline.poses.records import SolvedPose
+from sightline.poses.service import BoardSeen, frames_to_try, preview_board, solve
 from sightline.recordings.ingest_job import pack_thumbnails, thumbnails_key_of
 
 Progress = Callable[[float, Said], None]
@@ -56,7 +57,7 @@ class Parts:
     videos: tuple[Video, ...]
     lab: tuple[LabPicture, ...]
     calibration: CheckedCalibration
-    poses: tuple[Solved, ...]
+    poses: tuple[SolvedPose, ...]
     scan: ScanParts
 
 
@@ -134,7 +135,7 @@ def _lab_picture(services: Services, path: Path) -> LabPicture:
     return LabPicture(DetectedView(path.name, corners, (int(gray.shape[1]), int(gray.shape[0]))), key)
 
 
-def _pose(video: Video, calibration: CheckedCalibration) -> Solved:
+def _pose(video: Video, calibration: CheckedCalibration) -> SolvedPose:
     board = video.truth.board
     reference = Reference("top", board.reference_height_m)
     return solve(calibration.result.camera, video.still, board.board, reference)
