@@ -141,13 +141,12 @@ def enqueue(
     payload: Mapping[str, Any],
     *,
     survey_id: int | None,
-    recording_id: int | None = None,
-    scan_id: int | None = None,
-    study_id: int | None = None,
     actor: int | None,
+    **of: int | None,
 ) -> Job:
-    """A new job in the caller's transaction; a worker gets it once that commits."""
-    place = {"survey_id": survey_id, "recording_id": recording_id, "scan_id": scan_id, "study_id": study_id}
-    job = create_job(session, kind, payload, **place, actor=actor)
+    """A new job in the caller's transaction, `of` a recording_id, scan_id or study_id; a worker gets it once
+    that commits.
+    """
+    job = create_job(session, kind, payload, survey_id=survey_id, actor=actor, **of)
     engine_of_session(session).deliver(session, job.id)
     return job

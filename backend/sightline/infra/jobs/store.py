@@ -45,20 +45,12 @@ def create_job(
     payload: Mapping[str, Any],
     *,
     survey_id: int | None,
-    recording_id: int | None = None,
-    scan_id: int | None = None,
-    study_id: int | None = None,
     actor: int | None,
+    **of: int | None,
 ) -> Job:
     """A queued job. Use `sightline.infra.jobs.registry.enqueue`, which also has it delivered."""
-    content: dict[str, Any] = {
-        "kind": kind,
-        "payload": dict(payload),
-        "survey_id": survey_id,
-        "recording_id": recording_id,
-    }
-    of = {"scan_id": scan_id, "study_id": study_id}
-    content |= {name: id_ for name, id_ in of.items() if id_ is not None}
+    content: dict[str, Any] = {"kind": kind, "payload": dict(payload), "survey_id": survey_id}
+    content |= {"recording_id": None} | {name: id_ for name, id_ in of.items() if id_ is not None}
     stamps = {"state": "queued", "progress": 0.0, "attempts": 0}
     job_id = add_row(session, jobs, {**content, **stamps, "created_at": now(), "created_by": actor})
     trail.record(session, actor, "create", "job", job_id, survey_id, None, content)
