@@ -132,9 +132,7 @@ def _add(rows: Rows, table: GivenTable, line: int, row: Mapping[str, str]) -> No
 
 
 def length_in(table: GivenTable, line: int, row: Mapping[str, str], name: str) -> float:
-    """A cell in metres: a known height, one that was measured, or an uncertainty. Raises BadInput naming the
-    line.
-    """
+    """A cell in metres: a known or measured height, or an uncertainty. Raises BadInput naming the line."""
     cell = row.get(name, "")
     if name.startswith("u_"):
         return table.u_length_m(line, name, cell)

@@ -91,9 +91,7 @@ class PackageStatistics:
 
 
 def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()) -> PackageStatistics:
-    """The statistics of the accepted measurements of a package that it is of, from its tables, under every
-    correction.
-    """
+    """The statistics of the accepted measurements of a package, from its tables, under every correction."""
     chosen_of = selection_in(files)
     filter_ = Filter(**{one.name: getattr(chosen_of, one.name) for one in fields(Selection)})
     measured, left_out = filtered(measured_in(files), filter_)

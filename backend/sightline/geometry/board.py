@@ -120,9 +120,7 @@ def _fits(grid: Floats, board: Board) -> bool:
 
 
 def _upright(grid: Floats) -> tuple[Floats, float]:
-    """Of the two right-handed half-turns of a grid, the one whose rows run down; and its roll, 0 to 90
-    degrees.
-    """
+    """Of two right-handed half-turns of a grid, the one whose rows run down; its roll, 0 to 90 degrees."""
     right, down = _directions(grid)
     if right[0] * down[1] - right[1] * down[0] < 0:  # mirrored: numbered against the hand of the picture
         grid = grid[:, ::-1]

@@ -107,9 +107,7 @@ def visible_polyline(pose: RoadPose, start_m: ArrayLike, end_m: ArrayLike, sampl
 
 
 def _thinned(line: Floats, tolerance_px: float = 0.05) -> Floats:
-    """Drop points that lie within `tolerance_px` of the line between their kept neighbours (Douglas-
-    Peucker).
-    """
+    """Drop points within `tolerance_px` of the line between their kept neighbours (Douglas-Peucker)."""
     keep = np.zeros(len(line), dtype=bool)
     keep[[0, -1]] = True
     stack = [(0, len(line) - 1)]

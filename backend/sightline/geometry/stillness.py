@@ -64,9 +64,7 @@ def displacements_px(shifts: Floats, at: Floats) -> Floats:
 
 
 def smooth_basis(at: Floats) -> Floats:
-    """Orthonormal basis (N, 3) of the affine functions 1, x, y over points `at` (N, 2), by their QR
-    decomposition.
-    """
+    """Orthonormal basis (N, 3) of the affine functions 1, x, y over points `at` (N, 2), by QR."""
     q, _ = np.linalg.qr(np.column_stack([np.ones(len(at)), at - at.mean(axis=0)]))
     return np.asarray(q, dtype=np.float64)
 

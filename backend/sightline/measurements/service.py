@@ -57,10 +57,7 @@ def height_at(
     vehicle_id: int | None = None,
     actor: int | None = None,
 ) -> Answer:
-    """The height that these clicks of `actor` would be stored with on a vehicle.
-
-    Raises Conflict without a road pose.
-    """
+    """The height that these clicks of `actor` would get on a vehicle. Raises Conflict without a road pose."""
     context = click_context(session, recording_id, actor, vehicle_id=vehicle_id)
     pose, _, _ = pose_in_force(session, context)
     found = answer(pose, clicks_in_context(clicks, context))
@@ -77,10 +74,7 @@ def ruler_at(
     inset_m: float | None,
     vehicle_id: int | None = None,
 ) -> Ruler:
-    """Axes and ladder through a contact click; no ladder for an eye of unknown side.
-
-    Raises Conflict without a road pose.
-    """
+    """Axes and ladder at a contact; no ladder for eyes without side. Raises Conflict without a road pose."""
     context = click_context(session, recording_id, None, vehicle_id=vehicle_id)
     pose, _, _ = pose_in_force(session, context)
     side = None if context.side is None else context.side.side
@@ -180,9 +174,7 @@ def gone_by_measuring(context: ClickContext, target: Target) -> VehicleChanges:
 
 
 def store_revision(session: Session, before: Measurement, clicks: Clicks, *, actor: int) -> Measurement:
-    """Measure again and store a new revision of what `require_measurement_revision` gave in the same
-    transaction.
-    """
+    """Measure again, as a new revision, what `require_measurement_revision` gave in the same transaction."""
     then = before.values
     if (clicks.target, clicks.inset_m, clicks.u_inset_m) == (then.target, then.inset_m, then.u_inset_m):
         clicks = replace(clicks, **_inset_of(then))

@@ -406,9 +406,7 @@ def append_revision(
     verdict_of_revision: int | None = None,
     made_of: Callable[[Row[Any]], _Made],
 ) -> _Made:
-    """Write a revision whose content was checked, with its audit event, and give it back: `made_of` its row
-    as it was stored.
-    """
+    """Write a revision of checked content, with its event, and give it back: `made_of` its stored row."""
     stamps: dict[str, Any] = {"series_id": series_id, "revision": revision, "withdrawn": withdrawn}
     stamps["verdict_of_revision"] = verdict_of_revision
     stamps |= {"created_at": now(), "created_by": actor if clicked_by is None else clicked_by.id}
@@ -477,9 +475,7 @@ def _after(made: Measurement | ScanHeight, content: JsonObject) -> JsonObject:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ComputedAgain:
-    """A revision to come of the same clicks: after which one, its content, and the earlier revision whose
-    verdict holds for it too.
-    """
+    """A revision to come of the same clicks: after which, its content, and the one whose verdict it keeps."""
 
     before: Measurement | ScanHeight
     values: MeasurementValues | ScanHeightValues

@@ -1,6 +1,4 @@
-"""What people clicked and what was said of it: measurements, what computed them again, their verdicts, tyre
-contacts, click sigmas.
-"""
+"""What people clicked and what follows: measurements, computings, verdicts, tyre contacts, click sigmas."""
 
 from sqlalchemy import (
     BigInteger,

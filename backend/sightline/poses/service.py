@@ -135,9 +135,7 @@ def _furthest(stands: Callable[[int], bool], start: int, end: int) -> int:
 
 
 def outline(corners: Corners) -> Polyline:
-    """The four outermost inner corners, clockwise from the top left, closed; of a board seen in part the
-    hull of what is seen.
-    """
+    """The outermost inner corners, clockwise from the top left, closed; of a board seen in part its hull."""
     grid = corners.points_px
     if corners.ids is None:
         ring = np.array([grid[0, 0], grid[0, -1], grid[-1, -1], grid[-1, 0]])

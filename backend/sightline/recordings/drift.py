@@ -170,9 +170,7 @@ def drift_figures(check: DriftCheck) -> DriftFigures:
 
 
 def spans_told(check: DriftCheck) -> list[SpanTold]:
-    """The moved spans of a check: measurements on them are flagged. Those of an earlier version's check as it
-    told them.
-    """
+    """The moved spans of a check, whose measurements are flagged; an earlier version's as it told them."""
     told = [one.name for one in fields(MovedSpan)]
     return [
         cast(SpanTold, {name: one.get(name) for name in (told if "distance_m" in one else told[:4])})

@@ -85,9 +85,7 @@ def scan_vehicle_rows(*, profile: bool = False) -> Select[Any]:
 
 
 def scan_vehicle_states(*conditions: ColumnElement[bool]) -> Select[Any]:
-    """(scan, status, verdict, rig as its text, lane, direction) of each living vehicle: what counts are made
-    of.
-    """
+    """(scan, status, verdict, rig's text, lane, direction) of each living vehicle: what counts come from."""
     return (
         select(
             scan_vehicles.c.scan_id,

@@ -1,6 +1,4 @@
-"""Holding the line-scan tables of an export against the audit chain: motions, boundaries, facts, references,
-verdicts.
-"""
+"""Line-scan tables of an export against the audit chain: motions, boundaries, facts, references, verdicts."""
 
 from collections import defaultdict
 from collections.abc import Callable, Mapping

@@ -31,9 +31,7 @@ class CurveLength:
 
 @dataclass(frozen=True)
 class CrestConstant:
-    """What two heights mean for every crest: `constant_m`, and its standard uncertainty where theirs are
-    known.
-    """
+    """What two heights mean for every crest: `constant_m`, and its standard uncertainty if both are known."""
 
     constant_m: float
     u_constant_m: float | None

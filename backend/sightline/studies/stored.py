@@ -123,10 +123,7 @@ def ask_to_compute(session: Session, study_id: int, *, language: str = SOURCE, a
 
 
 def compute(session: Session, stored: StoredStudy, tell: Tell) -> Computed:
-    """Everything that comes out of a study as it stands.
-
-    Raises BadInput in one sentence where surveys, fleet and sites do not fit.
-    """
+    """All that comes out of a study. Raises BadInput where surveys, fleet and sites do not fit."""
     ids = [one.survey_id for one in stored.facts.surveys]
     if not ids:
         raise BadInput("studies-has-no-survey")

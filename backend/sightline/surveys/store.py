@@ -186,9 +186,7 @@ def sampling_of(stored: Mapping[str, Any]) -> Sampling:
 
 
 def stored_sampling(sampling: Sampling) -> dict[str, Any]:
-    """A rule as its column and the audit chain hold it. Raises BadInput for one that takes nothing, or a
-    quota that comes twice.
-    """
+    """A rule as its column and the chain hold it. Raises BadInput if it takes nothing or a quota twice."""
     if not 1 <= sampling.step <= MOST_STEP or not 1 <= sampling.start <= sampling.step:
         raise BadInput("surveys-sampling-step", most_step=MOST_STEP)
     if not 0.0 < sampling.share_percent <= 100.0:

@@ -471,9 +471,7 @@ def read_whole(files: Files, path: str) -> bytes:
 
 
 def read_rows(files: Files, path: str) -> Iterator[dict[str, str]]:
-    """The rows of one CSV, by column; a table's wherever it lies (`place_of`). Raises Damaged where it is
-    missing or no CSV.
-    """
+    """The rows of one CSV, by column, wherever it lies (`place_of`). Raises Damaged if missing or no CSV."""
     path = place_of(files, path)
     lacking = columns_lacking(files, path)
     with files.open(path) as file:

@@ -144,9 +144,7 @@ def enqueue(
     actor: int | None,
     **of: int | None,
 ) -> Job:
-    """A new job in the caller's transaction, `of` a recording_id, scan_id or study_id; a worker gets it once
-    that commits.
-    """
+    """A job in the caller's transaction, of a recording_id, scan_id or study_id; begun once that commits."""
     job = create_job(session, kind, payload, survey_id=survey_id, actor=actor, **of)
     engine_of_session(session).deliver(session, job.id)
     return job

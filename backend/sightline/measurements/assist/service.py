@@ -93,10 +93,7 @@ def snapped(services: Services, vehicle_id: int, n: int, click: Point) -> Snappe
 
 
 def is_from(services: Services, vehicle_id: int, n: int, click: Point, contact: Point) -> bool:
-    """Whether Sightline answers a click, or a pointer that asked for a proposal, with this contact.
-
-    Raises what `snapped` does.
-    """
+    """Whether Sightline answers a click, or a proposal's pointer, with this contact. Raises as `snapped`."""
     if snapped(services, vehicle_id, n, click).contact == contact:
         return True
     with services.reading() as session:

@@ -135,9 +135,7 @@ def open_container(path: Path, name: str | None = None) -> InputContainer:
 
 
 def require_whole(path: Path, name: str, number: int | None = None) -> None:
-    """Raise BadInput before times are read of a picture (see `video_stream`) that an edit list makes of
-    several parts.
-    """
+    """Raise BadInput before times of a picture (`video_stream`) that an edit list makes of parts are read."""
     tracks = played_in_parts(path)
     if not tracks:
         return
@@ -219,9 +217,7 @@ def _is_off(container: InputContainer, stream: VideoStream) -> bool:
 def picture_read(
     container: InputContainer, name: str, number: int | None = None
 ) -> tuple[int, tuple[Picture, ...]]:
-    """The number of the picture that `video_stream` takes, and what the file's pictures are, where there are
-    several.
-    """
+    """The picture that `video_stream` takes, by number, and what all are, where the file has several."""
     stream = video_stream(container, name, number=number)
     return 1 + list(container.streams.video).index(stream), _pictures(container)
 

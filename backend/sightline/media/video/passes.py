@@ -1,6 +1,4 @@
-"""Looking for vehicle passes in a video: one decode from first frame to last, two where the traffic runs
-down it.
-"""
+"""Looking for vehicle passes in a video: one decode of all frames, two where the traffic runs down it."""
 
 from contextlib import closing
 from dataclasses import dataclass
@@ -23,9 +21,7 @@ PICTURES_HZ = 60.0
 
 @dataclass(frozen=True)
 class PassSearch:
-    """The passes of a recording in order of their first frame, how many frames it has, and what is to be
-    said of the search.
-    """
+    """The passes of a recording by first frame, how many frames it has, and what to say of the search."""
 
     passes: tuple[FoundPass, ...]
     frames: int
@@ -75,9 +71,7 @@ def _searched(
     threads: int,
     stream_number: int | None,
 ) -> tuple[PassFinder, int, int]:
-    """A finder that has seen every picture, their number and width; `square_at` None: rows and columns
-    exchanged.
-    """
+    """A finder after every picture, their number and width; `square_at` None: rows and columns exchanged."""
     with closing(open_container(path, name)) as container:
         stream = video_stream(container, name, threads, stream_number)
         rate = rate_hz or float(stream.average_rate or 25)

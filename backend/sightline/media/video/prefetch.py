@@ -179,9 +179,7 @@ class Prefetcher:
         self._jpegs.put(item.key, data)
 
     def _give_up(self, item: _Item, why: str) -> None:
-        """A frame that cannot be made is not tried again unless somebody asks for it: it may end the
-        decoder.
-        """
+        """A frame that cannot be made is not tried again unless somebody asks: it may end the decoder."""
         log.info("frame %d was not made ahead: %s", item.n, why)
         with self._change:
             self._plan.clear()

@@ -95,9 +95,7 @@ class Window:
         return upright_gray(*self._decoded(media, n, wanted))
 
     def image(self, data: bytes, name: str, *, colour: bool, most_px: int | None = None) -> NDArray[np.uint8]:
-        """A still picture's file, BGR or luminance, no side longer than `most_px`. Raises BadInput, naming
-        it, as `read_image` does.
-        """
+        """A still, BGR or luminance, no side longer than `most_px`. Raises BadInput as `read_image` does."""
         image = read_image_bgr(data, name) if colour else read_image(data, name)
         return image if most_px is None else no_larger(image, most_px)
 

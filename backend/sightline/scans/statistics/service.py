@@ -276,9 +276,7 @@ def _errors(chosen: Sequence[VehicleMotion], name: str) -> dict[str, ErrorGroup]
 
 
 def _ratio(chosen: Sequence[VehicleMotion], of: KnownLength) -> RigEstimate:
-    """Measured over true, which tells of a wrong baseline; u of a measured one without the baseline's, which
-    is common.
-    """
+    """Measured over true, which tells of a wrong baseline; u of a measured one without the baseline's."""
     name = f"{of}_m"
     rows = [
         (value, one.u_alone_m(name), true, one.known.get(f"u_{name}") or 0.0)

@@ -220,9 +220,7 @@ def fill_in(
 
 
 def _as_now(values: ScanValues, rig: Rig, lane: str | None) -> bool:
-    """Whether a revision was measured with the rig as it is, in the lane that a person chose, or the
-    machine's where nobody did.
-    """
+    """Whether a revision was measured with the rig as it is, in the lane of a person, else the machine's."""
     told = values.lane if values.lane_by == "person" else None
     return values.rig == rig_for(rig, values.lane, values.direction) and told == lane
 

@@ -63,9 +63,7 @@ def list_scan_vehicles(session: Session, scan_id: int, *, deleted: bool = False)
 
 
 def last_scan_vehicles(session: Session, scan_id: int, count: int) -> tuple[ScanVehicle, ...]:
-    """Those of a scan that came last, in the order in which they passed; before them who stood until one of
-    them came.
-    """
+    """A scan's last vehicles, in the order of passing; before them who stood until one of them came."""
     of_scan = scan_vehicles.c.scan_id == scan_id
     newest = select(func.max(scan_vehicles.c.number)).where(of_scan).scalar_subquery()
     late = scan_vehicles.c.number > newest - count

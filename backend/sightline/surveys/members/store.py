@@ -88,9 +88,7 @@ def _study_of(row: FromClause) -> ColumnElement[int | None]:
 
 
 def _survey_of(row: FromClause) -> ColumnElement[Any]:
-    """The survey of a table's rows: their own column, or their camera's (calibrations and images); a study
-    is of none.
-    """
+    """The survey of a table's rows: their column, or their camera's (calibrations, images); studies: none."""
     if row is surveys:
         return surveys.c.id
     own: ColumnElement[int] | None = row.c.get("survey_id")
