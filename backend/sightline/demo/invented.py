@@ -250,13 +250,7 @@ def store_site(session: Session, site: Site, films: dict[Lighting, Film]) -> int
         found |= {"rms_px": None, "distance_m": site.distance_m}
         found["summary"].insert(0, Said("pose-simulated"))
         add_pose(
-            session,
-            recording.id,
-            calibration_id=lens.id,
-            first_frame=0,
-            last_frame=0,
-            actor=None,
-            **found,
+            session, recording.id, calibration_id=lens.id, first_frame=0, last_frame=0, actor=None, **found
         )
         fresh = [
             one

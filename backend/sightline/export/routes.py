@@ -68,11 +68,7 @@ def filename_of(made: Export, survey: str) -> str:
 
 @router.post("/surveys/{survey_id}/exports", status_code=202)
 def make_export(
-    survey_id: PathId,
-    who: Exporter,
-    session: Writing,
-    asked_in: AskedIn,
-    wanted: WantedBody | None = None,
+    survey_id: PathId, who: Exporter, session: Writing, asked_in: AskedIn, wanted: WantedBody | None = None
 ) -> JobBody:
     """Build the package in the background."""
     wanted = wanted or WantedBody(crops=True)

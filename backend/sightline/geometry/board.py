@@ -84,10 +84,7 @@ def canonical_order(points_px: Floats, board: Board) -> tuple[Floats, Board]:
     the detector.
     """
     grids = [points_px, points_px.transpose(1, 0, 2)]
-    best = min(
-        (_upright(grid) for grid in grids if _fits(grid, board)),
-        key=lambda found: found[1],
-    )
+    best = min((_upright(grid) for grid in grids if _fits(grid, board)), key=lambda found: found[1])
     if best[1] > MAX_ROLL_RAD and board.columns != board.rows:
         best = min((_upright(grid) for grid in grids if not _fits(grid, board)), key=lambda found: found[1])
     grid = best[0]

@@ -106,10 +106,7 @@ def on_side(clicks: Clicks, side: FoundSide | None) -> Clicks:
 
 
 def filled_in(
-    clicks: Clicks,
-    insets: Mapping[str, Inset],
-    category: Category | None,
-    own_sigma_px: float | None = None,
+    clicks: Clicks, insets: Mapping[str, Inset], category: Category | None, own_sigma_px: float | None = None
 ) -> Clicks:
     """The clicks with what was left out: the person's own sigma, else 1 px, and the inset for this target and
     side on a vehicle of this class; there is none for an eye of which nobody knows the side.

@@ -15,19 +15,8 @@ from sightline.geometry.ruler import Ruler, ruler
 from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.infra.version import code_version
-from sightline.measurements.click_context_query import (
-    ClickContext,
-    click_context,
-    click_context_of_vehicle,
-)
-from sightline.measurements.height_of_clicks import (
-    Answer,
-    answer,
-    answers,
-    filled_in,
-    inset_for,
-    on_side,
-)
+from sightline.measurements.click_context_query import ClickContext, click_context, click_context_of_vehicle
+from sightline.measurements.height_of_clicks import Answer, answer, answers, filled_in, inset_for, on_side
 from sightline.measurements.records import (
     ClickedFrame,
     Clicks,
@@ -37,12 +26,7 @@ from sightline.measurements.records import (
     Origin,
 )
 from sightline.measurements.road_poses import road_pose
-from sightline.measurements.store import (
-    add_measurement,
-    get_measurement,
-    is_stored_key,
-    revise_measurement,
-)
+from sightline.measurements.store import add_measurement, get_measurement, is_stored_key, revise_measurement
 from sightline.statistics.plausible import is_of_class
 from sightline.vehicles.proposing.store import proposals_of_vehicle
 from sightline.vehicles.records import VehicleChanges
@@ -271,10 +255,7 @@ def pose_in_force(session: Session, context: ClickContext) -> tuple[RoadPose, in
     size_px = (pose.camera.width_px, pose.camera.height_px)
     if None not in context.size_px and context.size_px != size_px:
         raise Conflict(
-            "measurements-pose-image-size",
-            name=context.name,
-            size_px=size_px[0],
-            size_px_2=size_px[1],
+            "measurements-pose-image-size", name=context.name, size_px=size_px[0], size_px_2=size_px[1]
         )
     return pose, context.pose_id, context.calibration_id
 

@@ -282,10 +282,7 @@ def measurement_revisions(session: Session, series_id: int) -> tuple[Measurement
 
 
 def list_measurements(
-    session: Session,
-    survey_id: int,
-    *,
-    include_repeats: bool = False,
+    session: Session, survey_id: int, *, include_repeats: bool = False
 ) -> tuple[Measurement, ...]:
     """A survey's standing measurements of vehicles that were not deleted."""
     query = measurement_revision_rows().join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
@@ -306,10 +303,7 @@ def require_measurement_revision(session: Session, series_id: int, revision: int
         name = name_of(session, row.deleter_id)
         when = f"{row.vehicle_updated_at:%Y-%m-%d %H:%M:%S} UTC"
         raise Conflict(
-            "measurements-vehicle-deleted",
-            name=name,
-            vehicle_number=row.vehicle_number,
-            when=when,
+            "measurements-vehicle-deleted", name=name, vehicle_number=row.vehicle_number, when=when
         )
     current = _measurement_of(session, row)
     require_seen(current, revision)

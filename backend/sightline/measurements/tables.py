@@ -14,20 +14,9 @@ from sqlalchemy import (
     UniqueConstraint,
 )
 
-from sightline.enums import (
-    ComputingKind,
-    LotChoice,
-    ReviewVerdict,
-    Target,
-)
+from sightline.enums import ComputingKind, LotChoice, ReviewVerdict, Target
 from sightline.infra.audit.vouched import WrittenOnceApart, table_written_once, vouched
-from sightline.infra.database.types import (
-    HOLDS,
-    CanonicalJson,
-    columns_for,
-    enum_check,
-    numbered,
-)
+from sightline.infra.database.types import HOLDS, CanonicalJson, columns_for, enum_check, numbered
 from sightline.measurements.records import HeightOfClicks, Origin
 from sightline.statistics.acceptance import RiskPoints
 

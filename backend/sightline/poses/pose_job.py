@@ -105,12 +105,7 @@ def request_pose(session: Session, wanted: PoseRequest, *, actor: int) -> Job:
     require_board(wanted.board)
     fitting_camera(session, recording, wanted.calibration_id)
     return registry.enqueue(
-        session,
-        KIND,
-        asdict(wanted),
-        survey_id=recording.survey_id,
-        recording_id=recording.id,
-        actor=actor,
+        session, KIND, asdict(wanted), survey_id=recording.survey_id, recording_id=recording.id, actor=actor
     )
 
 

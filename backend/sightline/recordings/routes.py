@@ -126,9 +126,7 @@ def download_video(recording_id: PathId, who: Exporter, services: Wired) -> File
     path = services.media.local_path(recording.media_key)
     # never shown within the app's own origin, whatever was uploaded as a video
     return FileResponse(
-        path,
-        media_type="application/octet-stream",
-        filename=_file_name(recording.name, path.suffix),
+        path, media_type="application/octet-stream", filename=_file_name(recording.name, path.suffix)
     )
 
 

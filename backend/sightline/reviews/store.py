@@ -12,12 +12,7 @@ from sightline.enums import QueueState, ReviewVerdict, Verdict
 from sightline.errors import BadInput, Conflict, NotAllowed
 from sightline.infra.audit.written import written_once
 from sightline.infra.database.rows import missing
-from sightline.measurements.query import (
-    fetch_measurements,
-    is_current,
-    is_own,
-    measurement_revision_rows,
-)
+from sightline.measurements.query import fetch_measurements, is_current, is_own, measurement_revision_rows
 from sightline.measurements.records import Measurement, MeasurementValues, ScanHeight
 from sightline.measurements.store import (
     append_measurement_revision,

@@ -27,8 +27,7 @@ _OF_VEHICLE = tuple(
 
 #: True for the newest revision of each vehicle.
 is_current: ColumnElement[bool] = ~exists().where(
-    _later.c.vehicle_id == scan_measurements.c.vehicle_id,
-    _later.c.revision > scan_measurements.c.revision,
+    _later.c.vehicle_id == scan_measurements.c.vehicle_id, _later.c.revision > scan_measurements.c.revision
 )
 _newest_review = (
     select(func.max(scan_reviews.c.id))

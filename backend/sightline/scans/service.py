@@ -85,13 +85,7 @@ def create_from_video(
     what = "columns" if source.cut_along == "columns" else "rows"
     size_px = (recording.width_px if what == "columns" else recording.height_px) or 0
     if cuts[0] == cuts[1] or not all(0 <= one < size_px for one in cuts):
-        raise BadInput(
-            "scans-cuts-unusable",
-            what=what,
-            cut_1=cuts[0],
-            cut_2=cuts[1],
-            last_px=size_px - 1,
-        )
+        raise BadInput("scans-cuts-unusable", what=what, cut_1=cuts[0], cut_2=cuts[1], last_px=size_px - 1)
     made = store.create_scan(
         session,
         survey_id,

@@ -161,10 +161,7 @@ def sag_k_m(distance_m: float, headlight_m: float = HEADLIGHT_M, beam_rad: float
 
 
 def sag_length(
-    distance_m: float,
-    difference_percent: float,
-    headlight_m: float = HEADLIGHT_M,
-    beam_rad: float = BEAM_RAD,
+    distance_m: float, difference_percent: float, headlight_m: float = HEADLIGHT_M, beam_rad: float = BEAM_RAD
 ) -> CurveLength:
     """The least length of a sag by the headlight rule (AASHTO 2018).
 

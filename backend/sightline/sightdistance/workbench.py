@@ -8,12 +8,7 @@ from sightline.coverage import COVERAGE_95, expanded
 from sightline.enums import CrestVerdict, Crossing, Manoeuvre, SightKind
 from sightline.errors import BadInput
 from sightline.messages.said import Said
-from sightline.sightdistance.curves import (
-    crest_constant,
-    crest_distance_m,
-    crest_k_m,
-    crest_length,
-)
+from sightline.sightdistance.curves import crest_constant, crest_distance_m, crest_k_m, crest_length
 from sightline.sightdistance.distances import (
     METRIC,
     SightDistance,

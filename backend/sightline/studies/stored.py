@@ -15,13 +15,7 @@ from sightline.infra.version import code_version
 from sightline.messages import SOURCE
 from sightline.results.standards_store import get_standards
 from sightline.studies.fleet_csv import read_fleet, read_sites
-from sightline.studies.records import (
-    SiteFacts,
-    StoredStudy,
-    StudiedSurvey,
-    Study,
-    StudyFacts,
-)
+from sightline.studies.records import SiteFacts, StoredStudy, StudiedSurvey, Study, StudyFacts
 from sightline.studies.service import Plan, make_study
 from sightline.studies.store import get_study, note_study_job
 from sightline.studies.stored_query import StoredTables, surveys_with_poses

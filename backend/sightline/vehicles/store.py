@@ -10,13 +10,7 @@ from sqlalchemy.orm import Session
 from sightline.enums import Direction, ModelSize
 from sightline.errors import BadInput, Conflict
 from sightline.geometry.sides import driver_side
-from sightline.infra.audit.changing import (
-    alter_row,
-    bring_back_row,
-    change_since,
-    make_rows,
-    take_out_row,
-)
+from sightline.infra.audit.changing import alter_row, bring_back_row, change_since, make_rows, take_out_row
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import get_row, missing, who
 from sightline.infra.database.types import columns_of, now

@@ -374,10 +374,7 @@ def numbered(
             layout = layout_of(frame, stream.sample_aspect_ratio)
             if size_px is not None and size_px != (layout.width_px, layout.height_px):
                 raise BadInput(
-                    "measurements-pose-image-size",
-                    name=name,
-                    size_px=size_px[0],
-                    size_px_2=size_px[1],
+                    "measurements-pose-image-size", name=name, size_px=size_px[0], size_px_2=size_px[1]
                 )
         if not same_size(frame, layout):
             damage.other_size += 1

@@ -175,11 +175,7 @@ def _ingest_open(
 
 
 def _decode_all(
-    container: InputContainer,
-    stream: VideoStream,
-    damage: Damage,
-    watch: Watch,
-    thumb_dir: Path,
+    container: InputContainer, stream: VideoStream, damage: Damage, watch: Watch, thumb_dir: Path
 ) -> tuple[VideoFacts, _Rows, ThumbnailWriter]:
     rows = _Rows([], [], [])
     for n, frame, layout in numbered(container, stream, watch.name, look=watch.look, damage=damage):

@@ -227,11 +227,7 @@ def _shape_notes(facts: VideoFacts) -> list[Said]:
 
 
 def _time_notes(
-    facts: VideoFacts,
-    time_s: NDArray[np.float64],
-    rate: float | None,
-    vfr: bool,
-    copy: WorkingCopy | None,
+    facts: VideoFacts, time_s: NDArray[np.float64], rate: float | None, vfr: bool, copy: WorkingCopy | None
 ) -> list[Said]:
     notes = []
     if copy is not None and copy.assumed_rate_hz is None:

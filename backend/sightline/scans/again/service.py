@@ -52,12 +52,7 @@ def out_of_date(session: Session, survey_id: int) -> OutOfDate:
 
 
 def changes_to_come(
-    session: Session,
-    survey_id: int,
-    answers: AllAnswers,
-    *,
-    only_waiting: bool = False,
-    tell: Tell = untold,
+    session: Session, survey_id: int, answers: AllAnswers, *, only_waiting: bool = False, tell: Tell = untold
 ) -> list[Changed]:
     """The standing heights that come out as others with the facts that hold now.
 

@@ -219,10 +219,7 @@ TABLES: tuple[Table[Any], ...] = (LINE_POSES, LINE_MARKS, LINE_HEIGHTS, LINE_BUD
 
 
 def fill_heights(
-    staging: Staging,
-    session: Session,
-    vehicles_of: Mapping[int, Sequence[int]],
-    insets: Mapping[str, Inset],
+    staging: Staging, session: Session, vehicles_of: Mapping[int, Sequence[int]], insets: Mapping[str, Inset]
 ) -> None:
     """Write the tables of heights. `vehicles_of`: the living vehicles of each recording, in their order;
     `insets`: those of the survey, by name.

@@ -189,13 +189,7 @@ def add_vehicle(
 
 
 def fill_in(
-    session: Session,
-    vehicle_id: int,
-    changes: Changes,
-    *,
-    catalogue_id: int | None,
-    version: int,
-    actor: int,
+    session: Session, vehicle_id: int, changes: Changes, *, catalogue_id: int | None, version: int, actor: int
 ) -> ScanVehicle:
     """Store what is known of a vehicle; what is not given comes from the catalogue's entry, if one is named.
 

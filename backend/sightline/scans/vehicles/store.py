@@ -10,13 +10,7 @@ from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject, ScanDirection, VehicleOrigin
 from sightline.errors import BadInput, Conflict
-from sightline.infra.audit.changing import (
-    alter_row,
-    bring_back_row,
-    change_since,
-    make_rows,
-    take_out_row,
-)
+from sightline.infra.audit.changing import alter_row, bring_back_row, change_since, make_rows, take_out_row
 from sightline.infra.database.rows import get_row, last_change, the_one
 from sightline.infra.database.types import document_text
 from sightline.scans.query import is_current, scan_vehicle_of_row, scan_vehicle_rows, scan_vehicle_states
@@ -137,12 +131,7 @@ def scan_vehicle_added_at(
 
 
 def change_scan_vehicle(
-    session: Session,
-    vehicle_id: int,
-    changes: Changes,
-    *,
-    version: int,
-    actor: int | None,
+    session: Session, vehicle_id: int, changes: Changes, *, version: int, actor: int | None
 ) -> ScanVehicle:
     """Fill in what is known of a vehicle. Raises Conflict if `version` is not the current one, BadInput."""
     before = require_scan_vehicle_version(session, vehicle_id, version)

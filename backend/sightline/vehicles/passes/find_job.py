@@ -61,12 +61,7 @@ def look_for_passes(context: JobContext) -> Finish:
     )
     count = search.frames
     if count != len(opened.media):
-        raise Damaged(
-            "vehicles-frames-changed",
-            name=recording.name,
-            count=count,
-            count_2=len(opened.media),
-        )
+        raise Damaged("vehicles-frames-changed", name=recording.name, count=count, count_2=len(opened.media))
     moving = [one for one in search.passes if not _is_board(one, board)]
 
     def finish(session: Session) -> Mapping[str, Any]:
