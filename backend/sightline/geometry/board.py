@@ -3,8 +3,7 @@
 OpenCV's detectors start at any of the corners that look alike to them: for a board that is the same after
 half a turn, the classic one and SB return opposite first corners for one and the same picture, and a height
 computed from the wrong one is negative (Dupuis et al. 2019, eq. (8), needs n_x to point *down*). So every
-detection is brought
-into the order as seen: first corner at the top left, columns to the right, rows down.
+detection is brought into the order as seen: first corner at the top left, columns to the right, rows down.
 """
 
 from dataclasses import dataclass, replace

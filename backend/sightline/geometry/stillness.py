@@ -92,8 +92,7 @@ def _temporal(noise: Floats) -> tuple[float, float]:
 def mean_sigma_px(residual_px: float, still: Still) -> float:
     """Standard uncertainty of one coordinate of the mean corners.
 
-    residual_px: what the pose fit to the mean corners left, per coordinate, degrees of freedom respected.
-    It holds the static bias and the noise that did not average out; time alone can only raise it, the floor
-    too.
+    residual_px: what the pose fit to the mean corners left, per coordinate, degrees of freedom respected. It
+    holds the static bias and the noise that did not average out; time alone can only raise it, the floor too.
     """
     return max(residual_px, still.temporal_px / float(np.sqrt(still.effective)), FLOOR_PX)

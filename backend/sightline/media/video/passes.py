@@ -43,11 +43,10 @@ def find_passes(
 
     Frames count as in its frame table. `rate_hz` is the mean frame rate (default: what the file says, else
     25), `square_at` the fraction of the picture's width where the camera looks square at the road.
-    `on_progress` gets a fraction 0..1; `is_cancelled` is asked at every frame. Two vehicles side by side
-    that go the same way and cover each other all the way are one pass. Where the traffic runs down the
-    picture it is searched a second time with rows and columns exchanged. A camera that wanders is followed,
-    and the notes say so; one that wanders too far gives no passes. Raises BadInput (not a video),
-    Stopped.
+    `on_progress` gets a fraction 0..1; `is_cancelled` is asked at every frame. Two vehicles side by side that
+    go the same way and cover each other all the way are one pass. Where the traffic runs down the picture it
+    is searched a second time with rows and columns exchanged. A camera that wanders is followed, and the
+    notes say so; one that wanders too far gives no passes. Raises BadInput (not a video), Stopped.
     """
     name = name or path.name
     how = (is_cancelled, threads, stream_number)
