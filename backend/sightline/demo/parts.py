@@ -62,10 +62,7 @@ class Parts:
 
 
 def make_parts(services: Services, progress: Progress) -> Parts:
-    """Ingest, calibrate, pose and search, all beside each other.
-
-    Everything slow is done here, so that the transaction that stores the survey is short.
-    """
+    """Ingest, calibrate, pose and search, all at once, so that the transaction that stores them is short."""
     stop = Event()
     with (
         tempfile.TemporaryDirectory(prefix="demonstration-", dir=services.scratch) as scratch,

@@ -55,10 +55,7 @@ class SingleFrame:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Answer(HeightOfClicks):
-    """A height as it is answered while clicking, and how the vehicle goes.
-
-    The heading is that of the vehicle's travel against the road's X axis.
-    """
+    """A height as answered while clicking; the heading: of the vehicle's travel against the road's X axis."""
 
     frames: int = 1
     heading_rad: float | None = None

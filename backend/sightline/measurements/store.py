@@ -451,9 +451,7 @@ def _told(one: Measurement | ScanHeight) -> JsonObject:
 
 
 def _after(made: Measurement | ScanHeight, content: JsonObject) -> JsonObject:
-    """What an event says of a revision: a few words, and the whole row, so that every input and every figure
-    can be held against what the chain says.
-    """
+    """An event's words of a revision, and the whole row, to hold every input and figure to the chain."""
     after: JsonObject = {
         **_told(made),
         "revision_id": made.revision_id,

@@ -139,9 +139,7 @@ def drift_check_of(drift: DriftChecks | None, pose_id: int | None) -> DriftCheck
 
 
 def drift_figures(check: DriftCheck) -> DriftFigures:
-    """What a check found, in a few figures: the largest motion and the largest change of a height where the
-    camera moved, None where it did not.
-    """
+    """A check in few figures: the largest motion and change of a height; None where it did not move."""
     moved = [span for span in check["spans"] if span["moved"]]
     worst = max(moved, key=lambda span: abs(span["change_m"] or 0.0), default=None)
     change_m = None if worst is None else worst["change_m"]

@@ -200,10 +200,7 @@ def _drawn(session: Session, survey_id: int, found: Sequence[Measurement], actor
 
 
 def not_own(session: Session, before: Measurement | ScanHeight, actor: int) -> None:
-    """Nobody reviews points of their own, nor does somebody else's withdrawing and restoring make them so.
-
-    Raises NotAllowed.
-    """
+    """Nobody reviews points of their own, also once another withdrew and restored. Raises NotAllowed."""
     query = select(is_own(actor)).where(revision_rows.c.id == before.revision_id)
     if session.execute(query).scalar_one():
         raise NotAllowed("reviews-own-measurement")

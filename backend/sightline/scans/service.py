@@ -168,10 +168,7 @@ def require_idle(session: Session, scan: Scan) -> None:
 
 
 def remove_scan(services: Services, scan_id: int, actor: int) -> None:
-    """Delete a scan on which nobody worked, and the files that nothing else needs.
-
-    Raises NotFound, Conflict (worked on, or a job of it runs).
-    """
+    """Delete a scan and the files of it alone. Raises NotFound, Conflict (worked on, or a job of it runs)."""
     with services.writing() as session:
         scan = store.get_scan(session, scan_id)
         require_idle(session, scan)

@@ -108,9 +108,7 @@ def demo_survey_id(session: Session) -> int | None:
 
 
 def update_survey(session: Session, changed: Survey, *, actor: int | None) -> Survey:
-    """Change what people say of it. Raises Conflict, naming who and when, if the survey that was `changed` is
-    of another version than the current one.
-    """
+    """Change what people say of it. Raises Conflict, naming who and when, where `changed` is not current."""
     before = get_row(session, surveys, changed.id, "survey")
     if by := change_since(session, before, changed.version):
         raise Conflict("surveys-changed-meanwhile", name=by[0], when=by[1])

@@ -234,9 +234,7 @@ def headways_of(session: Session, recording_ids: Iterable[int]) -> dict[int, flo
 
 
 def vehicles_outside(session: Session, survey_ids: Sequence[int] | None = None) -> set[int]:
-    """The living vehicles of some surveys, or of all, whose heights count in no result because their survey's
-    rule does not take them.
-    """
+    """Living vehicles of these surveys, or of all, whose heights count nowhere by their survey's rule."""
     rules = {
         row.id: sampling_of(row.sampling)
         for row in session.execute(select(surveys.c.id, surveys.c.sampling))

@@ -208,10 +208,7 @@ def release_job(session: Session, job: Job) -> Job:
 
 
 def postpone_job(session: Session, job: Job) -> Job:
-    """Put a job back because the database or the storage is away: begun again after a pause that grows.
-
-    That attempt does not count. Raises JobLost.
-    """
+    """Put a job back, database or storage being away, for a growing pause, uncounted. Raises JobLost."""
     pause = min(FIRST_PAUSE * 2 ** min(job.outages, 16), LONGEST_PAUSE)
     change: dict[str, Any] = {"state": "queued", "worker": None, "progress": 0.0}
     change |= {"attempts": job.attempts - 1, "outages": job.outages + 1, "not_before": now() + pause}

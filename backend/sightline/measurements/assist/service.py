@@ -50,10 +50,7 @@ class SnappedContact:
 def contact_near(
     services: Services, recording_id: int, n: int, pointer: Point, *, vehicle_id: int | None = None
 ) -> ContactProposal:
-    """Nothing for a vehicle that is measured free.
-
-    Raises NotFound, Conflict without a road pose, Damaged for a frame that fails its checksum.
-    """
+    """Nothing for a vehicle measured free. Raises NotFound, Conflict (no road pose), Damaged (frame)."""
     with services.reading() as session:
         pose = _pose(session, recording_id)
         if vehicle_id is not None and _is_free(proposals_of_vehicle(session, vehicle_id)):

@@ -50,9 +50,7 @@ class FrameServer:
     def still(
         self, media: RecordingMedia, n: int, wanted: CancelCheck = always, display: Display = "plain"
     ) -> bytes:
-        """Frame n as JPEG, quality 95, upright with square pixels, its colour sampled as in the recording;
-        "bright": to look at only.
-        """
+        """Frame n as JPEG (95), upright, square pixels, colour as recorded; "bright": to look at only."""
         _check(media, n)
         key = _key(media, n, display)
         data = self._jpegs.get(key) or (self._prefetcher.coming(key, wanted) if self._prefetcher else None)

@@ -88,9 +88,7 @@ def report_of(
 
 
 def clock_doubt_of(time_s: NDArray[np.float64], stated: Stated) -> ClockDoubt | None:
-    """Why frame times (N,) are not those of filming, by their usual step and what the file states; None where
-    nothing speaks against them.
-    """
+    """Why frame times (N,) are not those of filming, by usual step and the file's words; None: no doubt."""
     played_hz = _played_hz(time_s)
     if stated.no_rate:
         return "no_rate"

@@ -36,10 +36,7 @@ class HeightChange:
 
 @dataclass(frozen=True)
 class Changes:
-    """Heights of stored measurements under the turned pose, the largest difference first.
-
-    `listed` is cut off at 200; `count` is not.
-    """
+    """Heights under the turned pose, largest difference first; `listed`: 200 at most, `count`: all."""
 
     count: int
     largest_m: float

@@ -32,9 +32,7 @@ def seen_surveys(session: Session, person: Person) -> Seen:
 
 
 def seen_studies(session: Session, person: Person) -> Seen:
-    """The studies that a person sees: those open to all, and those they belong to while they see each survey
-    that these take; None for all (an admin).
-    """
+    """The studies a person sees: open ones, theirs whose surveys they all see; None for all (an admin)."""
     if person.role == "admin":
         return None
     load_tables()

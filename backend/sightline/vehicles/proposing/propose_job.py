@@ -27,9 +27,7 @@ KIND = "proposals"
 
 
 def request_proposals(session: Session, recording_id: int, *, actor: int) -> Job:
-    """Queue the work. Raises NotFound, BadInput without frames or found passes, Conflict without a camera
-    pose or while it waits or runs.
-    """
+    """Queue it. Raises NotFound, BadInput (no frames or passes), Conflict (no camera pose; waits or runs)."""
     recording = get_ready_recording(session, recording_id)
     if recording.pose_id is None:
         raise Conflict("measurements-no-pose", name=recording.name)
