@@ -10,6 +10,7 @@ SightlineError
   Busy (503)                too many at once; the same request may be sent again
   NoRoom (507)              the disk is full
   Damaged (500)             stored data does not match its checksum or its chain
+  Stopped                   long work that somebody asked to stop; no answer carries it
 """
 
 from collections.abc import Mapping
@@ -111,3 +112,9 @@ class NoRoom(SightlineError):
 class Damaged(SightlineError):
     status = 500
     kind = "damaged"
+
+
+class Stopped(SightlineError):
+    """Nobody wants the work any more: it ended before it was done, and nothing of it is kept."""
+
+    kind = "cancelled"

@@ -15,16 +15,14 @@ import pytest
 from sightline.demo import build, made, parts
 from sightline.demo import scan as scan_demo
 from sightline.demo.request import ensure_requested
-from sightline.errors import SightlineError
+from sightline.errors import SightlineError, Stopped
 from sightline.export.verify.package import verify_package
 from sightline.geometry.board import Board
 from sightline.geometry.corners import find_board
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.registry import Cancelled
 from sightline.infra.services import Services
-from sightline.media.cancelling import IngestCancelled
 from sightline.media.images import read_image
 from sightline.surveys.store import demo_survey_id
 from tests.simulation.make import SCAN_VEHICLES
@@ -240,7 +238,7 @@ def test_cancelled_by_somebody_it_ends_as_cancelled(
     """Whichever of its threads says first that it stopped."""
 
     def stopped(*_: object) -> None:
-        raise IngestCancelled("said", sentence="The ingest of the demonstration was cancelled.")
+        raise Stopped("said", sentence="The ingest of the demonstration was cancelled.")
 
     monkeypatch.setattr(build, "make_parts", stopped)
     request(services)
@@ -254,9 +252,9 @@ def test_cancelled_in_the_middle_it_leaves_nothing(
     services: Services, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def cancelled(_fraction: float, _message: str) -> None:
-        raise Cancelled("said", sentence="Cancelled.")
+        raise Stopped("said", sentence="Cancelled.")
 
-    with pytest.raises(Cancelled):
+    with pytest.raises(Stopped):
         parts.make_parts(services, cancelled)
     assert not any(services.scratch.iterdir())
     assert not [one for one in threading.enumerate() if one.name.startswith("demonstration")]

@@ -8,7 +8,8 @@ import pytest
 from sightline.detection.background import densest
 from sightline.detection.classify import FoundPass
 from sightline.detection.finder import PassFinder, downsample
-from sightline.media.video.passes import PassesCancelled, find_passes
+from sightline.errors import Stopped
+from sightline.media.video.passes import find_passes
 from sightline.media.video.writer import write_mp4
 from tests.media.street import HEIGHT, WIDTH, Mover, car, street, texture, walker
 
@@ -109,5 +110,5 @@ def test_a_video_is_read_once_and_can_be_cancelled(tmp_path: Path) -> None:
     passes, frames = search.passes, search.frames
     assert frames == 70 and len(passes) == 1 and told == sorted(told) and told[-1] == 1.0
     assert_is(passes[0], mover)
-    with pytest.raises(PassesCancelled, match="cancelled"):
+    with pytest.raises(Stopped, match="cancelled"):
         find_passes(path, is_cancelled=lambda: True)

@@ -14,11 +14,10 @@ import pyarrow.parquet as pq
 import pytest
 
 from sightline.cli import main
-from sightline.errors import NoRoom, SightlineError
+from sightline.errors import NoRoom, SightlineError, Stopped
 from sightline.export.verify.package import verify_package
 from sightline.infra.csv_package.files import FolderFiles, Staging
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.registry import Cancelled
 from sightline.infra.jobs.store import get_job
 from sightline.infra.services import Services
 from sightline.media.store.local import LocalStore
@@ -105,7 +104,7 @@ def test_an_export_that_is_cancelled_leaves_nothing(
 ) -> None:
     def stopped(staging: Staging, *_rest: object, **_options: object) -> None:
         staging.add("tables/measurements.csv", b"half")
-        raise Cancelled("said", sentence="Cancelled.")
+        raise Stopped("said", sentence="Cancelled.")
 
     monkeypatch.setattr("sightline.export.build.build", stopped)
     viewer.made(f"/surveys/{survey_id}/exports")

@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from sightline.errors import Stopped
 from sightline.export.verify.package import verify_package
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.registry import Cancelled, JobContext
+from sightline.infra.jobs.registry import JobContext
 from sightline.infra.services import Services
 from sightline.messages.said import Said
 from sightline.scans.again import again_job, service
@@ -272,7 +273,7 @@ def test_a_job_that_is_stopped_leaves_nothing(
     def stopped(context: JobContext, fraction: float, message: Said | None = None) -> None:
         told.append(fraction)
         if str(message or "").startswith("Saving"):
-            raise Cancelled("said", sentence="Stopped.")
+            raise Stopped("said", sentence="Stopped.")
 
     monkeypatch.setattr(again_job.JobContext, "progress", stopped)
     operator.made(f"/surveys/{ground.survey_id}/computings")

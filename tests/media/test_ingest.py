@@ -13,9 +13,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sightline.errors import NoRoom
+from sightline.errors import NoRoom, Stopped
 from sightline.media import atomic
-from sightline.media.cancelling import IngestCancelled
 from sightline.media.images import read_image
 from sightline.media.store import local
 from sightline.media.video.ingest import ingest
@@ -116,7 +115,7 @@ def test_progress_rises_to_one(clip: Clip, tmp_path: Path) -> None:
 )
 def test_cancelling_stops_at_once(spec: Spec, clip: Clip, tmp_path: Path) -> None:
     asked = iter([False] * 5 + [True] * 1000)
-    with pytest.raises(IngestCancelled, match="was cancelled"):
+    with pytest.raises(Stopped, match="was cancelled"):
         ingest(clip(spec), lambda _: None, lambda: next(asked), tmp_path / "t", work_dir=tmp_path / "w")
     left = list((tmp_path / "w").iterdir()) if (tmp_path / "w").exists() else []
     assert left == []

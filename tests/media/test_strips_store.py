@@ -13,8 +13,7 @@ import numpy as np
 import pytest
 import tifffile
 
-from sightline.errors import BadInput, Damaged, NotFound
-from sightline.media.cancelling import IngestCancelled
+from sightline.errors import BadInput, Damaged, NotFound, Stopped
 from sightline.media.store.local import LocalStore, key_of
 from sightline.media.strips.reader import Strip, open_strip
 from sightline.media.strips.stored_reader import ReaderCache, StripReader
@@ -165,7 +164,7 @@ def test_it_appears_whole_or_not_at_all(tmp_path: Path) -> None:
         store_strip(Ending(source, BadInput("said", sentence="It is gone.")), home / "a.strip.tif")
     assert not list(home.iterdir())
     seen: list[float] = []
-    with pytest.raises(IngestCancelled):
+    with pytest.raises(Stopped):
         store_strip(source, home / "a.strip.tif", seen.append, lambda: len(seen) > 2)
     assert not list(home.iterdir()) and len(seen) == 3
     store_strip(source, home / "a.strip.tif", seen.append)

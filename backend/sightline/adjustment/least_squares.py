@@ -56,10 +56,7 @@ class _Reduced:
 
 
 def solve(
-    shared: SharedErrors,
-    traffic: Traffic,
-    weights: Weights,
-    start: tuple[Floats, Floats] | None = None,
+    shared: SharedErrors, traffic: Traffic, weights: Weights, start: tuple[Floats, Floats] | None = None
 ) -> Solution:
     """The least-squares solution from `start` (z (m,) and unknowns (P, K)), or from the pose as it is.
 

@@ -82,9 +82,7 @@ def tests_of(shared: SharedErrors, traffic: Traffic, solution: Solution, weights
 def _of_points(
     traffic: Traffic, solution: Solution, weights: Weights, taken: Floats, left: Floats, spread: Floats
 ) -> Floats:
-    """v' Q_vv^+ v of each point's two coordinates, by the directions that are checked at all, as of 2
-    degrees.
-    """
+    """v' Q_vv^+ v of each point's coordinates, by the directions that are checked at all, as of 2 degrees."""
     rows = 2 * traffic.slot[:, None] + np.arange(2)
     where = traffic.owner[:, None], rows
     own, mine = solution.at.own[where], taken[where]

@@ -52,9 +52,7 @@ def pictures_of(path: Path, frames: Frames, stream_number: int | None) -> Iterat
 
 
 def spread_frames(path: Path, stream_number: int | None) -> Iterator[tuple[str, Gray]]:
-    """At most twice `CLIP_VIEWS` frames, evenly spread: the step doubles when so many are held, for a clip
-    tells its length only at its end.
-    """
+    """At most twice `CLIP_VIEWS` frames, evenly: the step doubles, for a clip tells its length at its end."""
     held: list[tuple[int, Gray]] = []
     step = 1
     for n, _, gray in frames_of(path, number=stream_number):

@@ -101,11 +101,7 @@ def get_camera(camera_id: PathId, who: Viewer, session: Reading) -> CameraDetail
 
 @router.post("/cameras/{camera_id}/images", status_code=201)
 def add_image(
-    camera_id: PathId,
-    file: UploadFile,
-    who: Operator,
-    services: Wired,
-    asked: Annotated[UsualBoard, Query()],
+    camera_id: PathId, file: UploadFile, who: Operator, services: Wired, asked: Annotated[UsualBoard, Query()]
 ) -> CalibrationImageBody:
     """One picture of the board; the answer says at once whether the board was found in it."""
     name = clean_name(file.filename or "picture")

@@ -120,11 +120,7 @@ def add_calibration_image(
 
 
 def set_detection(
-    session: Session,
-    image_id: int,
-    detection: Detection,
-    *,
-    actor: int | None,
+    session: Session, image_id: int, detection: Detection, *, actor: int | None
 ) -> CalibrationImage:
     """What was found when looking again, for a board of another size."""
     before = get_row(session, calibration_images, image_id, "calibration image")

@@ -1,6 +1,4 @@
-"""clicks.csv to heights.csv (docs/formats.md): every column in, then the results; a bad row is a row with a
-reason.
-"""
+"""clicks.csv to heights.csv (docs/formats.md): every column, then the results; a bad row has a reason."""
 
 import csv
 import io

@@ -13,7 +13,7 @@ import click
 from sightline.commands.files import read_csv
 from sightline.commands.options import FILE, json_option, print_json
 from sightline.errors import BadInput
-from sightline.infra.given_csv import GivenTable
+from sightline.infra.given_csv import GivenTable, given_number
 
 if TYPE_CHECKING:
     from sightline.statistics.comparison import Compared
@@ -83,7 +83,7 @@ def percents_of(text: str) -> list[tuple[str, float]]:
     """Percentiles as they were written, and as numbers, each once. Raises BadInput."""
     found = {}
     for part in text.split(","):
-        percent = number(part)
+        percent = given_number(part)
         if percent is None or not 0.0 < percent < 100.0:
             raise BadInput("commands-not-percentile", part=part.strip())
         found[format(percent, "g")] = percent
@@ -132,24 +132,13 @@ def _add(rows: Rows, table: GivenTable, line: int, row: Mapping[str, str]) -> No
 
 
 def length_in(table: GivenTable, line: int, row: Mapping[str, str], name: str) -> float:
-    """A cell in metres: a known height, one that was measured, or an uncertainty. Raises BadInput naming the
-    line.
-    """
+    """A cell in metres: a known or measured height, or an uncertainty. Raises BadInput naming the line."""
     cell = row.get(name, "")
     if name.startswith("u_"):
         return table.u_length_m(line, name, cell)
     if name.startswith("reference_"):
         return table.size_m(line, name, cell)
     return table.length_m(line, name, cell)
-
-
-def number(text: str) -> float | None:
-    """A finite number; None for anything else."""
-    try:
-        value = float(text)
-    except ValueError:
-        return None
-    return value if math.isfinite(value) else None
 
 
 def sample_of(rows: Rows, named: dict[str, int] | None = None) -> HeightSample:

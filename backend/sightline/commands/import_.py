@@ -9,14 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sightline.commands.options import (
-    FILE,
-    json_option,
-    progress_told,
-    settings_of,
-    survey_option,
-    tell,
-)
+from sightline.commands.options import FILE, json_option, progress_told, settings_of, survey_option, tell
 from sightline.errors import BadInput, Busy, TooMany
 from sightline.media.store.local import sha256_of
 from sightline.media.video.endings import VIDEO_ENDINGS

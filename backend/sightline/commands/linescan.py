@@ -49,16 +49,10 @@ from sightline.scans.vehicles.measure import without_losses
 @click.argument("second", type=FILE)
 @rig_options
 @click.option(
-    "--start",
-    help="Time of line 0 at camera 1 with its offset from UTC: 2026-05-04T06:00:00.000+02:00.",
+    "--start", help="Time of line 0 at camera 1 with its offset from UTC: 2026-05-04T06:00:00.000+02:00."
 )
 @number_option("--u-start", "u_start_s", help="u of the start (k = 1), seconds.")
-@choice_option(
-    "--time-axis",
-    of=TimeAxis,
-    default="width",
-    help="Axis of the images along which time runs.",
-)
+@choice_option("--time-axis", of=TimeAxis, default="width", help="Axis of the images along which time runs.")
 @output_option("vehicles.csv to write (default: print it).", required=False)
 @json_option
 def linescan(

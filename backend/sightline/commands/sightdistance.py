@@ -28,10 +28,7 @@ FOOT_M = 0.3048
 @number_option("--distance", "distance_m", help="Sight distance, metres ...")
 @number_option("--speed", "speed_kmh", help="... or design speed, km/h, to use the sight distance of --kind.")
 @choice_option(
-    "--kind",
-    of=SightKind,
-    default="stopping",
-    help="Sight distance that --speed is converted into.",
+    "--kind", of=SightKind, default="stopping", help="Sight distance that --speed is converted into."
 )
 @number_option("--u-eye", "u_eye_m", help="u of the eye height, metres.")
 @number_option("--u-object", "u_object_m", help="u of the object height, metres.")

@@ -177,9 +177,7 @@ def _source(
 def keeping(
     survey: str | None, data_dir: Path | None, rig: Rig, method: ScanMethod, spool: Path | None
 ) -> Iterator[tuple[Keeper, Path | None]]:
-    """Where vehicles go besides standard output, and the folder for the lines, made and kept for this
-    stream alone.
-    """
+    """Where vehicles go besides standard output, and the folder for the lines, made for this stream alone."""
     if survey is None:
         with _taken(spool):
             yield Keeper(), spool

@@ -64,13 +64,7 @@ def track_rows(tracks: Tracks) -> list[dict[str, Any]]:
     """The rows of a tracks.csv, by column."""
     sigma = np.broadcast_to(tracks.sigma_px.reshape(len(tracks.frame), -1), (len(tracks.frame), 2))
     return [
-        dict(
-            zip(
-                COLUMNS,
-                (int(n), float(t), POINT_NAMES[int(point)], *map(float, (*at, *own))),
-                strict=True,
-            )
-        )
+        dict(zip(COLUMNS, (int(n), float(t), POINT_NAMES[int(point)], *map(float, (*at, *own))), strict=True))
         for n, t, point, at, own in zip(
             tracks.frame, tracks.time_s, tracks.point, tracks.points_px, sigma, strict=True
         )

@@ -23,10 +23,9 @@ from sightline.geometry.sides import TrafficFacts
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.web.person import Person
-from sightline.media.cancelling import IngestCancelled
 from sightline.messages.said import Said
 from sightline.people.store import create_person, person_by_email, update_person
-from sightline.poses.service import Solved
+from sightline.poses.records import SolvedPose
 from sightline.poses.store import add_pose
 from sightline.recordings.drift_request import request_if_posed
 from sightline.recordings.filming import Filming
@@ -81,10 +80,7 @@ def make(context: registry.JobContext) -> registry.Outcome:
         known = demo_survey_id(session)
     if known is not None:
         return {"survey_id": known}
-    try:
-        parts = make_parts(services, context.progress)
-    except IngestCancelled as stopped:  # its threads may be heard before the one that told them to stop
-        raise registry.Cancelled("jobs-cancelled") from stopped
+    parts = make_parts(services, context.progress)
     context.progress(0.95, Said("job-demo-saving"))
 
     def store(session: Session) -> Mapping[str, Any]:
@@ -195,21 +191,15 @@ def _recording(session: Session, survey_id: int, camera_id: int, video: Video) -
     return made.id
 
 
-def _pose(session: Session, recording_id: int, calibration_id: int, video: Video, solved: Solved) -> None:
+def _pose(session: Session, recording_id: int, calibration_id: int, video: Video, solved: SolvedPose) -> None:
     add_pose(
         session,
         recording_id,
         calibration_id=calibration_id,
         first_frame=0,
         last_frame=video.truth.board.last_frame,
-        rms_px=solved.pose.rms_px,
-        distance_m=solved.distance_m,
-        summary=solved.summary,
-        document=solved.document,
-        warnings=solved.warnings,
-        expected=solved.expected,
-        overlay=solved.overlay,
         actor=None,
+        **solved,
     )
 
 

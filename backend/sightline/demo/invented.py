@@ -247,20 +247,10 @@ def store_site(session: Session, site: Site, films: dict[Lighting, Film]) -> int
         }
         update_recording(session, recording.id, facts, actor=None)
         found = described(off(true, rng), np.zeros((0, 2)))
+        found |= {"rms_px": None, "distance_m": site.distance_m}
+        found["summary"].insert(0, Said("pose-simulated"))
         add_pose(
-            session,
-            recording.id,
-            calibration_id=lens.id,
-            first_frame=0,
-            last_frame=0,
-            rms_px=None,
-            distance_m=site.distance_m,
-            summary=[Said("pose-simulated"), *found.summary],
-            document=found.document,
-            warnings=found.warnings,
-            expected=found.expected,
-            overlay=found.overlay,
-            actor=None,
+            session, recording.id, calibration_id=lens.id, first_frame=0, last_frame=0, actor=None, **found
         )
         fresh = [
             one

@@ -22,7 +22,8 @@ from sightline.media.store.local import key_of, sha256_of
 from sightline.media.video.decode import frames_of
 from sightline.media.video.ingest import Ingested, ingest
 from sightline.messages.said import Said
-from sightline.poses.service import BoardSeen, Solved, frames_to_try, preview_board, solve
+from sightline.poses.records import SolvedPose
+from sightline.poses.service import BoardSeen, frames_to_try, preview_board, solve
 from sightline.recordings.ingest_job import pack_thumbnails, thumbnails_key_of
 
 Progress = Callable[[float, Said], None]
@@ -56,15 +57,12 @@ class Parts:
     videos: tuple[Video, ...]
     lab: tuple[LabPicture, ...]
     calibration: CheckedCalibration
-    poses: tuple[Solved, ...]
+    poses: tuple[SolvedPose, ...]
     scan: ScanParts
 
 
 def make_parts(services: Services, progress: Progress) -> Parts:
-    """Ingest, calibrate, pose and search, all beside each other.
-
-    Everything slow is done here, so that the transaction that stores the survey is short.
-    """
+    """Ingest, calibrate, pose and search, all at once, so that the transaction that stores them is short."""
     stop = Event()
     with (
         tempfile.TemporaryDirectory(prefix="demonstration-", dir=services.scratch) as scratch,
@@ -116,7 +114,7 @@ def _board_corners(scene: SceneTruth) -> BoardSeen:
 
 
 def _lens(services: Services, is_cancelled: Cancelled) -> tuple[tuple[LabPicture, ...], CheckedCalibration]:
-    """The lab images and the calibration from them. Raises IngestCancelled when it is to stop."""
+    """The lab images and the calibration from them. Raises Stopped when it is to stop."""
     lab = []
     for path in lab_images():
         check_cancelled(is_cancelled, "the demonstration")
@@ -134,7 +132,7 @@ def _lab_picture(services: Services, path: Path) -> LabPicture:
     return LabPicture(DetectedView(path.name, corners, (int(gray.shape[1]), int(gray.shape[0]))), key)
 
 
-def _pose(video: Video, calibration: CheckedCalibration) -> Solved:
+def _pose(video: Video, calibration: CheckedCalibration) -> SolvedPose:
     board = video.truth.board
     reference = Reference("top", board.reference_height_m)
     return solve(calibration.result.camera, video.still, board.board, reference)

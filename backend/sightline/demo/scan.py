@@ -76,7 +76,7 @@ class _Pictured:
 
 
 def make_scan(services: Services, is_cancelled: Cancelled) -> ScanParts:
-    """Store and search the recording. Raises IngestCancelled."""
+    """Store and search the recording. Raises Stopped."""
     stored = []
     with tempfile.TemporaryDirectory(prefix="demonstration-scan-", dir=services.scratch) as folder:
         for camera in (1, 2):

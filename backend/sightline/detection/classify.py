@@ -91,9 +91,7 @@ def is_vehicle(track: Track, view: View) -> bool:
 
 
 def _breadth(seen: list[Detection], view: View, axis: int) -> float:
-    """Length along its way over what lies across: the middle one of the sights in which all of it is in
-    view, else the largest.
-    """
+    """Length along its way over what lies across: the middle of sights with all of it, else the largest."""
     shapes = [one.box.height / one.box.width if axis else one.box.width / one.box.height for one in seen]
     whole = [shape for one, shape in zip(seen, shapes, strict=True) if one.clear and is_whole(one.box, view)]
     return float(np.median(whole)) if len(whole) >= LEAST_SIGHTS else max(shapes)

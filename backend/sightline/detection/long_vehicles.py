@@ -31,9 +31,7 @@ SCORE = 0.8
 
 @dataclass(frozen=True)
 class FullSpan:
-    """Frames on which something goes the same way in all of the picture: 1 right, -1 left, as the finder
-    sees it.
-    """
+    """Frames on which something goes one way in all of the picture: 1 right, -1 left, as the finder sees."""
 
     first: int
     last: int

@@ -152,9 +152,7 @@ def corners_by_cell(picture: Small) -> NDArray[np.float32]:
 
 @dataclass(frozen=True, eq=False)
 class Shared:
-    """The turn, shift and scale (2, 3) that most of what was found again shares, and the share of all
-    corners.
-    """
+    """The turn, shift and scale (2, 3) that most of what was found again shares, and the share of corners."""
 
     transform: Transform
     share: float

@@ -9,7 +9,6 @@ from html import escape
 from itertools import groupby
 from typing import Any
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -20,6 +19,7 @@ from sightline.infra.csv_package.schema import Cell, Column, Table, ids_of, sha2
 from sightline.infra.services import Services
 from sightline.measurements.csv import TARGETS, WAYS
 from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues
+from sightline.media.images import jpeg
 from sightline.media.video.picture import Bgr
 from sightline.recordings.frames.stills import stills_of
 
@@ -133,7 +133,7 @@ def _crop(staging: Staging, spot: Any, picture: Bgr | str) -> dict[str, Cell]:
     if isinstance(picture, str):
         return {**place, "reason": picture}
     x, y, right, bottom = _rectangle(spot, picture.shape[1], picture.shape[0])
-    content = _encoded(picture[y:bottom, x:right])
+    content = jpeg(picture[y:bottom, x:right], QUALITY)
     row = {
         **place,
         "file": f"{stem}.jpg",
@@ -172,15 +172,6 @@ def _rectangle(spot: Any, width_px: int, height_px: int) -> tuple[int, int, int,
         low = max(0, int(np.floor(ends[0])) - MARGIN_PX)
         bounds += [low, min(size, int(np.ceil(ends[1])) + MARGIN_PX + 1)]
     return bounds[0], bounds[2], bounds[1], bounds[3]
-
-
-def _encoded(picture: Bgr) -> bytes:
-    """JPEG without colour subsampling; the same pixels give the same bytes."""
-    options = [cv2.IMWRITE_JPEG_QUALITY, QUALITY, cv2.IMWRITE_JPEG_SAMPLING_FACTOR]
-    done, data = cv2.imencode(".jpg", picture, [*options, cv2.IMWRITE_JPEG_SAMPLING_FACTOR_444])
-    if not done:
-        raise Damaged("export-crop-not-encoded")
-    return data.tobytes()
 
 
 def label_of(target: str, height_m: float | None, U95_m: float | None) -> str:

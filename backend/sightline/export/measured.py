@@ -97,9 +97,7 @@ class PackageStatistics:
 
 
 def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()) -> PackageStatistics:
-    """The statistics of the accepted measurements of a package that it is of, from its tables, under every
-    correction.
-    """
+    """The statistics of the accepted measurements of a package, from its tables, under every correction."""
     filter_ = filter_of(selection_in(files))
     measured, left_out = filtered(measured_in(files), filter_)
     groupings = _groupings(files, measured)

@@ -136,27 +136,15 @@ STORED = (
         lambda f: sorted(f.of_survey(list_wheel_pairs), key=attrgetter("id")),
         _replayed(check_wheel_pairs),
     ),
-    _one(
-        COMPUTINGS,
-        lambda f: reversed(f.of_survey(list_computings)),
-        checking.check_computed_again,
-    ),
-    _one(
-        REVIEWS,
-        lambda f: chain.from_iterable(f.of_survey(review_pages)),
-        _replayed(check_verdicts),
-    ),
+    _one(COMPUTINGS, lambda f: reversed(f.of_survey(list_computings)), checking.check_computed_again),
+    _one(REVIEWS, lambda f: chain.from_iterable(f.of_survey(review_pages)), _replayed(check_verdicts)),
     Part(
         (LOTS, LOT_ITEMS),
         filling.fill_lots,
         lambda c: check_lots(c.files, c.told.lots, c.told.replay, c.told.measurements.of_vehicle),
     ),
     _one(FRAMES, filling.frames_clicked_on, lambda c: check_frames(c.files, c.told.measurements)),
-    Part(
-        SCANS,
-        lambda f: fill_scans(f.staging, f.session, f.survey.id),
-        checking.check_line_scans,
-    ),
+    Part(SCANS, lambda f: fill_scans(f.staging, f.session, f.survey.id), checking.check_line_scans),
     Part(
         (PHOTOGRAPHS,),
         filling.fill_photographs,

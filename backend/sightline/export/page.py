@@ -80,17 +80,13 @@ def template() -> str | None:
 
 
 def page_version() -> str:
-    """What tells one program of the page from another: the hash of all of it, "none" where it is not
-    built.
-    """
+    """What tells one program of the page from another: the hash of it all, "none" where it is not built."""
     found = template()
     return "none" if found is None else sha256_hex(found.encode())
 
 
 def write_page(staging: Staging, tables: Sequence[AnyTable], language: str) -> None:
-    """index.html over what is written so far, to be opened in a language; nothing where the front end is not
-    built.
-    """
+    """index.html over what is written so far, opened in a language; nothing without a built front end."""
     found = template()
     if found is None:
         return

@@ -2,7 +2,7 @@
 
 import re
 from dataclasses import dataclass
-from datetime import date, datetime
+from datetime import date
 from typing import Annotated, get_args
 
 from fastapi import APIRouter
@@ -12,10 +12,9 @@ from pydantic import Field
 from sightline.enums import Category, ClassSet, LengthUnit, Lighting
 from sightline.export import store
 from sightline.export.export_job import request_export
-from sightline.export.records import Export
+from sightline.export.records import Export, ExportFacts
 from sightline.export.report.conclusion import conclude
 from sightline.export.report.said import speaking
-from sightline.infra.audit.records import Who
 from sightline.infra.audit.signing import signing_key
 from sightline.infra.by_name import filled_from
 from sightline.infra.web.bodies import In, JobBody, Out, example
@@ -23,7 +22,7 @@ from sightline.infra.web.deps import AskedIn, Exporter, PathId, Reading, Surveys
 from sightline.recordings.bodies import HourFrom, HourTo
 from sightline.results.overview.package_query import changes_since_packages
 from sightline.results.overview.records import ChangesSince
-from sightline.results.selection import Selection, selection_of
+from sightline.results.selection import selection_of
 from sightline.results.survey_statistics import Filter, survey_statistics
 from sightline.surveys.store import get_survey
 
@@ -50,16 +49,7 @@ class WantedBody(In):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ExportBody:
-    id: int
-    created_at: datetime
-    created_by: Who | None
-    size_bytes: int
-    sha256: str
-    audit_count: Annotated[int, Field(description="How many events the audit chain in it has.")]
-    audit_head: Annotated[str, Field(description="The last hash of that chain; keep it elsewhere.")]
-    selection: Annotated[Selection, Field(description="The vehicles that its statistics are of.")]
-    language: Annotated[str, Field(description="That of its figures and its report.")]
+class ExportBody(ExportFacts):
     signing_key: Annotated[str, Field(description="The installation's key in force, which signs packages.")]
     url: str
     filename: Annotated[str, Field(description="What the downloaded file is called.")]
@@ -78,11 +68,7 @@ def filename_of(made: Export, survey: str) -> str:
 
 @router.post("/surveys/{survey_id}/exports", status_code=202)
 def make_export(
-    survey_id: PathId,
-    who: Exporter,
-    session: Writing,
-    asked_in: AskedIn,
-    wanted: WantedBody | None = None,
+    survey_id: PathId, who: Exporter, session: Writing, asked_in: AskedIn, wanted: WantedBody | None = None
 ) -> JobBody:
     """Build the package in the background."""
     wanted = wanted or WantedBody(crops=True)

@@ -42,9 +42,7 @@ def add_export(
 
 
 def seal_package(session: Session, survey_id: int, after: Mapping[str, Any], *, actor: int | None) -> int:
-    """Append a package's seal to the survey's chain, which no event can come into before the transaction
-    ends; its number.
-    """
+    """Append a package's seal to the survey's chain, closed until the transaction ends; its number."""
     trail.record(session, actor, ACTION, ENTITY, None, survey_id, None, after)
     return trail.head(session, survey_id).count
 

@@ -14,9 +14,7 @@ def frozen(values: ArrayLike) -> Floats:
 
 
 def points(values: ArrayLike, width: int) -> Floats:
-    """`values`, any shape that holds rows of `width`, as an (N, width) array; a single point becomes (1,
-    width).
-    """
+    """`values`, any shape of rows of `width`, as an (N, width) array; a single point becomes (1, width)."""
     array = np.asarray(values, dtype=np.float64)
     return array.reshape(-1, width)
 
@@ -45,18 +43,14 @@ def exp_rotation(r_rad: Floats) -> Floats:
 
 
 def nearest_rotation(matrix: Floats) -> Floats:
-    """The rotation (3, 3) closest to `matrix` (3, 3) = U S V' in the sum of squares: U diag(1, 1, det UV') V'
-    (Umeyama 1991).
-    """
+    """The rotation (3, 3) nearest to `matrix` (3, 3) = U S V': U diag(1, 1, det UV') V' (Umeyama 1991)."""
     u, _, vt = np.linalg.svd(matrix)
     sign = np.sign(np.linalg.det(u @ vt))
     return np.asarray(u @ np.diag([1.0, 1.0, sign]) @ vt, dtype=np.float64)
 
 
 def is_covariance(matrix: Floats) -> bool:
-    """Whether `matrix` (n, n) is finite, symmetric and, up to rounding, without a negative variance in any
-    direction.
-    """
+    """Whether `matrix` (n, n) is finite, symmetric and, up to rounding, nowhere of negative variance."""
     if matrix.ndim != 2 or matrix.shape[0] != matrix.shape[1] or not np.isfinite(matrix).all():
         return False
     sigma = np.sqrt(np.abs(np.diag(matrix)))

@@ -3,8 +3,7 @@
 OpenCV's detectors start at any of the corners that look alike to them: for a board that is the same after
 half a turn, the classic one and SB return opposite first corners for one and the same picture, and a height
 computed from the wrong one is negative (Dupuis et al. 2019, eq. (8), needs n_x to point *down*). So every
-detection is brought
-into the order as seen: first corner at the top left, columns to the right, rows down.
+detection is brought into the order as seen: first corner at the top left, columns to the right, rows down.
 """
 
 from dataclasses import dataclass, replace
@@ -84,10 +83,7 @@ def canonical_order(points_px: Floats, board: Board) -> tuple[Floats, Board]:
     the detector.
     """
     grids = [points_px, points_px.transpose(1, 0, 2)]
-    best = min(
-        (_upright(grid) for grid in grids if _fits(grid, board)),
-        key=lambda found: found[1],
-    )
+    best = min((_upright(grid) for grid in grids if _fits(grid, board)), key=lambda found: found[1])
     if best[1] > MAX_ROLL_RAD and board.columns != board.rows:
         best = min((_upright(grid) for grid in grids if not _fits(grid, board)), key=lambda found: found[1])
     grid = best[0]
@@ -120,9 +116,7 @@ def _fits(grid: Floats, board: Board) -> bool:
 
 
 def _upright(grid: Floats) -> tuple[Floats, float]:
-    """Of the two right-handed half-turns of a grid, the one whose rows run down; and its roll, 0 to 90
-    degrees.
-    """
+    """Of two right-handed half-turns of a grid, the one whose rows run down; its roll, 0 to 90 degrees."""
     right, down = _directions(grid)
     if right[0] * down[1] - right[1] * down[0] < 0:  # mirrored: numbered against the hand of the picture
         grid = grid[:, ::-1]

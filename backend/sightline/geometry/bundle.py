@@ -22,10 +22,7 @@ _FOCAL_SHARES = (0.4, 0.28, 0.6, 0.9, 1.4)  # of the picture's width
 
 
 def refine_all(
-    camera: Camera,
-    poses: Sequence[PlanarPose],
-    objects: Sequence[Floats],
-    seen: Sequence[Floats],
+    camera: Camera, poses: Sequence[PlanarPose], objects: Sequence[Floats], seen: Sequence[Floats]
 ) -> tuple[Camera, tuple[PlanarPose, ...]]:
     """Least squares over the lens's parameters and every pose; per view `objects` (N, 3), metres, and `seen`
     (N, 2), pixels.

@@ -227,12 +227,7 @@ def _too_few(used: int, given: int, skipped: dict[str, View], least: int) -> Bad
     if first is None:
         return BadInput("geometry-too-few-pictures", used=used, given=given, least=least)
     return BadInput(
-        "geometry-too-few-images",
-        used=used,
-        given=given,
-        least=least,
-        file=first.file,
-        reason=first.reason,
+        "geometry-too-few-images", used=used, given=given, least=least, file=first.file, reason=first.reason
     )
 
 

@@ -73,15 +73,11 @@ class Camera:
 
     @cached_property
     def matrix(self) -> Floats:
-        """K (3, 3), pixels: Dupuis et al. 2019, eq. (2), with a focal length for each axis in place of r f
-        and f, and s = 0.
-        """
+        """K (3, 3), pixels: Dupuis et al. 2019, eq. (2), a focal length per axis for r f and f, and s = 0."""
         return frozen([[self.fx_px, 0.0, self.cx_px], [0.0, self.fy_px, self.cy_px], [0.0, 0.0, 1.0]])
 
     def inside(self, points_px: ArrayLike) -> Bools:
-        """Which (N,) of the pixels `points_px` (N, 2) lie in the picture (its outer pixels reach half a pixel
-        out).
-        """
+        """Which (N,) of `points_px` (N, 2) lie in the picture (outer pixels reach half a pixel out)."""
         p = points(points_px, 2)
         x, y = p[:, 0], p[:, 1]
         inside = (x >= -0.5) & (y >= -0.5) & (x <= self.width_px - 0.5) & (y <= self.height_px - 0.5)

@@ -42,9 +42,7 @@ def charuco_of(dictionary: str, marker_m: float) -> Charuco:
     name = dictionary.strip().upper().removeprefix("DICT_")
     if name not in DICTIONARIES:
         raise BadInput(
-            "geometry-dictionary-unknown",
-            dictionary=repr(dictionary),
-            dictionaries=", ".join(DICTIONARIES),
+            "geometry-dictionary-unknown", dictionary=repr(dictionary), dictionaries=", ".join(DICTIONARIES)
         )
     return Charuco(name, marker_m)
 

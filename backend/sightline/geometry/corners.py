@@ -105,10 +105,9 @@ def _scaled(gray: Gray, scale: float, search: Callable[[Gray], Floats | None], b
 
 
 def _attempts(board: Board, pixels: int) -> Sequence[_Attempt]:
-    """Searches in their order, from small copies to large ones. The classic one takes milliseconds where
-    the board is, but up to twenty seconds for a large picture without one, and cannot be stopped: large
-    pictures it only sees reduced. A board is found as well in a copy in which its squares still have 10 px
-    or so.
+    """Searches in their order, from small copies to large ones. The classic one takes milliseconds where the
+    board is, but up to twenty seconds for a large picture without one, and cannot be stopped: large pictures
+    it only sees reduced. A board is found as well in a copy in which its squares still have 10 px or so.
     """
 
     def attempt(name: str, scale: float, how: str) -> _Attempt:

@@ -222,12 +222,7 @@ def _views(read: _Reader) -> tuple[View, ...]:
     for item in raw:
         one = _Reader(item, f"{read.what}, views")
         views.append(
-            View(
-                one.text("file"),
-                one.optional("rms_px"),
-                bool(one.data.get("used", False)),
-                _reason(one),
-            )
+            View(one.text("file"), one.optional("rms_px"), bool(one.data.get("used", False)), _reason(one))
         )
     return tuple(views)
 

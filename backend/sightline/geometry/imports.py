@@ -440,11 +440,7 @@ def _part_read(
 
 def _kalibr(one: Mapping[str, Any], file_name: str) -> _Found:
     if one["camera_model"] != "pinhole":
-        raise BadInput(
-            "geometry-model-unsupported",
-            file_name=file_name,
-            camera_model=one["camera_model"],
-        )
+        raise BadInput("geometry-model-unsupported", file_name=file_name, camera_model=one["camera_model"])
     intrinsics = _numbers(one.get("intrinsics"), "intrinsics", file_name)
     if len(intrinsics) != 4:
         raise BadInput("geometry-intrinsics-count", file_name=file_name)

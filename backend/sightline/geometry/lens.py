@@ -30,9 +30,7 @@ class Distorted:
 
     @property
     def determinant(self) -> Floats:
-        """det d' of each point, of the same shape as `x`: positive where the lens model keeps the picture's
-        hand.
-        """
+        """det d' of each point, same shape as `x`: positive where the lens model keeps the picture's hand."""
         return self.dx_dx * self.dy_dy - self.dx_dy * self.dx_dy
 
 

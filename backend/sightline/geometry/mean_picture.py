@@ -1,6 +1,4 @@
-"""The mean picture of the frames in which a board stands still: its noise averages out before corners are
-fitted.
-"""
+"""The mean picture of frames in which a board stands still: noise averages out before corners are fitted."""
 
 import cv2
 import numpy as np

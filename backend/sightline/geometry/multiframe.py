@@ -292,12 +292,7 @@ def _budget(
 
 
 def _reported(
-    pose: RoadPose,
-    contacts: Floats,
-    targets: Floats,
-    theta: Floats,
-    sigma: float,
-    u_heading: float | None,
+    pose: RoadPose, contacts: Floats, targets: Floats, theta: Floats, sigma: float, u_heading: float | None
 ) -> MultiHeight:
     frames = len(contacts)
     at = _linearise(pose, contacts, targets, theta)

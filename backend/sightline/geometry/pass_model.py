@@ -131,9 +131,7 @@ def first_estimate(pose: RoadPose, tracks: Tracks, t_s: Floats) -> Floats:
 
 
 def _crossing(pose: RoadPose, rays: Floats, ground: Floats) -> Floats:
-    """The point (3,) that rays (F, 3) meet best, in axes that go with the contact, which is at ground (F,
-    2).
-    """
+    """The point (3,) that rays (F, 3) meet best, in axes that go with the contact, at ground (F, 2)."""
     direction = rays / np.linalg.norm(rays, axis=1)[:, None]
     eye = pose.centre_m - np.column_stack([ground, np.zeros(len(ground))])
     across = np.eye(3) - direction[:, :, None] * direction[:, None, :]

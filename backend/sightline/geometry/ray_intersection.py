@@ -67,9 +67,7 @@ MIN_EDGE = np.sin(np.deg2rad(1.0))  # closer to edge-on, a pixel is worth metres
 
 @dataclass(frozen=True, eq=False)
 class RayIntersection:
-    """Everything about N click pairs that height and gradient need. Arrays (N,); `code` 0 where a height
-    exists.
-    """
+    """All that height and gradient need of N click pairs. Arrays (N,); `code` 0 where a height exists."""
 
     code: np.ndarray[tuple[int, ...], np.dtype[np.int8]]
     contact: tuple[Floats, Floats]  # undistorted, normalised

@@ -107,9 +107,7 @@ def visible_polyline(pose: RoadPose, start_m: ArrayLike, end_m: ArrayLike, sampl
 
 
 def _thinned(line: Floats, tolerance_px: float = 0.05) -> Floats:
-    """Drop points that lie within `tolerance_px` of the line between their kept neighbours (Douglas-
-    Peucker).
-    """
+    """Drop points within `tolerance_px` of the line between their kept neighbours (Douglas-Peucker)."""
     keep = np.zeros(len(line), dtype=bool)
     keep[[0, -1]] = True
     stack = [(0, len(line) - 1)]
@@ -177,11 +175,7 @@ def ladder_at_contact(
 
 
 def road_grid(
-    pose: RoadPose,
-    step_m: float = 1.0,
-    half_length_m: float = 8.0,
-    near_m: float = 0.0,
-    far_m: float = 12.0,
+    pose: RoadPose, step_m: float = 1.0, half_length_m: float = 8.0, near_m: float = 0.0, far_m: float = 12.0
 ) -> tuple[Floats, ...]:
     """Lines, (n, 2) pixels each, of a square grid on the road, round the point of the road nearest to what
     the camera looks at. Drawn with Dupuis et al. 2019, eq. (3), corrected.

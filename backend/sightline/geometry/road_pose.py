@@ -62,9 +62,8 @@ class BoardOnRoad:
 @dataclass(frozen=True, eq=False)
 class RoadPose:
     """A camera on the road. `covariance` is of `parameters`: the lens's, then rx ry rz tx ty tz, where an
-    increment acts as x_cam = Exp(r) (R x_road + t) + t'. It holds lens and corner noise only; what
-    the board may be off by are entries of their own. None: unknown, and left out of every
-    uncertainty."""
+    increment acts as x_cam = Exp(r) (R x_road + t) + t'. It holds lens and corner noise only; what the board
+    may be off by are entries of their own. None: unknown, and left out of every uncertainty."""
 
     camera: Camera
     rotation: Floats

@@ -49,10 +49,7 @@ def snap(picture: NDArray[np.uint8], pose: RoadPose, click_px: ArrayLike) -> Sna
 
 
 def within_reach(click_px: ArrayLike, contact_px: ArrayLike) -> bool:
-    """Whether a click may be taken to a contact; `click_px` (2,) and `contact_px` (2,): x and y.
-
-    Limits: DECISIONS.md 53.
-    """
+    """Whether a click `click_px` (2,) may be taken to `contact_px` (2,), x and y. Limits: DECISIONS.md 53."""
     across, down = _difference(contact_px, click_px)
     return bool(abs(across) <= ACROSS_PX and -UP_PX <= down <= DOWN_PX)
 

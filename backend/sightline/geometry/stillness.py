@@ -64,9 +64,7 @@ def displacements_px(shifts: Floats, at: Floats) -> Floats:
 
 
 def smooth_basis(at: Floats) -> Floats:
-    """Orthonormal basis (N, 3) of the affine functions 1, x, y over points `at` (N, 2), by their QR
-    decomposition.
-    """
+    """Orthonormal basis (N, 3) of the affine functions 1, x, y over points `at` (N, 2), by QR."""
     q, _ = np.linalg.qr(np.column_stack([np.ones(len(at)), at - at.mean(axis=0)]))
     return np.asarray(q, dtype=np.float64)
 
@@ -94,8 +92,7 @@ def _temporal(noise: Floats) -> tuple[float, float]:
 def mean_sigma_px(residual_px: float, still: Still) -> float:
     """Standard uncertainty of one coordinate of the mean corners.
 
-    residual_px: what the pose fit to the mean corners left, per coordinate, degrees of freedom respected.
-    It holds the static bias and the noise that did not average out; time alone can only raise it, the floor
-    too.
+    residual_px: what the pose fit to the mean corners left, per coordinate, degrees of freedom respected. It
+    holds the static bias and the noise that did not average out; time alone can only raise it, the floor too.
     """
     return max(residual_px, still.temporal_px / float(np.sqrt(still.effective)), FLOOR_PX)

@@ -93,9 +93,7 @@ class BodyTracker:
         self.travel_m = 0.0
 
     def step(self, picture: Gray, dt_s: float) -> float | None:
-        """How far the body has come on the next frame, `picture` (H, W), `dt_s` later (negative: before), m;
-        None if lost.
-        """
+        """How far the body is on the next `picture` (H, W), `dt_s` later (before: < 0), m; None if lost."""
         index = np.flatnonzero(self._alive)
         if len(index) < _LEAST_POINTS or dt_s == 0:
             return None

@@ -146,10 +146,7 @@ def require_plausible(camera: Camera, file_name: str) -> None:
     focal = camera.fx_px, camera.fy_px
     if not (shortest <= min(focal) and max(focal) <= longest):
         raise BadInput(
-            "geometry-focal-implausible",
-            file_name=file_name,
-            focal=f"{camera.fx_px:.6g}",
-            width=size[0],
+            "geometry-focal-implausible", file_name=file_name, focal=f"{camera.fx_px:.6g}", width=size[0]
         )
     if not (-size[0] < camera.cx_px < 2 * size[0] and -size[1] < camera.cy_px < 2 * size[1]):
         raise BadInput("geometry-principal-point-outside", file_name=file_name)

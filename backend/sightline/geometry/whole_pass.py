@@ -311,7 +311,7 @@ def _minimum(
         root = np.linalg.cholesky(np.sum(list(noise.values()), axis=0))
         found = scipy.optimize.least_squares(
             residual, unknowns[index], slope, method="lm", x_scale="jac", xtol=1e-12, ftol=1e-12, gtol=1e-12,
-            max_nfev=200,
+            max_nfev=200
         )  # fmt: skip
         if not found.success or not np.isfinite(found.x).all():
             return _UNSETTLED

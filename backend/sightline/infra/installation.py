@@ -15,7 +15,8 @@ from sightline.errors import BadInput
 from sightline.infra.audit.signing import signing_key
 from sightline.infra.database.engine import explained
 from sightline.infra.database.types import now
-from sightline.infra.web.secret import made_once, signing_secret
+from sightline.infra.private import made_once
+from sightline.infra.web.secret import signing_secret
 from sightline.settings import Settings
 
 #: a file in each folder that processes share, with which they know it again

@@ -66,9 +66,7 @@ def local_text(instant: datetime, zone: str, seconds: float = 0.0) -> str:
 
 
 def local_us(instant: datetime, zone: str, seconds: float = 0.0) -> int:
-    """What clocks of a zone show so many seconds after an instant, in microseconds since they showed the
-    beginning of 1970.
-    """
+    """What a zone's clocks show so many seconds after an instant, in microseconds of theirs since 1970."""
     at = instant + timedelta(milliseconds=round(1000.0 * seconds))
     return (at.astimezone(zone_of(zone)).replace(tzinfo=None) - _CLOCK_0) // timedelta(microseconds=1)
 

@@ -2,7 +2,9 @@
 
 import logging
 import os
+import secrets
 import stat
+from contextlib import suppress
 from pathlib import Path
 
 from sightline.infra.database.engine import sqlite_file
@@ -26,6 +28,28 @@ def keep_private(settings: Settings) -> None:
         for name in (database, *(Path(f"{database}{end}") for end in ("-wal", "-shm"))):
             if name.is_file():
                 _close(name)
+
+
+def made_once(path: Path) -> bytes:
+    """The random text of a file (64 hexadecimal digits), which is made where it is not there."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    if not path.exists():
+        fresh = made_beside(path)
+        with suppress(FileExistsError):  # two processes that start together end up with one secret
+            os.link(fresh, path)
+        fresh.unlink()
+    return path.read_bytes()
+
+
+def made_beside(path: Path) -> Path:
+    """A file with such a text, for its owner alone and safe from a power cut, named after `path`."""
+    fresh = path.with_name(f"{path.name}.{os.getpid()}-{secrets.token_hex(4)}")
+    handle = os.open(fresh, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
+    with os.fdopen(handle, "wb") as file:
+        file.write(secrets.token_hex(32).encode())
+        file.flush()
+        os.fsync(file.fileno())
+    return fresh
 
 
 def close_to_others(folder: Path) -> None:

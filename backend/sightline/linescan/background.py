@@ -75,9 +75,7 @@ class Road:
 
     @property
     def threshold_dn(self) -> Floats:
-        """A cell that differs by more, (bands,), is no road: it follows the noise, and never asks for too
-        little.
-        """
+        """A cell that differs by more, (bands,), is no road: it follows the noise, and is never too small."""
         floor = LEAST_CONTRAST * float(np.median(self.pooled))
         return np.asarray(np.maximum(SIGMAS * self.cell_dn, floor), np.float32)
 

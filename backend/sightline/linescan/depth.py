@@ -18,10 +18,7 @@ def depth_of(brightest: int) -> int:
 
 
 def brightest_of(picture: Pixels) -> int:
-    """The brightest pixel of a picture (lines, rows); 0 of one of 8 bits, where nobody asks for it.
-
-    Never fails.
-    """
+    """The brightest pixel of a picture (lines, rows); 0 of 8 bits, where nobody asks for it. Never fails."""
     return 0 if picture.dtype == np.uint8 else int(picture.max(initial=0))
 
 

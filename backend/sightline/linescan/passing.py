@@ -59,10 +59,7 @@ class Follower:
 
 
 def measured(
-    passages: Iterable[Passage],
-    rig: Rig,
-    method: ScanMethod,
-    columns: Columns = lambda crossings: crossings,
+    passages: Iterable[Passage], rig: Rig, method: ScanMethod, columns: Columns = lambda crossings: crossings
 ) -> Iterator[Vehicle]:
     """Every vehicle in order; only one passage is held at a time."""
     follower = Follower(rig, method, columns)

@@ -270,11 +270,7 @@ def alone(size_m: float, u_m: float | None, baseline_m: float, u_baseline_m: flo
 
 
 def baseline_ratio(
-    of: KnownLength,
-    measured_m: ArrayLike,
-    u_measured_m: ArrayLike,
-    true_m: ArrayLike,
-    u_true_m: ArrayLike,
+    of: KnownLength, measured_m: ArrayLike, u_measured_m: ArrayLike, true_m: ArrayLike, u_true_m: ArrayLike
 ) -> RigEstimate:
     """Measured over true lengths or wheelbases (`of`), by weighted mean: 1.01 says the baseline is 1 % long.
     `measured_m`, `u_measured_m`, `true_m`, `u_true_m` (n,), metres.

@@ -121,7 +121,5 @@ def _solved(normal: Floats, right: Floats) -> Floats:
 
 @lru_cache(maxsize=64)
 def widening(freedom: float) -> float:
-    """By how much an uncertainty from so few observations is to be widened for a coverage of 95 %:
-    Student's t over 1.96.
-    """
+    """The factor that widens an uncertainty of so few observations to cover 95 %: Student's t over 1.96."""
     return float(scipy.stats.t.ppf(0.975, freedom) / COVERAGE_95)

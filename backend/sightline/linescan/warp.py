@@ -20,9 +20,7 @@ class Course:
     baseline_m: float
 
     def travelled_m(self, time_s: Floats) -> Floats:
-        """How far the front is beyond camera 1 at `time_s`, any shape: v t + a t^2 / 2, metres, of the same
-        shape.
-        """
+        """How far the front is beyond camera 1 at `time_s`, any shape: v t + a t^2 / 2, m, same shape."""
         return np.asarray(self.speed_mps * time_s + self.acceleration_mps2 / 2 * time_s**2)
 
     def speed_at_mps(self, time_s: Floats) -> Floats:

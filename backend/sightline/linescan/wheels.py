@@ -94,11 +94,7 @@ def _laid_out(picture: Pixels, start: int, motion: Motion, rig: Rig) -> tuple[Ar
     small = cv2.resize(picture, (ROWS, len(picture)), interpolation=cv2.INTER_AREA).astype(np.float32)
     sums = np.vstack([np.zeros((1, ROWS), np.float32), np.cumsum(small, 0, dtype=np.float64)])
     ends_m = np.append(steps, steps[-1] + STEP_M) - STEP_M / 2
-    edges = np.clip(
-        np.interp(ends_m, place_m, np.arange(len(picture)) + 0.5),
-        0,
-        len(picture),
-    )
+    edges = np.clip(np.interp(ends_m, place_m, np.arange(len(picture)) + 0.5), 0, len(picture))
     low = np.minimum(edges.astype(int), len(picture) - 1)
     at = sums[low] + (edges - low)[:, None] * small[low]
     width = np.maximum(np.diff(edges), 1e-3)[:, None]

@@ -60,11 +60,7 @@ class ClickContext:
 
 
 def click_context(
-    session: Session,
-    recording_id: int,
-    person_id: int | None = None,
-    *,
-    vehicle_id: int | None = None,
+    session: Session, recording_id: int, person_id: int | None = None, *, vehicle_id: int | None = None
 ) -> ClickContext:
     """The context of a person's clicks in a recording, on a vehicle of it; without frames.
 

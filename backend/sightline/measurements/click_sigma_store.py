@@ -24,13 +24,7 @@ _maker = people.alias("maker")
 
 
 def choose_click_sigma(
-    session: Session,
-    survey_id: int,
-    person_id: int,
-    *,
-    sigma_px: float | None,
-    pairs: int,
-    actor: int | None,
+    session: Session, survey_id: int, person_id: int, *, sigma_px: float | None, pairs: int, actor: int | None
 ) -> ClickSigma:
     """From now on a person's clicks in this survey count with this sigma; None: with the usual one again.
 

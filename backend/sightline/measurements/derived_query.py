@@ -27,9 +27,7 @@ TELLING = (recordings.c.drift, recordings.c.drift_decision, recordings.c.started
 
 
 def derived(session: Session, found: tuple[Measurement, ...]) -> tuple[Measurement, ...]:
-    """The measurements with when they were filmed, those on a frame after a bump with the sentence that says
-    so.
-    """
+    """The measurements with when they were filmed, those on a frame after a bump with a sentence of it."""
     told = _told_by_recordings(session, {one.recording_id for one in found})
     if not told:
         return found

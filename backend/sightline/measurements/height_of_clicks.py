@@ -55,10 +55,7 @@ class SingleFrame:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Answer(HeightOfClicks):
-    """A height as it is answered while clicking, and how the vehicle goes.
-
-    The heading is that of the vehicle's travel against the road's X axis.
-    """
+    """A height as answered while clicking; the heading: of the vehicle's travel against the road's X axis."""
 
     frames: int = 1
     heading_rad: float | None = None
@@ -106,10 +103,7 @@ def on_side(clicks: Clicks, side: FoundSide | None) -> Clicks:
 
 
 def filled_in(
-    clicks: Clicks,
-    insets: Mapping[str, Inset],
-    category: Category | None,
-    own_sigma_px: float | None = None,
+    clicks: Clicks, insets: Mapping[str, Inset], category: Category | None, own_sigma_px: float | None = None
 ) -> Clicks:
     """The clicks with what was left out: the person's own sigma, else 1 px, and the inset for this target and
     side on a vehicle of this class; there is none for an eye of which nobody knows the side.
@@ -217,9 +211,7 @@ def measured_frames(pose: RoadPose, clicks: Clicks) -> MultiHeight:
 
 
 def measured_pass(pose: RoadPose, clicks: Clicks) -> WholePass:
-    """The height from all that was followed. Raises ValueError where nothing was, Damaged for a text that is
-    none of ours.
-    """
+    """The height from all that was followed. Raises ValueError of nothing, Damaged for a foreign text."""
     if clicks.followed is None:
         raise ValueError("nothing was followed from these clicks")
     assumed = None if clicks.inset_m is None else clicks.assumed()[1:]

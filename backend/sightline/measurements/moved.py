@@ -39,9 +39,7 @@ def drift_flag(clicks: Clicks, spans: Sequence[MovedSpan], error_m: float | None
 
 
 def earlier_drift_flag(clicks: Clicks, spans: Sequence[MovedSpan]) -> Said | None:
-    """What an earlier version said: the error on the nearest road in the picture, of checks that told no
-    motion.
-    """
+    """What an earlier version said: the error on the nearest road in view, of checks that told no motion."""
     worst = max(spans_clicked_on(clicks, spans), key=lambda one: one.moved_px)
     if worst.change_m is None or worst.motion is not None:
         return None

@@ -99,9 +99,7 @@ def is_own(actor: int | None) -> ColumnElement[bool]:
 
 
 def with_verdict(*columns: Any) -> Select[Any]:
-    """Revisions joined with their series and the newest review of that very revision, or of the one whose
-    verdict holds for it too.
-    """
+    """Revisions with their series and the newest review of each, or of the one whose verdict holds for it."""
     return (
         select(*columns)
         .select_from(measurements)

@@ -60,9 +60,7 @@ class Spot:
 
 @dataclass(frozen=True, kw_only=True)
 class FrameForTarget:
-    """The frame proposed for one target, or why none would help; `spots` are all frames that could be used,
-    by number.
-    """
+    """The frame proposed for a target, or why none would help; `spots`: all that could be used, by number."""
 
     target: Target
     ok: bool
@@ -395,9 +393,7 @@ def _box(clicks: Clicks, shape: tuple[int, ...]) -> tuple[float, float, float, f
 
 
 def _in_sight(pose: RoadPose, clicks: Clicks, travels: dict[int, float]) -> frozenset[int]:
-    """Frames that show both points, not too close to the border, and are not clicked: without any
-    uncertainty.
-    """
+    """Frames that show both points, not too near the border, and are not clicked: without uncertainty."""
     body = body_of(pose, clicks.contact, clicks.target_point, clicks.assumed()[1], np.empty((0, 2)))
     if isinstance(body, Said):
         return frozenset()

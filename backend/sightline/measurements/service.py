@@ -15,19 +15,8 @@ from sightline.geometry.ruler import Ruler, ruler
 from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.infra.version import code_version
-from sightline.measurements.click_context_query import (
-    ClickContext,
-    click_context,
-    click_context_of_vehicle,
-)
-from sightline.measurements.height_of_clicks import (
-    Answer,
-    answer,
-    answers,
-    filled_in,
-    inset_for,
-    on_side,
-)
+from sightline.measurements.click_context_query import ClickContext, click_context, click_context_of_vehicle
+from sightline.measurements.height_of_clicks import Answer, answer, answers, filled_in, inset_for, on_side
 from sightline.measurements.records import (
     ClickedFrame,
     Clicks,
@@ -37,12 +26,7 @@ from sightline.measurements.records import (
     Origin,
 )
 from sightline.measurements.road_poses import road_pose
-from sightline.measurements.store import (
-    add_measurement,
-    get_measurement,
-    is_stored_key,
-    revise_measurement,
-)
+from sightline.measurements.store import add_measurement, get_measurement, is_stored_key, revise_measurement
 from sightline.statistics.plausible import is_of_class
 from sightline.vehicles.proposing.store import proposals_of_vehicle
 from sightline.vehicles.records import VehicleChanges
@@ -57,10 +41,7 @@ def height_at(
     vehicle_id: int | None = None,
     actor: int | None = None,
 ) -> Answer:
-    """The height that these clicks of `actor` would be stored with on a vehicle.
-
-    Raises Conflict without a road pose.
-    """
+    """The height that these clicks of `actor` would get on a vehicle. Raises Conflict without a road pose."""
     context = click_context(session, recording_id, actor, vehicle_id=vehicle_id)
     pose, _, _ = pose_in_force(session, context)
     found = answer(pose, clicks_in_context(clicks, context))
@@ -77,10 +58,7 @@ def ruler_at(
     inset_m: float | None,
     vehicle_id: int | None = None,
 ) -> Ruler:
-    """Axes and ladder through a contact click; no ladder for an eye of unknown side.
-
-    Raises Conflict without a road pose.
-    """
+    """Axes and ladder at a contact; no ladder for eyes without side. Raises Conflict without a road pose."""
     context = click_context(session, recording_id, None, vehicle_id=vehicle_id)
     pose, _, _ = pose_in_force(session, context)
     side = None if context.side is None else context.side.side
@@ -180,9 +158,7 @@ def gone_by_measuring(context: ClickContext, target: Target) -> VehicleChanges:
 
 
 def store_revision(session: Session, before: Measurement, clicks: Clicks, *, actor: int) -> Measurement:
-    """Measure again and store a new revision of what `require_measurement_revision` gave in the same
-    transaction.
-    """
+    """Measure again, as a new revision, what `require_measurement_revision` gave in the same transaction."""
     then = before.values
     if (clicks.target, clicks.inset_m, clicks.u_inset_m) == (then.target, then.inset_m, then.u_inset_m):
         clicks = replace(clicks, **_inset_of(then))
@@ -279,10 +255,7 @@ def pose_in_force(session: Session, context: ClickContext) -> tuple[RoadPose, in
     size_px = (pose.camera.width_px, pose.camera.height_px)
     if None not in context.size_px and context.size_px != size_px:
         raise Conflict(
-            "measurements-pose-image-size",
-            name=context.name,
-            size_px=size_px[0],
-            size_px_2=size_px[1],
+            "measurements-pose-image-size", name=context.name, size_px=size_px[0], size_px_2=size_px[1]
         )
     return pose, context.pose_id, context.calibration_id
 

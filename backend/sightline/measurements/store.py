@@ -282,10 +282,7 @@ def measurement_revisions(session: Session, series_id: int) -> tuple[Measurement
 
 
 def list_measurements(
-    session: Session,
-    survey_id: int,
-    *,
-    include_repeats: bool = False,
+    session: Session, survey_id: int, *, include_repeats: bool = False
 ) -> tuple[Measurement, ...]:
     """A survey's standing measurements of vehicles that were not deleted."""
     query = measurement_revision_rows().join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
@@ -306,10 +303,7 @@ def require_measurement_revision(session: Session, series_id: int, revision: int
         name = name_of(session, row.deleter_id)
         when = f"{row.vehicle_updated_at:%Y-%m-%d %H:%M:%S} UTC"
         raise Conflict(
-            "measurements-vehicle-deleted",
-            name=name,
-            vehicle_number=row.vehicle_number,
-            when=when,
+            "measurements-vehicle-deleted", name=name, vehicle_number=row.vehicle_number, when=when
         )
     current = _measurement_of(session, row)
     require_seen(current, revision)
@@ -406,9 +400,7 @@ def append_revision(
     verdict_of_revision: int | None = None,
     made_of: Callable[[Row[Any]], _Made],
 ) -> _Made:
-    """Write a revision whose content was checked, with its audit event, and give it back: `made_of` its row
-    as it was stored.
-    """
+    """Write a revision of checked content, with its event, and give it back: `made_of` its stored row."""
     stamps: dict[str, Any] = {"series_id": series_id, "revision": revision, "withdrawn": withdrawn}
     stamps["verdict_of_revision"] = verdict_of_revision
     stamps |= {"created_at": now(), "created_by": actor if clicked_by is None else clicked_by.id}
@@ -459,9 +451,7 @@ def _told(one: Measurement | ScanHeight) -> JsonObject:
 
 
 def _after(made: Measurement | ScanHeight, content: JsonObject) -> JsonObject:
-    """What an event says of a revision: a few words, and the whole row, so that every input and every figure
-    can be held against what the chain says.
-    """
+    """An event's words of a revision, and the whole row, to hold every input and figure to the chain."""
     after: JsonObject = {
         **_told(made),
         "revision_id": made.revision_id,
@@ -477,9 +467,7 @@ def _after(made: Measurement | ScanHeight, content: JsonObject) -> JsonObject:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ComputedAgain:
-    """A revision to come of the same clicks: after which one, its content, and the earlier revision whose
-    verdict holds for it too.
-    """
+    """A revision to come of the same clicks: after which, its content, and the one whose verdict it keeps."""
 
     before: Measurement | ScanHeight
     values: MeasurementValues | ScanHeightValues

@@ -1,6 +1,4 @@
-"""What people clicked and what was said of it: measurements, what computed them again, their verdicts, tyre
-contacts, click sigmas.
-"""
+"""What people clicked and what follows: measurements, computings, verdicts, tyre contacts, click sigmas."""
 
 from sqlalchemy import (
     BigInteger,
@@ -16,20 +14,9 @@ from sqlalchemy import (
     UniqueConstraint,
 )
 
-from sightline.enums import (
-    ComputingKind,
-    LotChoice,
-    ReviewVerdict,
-    Target,
-)
+from sightline.enums import ComputingKind, LotChoice, ReviewVerdict, Target
 from sightline.infra.audit.vouched import WrittenOnceApart, table_written_once, vouched
-from sightline.infra.database.types import (
-    HOLDS,
-    CanonicalJson,
-    columns_for,
-    enum_check,
-    numbered,
-)
+from sightline.infra.database.types import HOLDS, CanonicalJson, columns_for, enum_check, numbered
 from sightline.measurements.records import HeightOfClicks, Origin
 from sightline.statistics.acceptance import RiskPoints
 

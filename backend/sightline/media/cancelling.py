@@ -5,24 +5,16 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
-from sightline.errors import Conflict, SightlineError
+from sightline.errors import Stopped
 
 PROGRESS_EVERY_S = 0.25
 Cancelled = Callable[[], bool]
 Progress = Callable[[float], None]
-
-
-class IngestCancelled(Conflict):
-    """Somebody asked for the ingest to stop; nothing of it is kept."""
-
-    kind = "cancelled"
-
-
-_STOPPED = partial(IngestCancelled, "media-import-cancelled")
+_STOPPED = partial(Stopped, "media-import-cancelled")
 
 
 def check_cancelled(is_cancelled: Cancelled, name: str) -> None:
-    """Raise IngestCancelled if the work on the file called `name` is no longer wanted."""
+    """Raise Stopped if the work on the file called `name` is no longer wanted."""
     if is_cancelled():
         raise _STOPPED(name=name)
 
@@ -35,7 +27,7 @@ class Watch:
     is_cancelled: Cancelled
     name: str
     size: int = 0
-    stopped: Callable[..., SightlineError] = _STOPPED
+    stopped: Callable[..., Stopped] = _STOPPED
     next_s: float = 0.0
 
     def look(self, position: int | None) -> None:

@@ -171,9 +171,7 @@ def no_larger(image: NDArray[np.uint8], most_px: int) -> NDArray[np.uint8]:
 
 
 def jpeg(bgr: NDArray[np.uint8], quality: int = 95, *, half_chroma: bool = False) -> bytes:
-    """JPEG with colour for every pixel (4:4:4) or, in half the time, for 2 x 2 of them (4:2:0); BGR (h, w, 3)
-    or luminance (h, w).
-    """
+    """JPEG of BGR (h, w, 3) or luminance (h, w), its colours at 4:4:4 or, in half the time, at 4:2:0."""
     sampling = cv2.IMWRITE_JPEG_SAMPLING_FACTOR_420 if half_chroma else cv2.IMWRITE_JPEG_SAMPLING_FACTOR_444
     options = [cv2.IMWRITE_JPEG_QUALITY, quality, cv2.IMWRITE_JPEG_SAMPLING_FACTOR, sampling]
     return _encode(".jpg", bgr, options)

@@ -4627,7 +4627,6 @@ proposals-too-uncertain = It was not located precisely enough for a height; clic
 
 proposals-looking = Searching for points to suggest.
 proposals-made = Suggestions in { $some } of { $passes } passes, points in all: { $points }.
-proposals-cancelled = Suggesting points was cancelled; earlier suggestions are kept. You can start it again.
 proposals-being-made-already = Points are already being suggested for { $name }; wait until that has finished.
 proposals-no-found-passes = { $name } has no passes found by Sightline. Find the passes first.
 second-frame-followed = The vehicle was followed through its pass.
@@ -4902,7 +4901,6 @@ commands-place-missing = { $place } does not exist; name a database, a data fold
 
 ## Errors: export
 
-export-crop-not-encoded = An image could not be encoded; export the survey again.
 export-frame-not-clicked = Frame { $frame } of the stored video is not the frame that was clicked on.
 export-format-not-known = The package has format { $format }, which this version of Sightline does not know; verify it with { $program } or later.
 export-made-by-another-version = Made by version { $program }; this is { $mine }.
@@ -5664,7 +5662,6 @@ csv-size-not-positive = { $name }, line { $line }: { $column } is “{ $cell }�
 csv-uncertainty-below-0 = { $name }, line { $line }: { $column } is “{ $cell }”; an uncertainty is not below 0. Correct the cell.
 csv-not-utf-8 = { $name } is not a UTF-8 text; save it as CSV in UTF-8.
 vehicles-frames-changed = { $name } now has { $count } frames, but had { $count_2 } when it was imported; import it again.
-vehicles-search-cancelled = The search for passes was cancelled. You can start it again.
 vehicles-search-running = Passes of { $name } are already being searched; wait until that has finished.
 vehicles-no-frames = A vehicle needs its first and last frame; mark the pass on the timeline.
 vehicles-year-to-come = No model of { $year } can have passed yet; give a year up to { $most }.

@@ -4618,7 +4618,6 @@ proposals-too-uncertain = N’a pas été localisé assez précisément pour une
 
 proposals-looking = Recherche de points à proposer.
 proposals-made = Propositions pour { $some } passages sur { $passes }, points en tout : { $points }.
-proposals-cancelled = La proposition de points a été annulée ; les propositions antérieures restent. Vous pouvez la relancer.
 proposals-being-made-already = Les propositions pour { $name } sont déjà en cours ; attendez la fin.
 proposals-no-found-passes = { $name } n’a pas de passages trouvés par Sightline ; détectez d’abord les passages.
 second-frame-followed = Le véhicule a été suivi pendant son passage.
@@ -4892,7 +4891,6 @@ commands-place-missing = { $place } n’existe pas ; nommez une base de donné
 
 ## Erreurs : export
 
-export-crop-not-encoded = Une vue n’a pas pu être encodée ; exportez à nouveau le relevé.
 export-frame-not-clicked = L’image { $frame } de la vidéo stockée n’est pas celle qui a été pointée.
 export-format-not-known = L’archive a le format { $format }, que cette version de Sightline ne connaît pas ; vérifiez-la avec { $program } ou une version ultérieure.
 export-made-by-another-version = Faite par la version { $program } ; celle-ci est { $mine }.
@@ -5715,7 +5713,6 @@ csv-size-not-positive = { $name }, ligne { $line } : { $column } vaut « { $ce
 csv-uncertainty-below-0 = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; une incertitude n’est pas négative. Corrigez la cellule.
 csv-not-utf-8 = { $name } n’est pas un texte UTF-8 ; enregistrez-le en CSV UTF-8.
 vehicles-frames-changed = { $name } a maintenant { $count } images et en avait { $count_2 } à l’import ; importez-le à nouveau.
-vehicles-search-cancelled = La détection des passages a été annulée. Vous pouvez la relancer.
 vehicles-search-running = Une détection des passages de { $name } est déjà en cours ; attendez la fin.
 vehicles-no-frames = Un véhicule demande sa première et sa dernière image ; marquez le passage sur la frise.
 vehicles-year-to-come = Aucun modèle de { $year } n’a pu passer encore ; donnez une année jusqu’à { $most }.

@@ -18,9 +18,9 @@ from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from sightline.messages.said import Said
+from sightline.poses.records import SolvedPose
 from sightline.poses.service import (
     BoardView,
-    Solved,
     StillSpan,
     board_in_span,
     board_view,
@@ -105,12 +105,7 @@ def request_pose(session: Session, wanted: PoseRequest, *, actor: int) -> Job:
     require_board(wanted.board)
     fitting_camera(session, recording, wanted.calibration_id)
     return registry.enqueue(
-        session,
-        KIND,
-        asdict(wanted),
-        survey_id=recording.survey_id,
-        recording_id=recording.id,
-        actor=actor,
+        session, KIND, asdict(wanted), survey_id=recording.survey_id, recording_id=recording.id, actor=actor
     )
 
 
@@ -144,7 +139,9 @@ def solve_pose(context: registry.JobContext) -> registry.Outcome:
     return storing(wanted, solved, context.actor)
 
 
-def storing(wanted: PoseRequest, solved: Solved, actor: int | None) -> Callable[[Session], Mapping[str, Any]]:
+def storing(
+    wanted: PoseRequest, solved: SolvedPose, actor: int | None
+) -> Callable[[Session], Mapping[str, Any]]:
     """The write that ends the job: the pose, in force for its recording, and the camera that filmed it."""
 
     def store(session: Session) -> Mapping[str, Any]:
@@ -154,14 +151,8 @@ def storing(wanted: PoseRequest, solved: Solved, actor: int | None) -> Callable[
             calibration_id=wanted.calibration_id,
             first_frame=wanted.first_frame,
             last_frame=wanted.last_frame,
-            rms_px=solved.pose.rms_px,
-            distance_m=solved.distance_m,
-            summary=solved.summary,
-            document=solved.document,
-            warnings=solved.warnings,
-            expected=solved.expected,
-            overlay=solved.overlay,
             actor=actor,
+            **solved,
         )
         recording = get_recording(session, wanted.recording_id)
         camera_id = get_calibration(session, wanted.calibration_id).camera_id

@@ -59,12 +59,9 @@ class PoseSummary:
     adjusted_from: int | None
 
 
-class NewPose(TypedDict):
-    """What is to be stored of a pose; it is made of no other one where nothing is said of that."""
+class SolvedPose(TypedDict):
+    """What is stored of a pose as it was solved: its pose.json, its verdict and its drawing."""
 
-    calibration_id: int
-    first_frame: int
-    last_frame: int
     rms_px: float | None
     distance_m: float | None
     summary: list[Said]
@@ -72,6 +69,14 @@ class NewPose(TypedDict):
     warnings: list[Said]
     expected: list[ExpectedHeight]
     overlay: PoseOverlay
+
+
+class NewPose(SolvedPose):
+    """One to be stored; it is made of no other one where nothing is said of that."""
+
+    calibration_id: int
+    first_frame: int
+    last_frame: int
     turned_from: NotRequired[int | None]
     turned_by_rad: NotRequired[float | None]
     adjusted_from: NotRequired[int | None]

@@ -3,7 +3,7 @@
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
 import scipy
@@ -22,7 +22,7 @@ from sightline.geometry.road import axes_at_contact, iso_heights, road_grid
 from sightline.geometry.road_pose import Reference, RoadPose
 from sightline.geometry.ruler import DrawnAxes, Polyline, drawn_axes, polyline
 from sightline.messages.said import Said, with_commas
-from sightline.poses.records import ExpectedHeight, IsoHeight, PoseOverlay
+from sightline.poses.records import ExpectedHeight, IsoHeight, PoseOverlay, SolvedPose
 
 # Corner errors of neighbouring frames are correlated: more frames add time, not accuracy.
 MOST_FRAMES = 15
@@ -68,19 +68,6 @@ def preview_board(pictures: Iterable[Gray], board: Board) -> BoardSeen:
         if corners.found and corners.ids is None:
             mean.add(gray, corners)
     return BoardSeen(tuple(found), mean.result())
-
-
-@dataclass(frozen=True, eq=False)
-class Solved:
-    """A camera pose with everything that is stored beside it."""
-
-    pose: RoadPose
-    document: dict[str, Any]
-    warnings: list[Said]
-    expected: list[ExpectedHeight]
-    overlay: PoseOverlay
-    distance_m: float | None
-    summary: list[Said]
 
 
 def board_view(gray: Gray, board: Board) -> BoardView:
@@ -148,9 +135,7 @@ def _furthest(stands: Callable[[int], bool], start: int, end: int) -> int:
 
 
 def outline(corners: Corners) -> Polyline:
-    """The four outermost inner corners, clockwise from the top left, closed; of a board seen in part the
-    hull of what is seen.
-    """
+    """The outermost inner corners, clockwise from the top left, closed; of a board seen in part its hull."""
     grid = corners.points_px
     if corners.ids is None:
         ring = np.array([grid[0, 0], grid[0, -1], grid[-1, -1], grid[-1, 0]])
@@ -184,7 +169,7 @@ def board_in_span(
     return seen
 
 
-def solve(camera: Camera, seen: BoardSeen, board: Board, reference: Reference) -> Solved:
+def solve(camera: Camera, seen: BoardSeen, board: Board, reference: Reference) -> SolvedPose:
     """The camera pose from the board as seen, with its verdict and drawing.
 
     Raises BadInput with the reason (board or camera moved, board seen edge-on, height that cannot be).
@@ -194,12 +179,12 @@ def solve(camera: Camera, seen: BoardSeen, board: Board, reference: Reference) -
     return described(pose, found[len(found) // 2].points_px.reshape(-1, 2))
 
 
-def described(pose: RoadPose, corners_px: Floats) -> Solved:
+def described(pose: RoadPose, corners_px: Floats) -> SolvedPose:
     """A pose with its verdict and drawing; corners_px (N, 2): the board on the frame that is drawn over."""
     expected = [_expected(*at) for at in expected_u(pose, EXPECTED_AT_M)]
     distance_m = None if pose.board is None else pose.board.distance_m
-    return Solved(
-        pose=pose,
+    return SolvedPose(
+        rms_px=pose.rms_px,
         document=pose_to_dict(pose),
         warnings=list(pose.warnings),
         expected=expected,

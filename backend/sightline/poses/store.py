@@ -19,12 +19,7 @@ _HEAVY = ("document", "warnings", "expected", "overlay")
 
 
 def add_pose(
-    session: Session,
-    recording_id: int,
-    *,
-    attach: bool = True,
-    actor: int | None,
-    **values: Unpack[NewPose],
+    session: Session, recording_id: int, *, attach: bool = True, actor: int | None, **values: Unpack[NewPose]
 ) -> Pose:
     """Store a pose taken from frames of a recording and (by default) make it that recording's pose; one that
     others alone use may have been deleted.

@@ -1,6 +1,4 @@
-"""The side plane of a vehicle as a small picture for a network: metres along its way and up, always going to
-the right.
-"""
+"""A vehicle's side plane as a small picture for a network: metres along its way, to the right, and up."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -199,8 +199,7 @@ def _combined(name: str, found: Sequence[tuple[int, float, Seen]]) -> Place | No
         return None
     mean = float((weight * z)[keep].sum() / weight[keep].sum())
     drift, along = _drift(
-        np.array([wheel for _, wheel, _ in some])[keep],
-        np.array([one.along_m for _, _, one in some])[keep],
+        np.array([wheel for _, wheel, _ in some])[keep], np.array([one.along_m for _, _, one in some])[keep]
     )
     spread = float(np.sqrt((weight * (z - mean) ** 2)[keep].sum() / weight[keep].sum()))
     if spread > MOST_APART_M:

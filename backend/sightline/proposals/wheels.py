@@ -78,11 +78,7 @@ def wheels_at(
 
 
 def wheels_on(
-    gray: NDArray[np.uint8],
-    standing: NDArray[np.bool_],
-    pose: RoadPose,
-    box: Box,
-    direction: Direction,
+    gray: NDArray[np.uint8], standing: NDArray[np.bool_], pose: RoadPose, box: Box, direction: Direction
 ) -> Wheels | str:
     """The wheels of the vehicle in `box` (left, top, right, bottom) px on a frame `gray` (H, W), of which
     `standing` (H, W) stands before the road; or why none is seen.

@@ -4,8 +4,7 @@ from collections.abc import Sequence
 
 from sightline.errors import Conflict
 from sightline.infra.database import Session
-from sightline.poses.records import Pose
-from sightline.poses.service import Solved
+from sightline.poses.records import Pose, SolvedPose
 from sightline.poses.store import add_pose
 from sightline.recordings.drift_request import request_if_posed
 from sightline.recordings.records import Recording
@@ -16,7 +15,7 @@ def replace_in_force(
     session: Session,
     before: Pose,
     users: Sequence[Recording],
-    solved: Solved,
+    solved: SolvedPose,
     *,
     turned_from: int | None = None,
     turned_by_rad: float | None = None,
@@ -30,6 +29,7 @@ def replace_in_force(
     """
     if not users:
         raise Conflict("quality-pose-unused")
+    as_before: SolvedPose = {**solved, "rms_px": before.rms_px, "distance_m": before.distance_m}
     made = add_pose(
         session,
         before.recording_id,
@@ -37,17 +37,11 @@ def replace_in_force(
         calibration_id=before.calibration_id,
         first_frame=before.first_frame,
         last_frame=before.last_frame,
-        rms_px=before.rms_px,
-        distance_m=before.distance_m,
-        summary=solved.summary,
-        document=solved.document,
-        warnings=solved.warnings,
-        expected=solved.expected,
-        overlay=solved.overlay,
         turned_from=turned_from,
         turned_by_rad=turned_by_rad,
         adjusted_from=adjusted_from,
         actor=actor,
+        **as_before,
     )
     for one in users:
         if one.id != before.recording_id:

@@ -2,12 +2,12 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass, fields
-from typing import Annotated, NotRequired, Required, cast
+from typing import Annotated, NotRequired, Required
 
 from pydantic import Field
 from typing_extensions import TypedDict
 
-from sightline.enums import DriftState
+from sightline.enums import DriftState, JsonObject
 from sightline.geometry.drift import Motion
 from sightline.messages.said import Said
 
@@ -95,20 +95,6 @@ class DriftFigures(TypedDict):
     checked_at: str
 
 
-class SpanTold(TypedDict):
-    """A span on which the camera had moved, as the audit event of the check says it."""
-
-    first_frame: int
-    last_frame: int
-    moved_px: float
-    change_m: float | None
-    distance_m: NotRequired[float | None]
-    x_px: NotRequired[float]
-    y_px: NotRequired[float]
-    turn_rad: NotRequired[float]
-    scale: NotRequired[float]
-
-
 class DriftDecision(TypedDict):
     """Why somebody lets a camera pose stand, and the moved spans that they saw."""
 
@@ -153,9 +139,7 @@ def drift_check_of(drift: DriftChecks | None, pose_id: int | None) -> DriftCheck
 
 
 def drift_figures(check: DriftCheck) -> DriftFigures:
-    """What a check found, in a few figures: the largest motion and the largest change of a height where the
-    camera moved, None where it did not.
-    """
+    """A check in few figures: the largest motion and change of a height; None where it did not move."""
     moved = [span for span in check["spans"] if span["moved"]]
     worst = max(moved, key=lambda span: abs(span["change_m"] or 0.0), default=None)
     change_m = None if worst is None else worst["change_m"]
@@ -169,13 +153,11 @@ def drift_figures(check: DriftCheck) -> DriftFigures:
     }
 
 
-def spans_told(check: DriftCheck) -> list[SpanTold]:
-    """The moved spans of a check: measurements on them are flagged. Those of an earlier version's check as it
-    told them.
-    """
+def spans_told(check: DriftCheck) -> list[JsonObject]:
+    """The fields of a check's `MovedSpan`s, as its event has them; an earlier version's as it told them."""
     told = [one.name for one in fields(MovedSpan)]
     return [
-        cast(SpanTold, {name: one.get(name) for name in (told if "distance_m" in one else told[:4])})
+        {name: one.get(name) for name in (told if "distance_m" in one else told[:4])}
         for one in check["spans"]
         if one["moved"]
     ]
@@ -192,7 +174,7 @@ def open_spans(
 
 
 def undecided(
-    spans: Iterable[SpanTold], decision: DriftDecision | None, pose_id: int | None, floor_px: float | None
+    spans: Iterable[JsonObject], decision: DriftDecision | None, pose_id: int | None, floor_px: float | None
 ) -> list[MovedSpan]:
     """The moved spans against a pose that no decision covers."""
     moved = [MovedSpan(**one) for one in spans]

@@ -15,10 +15,9 @@ from sightline.infra.database import Session
 from sightline.infra.database.types import now
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
+from sightline.infra.jobs.registry import Finish, JobContext
 from sightline.infra.services import Services
 from sightline.infra.stored_bytes import require_media
-from sightline.media.cancelling import IngestCancelled
 from sightline.media.store.local import MediaStore, key_of
 from sightline.media.video.decode import require_whole
 from sightline.media.video.ingest import Ingested, ingest
@@ -147,19 +146,16 @@ def _require_same_pictures(services: Services, recording: Recording, found: Inge
 
 def _read(context: JobContext, path: Path, recording: Recording, folder: Path) -> Ingested:
     context.progress(0.0, Said("job-video-reading"))
-    try:
-        return ingest(
-            path,
-            lambda fraction: context.progress(0.97 * fraction, Said("job-video-reading")),
-            context.is_cancelled,
-            folder / "thumbs",
-            work_dir=folder,
-            name=recording.name,
-            stream_number=recording.stream_number,
-            filmed_hz=recording.filmed_hz,
-        )
-    except IngestCancelled as stopped:
-        raise Cancelled("recordings-import-cancelled") from stopped
+    return ingest(
+        path,
+        lambda fraction: context.progress(0.97 * fraction, Said("job-video-reading")),
+        context.is_cancelled,
+        folder / "thumbs",
+        work_dir=folder,
+        name=recording.name,
+        stream_number=recording.stream_number,
+        filmed_hz=recording.filmed_hz,
+    )
 
 
 def _keep_working_copy(store: MediaStore, recording: Recording, found: Ingested) -> str | None:

@@ -33,10 +33,7 @@ class Facts:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RecordingFacts:
-    """What is said of a video. Facts are None until it is ready.
-
-    `started_at`: what a person said, with the zone whose clocks it is told by.
-    """
+    """What is said of a video; facts None until ready. `started_at`: as said, by the clocks of its zone."""
 
     id: int
     survey_id: int

@@ -81,9 +81,7 @@ class RecordingChange(In):
 def recording_body(
     recording: Recording, lens: Mapping[str, Any] | None, lamps: StreetLamps | None
 ) -> RecordingBody:
-    """A recording as it goes out; `lens`: its camera's calibration, `lamps`: whether its survey's road has
-    street lighting.
-    """
+    """A recording as it goes out; `lens`: its camera's calibration, `lamps`: whether its road has lamps."""
     size, focal = (recording.width_px, recording.height_px), recording.report.get("focal_35mm_mm")
     of_lens = [] if lens is None else misfits(size, focal, lens)
     address = f"/api/recordings/{recording.id}/thumbs"
@@ -128,9 +126,7 @@ def download_video(recording_id: PathId, who: Exporter, services: Wired) -> File
     path = services.media.local_path(recording.media_key)
     # never shown within the app's own origin, whatever was uploaded as a video
     return FileResponse(
-        path,
-        media_type="application/octet-stream",
-        filename=_file_name(recording.name, path.suffix),
+        path, media_type="application/octet-stream", filename=_file_name(recording.name, path.suffix)
     )
 
 

@@ -1,15 +1,6 @@
 """The table of recordings."""
 
-from sqlalchemy import (
-    BigInteger,
-    Boolean,
-    CheckConstraint,
-    Column,
-    Float,
-    ForeignKey,
-    Integer,
-    String,
-)
+from sqlalchemy import BigInteger, Boolean, CheckConstraint, Column, Float, ForeignKey, Integer, String
 
 from sightline.enums import Lighting, RecordingState, StreetLighting
 from sightline.infra.database.types import (

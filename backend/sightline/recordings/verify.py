@@ -4,10 +4,11 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any
 
+from sightline.enums import JsonObject
 from sightline.infra.csv_package.files import Files
 from sightline.infra.csv_package.replay import Replay, Told, hold_all
 from sightline.recordings.csv import RECORDINGS, drift_cells, drift_of, started_text
-from sightline.recordings.drift import DriftDecision, DriftFigures, MovedSpan, SpanTold, undecided
+from sightline.recordings.drift import DriftDecision, DriftFigures, MovedSpan, undecided
 
 #: What no event names is in no cell either.
 _NOTHING = dict.fromkeys(RECORDINGS.header)
@@ -18,7 +19,7 @@ class DriftEvents:
     """What the events say of recordings' cameras that moved, by recording and pose, and what was decided."""
 
     found: dict[int, dict[int, DriftFigures]] = field(default_factory=dict)
-    spans: dict[int, dict[int, list[SpanTold]]] = field(default_factory=dict)
+    spans: dict[int, dict[int, list[JsonObject]]] = field(default_factory=dict)
     decisions: dict[int, DriftDecision | None] = field(default_factory=dict)
 
     def add(self, number: int, after: dict[str, Any]) -> bool:

@@ -13,12 +13,7 @@ from sightline.errors import BadInput, Conflict, NotAllowed
 from sightline.infra.audit.records import Who
 from sightline.infra.audit.written import written_once
 from sightline.infra.database.rows import missing, names
-from sightline.measurements.query import (
-    fetch_measurements,
-    is_current,
-    is_own,
-    measurement_revision_rows,
-)
+from sightline.measurements.query import fetch_measurements, is_current, is_own, measurement_revision_rows
 from sightline.measurements.records import Measurement, MeasurementValues, ScanHeight
 from sightline.measurements.store import (
     append_measurement_revision,
@@ -219,10 +214,7 @@ def _drawn(session: Session, survey_id: int, found: Sequence[Measurement], actor
 
 
 def not_own(session: Session, before: Measurement | ScanHeight, actor: int) -> None:
-    """Nobody reviews points of their own, nor does somebody else's withdrawing and restoring make them so.
-
-    Raises NotAllowed.
-    """
+    """Nobody reviews points of their own, also once another withdrew and restored. Raises NotAllowed."""
     query = select(is_own(actor)).where(revision_rows.c.id == before.revision_id)
     if session.execute(query).scalar_one():
         raise NotAllowed("reviews-own-measurement")

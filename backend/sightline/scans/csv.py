@@ -294,10 +294,7 @@ TABLES: tuple[Table[Any], ...] = (
 
 
 def fill_scans(staging: Staging, session: Session, survey_id: int) -> None:
-    """Write the tables of line scans.
-
-    Deleted scans and vehicles are left out with all that belongs to them, as for heights.
-    """
+    """Write the tables of line scans; deleted scans and vehicles are left out with all that is theirs."""
     scans = list_scans(session, survey_id)
     passed = {
         scan.id: shown(scan, list_scan_vehicles(session, scan.id), standing_references(session, scan.id))

@@ -65,10 +65,7 @@ def partner_lines(values: ScanValues, lines: NDArray[np.float64]) -> NDArray[np.
 
 
 def laid_over(reader: StripReader, at: NDArray[np.float64], misalignment_px: float) -> NDArray[np.float32]:
-    """Lines `at` (n,) of a strip, each moved up by the misalignment, (n, rows); read in pieces.
-
-    Raises BadInput where the strip has none of them.
-    """
+    """Lines `at` (n,), each moved up by the misalignment, (n, rows). Raises BadInput where none exists."""
     if at.min() > reader.lines - 1:
         raise BadInput("scans-second-strip-ends")
     parts = []

@@ -27,8 +27,7 @@ _OF_VEHICLE = tuple(
 
 #: True for the newest revision of each vehicle.
 is_current: ColumnElement[bool] = ~exists().where(
-    _later.c.vehicle_id == scan_measurements.c.vehicle_id,
-    _later.c.revision > scan_measurements.c.revision,
+    _later.c.vehicle_id == scan_measurements.c.vehicle_id, _later.c.revision > scan_measurements.c.revision
 )
 _newest_review = (
     select(func.max(scan_reviews.c.id))
@@ -85,9 +84,7 @@ def scan_vehicle_rows(*, profile: bool = False) -> Select[Any]:
 
 
 def scan_vehicle_states(*conditions: ColumnElement[bool]) -> Select[Any]:
-    """(scan, status, verdict, rig as its text, lane, direction) of each living vehicle: what counts are made
-    of.
-    """
+    """(scan, status, verdict, rig's text, lane, direction) of each living vehicle: what counts come from."""
     return (
         select(
             scan_vehicles.c.scan_id,

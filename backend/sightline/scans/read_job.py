@@ -10,9 +10,8 @@ from sightline.errors import Away, NotFound
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
+from sightline.infra.jobs.registry import Finish, JobContext
 from sightline.infra.services import Services
-from sightline.media.cancelling import IngestCancelled
 from sightline.media.store.local import key_of
 from sightline.media.strips.reader import Strip, check_pair, open_strip
 from sightline.media.strips.stored_writer import SUFFIX, StoredStrip, store_strip
@@ -48,11 +47,8 @@ def read_scan(context: JobContext) -> Finish:
     assert scan_id is not None
     with services.reading() as session:
         scan = get_scan(session, scan_id)
-    try:
-        with tempfile.TemporaryDirectory(prefix="scan-", dir=services.scratch) as folder:
-            facts = _stored(context, services, scan, Path(folder))
-    except IngestCancelled as stopped:
-        raise Cancelled("jobs-cancelled") from stopped
+    with tempfile.TemporaryDirectory(prefix="scan-", dir=services.scratch) as folder:
+        facts = _stored(context, services, scan, Path(folder))
 
     def finish(session: Session) -> Mapping[str, Any]:
         # Nobody deletes a file while the lock is held.

@@ -86,13 +86,7 @@ def create_from_video(
     what = "columns" if source.cut_along == "columns" else "rows"
     size_px = (recording.width_px if what == "columns" else recording.height_px) or 0
     if cuts[0] == cuts[1] or not all(0 <= one < size_px for one in cuts):
-        raise BadInput(
-            "scans-cuts-unusable",
-            what=what,
-            cut_1=cuts[0],
-            cut_2=cuts[1],
-            last_px=size_px - 1,
-        )
+        raise BadInput("scans-cuts-unusable", what=what, cut_1=cuts[0], cut_2=cuts[1], last_px=size_px - 1)
     made = store.create_scan(
         session,
         survey_id,
@@ -175,10 +169,7 @@ def require_idle(session: Session, scan: Scan) -> None:
 
 
 def remove_scan(services: Services, scan_id: int, actor: int) -> None:
-    """Delete a scan on which nobody worked, and the files that nothing else needs.
-
-    Raises NotFound, Conflict (worked on, or a job of it runs), Away.
-    """
+    """Delete a scan and the files of it alone. Raises NotFound, Conflict (worked on, a job runs), Away."""
     require_media(services)
     with services.writing() as session:
         scan = store.get_scan(session, scan_id)

@@ -122,10 +122,7 @@ scan_measurements = table_written_once(
         "(status = 'ok' AND speed_mps IS NOT NULL) OR (status <> 'ok' AND reason IS NOT NULL)",
         name="speed_or_reason",
     ),
-    CheckConstraint(
-        "(front_wheel_line IS NULL) = (rear_wheel_line IS NULL)",
-        name="two_wheels",
-    ),
+    CheckConstraint("(front_wheel_line IS NULL) = (rear_wheel_line IS NULL)", name="two_wheels"),
 )
 
 # Verdicts on a revision; written once, the newest of a revision counts.

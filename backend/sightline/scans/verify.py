@@ -1,6 +1,4 @@
-"""Holding the line-scan tables of an export against the audit chain: motions, boundaries, facts, references,
-verdicts.
-"""
+"""Line-scan tables of an export against the audit chain: motions, boundaries, facts, references, verdicts."""
 
 from collections import defaultdict
 from collections.abc import Callable, Mapping
@@ -188,9 +186,7 @@ def _verdicts(
     of: str,
     reviews: Mapping[int, Mapping[str, str]],
 ) -> None:
-    """A revision's verdict, with its reason, reviewer and time, is the newest that was given on it, or on the
-    one whose verdict holds for it too.
-    """
+    """A revision's verdict is the newest given on it, or on the one whose verdict holds for it too."""
     newest = {int(one[of]): (at, one) for at, one in sorted(reviews.items())}
     for number, row in revisions.items():
         known = [newest[one] for one in (number, int(row.get("verdict_of_id") or 0)) if one in newest]

@@ -1,3 +1,1 @@
-"""What heights of eyes, objects and headlights mean for a road: sight distances and the curves that keep
-them.
-"""
+"""What heights of eyes, objects and headlights mean for a road: sight distances and curves that keep them."""

@@ -31,9 +31,7 @@ class CurveLength:
 
 @dataclass(frozen=True)
 class CrestConstant:
-    """What two heights mean for every crest: `constant_m`, and its standard uncertainty where theirs are
-    known.
-    """
+    """What two heights mean for every crest: `constant_m`, and its standard uncertainty if both are known."""
 
     constant_m: float
     u_constant_m: float | None
@@ -163,10 +161,7 @@ def sag_k_m(distance_m: float, headlight_m: float = HEADLIGHT_M, beam_rad: float
 
 
 def sag_length(
-    distance_m: float,
-    difference_percent: float,
-    headlight_m: float = HEADLIGHT_M,
-    beam_rad: float = BEAM_RAD,
+    distance_m: float, difference_percent: float, headlight_m: float = HEADLIGHT_M, beam_rad: float = BEAM_RAD
 ) -> CurveLength:
     """The least length of a sag by the headlight rule (AASHTO 2018).
 

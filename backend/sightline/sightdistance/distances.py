@@ -76,9 +76,7 @@ US_CUSTOMARY = UnitSystem(
 
 @dataclass(frozen=True)
 class SightDistance:
-    """A distance that has to be seen; `design_m` is rounded up to the step of the unit system (5 m or 5
-    ft).
-    """
+    """A distance that has to be seen; `design_m` is rounded up to the unit system's step (5 m or 5 ft)."""
 
     distance_m: float
     design_m: float

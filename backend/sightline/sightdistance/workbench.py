@@ -1,6 +1,4 @@
-"""From heights with their intervals to crests with theirs, and what a survey would change of a standard's
-road.
-"""
+"""From heights with intervals to crests with theirs, and what a survey would change of a standard's road."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -10,12 +8,7 @@ from sightline.coverage import COVERAGE_95, expanded
 from sightline.enums import CrestVerdict, Crossing, Manoeuvre, SightKind
 from sightline.errors import BadInput
 from sightline.messages.said import Said
-from sightline.sightdistance.curves import (
-    crest_constant,
-    crest_distance_m,
-    crest_k_m,
-    crest_length,
-)
+from sightline.sightdistance.curves import crest_constant, crest_distance_m, crest_k_m, crest_length
 from sightline.sightdistance.distances import (
     METRIC,
     SightDistance,
@@ -41,9 +34,7 @@ _CROSSING: dict[SightKind, Crossing] = {
 
 @dataclass(frozen=True)
 class Bounded:
-    """A value with its 95 % interval; low and high None: taken as exact, unless `reason` says that none is
-    known.
-    """
+    """A value with its 95 % interval; low and high None: exact, unless `reason` says that none is known."""
 
     value: float
     low: float | None = None
@@ -87,9 +78,7 @@ class Comparison:
 
 
 def sight_distance(kind: SightKind, speed_mps: float, units: UnitSystem = METRIC) -> SightDistance:
-    """The distance of a kind at a design speed (AASHTO 2018); passing has metric values only. Raises
-    BadInput.
-    """
+    """The distance of a kind at a design speed (AASHTO 2018); passing in metric only. Raises BadInput."""
     if kind == "stopping":
         return stopping_distance(speed_mps, units)
     if kind == "passing":
@@ -100,9 +89,7 @@ def sight_distance(kind: SightKind, speed_mps: float, units: UnitSystem = METRIC
 
 
 def with_u(value_m: float, u_m: float | None) -> Bounded:
-    """A height with the 95 % interval of its standard uncertainty, metres; exact without one. Raises BadInput
-    for one below 0.
-    """
+    """A height with the 95 % interval of its u, metres; exact without. Raises BadInput for one below 0."""
     if u_m is None:
         return Bounded(value_m)
     if not (math.isfinite(u_m) and u_m >= 0.0):

@@ -40,11 +40,7 @@ class Known:
 
 
 def corrected(
-    kind: Correction,
-    inset_m: ArrayLike,
-    paper_m: ArrayLike,
-    known: Known,
-    camera_sd_m: float | None = None,
+    kind: Correction, inset_m: ArrayLike, paper_m: ArrayLike, known: Known, camera_sd_m: float | None = None
 ) -> Corrected | Said:
     """Heights (N,) under a correction, metres, or the reason why it cannot be made.
 

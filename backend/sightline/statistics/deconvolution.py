@@ -35,10 +35,7 @@ _LEAST_SPREAD = 1e-6  # metres; less is the rounding of equal values
 
 @dataclass(frozen=True, eq=False)
 class Noise:
-    """Distribution of one measurement's error: a mixture of normal ones around 0.
-
-    sd_m, share: (L,) each, shares sum to 1.
-    """
+    """One measurement's error: a mixture of normals around 0. sd_m, share: (L,) each, shares sum to 1."""
 
     sd_m: Floats
     share: Floats
@@ -223,9 +220,7 @@ def _kernel(noise: Noise, cell_m: float, cells: int) -> Floats:
 
 
 def _normal(edge: Floats, heights: Floats, noise_m2: float) -> Floats:
-    """The normal density of the sample's mean and variance less the noise's, per cell (M,): where a fit
-    begins.
-    """
+    """The normal density of the sample's mean and variance less the noise's, (M,): where a fit begins."""
     centre = 0.5 * (edge[1:] + edge[:-1])
     variance = float(heights.var())
     variance = max(variance - noise_m2, 0.2 * variance)

@@ -202,10 +202,7 @@ def _sites(site: Ints, weight: Floats) -> Sites:
 
 
 def ordered(design: Design, order: Ints | NDArray[np.bool_]) -> Design:
-    """The same design for the rows of `order`, (M,) by number or (N,) by truth.
-
-    Own method: all columns alike.
-    """
+    """The same design for rows of `order`, (M,) by number or (N,) by truth. Own method: columns alike."""
     return Design(
         weight=design.weight[order],
         stratum=design.stratum[order],

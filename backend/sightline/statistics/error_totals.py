@@ -186,9 +186,7 @@ class ErrorTotals:
 
 @dataclass(frozen=True, eq=False)
 class _Moved:
-    """What shared errors make of a figure: given_m as in `_joined`; moved_m (D, C), weight (C,), u_mean_m as
-    of `_Cells`.
-    """
+    """A figure under shared errors: given_m as in `_joined`; moved_m (D, C), weight, u_mean_m of `_Cells`."""
 
     given_m: Callable[[Floats], Floats]
     moved_m: Floats

@@ -72,9 +72,7 @@ class PassTime:
 
 @dataclass(frozen=True, slots=True)
 class PassAnswers:
-    """What became of a pass: `measured`, by a height that is not rejected, and `not_visible` are the targets
-    answered so.
-    """
+    """What became of a pass: targets `measured`, by a height not rejected, and answered `not_visible`."""
 
     lighting: Lighting | None
     class_set: ClassSet | None

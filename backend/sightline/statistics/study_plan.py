@@ -56,9 +56,6 @@ def vehicles_needed(components: Components, sites: int, goal_m: float) -> int | 
 
 
 def plan(components: Components, sites: Sequence[int], goal_m: float) -> list[tuple[int, int | None]]:
-    """(sites, vehicles at each) that meet the goal, for each of the numbers of sites asked for.
-
-    By `vehicles_needed`.
-    """
+    """(sites, vehicles at each) that meet the goal, for each number of sites. By `vehicles_needed`."""
     possible = [one for one in sites if one <= components.sites_there]
     return [(one, vehicles_needed(components, one, goal_m)) for one in possible]

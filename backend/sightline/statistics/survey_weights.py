@@ -17,9 +17,7 @@ _RESIDUAL_ROUNDS = 100
 
 @dataclass(frozen=True, eq=False)
 class Margin:
-    """What the classes of one kind are of the fleet: code (N,), 0 to K - 1, of each vehicle; share (K,), sums
-    to 1.
-    """
+    """The classes of one kind in the fleet: code (N,), 0 to K - 1, of each vehicle; share (K,), sums to 1."""
 
     code: Ints
     share: Floats

@@ -116,9 +116,7 @@ def sample_of_measurements(
 
 @dataclass(frozen=True, eq=False)
 class _Confidence:
-    """What is known of a percentile: its value and draws (D,) of what it may be, ascending, metres, and the
-    design effect.
-    """
+    """A percentile: its value and draws (D,) of what it may be, ascending, metres, and the design effect."""
 
     value_m: float
     possible_m: Floats

@@ -9,9 +9,7 @@ from sightline.studies.records import StudyRule
 
 
 def consequence(rules: Sequence[StudyRule], unit: LengthUnit) -> str | None:
-    """Of the first standard whose eye and object both have a rule on heights that the study has; where they
-    are too few, that.
-    """
+    """Of the first standard with rules for eye and object on heights of the study; where too few, that."""
     known = [one.rule for one in rules if one.rule.n]
     eyes = {one.standard.name: one for one in known if one.standard.what == "eye_car"}
     objects = {one.standard.name: one for one in known if one.standard.what == "object_stopping"}

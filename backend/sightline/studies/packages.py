@@ -21,10 +21,7 @@ _OF_MORE_FRAMES = re.compile(r"(?:frame|contact|target)\d+")
 
 
 def found_places(named: Iterable[Path]) -> list[Path]:
-    """Packages by the names of folders and ZIPs; a folder that is none stands for all packages below it.
-
-    Raises BadInput where there is none.
-    """
+    """Packages by names of folders and ZIPs; another folder: all packages below. Raises BadInput for none."""
     found: list[Path] = []
     for place in named:
         if place.is_file() or (place / CHECKSUMS).is_file():

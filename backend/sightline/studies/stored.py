@@ -15,13 +15,7 @@ from sightline.infra.version import code_version
 from sightline.messages import SOURCE
 from sightline.results.standards_store import get_standards
 from sightline.studies.fleet_csv import read_fleet, read_sites
-from sightline.studies.records import (
-    SiteFacts,
-    StoredStudy,
-    StudiedSurvey,
-    Study,
-    StudyFacts,
-)
+from sightline.studies.records import SiteFacts, StoredStudy, StudiedSurvey, Study, StudyFacts
 from sightline.studies.service import Plan, make_study
 from sightline.studies.store import get_study, note_study_job
 from sightline.studies.stored_query import StoredTables, surveys_with_poses
@@ -44,9 +38,7 @@ class Computed:
 
 
 def checked(session: Session, facts: StudyFacts) -> StudyFacts:
-    """The same with a site for every survey. Raises BadInput in one sentence where it does not hold together,
-    NotFound for a survey that is not there.
-    """
+    """The same with a site for every survey. Raises BadInput where it does not hold together, NotFound."""
     if not facts.name.strip():
         raise BadInput("studies-needs-a-name")
     if not 0.0 < facts.goal_m < 1.0:
@@ -123,10 +115,7 @@ def ask_to_compute(session: Session, study_id: int, *, language: str = SOURCE, a
 
 
 def compute(session: Session, stored: StoredStudy, tell: Tell) -> Computed:
-    """Everything that comes out of a study as it stands.
-
-    Raises BadInput in one sentence where surveys, fleet and sites do not fit.
-    """
+    """All that comes out of a study. Raises BadInput where surveys, fleet and sites do not fit."""
     ids = [one.survey_id for one in stored.facts.surveys]
     if not ids:
         raise BadInput("studies-has-no-survey")

@@ -47,9 +47,7 @@ def result_of(context: registry.JobContext, study_id: int, language: str = SOURC
             asked_by = get_person(session, context.actor)
             require_surveys(session, asked_by, (one.survey_id for one in stored.facts.surveys))
         found = compute(
-            session,
-            stored,
-            lambda part: context.progress(_COMPUTED * part, Said("job-study-figures")),
+            session, stored, lambda part: context.progress(_COMPUTED * part, Said("job-study-figures"))
         )
     with tempfile.TemporaryDirectory(prefix="study-", dir=services.scratch) as name:
         folder = Path(name)

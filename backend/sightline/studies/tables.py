@@ -12,12 +12,7 @@ from sqlalchemy import (
 )
 
 from sightline.infra.audit.vouched import table_changed_by_events, table_written_once
-from sightline.infra.database.types import (
-    NEEDS_MEDIA,
-    CanonicalJson,
-    columns_for,
-    numbered,
-)
+from sightline.infra.database.types import NEEDS_MEDIA, CanonicalJson, columns_for, numbered
 from sightline.studies.records import StudyFacts
 
 # Surveys joined: which ones at which site and of which year, the fleet, facts of the sites.

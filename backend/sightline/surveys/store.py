@@ -108,9 +108,7 @@ def demo_survey_id(session: Session) -> int | None:
 
 
 def update_survey(session: Session, changed: Survey, *, actor: int | None) -> Survey:
-    """Change what people say of it. Raises Conflict, naming who and when, if the survey that was `changed` is
-    of another version than the current one.
-    """
+    """Change what people say of it. Raises Conflict, naming who and when, where `changed` is not current."""
     before = get_row(session, surveys, changed.id, "survey")
     if by := change_since(session, before, changed.version):
         raise Conflict("surveys-changed-meanwhile", name=by[0], when=by[1])
@@ -186,9 +184,7 @@ def sampling_of(stored: Mapping[str, Any]) -> Sampling:
 
 
 def stored_sampling(sampling: Sampling) -> dict[str, Any]:
-    """A rule as its column and the audit chain hold it. Raises BadInput for one that takes nothing, or a
-    quota that comes twice.
-    """
+    """A rule as its column and the chain hold it. Raises BadInput if it takes nothing or a quota twice."""
     if not 1 <= sampling.step <= MOST_STEP or not 1 <= sampling.start <= sampling.step:
         raise BadInput("surveys-sampling-step", most_step=MOST_STEP)
     if not 0.0 < sampling.share_percent <= 100.0:

@@ -10,13 +10,7 @@ from sqlalchemy.orm import Session
 from sightline.enums import Direction, ModelSize
 from sightline.errors import BadInput, Conflict
 from sightline.geometry.sides import driver_side
-from sightline.infra.audit.changing import (
-    alter_row,
-    bring_back_row,
-    change_since,
-    make_rows,
-    take_out_row,
-)
+from sightline.infra.audit.changing import alter_row, bring_back_row, change_since, make_rows, take_out_row
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import get_row, missing, who
 from sightline.infra.database.types import columns_of, now
@@ -135,9 +129,7 @@ def remove_vehicle(
 
 
 def restore_vehicle(session: Session, vehicle_id: int, *, actor: int | None) -> Vehicle:
-    """Bring a deleted vehicle back. Raises Conflict for one that is not deleted, NotFound where its
-    recording is.
-    """
+    """Bring a deleted vehicle back. Raises Conflict for one not deleted, NotFound where its recording is."""
     before = get_row(session, vehicles, vehicle_id, "vehicle")
     get_row(session, recordings, before["recording_id"], "recording", recordings.c.deleted_at.is_(None))
     if before["deleted_at"] is None:
@@ -217,10 +209,7 @@ def _sizes_of_choice(chosen_by: str | None, sizes: str | None) -> str | None:
 
 
 def vehicle_rows(*where: ColumnElement[bool], deleted: bool = False) -> Select[Any]:
-    """Vehicles by number with who changed them last and what their survey says, for `facts_of_row`.
-
-    `deleted`: those too.
-    """
+    """Vehicles by number, last changer and what their survey says, for `facts_of_row`; `deleted` too."""
     of_survey = (*(surveys.c[name] for name in TRAFFIC), surveys.c.asked, surveys.c.sampling)
     filmed = (recordings.c.started_at, recordings.c.time_zone, FIRST_S)
     query = select(vehicles, people.c.name.label("changer"), *of_survey, LIGHT, *filmed)
@@ -231,9 +220,7 @@ def vehicle_rows(*where: ColumnElement[bool], deleted: bool = False) -> Select[A
 
 
 def headways_of(session: Session, recording_ids: Iterable[int]) -> dict[int, float]:
-    """Seconds behind the pass before in its direction, by vehicle, of all passes of some recordings that
-    have a frame table.
-    """
+    """Seconds behind the pass before in its direction, by vehicle, in recordings with a frame table."""
     v = vehicles.c
     query = (
         select(v.id, v.recording_id, v.direction, FIRST_S, v.discarded)
@@ -247,9 +234,7 @@ def headways_of(session: Session, recording_ids: Iterable[int]) -> dict[int, flo
 
 
 def vehicles_outside(session: Session, survey_ids: Sequence[int] | None = None) -> set[int]:
-    """The living vehicles of some surveys, or of all, whose heights count in no result because their survey's
-    rule does not take them.
-    """
+    """Living vehicles of these surveys, or of all, whose heights count nowhere by their survey's rule."""
     rules = {
         row.id: sampling_of(row.sampling)
         for row in session.execute(select(surveys.c.id, surveys.c.sampling))

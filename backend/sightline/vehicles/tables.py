@@ -1,23 +1,10 @@
 """The table of vehicles."""
 
-from sqlalchemy import (
-    Boolean,
-    CheckConstraint,
-    Column,
-    ForeignKey,
-    Integer,
-    String,
-    UniqueConstraint,
-    false,
-)
+from sqlalchemy import Boolean, CheckConstraint, Column, ForeignKey, Integer, String, UniqueConstraint, false
 
 from sightline.enums import VehicleOrigin
 from sightline.infra.audit.vouched import table_changed_by_events
-from sightline.infra.database.types import (
-    GOES_ALONG,
-    columns_for,
-    enum_check,
-)
+from sightline.infra.database.types import GOES_ALONG, columns_for, enum_check
 from sightline.vehicles.records import VehicleFields
 
 _LENGTHS = {"make": 100, "model": 200, "model_sizes": 100}

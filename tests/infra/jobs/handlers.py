@@ -9,7 +9,7 @@ from typing import Any
 
 from sqlalchemy.orm import Session
 
-from sightline.errors import BadInput
+from sightline.errors import BadInput, Stopped
 from sightline.infra.database.engine import DatabaseAway
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
@@ -88,7 +88,7 @@ def wait(context: registry.JobContext) -> registry.Outcome:
     while not context.is_cancelled():
         context.progress(0.25, Said("said", sentence="Waiting."))
         time.sleep(0.02)
-    raise registry.Cancelled("said", sentence="Cancelled.")
+    raise Stopped("said", sentence="Cancelled.")
 
 
 @registry.handler("test_long", long=True)

@@ -93,9 +93,7 @@ def camera_document(made: Calibration) -> dict[str, Any]:
 
 
 def calibration_body(made: Calibration) -> CalibrationBody:
-    """A calibration as it goes out: the checks beside camera.json, not in it. One made before there were
-    checks, or imported, has none.
-    """
+    """A calibration as it goes out, with checks beside camera.json; an import or an older one has none."""
     document = dict(made.document)
     checks = document.pop(CHECKS, {})
     told = {name: getattr(made, name) for name in Calibration.__dataclass_fields__}

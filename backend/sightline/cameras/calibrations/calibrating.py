@@ -161,12 +161,7 @@ def summary_of(camera: Camera, used: int, given: int) -> Said:
 
 
 def import_calibration(
-    services: Services,
-    camera_id: int,
-    file_name: str,
-    content: bytes,
-    actor: int,
-    which: str | None = None,
+    services: Services, camera_id: int, file_name: str, content: bytes, actor: int, which: str | None = None
 ) -> Calibration:
     """Take intrinsics from another tool's file, the camera `which` of several.
 

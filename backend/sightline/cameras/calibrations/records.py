@@ -36,9 +36,7 @@ class Calibration(CalibrationSummary):
 
 @dataclass(frozen=True, slots=True)
 class Detection:
-    """What was found of a board in one picture, or the `reason` why not; of the board as seen, which has
-    `columns` by `rows` inner corners.
-    """
+    """The board found in one picture, `columns` by `rows` inner corners as seen, or the `reason` why not."""
 
     found: bool
     reason: Said | None

@@ -13,10 +13,7 @@ from sightline.infra.csv_package.verify import check_records
 
 
 def check_calibrations(files: Files, replay: Replay) -> None:
-    """Calibrations are those whose content the chain vouches for, made of images that the chain knows.
-
-    Raises Damaged.
-    """
+    """Calibrations and the images they are made of are those that the chain vouches for. Raises Damaged."""
     made = {number: told for number, told in replay.of("calibration").items() if "content_sha256" in told}
     contents = {number: told["content_sha256"] for number, told in made.items()}
     check_records(files, "calibration", CALIBRATIONS, calibration_path, contents, _values)

@@ -12,10 +12,7 @@ _TEMPLATE = Path(__file__).parent / "board.typ"
 
 
 def board_pdf(board: Board, paper: str | None = None) -> bytes:
-    """The board on a sheet of `paper`, without one on the smallest ISO sheet that holds it.
-
-    Raises BadInput as `printed_board` does.
-    """
+    """The board on `paper`, else on the smallest ISO sheet that holds it. Raises as `printed_board`."""
     from sightline.infra.typesetting.pdf import set_pdf  # here, so that a server starts without Typst
 
     return set_pdf(board_sources(board, printed_board(board, paper)), 0)

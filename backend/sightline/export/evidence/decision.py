@@ -28,10 +28,7 @@ Document = Mapping[str, Any]
 
 
 def decision_of(document: Document, rule: Rule | None, language: str = SOURCE) -> JsonObject:
-    """What an evidence file says of conformity: rule, value, answer or none, and the words in a language.
-
-    Raises BadInput for a risk that no rule has.
-    """
+    """What a file says of conformity: rule, value, answer, words. Raises BadInput for a risk of no rule."""
     if rule is None:
         return {"rule": None, "answer": None, "words": say("evidence-no-rule", {}, language)}
     require_risk(rule.risk)

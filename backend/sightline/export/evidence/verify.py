@@ -152,9 +152,7 @@ def _events(page: ReadPage) -> Iterator[str]:
 
 
 def _said(events: list[Document], part: str, measured: Document, review: Document) -> Iterator[str]:
-    """A revision is what its event says, and its verdict the last that was given on it, or on the earlier one
-    that it puts back.
-    """
+    """A revision is what its event says; its verdict the last given on it, or the one that it puts back."""
     own = [one for one in events if (one["entity"], one["entity_id"]) == ("scan_measurement", measured["id"])]
     if len(own) != 1:
         yield say("evidence-no-event", {"part": part})

@@ -27,9 +27,7 @@ Side = tuple[float, float, str, str]
 
 @dataclass(frozen=True, eq=False)
 class Named:
-    """A curve as it is drawn, (M,) each in data units, and its word. `at`: where along it the word would like
-    to stand, 0 to 1.
-    """
+    """A curve as drawn, (M,) each in data units, and its word. `at`: where along it, from 0 to 1."""
 
     x: Floats
     y: Floats
@@ -46,10 +44,7 @@ class _Place:
 
 
 def label(axes: Axes, curves: Sequence[Named]) -> bool:
-    """Write each curve's word beside it. False, and nothing written, where a word finds no room.
-
-    The axes' limits must be final.
-    """
+    """Write each curve's word beside it; False, and none, where one has no room. Limits must be final."""
     paths = [_dense(axes, one) for one in curves]
     taken: list[Bbox] = []
     found: list[_Place] = []

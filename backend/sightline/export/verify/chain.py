@@ -93,9 +93,7 @@ def _begins(event: Event, seal: Seal) -> bool:
 
 
 def _gather(told: ReplayedState, event: Event, after: dict[str, Any]) -> None:
-    """What one event says; that of one row may tell of another: a pose comes into force, photographs are put
-    in order.
-    """
+    """What one event says, also of other rows: a pose comes into force, photographs are put in order."""
     entity, number = event["entity"], int(event["entity_id"] or 0)
     if entity == "measurement":
         told.measurements.add(number, {**after, "by": event["actor_id"]})

@@ -28,10 +28,7 @@ from sightline.measurements.csv import CLICKS, CLICKS_FOLDER
 
 
 def check_page_again(files: Files, found: Described, written: Mapping[str, Written]) -> bool:
-    """The page is the program that the description names and carries these tables; whether all was compared.
-
-    Raises Damaged.
-    """
+    """The page is the described program with these tables; whether all was compared. Raises Damaged."""
     same_program = found.is_made_alike(DRAWING)
     return check_page(
         files, found.made_with, found.tables, written, found.language, same_program=same_program
@@ -109,9 +106,7 @@ def _compare(files: Files, table: Table, rows: Iterable[Row]) -> int:
 
 
 class AsOf:
-    """A package whose chain ends where its tables end: what came while it was made, its report does not
-    tell.
-    """
+    """A package whose chain ends where its tables end: what came meanwhile, its report does not tell."""
 
     def __init__(self, files: Files, as_of: int) -> None:
         self._files, self._events = files, as_of

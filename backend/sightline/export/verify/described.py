@@ -60,9 +60,7 @@ class Described:
         return self.made_with == self.mine
 
     def is_made_alike(self, part: str) -> bool:
-        """Whether a part of this program (its source with all that it imports, and libraries) is the one that
-        made the package.
-        """
+        """Whether a part of this program (source, imports, libraries) is the one that made the package."""
         return all(self.made_with.get(name) == self.mine[name] for name in (part, *LIBRARIES[part]))
 
     def is_computed_alike(self, part: str, by: str) -> bool:

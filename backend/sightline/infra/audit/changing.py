@@ -25,9 +25,7 @@ def make_rows(
     untold: Mapping[str, Any] = {},
     actor: int | None,
 ) -> list[int]:
-    """The ids of new rows of these contents, which their events tell, and when they were made; `untold`: what
-    else stands in each.
-    """
+    """The ids of new rows of contents that their events tell, and when made; `untold`: what else is there."""
     moment = now()
     stamps = {"version": 1, "created_by": actor, "updated_at": moment, "updated_by": actor}
     told = [{**content, "created_at": moment} for content in contents]
@@ -47,9 +45,7 @@ def alter_row(
     *,
     actor: int | None,
 ) -> None:
-    """Change what stands in a row, whose next version it is; its event has what changes, before and after, or
-    what is to be `told`.
-    """
+    """Change a row to its next version; its event has what changes, before and after, or what is `told`."""
     stamps = {"version": before["version"] + 1, "updated_at": now(), "updated_by": actor}
     change_row(session, table, before["id"], {**change, **stamps})
     then, after = told or trail.changed(before, change, change)

@@ -30,9 +30,7 @@ def link_hash(previous_hash: str, content_sha256: str) -> str:
 
 
 def event_hash(row: Mapping[str, Any]) -> str:
-    """sha256 over the canonical JSON of an event: all columns but the links of the chain and its place in the
-    database.
-    """
+    """sha256 over the canonical JSON of an event: all columns but its links and its place in the database."""
     return content_hash({key: value for key, value in row.items() if key not in _UNHASHED})
 
 

@@ -14,6 +14,7 @@ from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey,
 
 from sightline.errors import Damaged
 from sightline.infra.audit.hashing import canonical_json
+from sightline.infra.private import made_beside, made_once
 from sightline.settings import Settings
 
 FILE = "signing.key"
@@ -50,21 +51,13 @@ def signing_key(settings: Settings) -> SigningKey:
     path = settings.data_dir / FILE
     if settings.signing_key is not None:
         return _key_of(settings.signing_key.get_secret_value(), "SIGHTLINE_SIGNING_KEY")
-    if not path.exists():
-        settings.data_dir.mkdir(parents=True, exist_ok=True)
-        fresh = _written(path, os.urandom(32))
-        try:
-            os.link(fresh, path)  # two processes that start together end up with one key
-        except FileExistsError:
-            pass
-        finally:
-            fresh.unlink()
+    made_once(path)
     return _read(path)
 
 
 def replacing_key(data_dir: Path) -> tuple[SigningKey, Path]:
     """A new key and the file where it waits; `put_in_force` makes it the data folder's."""
-    fresh = _written(data_dir / FILE, os.urandom(32))
+    fresh = made_beside(data_dir / FILE)
     return _read(fresh), fresh
 
 
@@ -80,16 +73,6 @@ def key_file(data_dir: Path, public: str) -> Path | None:
 def put_in_force(data_dir: Path, fresh: Path) -> None:
     """The key in this file takes the place of the one in force, which nobody can sign with any more."""
     os.replace(fresh, data_dir / FILE)
-
-
-def _written(path: Path, seed: bytes) -> Path:
-    fresh = path.with_name(f"{path.name}.{os.getpid()}")
-    handle = os.open(fresh, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
-    with os.fdopen(handle, "wb") as file:
-        file.write(seed.hex().encode())
-        file.flush()
-        os.fsync(file.fileno())
-    return fresh
 
 
 def _read(path: Path) -> SigningKey:

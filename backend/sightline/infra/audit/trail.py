@@ -226,9 +226,7 @@ def one_event(session: Session, entity: str, event_id: int) -> AuditEvent | None
 
 
 def in_sight(seen: Collection[int]) -> ColumnElement[bool]:
-    """Events that may be read by whoever sees these surveys; accounts, studies and settings are for
-    administrators.
-    """
+    """Events for whoever sees these surveys; accounts, studies and settings are for administrators."""
     c = audit_events.c
     return or_(c.survey_id.in_(seen), and_(c.survey_id.is_(None), c.chain == _FOR_EVERYBODY))
 

@@ -61,9 +61,7 @@ class Event:
 
 @dataclass(frozen=True, slots=True)
 class Fingerprint:
-    """Something that is more or less than a row: `promise` notes by number what an event says of it, `stored`
-    gives what it is now.
-    """
+    """More or less than a row: `promise` notes by number what an event says of it, `stored` what it is."""
 
     entity: str
     promise: Callable[[Event, dict[int, str]], None]
@@ -84,9 +82,7 @@ def table_written_once(name: str, entity: AuditEntity, *content: SchemaItem) -> 
 
 
 def table_changed_by_events(name: str, entity: AuditEntity, *content: SchemaItem) -> Table:
-    """A table of rows that people change and delete softly (`ChangedByEvents`): a number, `content`, what
-    every such row has.
-    """
+    """A table of rows that people change and delete softly (`ChangedByEvents`), with what each has."""
     stamps = (*changed_columns(), Column("deleted_at", UtcDateTime))
     return numbered(name, *content, *stamps, info=vouched(ChangedByEvents(entity)))
 

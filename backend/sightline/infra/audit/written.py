@@ -1,6 +1,4 @@
-"""Rows that are written once: each with an event that holds its hash; and rows as they are read with their
-maker.
-"""
+"""Rows that are written once, each with an event that holds its hash; and rows read with their maker."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any

@@ -66,9 +66,8 @@ def copy_in(
 ) -> None:
     """Fill the empty tables of a schema from files, in the connection's transaction.
 
-    Foreign keys go before and come back after, which holds every row against them; the tables' triggers
-    sleep meanwhile. Raises BadInput for tables that this program does not have, Damaged for rows that do not
-    fit.
+    Foreign keys go before and come back after, which holds every row against them; the tables' triggers sleep
+    meanwhile. Raises BadInput for tables that this program does not have, Damaged for rows that do not fit.
     """
     there = _tables(connection)
     if other := sorted(set(tables) - set(there)):

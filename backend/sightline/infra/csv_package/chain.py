@@ -14,10 +14,7 @@ _TEXTS = ("at", "action", "entity", "before", "after")
 
 
 def chain(files: Files) -> Iterator[Event]:
-    """The events of audit.csv from the chain's first on, each checked against its hash and the one before.
-
-    Raises Damaged.
-    """
+    """The events of audit.csv in order, each checked against its hash and the one before. Raises Damaged."""
     before = GENESIS
     for count, row in enumerate(read_rows(files, "audit.csv"), start=1):
         if (row["number"], row["previous_hash"]) != (str(count), before):

@@ -150,10 +150,7 @@ def said_in(code: str) -> Said | list[Said] | None:
 
 
 def check_words(files: Files, headers: Mapping[str, Collection[str]]) -> None:
-    """Every cell of words is what the codes beside it say in this program's words; `headers` by key.
-
-    Raises Damaged.
-    """
+    """Cells of words say the codes beside them in this program's words; `headers` by key. Raises Damaged."""
     for path, header in headers.items():
         for code in sorted(name for name in header if name.endswith(CODE)):
             words = code.removesuffix(CODE)

@@ -292,9 +292,7 @@ class FolderFiles:
 
 
 def _below(folder: Path) -> Iterator[str]:
-    """Every file below a folder; links are files here, and are followed nowhere. Pipes and devices too: a
-    package that holds one is refused for it.
-    """
+    """Every file below a folder; links are files, followed nowhere; pipes and devices too, to be refused."""
     waiting = [str(folder)]
     while waiting:
         with os.scandir(waiting.pop()) as entries:
@@ -438,10 +436,7 @@ def open_package(place: Path) -> Files:
 
 
 def place_of(files: Files, table: str) -> str:
-    """Where a table, by its path or key, lies in a package of any format: in its folder or in the root.
-
-    Raises Damaged for one that lies in both.
-    """
+    """Where a table, by path or key, lies in a package: folder or root. Raises Damaged for one in both."""
     found = [path for path in places_of(table) if path in files.paths]
     if len(found) > 1:
         raise Damaged("csv_package-table-twice", path=table_key(table))
@@ -471,9 +466,7 @@ def read_whole(files: Files, path: str) -> bytes:
 
 
 def read_rows(files: Files, path: str) -> Iterator[dict[str, str]]:
-    """The rows of one CSV, by column; a table's wherever it lies (`place_of`). Raises Damaged where it is
-    missing or no CSV.
-    """
+    """The rows of one CSV, by column, wherever it lies (`place_of`). Raises Damaged if missing or no CSV."""
     path = place_of(files, path)
     lacking = columns_lacking(files, path)
     with files.open(path) as file:

@@ -107,11 +107,7 @@ def _tell_difference(
         for n in range(rows):
             if mine is not None and theirs is not None and mine[name][n] != theirs[name][n]:
                 raise Damaged(
-                    "csv_package-parquet-not-csv",
-                    path=path,
-                    csv_path=csv_path,
-                    name=name,
-                    at=before + n + 1,
+                    "csv_package-parquet-not-csv", path=path, csv_path=csv_path, name=name, at=before + n + 1
                 )
     raise Damaged("csv_package-parquet-other-rows", path=path, csv_path=csv_path)
 

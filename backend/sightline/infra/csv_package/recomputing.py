@@ -1,6 +1,4 @@
-"""Holding numbers against what this program computes: to the last digit where the same program computed
-them.
-"""
+"""Holding numbers against what this program computes: to the last digit where the same one computed them."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager

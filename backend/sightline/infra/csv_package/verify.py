@@ -78,13 +78,7 @@ def check_records(
             raise Damaged("csv_package-chain-file-changed", path_of=path_of(id_))
         stamped = [row["created_at"], row["created_by_id"]]
         if stamped != [stamp(record["created_at"]), str(record["created_by"] or "")]:
-            raise Damaged(
-                "csv_package-author-or-time",
-                path=table.key,
-                kind_name=kind,
-                id=id_,
-                path_2=path,
-            )
+            raise Damaged("csv_package-author-or-time", path=table.key, kind_name=kind, id=id_, path_2=path)
         values = values_of(record)
         told = {name: text for name, text in row.items() if name not in _ELSEWHERE}
         elsewhere = row.get("document", path_of(id_)) != path_of(id_)

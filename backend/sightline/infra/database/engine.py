@@ -290,10 +290,7 @@ def writing(
 
 
 def sync(factory: SessionFactory) -> None:
-    """Returns when all transactions that were committed before are on the disk.
-
-    Raises DatabaseAway or NoRoom where the disk does not take them.
-    """
+    """Wait until what was committed is on the disk. Raises DatabaseAway or NoRoom where it cannot be."""
     engine = engine_of(factory)
     if engine.dialect.name == "postgresql":
         with explained(), engine.execution_options(isolation_level="AUTOCOMMIT").begin() as connection:

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
-from sightline.errors import Away, BadInput, Conflict, NoRoom, SightlineError
+from sightline.errors import Away, BadInput, Conflict, NoRoom
 from sightline.infra.database.engine import explained
 from sightline.infra.jobs.engine import engine_of_session
 from sightline.infra.jobs.records import Job
@@ -35,10 +35,6 @@ Outcome = Mapping[str, Any] | Finish
 Failed = Callable[[Session, Job, Said], None]
 #: The error of a job that was stopped because somebody asked for it.
 STOPPED = Said("jobs-cancelled")
-
-
-class Cancelled(SightlineError):
-    """The job was asked to stop, and did."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -61,7 +57,7 @@ class JobContext:
         return self.job.created_by
 
     def progress(self, fraction: float, message: Said | None = None) -> None:
-        """Say how far the job is (0 to 1). Raises Cancelled if it is to stop, JobLost if another has it."""
+        """Say how far the job is (0 to 1). Raises Stopped if it is to stop, JobLost if another has it."""
         self.report(fraction, message)
 
     def is_cancelled(self) -> bool:
@@ -165,13 +161,10 @@ def enqueue(
     payload: Mapping[str, Any],
     *,
     survey_id: int | None,
-    recording_id: int | None = None,
-    scan_id: int | None = None,
-    study_id: int | None = None,
     actor: int | None,
+    **of: int | None,
 ) -> Job:
-    """A new job in the caller's transaction; a worker gets it once that commits."""
-    place = {"survey_id": survey_id, "recording_id": recording_id, "scan_id": scan_id, "study_id": study_id}
-    job = create_job(session, kind, payload, **place, actor=actor)
+    """A job in the caller's transaction, of a recording_id, scan_id or study_id; begun once that commits."""
+    job = create_job(session, kind, payload, survey_id=survey_id, actor=actor, **of)
     engine_of_session(session).deliver(session, job.id)
     return job

@@ -8,11 +8,11 @@ from typing import Any, Self
 
 from sqlalchemy.orm import Session
 
-from sightline.errors import Away, SightlineError
+from sightline.errors import Away, SightlineError, Stopped
 from sightline.infra.database.engine import DatabaseAway, SessionFactory, reading, writing
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.recovery import put_back
-from sightline.infra.jobs.registry import Cancelled, JobContext, Outcome, clean_up, registered
+from sightline.infra.jobs.registry import STOPPED, JobContext, Outcome, clean_up, registered
 from sightline.infra.jobs.store import (
     Hold,
     JobLost,
@@ -68,10 +68,10 @@ class Runner:
             raise
         except Away as away:
             return self._postpone(job, away)
-        except Cancelled as stopped:
+        except Stopped:
             if self._stopping.is_set():
                 return False
-            self._end(job, stopped, lambda session: job_cancelled(session, job))
+            self._end(job, STOPPED, lambda session: job_cancelled(session, job))
         except SightlineError as error:
             self._fail(job, error)
         except Exception as error:
@@ -104,12 +104,12 @@ class Runner:
             finish_job(session, job, outcome(session) if callable(outcome) else outcome)
 
     def _fail(self, job: Job, error: SightlineError) -> None:
-        self._end(job, error, lambda session: fail_job(session, job, error))
+        self._end(job, error.said, lambda session: fail_job(session, job, error))
 
-    def _end(self, job: Job, error: SightlineError, write: Callable[[Session], Any]) -> None:
+    def _end(self, job: Job, error: Said, write: Callable[[Session], Any]) -> None:
         with self.services.writing() as session:
             write(session)
-            clean_up(session, job, error.said)
+            clean_up(session, job, error)
 
 
 class Watch:
@@ -132,12 +132,12 @@ class Watch:
         self._thread.join()
 
     def report(self, fraction: float, message: Said | None) -> None:
-        """Note the progress; the thread stores it. Raises Cancelled or JobLost."""
+        """Note the progress; the thread stores it. Raises Stopped or JobLost."""
         self._progress = (min(max(fraction, 0.0), 1.0), message or self._progress[1])
         if not self._hold.held:
             raise JobLost("jobs-other-worker", id=self._job.id)
         if self.is_over():
-            raise Cancelled("jobs-cancelled")
+            raise Stopped("jobs-cancelled")
 
     def is_over(self) -> bool:
         """Whether going on is of no use."""

@@ -45,20 +45,12 @@ def create_job(
     payload: Mapping[str, Any],
     *,
     survey_id: int | None,
-    recording_id: int | None = None,
-    scan_id: int | None = None,
-    study_id: int | None = None,
     actor: int | None,
+    **of: int | None,
 ) -> Job:
     """A queued job. Use `sightline.infra.jobs.registry.enqueue`, which also has it delivered."""
-    content: dict[str, Any] = {
-        "kind": kind,
-        "payload": dict(payload),
-        "survey_id": survey_id,
-        "recording_id": recording_id,
-    }
-    of = {"scan_id": scan_id, "study_id": study_id}
-    content |= {name: id_ for name, id_ in of.items() if id_ is not None}
+    content: dict[str, Any] = {"kind": kind, "payload": dict(payload), "survey_id": survey_id}
+    content |= {"recording_id": None} | {name: id_ for name, id_ in of.items() if id_ is not None}
     stamps = {"state": "queued", "progress": 0.0, "attempts": 0}
     job_id = add_row(session, jobs, {**content, **stamps, "created_at": now(), "created_by": actor})
     trail.record(session, actor, "create", "job", job_id, survey_id, None, content)
@@ -216,10 +208,7 @@ def release_job(session: Session, job: Job) -> Job:
 
 
 def postpone_job(session: Session, job: Job) -> Job:
-    """Put a job back because the database or the storage is away: begun again after a pause that grows.
-
-    That attempt does not count. Raises JobLost.
-    """
+    """Put a job back, database or storage being away, for a growing pause, uncounted. Raises JobLost."""
     pause = min(FIRST_PAUSE * 2 ** min(job.outages, 16), LONGEST_PAUSE)
     change: dict[str, Any] = {"state": "queued", "worker": None, "progress": 0.0}
     change |= {"attempts": job.attempts - 1, "outages": job.outages + 1, "not_before": now() + pause}

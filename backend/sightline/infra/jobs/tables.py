@@ -1,16 +1,6 @@
 """The table of jobs."""
 
-from sqlalchemy import (
-    Boolean,
-    CheckConstraint,
-    Column,
-    Float,
-    ForeignKey,
-    Index,
-    Integer,
-    String,
-    false,
-)
+from sqlalchemy import Boolean, CheckConstraint, Column, Float, ForeignKey, Index, Integer, String, false
 
 from sightline.enums import JobState
 from sightline.infra.database.types import (

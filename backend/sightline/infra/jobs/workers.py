@@ -123,10 +123,7 @@ class WorkerProcess:
 
 
 class Supervisor:
-    """Keeps as many worker processes as the settings say, and one more that takes no long job.
-
-    Single-threaded, so that it may fork.
-    """
+    """Keeps the settings' worker processes, and one that takes no long job. Single-threaded, for it forks."""
 
     def __init__(self, settings: Settings, parent: int | None = None) -> None:
         self.settings = settings

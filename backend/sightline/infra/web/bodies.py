@@ -2,7 +2,6 @@
 
 import dataclasses
 from collections.abc import Callable, Mapping
-from datetime import datetime
 from fnmatch import fnmatchcase
 from types import NoneType
 from typing import Annotated, Any, TypeVar, cast, get_args, get_type_hints
@@ -11,7 +10,7 @@ from pydantic import BaseModel, ConfigDict, Field, create_model, field_validator
 from pydantic_core import PydanticCustomError
 
 from sightline.arrays import Floats
-from sightline.enums import JobState
+from sightline.infra.jobs.records import Job
 from sightline.messages.said import Said, SaidInWords
 
 Finite = Annotated[float, Field(allow_inf_nan=False)]
@@ -98,21 +97,14 @@ class ErrorBody(Out):
     current: Any | None = None  # left out where nothing is there, and the description says so (`openapi`)
 
 
-class JobBody(Out):
-    id: int
-    kind: str
-    state: JobState
-    progress: float
-    message: Said | None
-    error: Annotated[Said | None, Field(description="Why it failed.")]
-    result: dict[str, Any] | None
-    survey_id: int | None
-    recording_id: int | None
-    scan_id: int | None = None
-    created_at: datetime
-    finished_at: datetime | None
+_ITS_WORK = ("payload", "created_by", "started_at", "attempts", "worker", "cancel_requested", "study_id")
 
-    @field_validator("result")
+
+@of_record(Job, *_ITS_WORK, "outages", "not_before")
+class JobBody(Out):
+    error: Annotated[Said | None, Field(description="Why it failed.")]
+
+    @field_validator("result", check_fields=False)
     @classmethod
     def _with_words(cls, value: dict[str, Any] | None) -> dict[str, Any] | None:
         """Its `message` is stored as codes, and answered with their sentences."""

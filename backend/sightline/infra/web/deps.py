@@ -69,9 +69,7 @@ class ShortWrites:
     _services: Services
 
     async def to(self, survey: SurveyOf, work: Callable[[Session], T]) -> T:
-        """What `work` returns, once it is stored for good; it writes to no other `survey`, found by what the
-        path names.
-        """
+        """What `work` returns, once stored for good; it writes to no `survey` but the one the path names."""
         return await self._gate.write(self._services, survey, work)
 
 

@@ -1,6 +1,5 @@
 """Whether the server is there, whether it can work, and how it is doing."""
 
-import os
 import shutil
 from collections.abc import Callable
 
@@ -10,6 +9,7 @@ from fastapi import APIRouter, Request, Response
 from pydantic import Field
 from sqlalchemy import text
 
+from sightline.children import resident_bytes
 from sightline.enums import JobState
 from sightline.errors import SightlineError
 from sightline.infra.clock_watch import ClockSetBack
@@ -108,7 +108,7 @@ def system(who: Admin, services: Wired, request: Request) -> SystemState:
         readers_waiting=readers.waiting,
         writers_waiting=request.app.state.write_gate.waiting,
         decoder=services.frames.process_id,
-        memory_bytes=_memory_bytes(),
+        memory_bytes=resident_bytes(),
         jobs=jobs,
         clock_set_back=request.app.state.clock.set_back,
     )
@@ -163,12 +163,3 @@ def _disk(services: Services) -> str | None:
     except OSError as error:
         return SightlineError("web-disk-not-writable", why=error.strerror or str(error)).message
     return None if has_room else FULL.message
-
-
-def _memory_bytes() -> int | None:
-    """Resident memory, of Linux's account of the process."""
-    try:
-        with open("/proc/self/statm", encoding="ascii") as told:
-            return int(told.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
-    except (OSError, ValueError, IndexError):
-        return None

@@ -61,10 +61,7 @@ class InstallationMetrics(Collector):
 
 
 def serve_metrics(host: str, port: int, registry: CollectorRegistry) -> Callable[[], None]:
-    """Answer Prometheus on a port of its own, which no proxy shows to the world; what ends it.
-
-    Raises BadInput where the port is taken.
-    """
+    """Answer Prometheus on a port of its own; what ends it. Raises BadInput where the port is taken."""
     try:
         server, thread = start_http_server(port, host, registry)
     except OSError as error:

@@ -1,11 +1,8 @@
 """The secret that signs session cookies: from the settings, else made once and kept in the data folder."""
 
-import os
-import secrets
-from pathlib import Path
-
 from sightline.errors import BadInput
 from sightline.infra.audit.signing import signing_key
+from sightline.infra.private import made_once
 from sightline.settings import Settings
 
 FILE = "secret.key"
@@ -35,21 +32,3 @@ def signing_secret(settings: Settings) -> bytes:
     if settings.secret is not None:
         return settings.secret.get_secret_value().encode()
     return made_once(settings.data_dir / FILE)
-
-
-def made_once(path: Path) -> bytes:
-    """The random text of a file, which is made where it is not there; for its owner alone."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    if not path.exists():
-        # Written aside and linked into place: two processes that start together end up with one secret.
-        fresh = path.with_name(f"{path.name}.{os.getpid()}-{secrets.token_hex(4)}")
-        handle = os.open(fresh, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
-        with os.fdopen(handle, "wb") as file:
-            file.write(secrets.token_hex(BYTES).encode())
-        try:
-            os.link(fresh, path)
-        except FileExistsError:
-            pass
-        finally:
-            fresh.unlink()
-    return path.read_bytes()

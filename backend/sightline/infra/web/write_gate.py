@@ -71,10 +71,7 @@ class WriteGate:
 
     @asynccontextmanager
     async def unit(self, opened: AbstractContextManager[Session]) -> AsyncIterator[Session]:
-        """The session of one write transaction; committed at the end, rolled back on any error.
-
-        Raises Busy where its turn does not come in time.
-        """
+        """One write transaction, rolled back on any error. Raises Busy where its turn does not come."""
         async with self.turns.turn():
             session = await self._run(self._thread, opened.__enter__)
             try:

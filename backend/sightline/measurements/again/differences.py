@@ -168,9 +168,7 @@ def judged_alike(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HeightChange:
-    """What a computing counts of one height: as it was, as it is, why it is another, and whether its verdict
-    goes over.
-    """
+    """What a computing counts of one height: as it was, as it is, why, and whether its verdict goes over."""
 
     then_m: float | None
     u_then_m: float | None

@@ -50,10 +50,7 @@ class OutOfDate:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ComputedHeight:
-    """One height as it was and as it is, of a recording or of a line scan (`scan_id`).
-
-    `moved_by_u`: the change by the u that it had.
-    """
+    """One height as it was and is; `scan_id`: of a line scan. `moved_by_u`: the change by the u it had."""
 
     measurement_id: int
     scan_id: int | None = None

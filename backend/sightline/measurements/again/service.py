@@ -17,11 +17,7 @@ from sightline.infra.database import Session
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import enqueue
 from sightline.infra.version import code_version
-from sightline.measurements.again.differences import (
-    causes_now,
-    causes_of,
-    verdict_still_holds,
-)
+from sightline.measurements.again.differences import causes_now, causes_of, verdict_still_holds
 from sightline.measurements.again.query import (
     Alike,
     Made,
@@ -122,12 +118,7 @@ def changes_among(
 
 
 def measurement_changes_to_come(
-    session: Session,
-    survey_id: int,
-    answers: Answers,
-    *,
-    only_waiting: bool = False,
-    tell: Tell = untold,
+    session: Session, survey_id: int, answers: Answers, *, only_waiting: bool = False, tell: Tell = untold
 ) -> list[Changed]:
     """The standing heights and repeats that come out as others with the facts that hold now.
 
@@ -205,12 +196,7 @@ def require_undoable(session: Session, computing_id: int) -> Computing:
 
 
 def ask_to_compute(
-    session: Session,
-    survey_id: int,
-    *,
-    kind: ComputingKind = "asked",
-    only_waiting: bool = False,
-    actor: int,
+    session: Session, survey_id: int, *, kind: ComputingKind = "asked", only_waiting: bool = False, actor: int
 ) -> Job:
     """Have a worker compute a survey's heights again."""
     payload = {"kind": kind, "only_waiting": only_waiting}

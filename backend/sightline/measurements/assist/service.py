@@ -50,10 +50,7 @@ class SnappedContact:
 def contact_near(
     services: Services, recording_id: int, n: int, pointer: Point, *, vehicle_id: int | None = None
 ) -> ContactProposal:
-    """Nothing for a vehicle that is measured free.
-
-    Raises NotFound, Conflict without a road pose, Damaged for a frame that fails its checksum.
-    """
+    """Nothing for a vehicle measured free. Raises NotFound, Conflict (no road pose), Damaged (frame)."""
     with services.reading() as session:
         pose = _pose(session, recording_id)
         if vehicle_id is not None and _is_free(proposals_of_vehicle(session, vehicle_id)):
@@ -93,10 +90,7 @@ def snapped(services: Services, vehicle_id: int, n: int, click: Point) -> Snappe
 
 
 def is_from(services: Services, vehicle_id: int, n: int, click: Point, contact: Point) -> bool:
-    """Whether Sightline answers a click, or a pointer that asked for a proposal, with this contact.
-
-    Raises what `snapped` does.
-    """
+    """Whether Sightline answers a click, or a proposal's pointer, with this contact. Raises as `snapped`."""
     if snapped(services, vehicle_id, n, click).contact == contact:
         return True
     with services.reading() as session:

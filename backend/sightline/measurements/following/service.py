@@ -83,9 +83,7 @@ def follow_vehicle(
 def followed_text(
     services: Services, vehicle_id: int, clicks: Clicks, second: Point | None, *, actor: int
 ) -> str:
-    """What a measurement of the whole pass keeps. Raises as `follow_vehicle`, BadInput where nothing can be
-    followed.
-    """
+    """What a whole pass keeps. Raises as `follow_vehicle`, and BadInput where nothing can be followed."""
     _, _, found = _followed(services, vehicle_id, clicks, second, actor)
     if isinstance(found, Said):
         raise BadInput("measurements-not-followed", reason=found)

@@ -40,11 +40,7 @@ def best_second_frame(
     """
     first = clicks_of(body, body.target)
     others = [
-        replace(
-            first,
-            more_frames=clicked_frames(one.more_frames),
-            **one.model_dump(exclude={"more_frames"}),
-        )
+        replace(first, more_frames=clicked_frames(one.more_frames), **one.model_dump(exclude={"more_frames"}))
         for one in body.others
     ]
     return second_frame.proposal(

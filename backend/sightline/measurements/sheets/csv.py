@@ -73,9 +73,7 @@ VEHICLES: Table[VehicleSheet] = Table(
 
 
 def counting_in(files: Files) -> dict[str, bool]:
-    """Whether each vehicle of a package counts in results, by number as text. Before the column, all of the
-    traffic did.
-    """
+    """Whether each vehicle of a package counts in results, by number; before the column, all traffic."""
     return {
         row["id"]: row["check_target"] != "true" and row.get("counts", "true") == "true"
         for row in read_rows(files, VEHICLES.key)

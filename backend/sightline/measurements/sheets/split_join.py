@@ -4,12 +4,7 @@ from sightline.errors import BadInput, Conflict
 from sightline.infra.database import Session
 from sightline.measurements.sheets.query import frames_used_of_vehicle
 from sightline.vehicles.records import Vehicle, VehicleChanges
-from sightline.vehicles.store import (
-    create_vehicle,
-    get_vehicle,
-    remove_vehicle,
-    update_vehicle,
-)
+from sightline.vehicles.store import create_vehicle, get_vehicle, remove_vehicle, update_vehicle
 
 
 def split(
@@ -60,11 +55,7 @@ def join(
         raise BadInput("measurements-join-other-recording")
     both = frames_used_of_vehicle(session, one.id), frames_used_of_vehicle(session, other.id)
     if both[0] and both[1]:
-        raise Conflict(
-            "measurements-join-both-measured",
-            number=one.number,
-            number_2=other.number,
-        )
+        raise Conflict("measurements-join-both-measured", number=one.number, number_2=other.number)
     keeps_other = bool(both[1])
     kept, gone = (other, one) if keeps_other else (one, other)
     versions = (other_version, version) if keeps_other else (version, other_version)

@@ -39,10 +39,7 @@ class FinishedUpload:
 
 
 def create(upload_dir: Path, upload_id: str, size: int) -> None:
-    """Begin an upload of `size` bytes.
-
-    Raises BadInput (nothing to send), NoRoom (before a byte is sent) and Conflict (id taken).
-    """
+    """Begin an upload of `size` bytes. Raises BadInput (of none), NoRoom and Conflict (id taken)."""
     if size < 1:
         raise BadInput("store-file-empty")
     upload_dir.mkdir(parents=True, exist_ok=True)

@@ -53,10 +53,7 @@ class PngSheet:
         check_claim(name, self.width_px, self.height_px, depth // 8, size)
         if self.width_px > MOST_WIDE_PX:
             raise BadInput(
-                "strips-png-too-wide",
-                name=name,
-                width_px=self.width_px,
-                most_wide_px=MOST_WIDE_PX,
+                "strips-png-too-wide", name=name, width_px=self.width_px, most_wide_px=MOST_WIDE_PX
             )
         self._depth = depth
 

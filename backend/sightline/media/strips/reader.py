@@ -89,11 +89,7 @@ def check_pair(first: Strip, second: Strip) -> None:
     """Refuse two strips that cannot be of one recording. Raises BadInput."""
     if first.rows != second.rows:
         raise BadInput(
-            "strips-heights-differ",
-            name=first.name,
-            rows=first.rows,
-            name_2=second.name,
-            rows_2=second.rows,
+            "strips-heights-differ", name=first.name, rows=first.rows, name_2=second.name, rows_2=second.rows
         )
     if first.dtype != second.dtype:
         raise BadInput(
@@ -141,21 +137,10 @@ def _check_shape(name: str, lines: int, rows: int, time_axis: TimeAxis) -> None:
         other_way = Said("strips-say-time-axis", axis=other)
         hint = other_way if lines <= MOST_ROWS else Said("strips-give-one-strip")
         raise BadInput(
-            "strips-lines-too-wide",
-            name=name,
-            rows=rows,
-            time_axis=time_axis,
-            most_rows=MOST_ROWS,
-            hint=hint,
+            "strips-lines-too-wide", name=name, rows=rows, time_axis=time_axis, most_rows=MOST_ROWS, hint=hint
         )
     if rows < LEAST_ROWS or lines < 2:
-        raise BadInput(
-            "strips-time-axis-wrong",
-            name=name,
-            lines=lines,
-            rows=rows,
-            time_axis=time_axis,
-        )
+        raise BadInput("strips-time-axis-wrong", name=name, lines=lines, rows=rows, time_axis=time_axis)
     if lines > MOST_LINES:
         raise BadInput("strips-too-many-lines", name=name, most_lines=MOST_LINES // 10**9)
 

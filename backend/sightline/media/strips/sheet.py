@@ -41,9 +41,7 @@ class Sheet(Protocol):
         """(n, width) from the top to the bottom, each within PIECE_BYTES."""
 
     def slabs(self, columns: int) -> Iterator[Pixels] | None:
-        """(height, n) from left to right with at most about `columns` each; None where the file's order
-        gives none without reading it whole.
-        """
+        """(height, n) from left to right, about `columns` each; None where it would have to be read whole."""
 
     def close(self) -> None: ...
 

@@ -57,10 +57,7 @@ class Spool:
         return tuple(Dropped(line, count) for line, count in self._dropped)
 
     def write(self, lines: NDArray[Any], lost: Sequence[Dropped] = ()) -> None:
-        """Append lines (n, rows) of 8 bit. `lost`: how many were lost before line 0..n of them.
-
-        Raises OSError where there is no room.
-        """
+        """Append lines (n, rows) of 8 bit. `lost`: how many before line 0..n. Raises OSError: no room."""
         data = memoryview(np.ascontiguousarray(lines, np.uint8).tobytes())
         self._file.seek(_PIXELS_AT + self.lines * self.rows)
         while data:

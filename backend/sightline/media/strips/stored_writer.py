@@ -60,7 +60,7 @@ def store_strip(
     """Write the stored form of a strip, read once from its start; `target` appears whole or not at all.
 
     Memory does not grow with the length. `on_progress` gets a fraction 0..1, `is_cancelled` is asked every
-    1024 lines. Raises BadInput (damaged or cut off on the way), NoRoom, IngestCancelled.
+    1024 lines. Raises BadInput (damaged or cut off on the way), NoRoom, Stopped.
     """
     target.parent.mkdir(parents=True, exist_ok=True)
     check_room(

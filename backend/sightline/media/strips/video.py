@@ -62,7 +62,7 @@ def cut_strips(
 
     `time_s` (n,) are the times of its frame table. The pixels lie in two nameless temporary files in
     `work_dir` until the strips are closed. Raises BadInput (uneven frames, cuts outside the picture or the
-    same twice, another number of frames than the table has), NoRoom, IngestCancelled.
+    same twice, another number of frames than the table has), NoRoom, Stopped.
     """
     name = name or path.name
     require_whole(path, name, stream_number)

@@ -16,9 +16,7 @@ Value = TypeVar("Value")
 
 
 class MemoryCache(Generic[Value]):
-    """Values of together at most `most_bytes`, each of `bytes_of(value)`; the least recently used go first.
-    Thread-safe.
-    """
+    """At most `most_bytes` of values, each of `bytes_of(value)`; the least recently used go. Thread-safe."""
 
     def __init__(self, most_bytes: int, bytes_of: Callable[[Value], int]) -> None:
         self._items: LRUCache[Hashable, Value] = LRUCache(most_bytes, bytes_of)

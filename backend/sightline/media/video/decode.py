@@ -135,9 +135,7 @@ def open_container(path: Path, name: str | None = None) -> InputContainer:
 
 
 def require_whole(path: Path, name: str, number: int | None = None) -> None:
-    """Raise BadInput before times are read of a picture (see `video_stream`) that an edit list makes of
-    several parts.
-    """
+    """Raise BadInput before times of a picture (`video_stream`) that an edit list makes of parts are read."""
     tracks = played_in_parts(path)
     if not tracks:
         return
@@ -219,9 +217,7 @@ def _is_off(container: InputContainer, stream: VideoStream) -> bool:
 def picture_read(
     container: InputContainer, name: str, number: int | None = None
 ) -> tuple[int, tuple[Picture, ...]]:
-    """The number of the picture that `video_stream` takes, and what the file's pictures are, where there are
-    several.
-    """
+    """The picture that `video_stream` takes, by number, and what all are, where the file has several."""
     stream = video_stream(container, name, number=number)
     return 1 + list(container.streams.video).index(stream), _pictures(container)
 
@@ -378,10 +374,7 @@ def numbered(
             layout = layout_of(frame, stream.sample_aspect_ratio)
             if size_px is not None and size_px != (layout.width_px, layout.height_px):
                 raise BadInput(
-                    "measurements-pose-image-size",
-                    name=name,
-                    size_px=size_px[0],
-                    size_px_2=size_px[1],
+                    "measurements-pose-image-size", name=name, size_px=size_px[0], size_px_2=size_px[1]
                 )
         if not same_size(frame, layout):
             damage.other_size += 1

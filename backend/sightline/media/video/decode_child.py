@@ -14,11 +14,11 @@ import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from multiprocessing.connection import Connection
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.children import resident_bytes
 from sightline.media.video.decode_wire import Header, Link, error_header, unpacked
 from sightline.media.video.seeker import RecordingMedia
 from sightline.media.video.window import Window
@@ -135,17 +135,9 @@ def _watch(most_bytes: int, parent: int) -> None:
         signal.alarm(_ALARM_S)
         if os.getppid() != parent:
             os._exit(0)
-        if _resident_bytes() > most_bytes:
+        if (resident_bytes() or 0) > most_bytes:
             os._exit(TOO_MUCH_MEMORY)
         time.sleep(_LOOK_S)
-
-
-def _resident_bytes() -> int:
-    """What this process has in memory now; 0 where the system does not tell."""
-    try:
-        return int(Path("/proc/self/statm").read_text().split()[1]) * resource.getpagesize()
-    except (OSError, IndexError, ValueError):
-        return 0
 
 
 if __name__ == "__main__":

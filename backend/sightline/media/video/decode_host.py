@@ -71,9 +71,7 @@ class Question:
         n = self.header.get("n")
         if self.media is None or n is None:
             return CannotDecode(
-                "video-not-decodable",
-                header=self.header.get("name", Said("video-this-recording")),
-                why=why,
+                "video-not-decodable", header=self.header.get("name", Said("video-this-recording")), why=why
             )
         if why.code == "video-decoder-memory":
             return CannotDecode("video-too-large-at", frame=int(n), why=why)

@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from contextlib import nullcontext
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from sightline.enums import Display
 from sightline.errors import BadInput, NotFound
@@ -10,7 +11,10 @@ from sightline.media.video.caches import DiskCache, MemoryCache
 from sightline.media.video.picture import Bgr, Gray
 from sightline.media.video.prefetch import Prefetcher
 from sightline.media.video.seeker import RecordingMedia
-from sightline.media.video.window import CancelCheck, NoLongerWanted, Pictures, Window, always
+from sightline.media.video.window import CancelCheck, NoLongerWanted, Window, always
+
+if TYPE_CHECKING:
+    from sightline.media.video.decode_host import DecodeHost
 
 MOST_CROP_PX = 4096 * 4096
 MOST_CROP_SCALE = 16
@@ -36,9 +40,9 @@ class FrameServer:
         disk_bytes: int,
         *,
         max_open: int = 4,
-        pictures: Pictures | None = None,
+        pictures: "DecodeHost | None" = None,
     ) -> None:
-        self._pictures = pictures or Window(memory_bytes * 3 // 4, max_open=max_open)
+        self._pictures: DecodeHost | Window = pictures or Window(memory_bytes * 3 // 4, max_open=max_open)
         self._jpegs: MemoryCache[bytes] = MemoryCache(memory_bytes // 4, len)
         self._disk = DiskCache(cache_dir / "stills", disk_bytes)
         self._prefetcher = Prefetcher(self._jpegs, pictures, _key) if pictures else None
@@ -46,9 +50,7 @@ class FrameServer:
     def still(
         self, media: RecordingMedia, n: int, wanted: CancelCheck = always, display: Display = "plain"
     ) -> bytes:
-        """Frame n as JPEG, quality 95, upright with square pixels, its colour sampled as in the recording;
-        "bright": to look at only.
-        """
+        """Frame n as JPEG (95), upright, square pixels, colour as recorded; "bright": to look at only."""
         _check(media, n)
         key = _key(media, n, display)
         data = self._jpegs.get(key) or (self._prefetcher.coming(key, wanted) if self._prefetcher else None)

@@ -10,7 +10,7 @@ from av.video.stream import VideoStream
 from numpy.typing import NDArray
 
 from sightline.errors import BadInput
-from sightline.media.cancelling import Cancelled, IngestCancelled, Progress, Watch
+from sightline.media.cancelling import Cancelled, Progress, Watch
 from sightline.media.store.local import check_room, no_room_told
 from sightline.media.video.decode import (
     NO_PTS,
@@ -33,7 +33,6 @@ from sightline.media.video.stated import Stated, stated_of
 from sightline.media.video.thumbnails import ROOM_BYTES, Thumbnail, ThumbnailWriter
 
 OTHER_SIZE_SHARE = 0.05
-__all__ = ["FrameTable", "IngestCancelled", "Ingested", "ingest"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,7 +99,7 @@ def ingest(
     to `work_dir` (default: beside the file). `name` is what people call the file. `stream_number`: see
     `video_stream`; `filmed_hz`: see `times_of_filming`. May be called again after being killed at any moment.
 
-    Raises BadInput (not a video, or nothing in it can be decoded), NoRoom and IngestCancelled.
+    Raises BadInput (not a video, or nothing in it can be decoded), NoRoom and Stopped.
     """
     name = name or path.name
     folder = work_dir or path.parent
@@ -176,11 +175,7 @@ def _ingest_open(
 
 
 def _decode_all(
-    container: InputContainer,
-    stream: VideoStream,
-    damage: Damage,
-    watch: Watch,
-    thumb_dir: Path,
+    container: InputContainer, stream: VideoStream, damage: Damage, watch: Watch, thumb_dir: Path
 ) -> tuple[VideoFacts, _Rows, ThumbnailWriter]:
     rows = _Rows([], [], [])
     for n, frame, layout in numbered(container, stream, watch.name, look=watch.look, damage=damage):

@@ -1,6 +1,4 @@
-"""Looking for vehicle passes in a video: one decode from first frame to last, two where the traffic runs
-down it.
-"""
+"""Looking for vehicle passes in a video: one decode of all frames, two where the traffic runs down it."""
 
 from contextlib import closing
 from dataclasses import dataclass
@@ -12,7 +10,7 @@ import numpy as np
 from sightline.detection.classify import FoundPass
 from sightline.detection.finder import PassFinder, downsample
 from sightline.detection.steadiness import Wander
-from sightline.errors import BadInput
+from sightline.errors import BadInput, Stopped
 from sightline.media.cancelling import Cancelled, Progress, Watch
 from sightline.media.video.decode import numbered, open_container, video_stream
 from sightline.media.video.picture import upright_gray
@@ -21,17 +19,9 @@ from sightline.messages.said import Said
 PICTURES_HZ = 60.0
 
 
-class PassesCancelled(BadInput):
-    """Nobody wants the passes any more."""
-
-    kind = "cancelled"
-
-
 @dataclass(frozen=True)
 class PassSearch:
-    """The passes of a recording in order of their first frame, how many frames it has, and what is to be
-    said of the search.
-    """
+    """The passes of a recording by first frame, how many frames it has, and what to say of the search."""
 
     passes: tuple[FoundPass, ...]
     frames: int
@@ -53,11 +43,10 @@ def find_passes(
 
     Frames count as in its frame table. `rate_hz` is the mean frame rate (default: what the file says, else
     25), `square_at` the fraction of the picture's width where the camera looks square at the road.
-    `on_progress` gets a fraction 0..1; `is_cancelled` is asked at every frame. Two vehicles side by side
-    that go the same way and cover each other all the way are one pass. Where the traffic runs down the
-    picture it is searched a second time with rows and columns exchanged. A camera that wanders is followed,
-    and the notes say so; one that wanders too far gives no passes. Raises BadInput (not a video),
-    PassesCancelled.
+    `on_progress` gets a fraction 0..1; `is_cancelled` is asked at every frame. Two vehicles side by side that
+    go the same way and cover each other all the way are one pass. Where the traffic runs down the picture it
+    is searched a second time with rows and columns exchanged. A camera that wanders is followed, and the
+    notes say so; one that wanders too far gives no passes. Raises BadInput (not a video), Stopped.
     """
     name = name or path.name
     how = (is_cancelled, threads, stream_number)
@@ -81,16 +70,14 @@ def _searched(
     threads: int,
     stream_number: int | None,
 ) -> tuple[PassFinder, int, int]:
-    """A finder that has seen every picture, their number and width; `square_at` None: rows and columns
-    exchanged.
-    """
+    """A finder after every picture, their number and width; `square_at` None: rows and columns exchanged."""
     with closing(open_container(path, name)) as container:
         stream = video_stream(container, name, threads, stream_number)
         rate = rate_hz or float(stream.average_rate or 25)
         stride = max(1, round(rate / PICTURES_HZ))
         n = width_px = 0
         finder: PassFinder | None = None
-        stopped = partial(PassesCancelled, "video-search-cancelled")
+        stopped = partial(Stopped, "video-search-cancelled")
         watch = Watch(on_progress, is_cancelled, name, path.stat().st_size, stopped)
         for n, frame, layout in numbered(container, stream, name, look=watch.look):
             if n % stride:

@@ -6,11 +6,15 @@ from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from sightline.errors import SightlineError
 from sightline.media.video.caches import MemoryCache
 from sightline.media.video.seeker import RecordingMedia
-from sightline.media.video.window import CancelCheck, NoLongerWanted, Pictures
+from sightline.media.video.window import CancelCheck, NoLongerWanted
+
+if TYPE_CHECKING:
+    from sightline.media.video.decode_host import DecodeHost
 
 log = logging.getLogger("sightline.decode")
 
@@ -49,7 +53,7 @@ class Prefetcher:
     """
 
     def __init__(
-        self, jpegs: MemoryCache[bytes], pictures: Pictures, key_of: Callable[[RecordingMedia, int], str]
+        self, jpegs: MemoryCache[bytes], pictures: "DecodeHost", key_of: Callable[[RecordingMedia, int], str]
     ) -> None:
         self._jpegs = jpegs
         self._pictures = pictures
@@ -175,9 +179,7 @@ class Prefetcher:
         self._jpegs.put(item.key, data)
 
     def _give_up(self, item: _Item, why: str) -> None:
-        """A frame that cannot be made is not tried again unless somebody asks for it: it may end the
-        decoder.
-        """
+        """A frame that cannot be made is not tried again unless somebody asks: it may end the decoder."""
         log.info("frame %d was not made ahead: %s", item.n, why)
         with self._change:
             self._plan.clear()

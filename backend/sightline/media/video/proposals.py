@@ -11,7 +11,7 @@ from av import VideoFrame
 
 from sightline.detection.background import SAMPLES, WINDOW_S
 from sightline.detection.classify import FoundPass
-from sightline.errors import BadInput
+from sightline.errors import Stopped
 from sightline.geometry.road_pose import RoadPose
 from sightline.media.cancelling import Cancelled, Progress, Watch
 from sightline.media.networks import proposal_networks
@@ -23,12 +23,6 @@ from sightline.proposals.road import road_behind
 
 NO_DIRECTION = "proposals-not-across"
 ROAD_SAMPLES = SAMPLES // 2
-
-
-class ProposalsCancelled(BadInput):
-    """Nobody wants the proposals any more."""
-
-    kind = "cancelled"
 
 
 @dataclass(eq=False)
@@ -108,13 +102,13 @@ def propose_in_video(
     """Index in `passes` and what is proposed of each, or the key of why nothing is, as the video goes on.
 
     Frames count as in its frame table. The road behind a pass is what its pixels show most of the time within
-    WINDOW_S of it. Raises BadInput (not a video, or not of the pose's size), ProposalsCancelled.
+    WINDOW_S of it. Raises BadInput (not a video, or not of the pose's size), Stopped.
     """
     name = name or path.name
     with closing(open_container(path, name)) as container:
         stream = video_stream(container, name, threads, stream_number)
         collector = _Collector(passes, pose, rate_hz or float(stream.average_rate or 25))
-        stopped = partial(ProposalsCancelled, "video-proposals-cancelled")
+        stopped = partial(Stopped, "video-proposals-cancelled")
         watch = Watch(on_progress, is_cancelled, name, path.stat().st_size, stopped)
         size_px = pose.camera.width_px, pose.camera.height_px
         for n, frame, layout in numbered(container, stream, name, size_px, watch.look):

@@ -65,7 +65,7 @@ def report_of(
     vfr = _varies(np.sort(pts))
     duplicates = int(np.count_nonzero(crc32[1:] == crc32[:-1]))
     unordered = int(np.count_nonzero(np.diff(pts) <= 0))
-    rate = _rate_hz(time_s)
+    rate = mean_rate_hz(time_s)
     notes = [
         *_shape_notes(facts),
         *_time_notes(facts, time_s, rate, vfr, copy),
@@ -81,16 +81,14 @@ def report_of(
         duplicates=duplicates,
         unordered=unordered,
         damaged=damage.any or extent.missing > 0 or _cut_short(facts, pts, time_s),
-        rate_hz=rate if filmed_hz is None else _rate_hz(times_of_filming(time_s, filmed_hz)),
+        rate_hz=rate if filmed_hz is None else mean_rate_hz(times_of_filming(time_s, filmed_hz)),
         notes=tuple(notes),
         clock_doubt=doubt,
     )
 
 
 def clock_doubt_of(time_s: NDArray[np.float64], stated: Stated) -> ClockDoubt | None:
-    """Why frame times (N,) are not those of filming, by their usual step and what the file states; None where
-    nothing speaks against them.
-    """
+    """Why frame times (N,) are not those of filming, by usual step and the file's words; None: no doubt."""
     played_hz = _played_hz(time_s)
     if stated.no_rate:
         return "no_rate"
@@ -195,7 +193,8 @@ def _varies(pts: NDArray[np.int64]) -> bool:
     return bool(np.max(np.abs(pts - line)) > max(ROUNDING, JITTER * step))
 
 
-def _rate_hz(time_s: NDArray[np.float64]) -> float | None:
+def mean_rate_hz(time_s: NDArray[np.float64]) -> float | None:
+    """How many frames a second are, on average, by their times (N,); None where these say nothing of it."""
     span_s = float(time_s.max() - time_s.min()) if len(time_s) > 1 else 0.0
     return (len(time_s) - 1) / span_s if span_s > 0 else None
 
@@ -226,11 +225,7 @@ def _shape_notes(facts: VideoFacts) -> list[Said]:
 
 
 def _time_notes(
-    facts: VideoFacts,
-    time_s: NDArray[np.float64],
-    rate: float | None,
-    vfr: bool,
-    copy: WorkingCopy | None,
+    facts: VideoFacts, time_s: NDArray[np.float64], rate: float | None, vfr: bool, copy: WorkingCopy | None
 ) -> list[Said]:
     notes = []
     if copy is not None and copy.assumed_rate_hz is None:

@@ -69,9 +69,7 @@ class RecordingMedia:
 
 @dataclass(frozen=True)
 class _Attempt:
-    """From frame `start` on: by a seek to it, by going on, or by opening the file anew; `skip` names the
-    frames that are left out on the way.
-    """
+    """From frame `start` on: by a seek, by going on or opening anew; `skip`: frames left out on the way."""
 
     start: int
     go_on: bool = False

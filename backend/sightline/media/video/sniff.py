@@ -114,9 +114,7 @@ def _cut_before_index(path: Path, head: bytes) -> str | None:
 
 @dataclass(frozen=True)
 class Box:
-    """A part of an MP4 or QuickTime file, in bytes from its start; what it holds is from `inside` to `end`,
-    as it states.
-    """
+    """A part of an MP4 or QuickTime file, in bytes from its start; it holds `inside` to `end`, it states."""
 
     kind: bytes
     start: int
@@ -125,9 +123,7 @@ class Box:
 
 
 def boxes(path: Path) -> Iterator[Box]:
-    """The parts of an MP4 or QuickTime file at its top level in order, up to the first whose size cannot be;
-    nothing of other files.
-    """
+    """The top-level parts of an MP4 or QuickTime file up to one of impossible size; none of other files."""
     with path.open("rb") as file:
         if file.read(8)[4:] in _FIRST_BOXES:
             yield from _boxes(file, 0, path.stat().st_size)

@@ -40,9 +40,7 @@ class Stated:
 
 
 def stated_of(container: InputContainer, path: Path) -> Stated:
-    """What an open container, the file at `path`, states; None where it is silent, or where nobody can have
-    meant it.
-    """
+    """What an open container, the file at `path`, states; None where silent, or where nobody can mean it."""
     tags = {name.lower(): value for name, value in _tags(container)}
     begun = (_instant(tags[name]) for name in _BEGUN if name in tags)
     focal = _MILLIMETRES.fullmatch(tags.get(_FOCAL, ""))

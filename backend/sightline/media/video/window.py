@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from collections import OrderedDict
 from collections.abc import Callable
-from typing import Protocol, cast
+from typing import cast
 
 import av
 import numpy as np
@@ -37,39 +37,6 @@ class NoLongerWanted(NotFound):
     kind = "not_wanted"
 
 
-class Pictures(Protocol):
-    """Where pictures of frame n come from: a decoder in this process, or one in a child.
-
-    All raise Damaged if the file does not give the frame whose checksum is in the table, or is missing;
-    NoLongerWanted once `wanted` (asked between frames) says no. A Rectangle: x, y, w, h in px and the scale.
-    """
-
-    def still(
-        self, media: RecordingMedia, n: int, wanted: CancelCheck, display: Display, *, ahead: bool = False
-    ) -> bytes: ...
-
-    def crop_png(
-        self, media: RecordingMedia, n: int, rectangle: Rectangle, wanted: CancelCheck, display: Display
-    ) -> bytes: ...
-
-    def bgr(self, media: RecordingMedia, n: int, wanted: CancelCheck) -> Bgr: ...
-
-    def gray(self, media: RecordingMedia, n: int, wanted: CancelCheck) -> Gray: ...
-
-    def image(
-        self, data: bytes, name: str, *, colour: bool, most_px: int | None = None
-    ) -> NDArray[np.uint8]: ...
-
-    def warm(self, media: RecordingMedia) -> list[int]: ...
-
-    @property
-    def memory_bytes(self) -> int: ...
-
-    def start(self) -> None: ...
-
-    def close(self) -> None: ...
-
-
 class _OpenDecoder:
     """One open recording: its seeker, and the lock that lets one thread at a time use it."""
 
@@ -81,7 +48,10 @@ class _OpenDecoder:
 
 
 class Window:
-    """Pictures of frame n, decoded here.
+    """Pictures of frame n, decoded here; a DecodeHost has them decoded in a child, by the same methods.
+
+    All raise Damaged if the file does not give the frame whose checksum is in the table, or is missing;
+    NoLongerWanted once `wanted` (asked between frames) says no. A Rectangle: x, y, w, h in px and the scale.
 
     Decoded frames are kept as the decoder gave them (YUV), so that a step back costs a conversion and not a
     group of pictures. At most `max_open` decoders stay open, fewer where they hold more than `open_bytes`.
@@ -125,9 +95,7 @@ class Window:
         return upright_gray(*self._decoded(media, n, wanted))
 
     def image(self, data: bytes, name: str, *, colour: bool, most_px: int | None = None) -> NDArray[np.uint8]:
-        """A still picture's file, BGR or luminance, no side longer than `most_px`. Raises BadInput, naming
-        it, as `read_image` does.
-        """
+        """A still, BGR or luminance, no side longer than `most_px`. Raises BadInput as `read_image` does."""
         image = read_image_bgr(data, name) if colour else read_image(data, name)
         return image if most_px is None else no_larger(image, most_px)
 

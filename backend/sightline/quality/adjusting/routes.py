@@ -45,10 +45,7 @@ class TakenBack:
 
 @router.get("/surveys/{survey_id}/checks/adjustment")
 def check_adjustment(
-    survey_id: PathId,
-    who: Viewer,
-    session: Reading,
-    asked: Annotated[Known, Query()],
+    survey_id: PathId, who: Viewer, session: Reading, asked: Annotated[Known, Query()]
 ) -> list[PoseAdjustment]:
     """Each road pose in force as the traffic's known wheelbases and roofs adjust it; nothing is stored."""
     known = KnownUncertainties(**asked.model_dump())

@@ -18,8 +18,8 @@ from sightline.measurements.road_poses import road_pose
 from sightline.measurements.service import answers_again
 from sightline.measurements.store import list_measurements
 from sightline.messages.said import Said
-from sightline.poses.records import Pose
-from sightline.poses.service import Solved, described
+from sightline.poses.records import Pose, SolvedPose
+from sightline.poses.service import described
 from sightline.poses.store import get_pose
 from sightline.quality.adjusting.observations import Observations, Seen, observations_of
 from sightline.quality.adjusting.records import (
@@ -198,16 +198,16 @@ def put_in_force(
     return made, ask_to_compute(session, before.survey_id, kind="adjustment", actor=actor)
 
 
-def _adjusted_pose(before: Pose, found: Adjustment) -> Solved:
+def _adjusted_pose(before: Pose, found: Adjustment) -> SolvedPose:
     corners = np.asarray(before.overlay.get("corners_px") or [], dtype=np.float64).reshape(-1, 2)
     solved = described(found.pose, corners)
     told = Said("pose-adjusted-by-passes", passes=found.used)
-    return replace(
-        solved,
-        summary=[told, *solved.summary],
-        document={**solved.document, "adjustment": adjustment_to_dict(found)},
-        warnings=[*before.warnings, told, Said("pose-before", pose=before.id), *found.notes],
-    )
+    return {
+        **solved,
+        "summary": [told, *solved["summary"]],
+        "document": {**solved["document"], "adjustment": adjustment_to_dict(found)},
+        "warnings": [*before.warnings, told, Said("pose-before", pose=before.id), *found.notes],
+    }
 
 
 def take_back(session: Session, pose_id: int, *, actor: int) -> Job | None:

@@ -149,9 +149,7 @@ class _Rows:
 
 
 def check_insets(session: Session, survey_id: int) -> InsetCheck:
-    """Estimate each inset from the survey's own traffic, for a check target's marks have insets of their own.
-    Raises NotFound.
-    """
+    """Estimate each inset from the survey's traffic alone: a check target's are its own. Raises NotFound."""
     survey = get_survey(session, survey_id)
     known = {one.id: one for one in list_sheets(session, survey_id) if not one.check_target}
     standing = [

@@ -65,9 +65,9 @@ def preview_turn(pose_id: PathId, who: Viewer, session: Reading) -> TurnedPose:
         pose_id=pose_id,
         turn_rad=at.turn_rad,
         u_turn_rad=at.u_turn_rad,
-        summary=solved.summary,
-        warnings=solved.warnings,
-        overlay=solved.overlay,
+        summary=solved["summary"],
+        warnings=solved["warnings"],
+        overlay=solved["overlay"],
         changes=at.changes,
     )
 

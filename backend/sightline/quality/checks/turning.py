@@ -1,7 +1,7 @@
 """Turning a road pose to the direction of the traffic: what it would change, and the new pose."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -13,8 +13,8 @@ from sightline.measurements.records import Measurement
 from sightline.measurements.road_poses import road_pose
 from sightline.measurements.service import answers_again
 from sightline.messages.said import Said
-from sightline.poses.records import Pose
-from sightline.poses.service import Solved, described
+from sightline.poses.records import Pose, SolvedPose
+from sightline.poses.service import described
 from sightline.poses.store import get_pose
 from sightline.quality.in_force import replace_in_force
 from sightline.recordings.records import Recording
@@ -36,10 +36,7 @@ class HeightChange:
 
 @dataclass(frozen=True)
 class Changes:
-    """Heights of stored measurements under the turned pose, the largest difference first.
-
-    `listed` is cut off at 200; `count` is not.
-    """
+    """Heights under the turned pose, largest difference first; `listed`: 200 at most, `count`: all."""
 
     count: int
     largest_m: float
@@ -65,7 +62,9 @@ def changes_of_heights(pose: RoadPose, turn_rad: float, standing: Sequence[Measu
     return Changes(len(found), largest, tuple(found[:_MOST_LISTED]))
 
 
-def turned_pose(session: Session, pose_id: int, turn_rad: float, u_turn_rad: float, vehicles: int) -> Solved:
+def turned_pose(
+    session: Session, pose_id: int, turn_rad: float, u_turn_rad: float, vehicles: int
+) -> SolvedPose:
     """A stored pose turned about the road's normal, with its words and drawing; nothing is stored."""
     stored = get_pose(session, pose_id)
     pose = turned(road_pose(session, pose_id), turn_rad, u_turn_rad)
@@ -74,7 +73,7 @@ def turned_pose(session: Session, pose_id: int, turn_rad: float, u_turn_rad: flo
     told = Said("pose-turned-by-vehicles", turn_deg=turn_deg, vehicles=vehicles)
     solved = described(pose, corners)
     warnings = [*stored.warnings, told, Said("pose-before", pose=pose_id)]
-    return replace(solved, summary=[told, *solved.summary], warnings=warnings)
+    return {**solved, "summary": [told, *solved["summary"]], "warnings": warnings}
 
 
 def store_turned(

@@ -34,9 +34,7 @@ class OfProposedTarget:
 
 @dataclass(frozen=True)
 class Anchoring:
-    """`confirmed`: how many of the compared heights were shown and stored as proposed; `goal_m`: asked of
-    `shift_m`.
-    """
+    """`confirmed`: how many compared heights were shown and stored as proposed; `goal_m`: of `shift_m`."""
 
     plan: FreePlan
     goal_m: float

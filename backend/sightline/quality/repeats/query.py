@@ -61,9 +61,7 @@ def repeats_of_measurement(session: Session, series_id: int) -> tuple[Measuremen
 def measurements_to_click_again(
     session: Session, survey_id: int, *, person_id: int, only_own: bool
 ) -> tuple[list[int], list[int]]:
-    """The standing measurements of a survey by number: (those that the person never repeated, those that
-    they did).
-    """
+    """The standing measurements of a survey by number: (never repeated by the person, those that were)."""
     query = (
         select(measurements.c.series_id)
         .join(measurement_series, measurement_series.c.id == measurements.c.series_id)

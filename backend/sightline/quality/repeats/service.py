@@ -170,12 +170,7 @@ def use_own_sigma(session: Session, survey_id: int, person_id: int, *, own: bool
     who = get_person(session, person_id)
     found = _of_person(clicks_of_survey(session, survey_id), Who(who.id, who.name), None)
     if not found.may_choose or found.sigma.sd is None:
-        raise BadInput(
-            "quality-repeats-too-few",
-            name=who.name,
-            pairs=found.pairs,
-            least_pairs=LEAST_PAIRS,
-        )
+        raise BadInput("quality-repeats-too-few", name=who.name, pairs=found.pairs, least_pairs=LEAST_PAIRS)
     sigma_px = round(found.sigma.sd, 3)
     return choose_click_sigma(
         session, survey_id, person_id, sigma_px=sigma_px, pairs=found.pairs, actor=actor

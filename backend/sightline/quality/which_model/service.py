@@ -34,10 +34,7 @@ SCALE_U = 0.015  # of a length on the road: what the pose may be off by, a share
 
 
 def which_model(session: Session, vehicle_id: int) -> WhichModel:
-    """The catalogue's models of its year, where that is given, that fit a vehicle, and whether its own can.
-
-    Raises NotFound.
-    """
+    """The catalogue's models (of its year, if given) that fit a vehicle; if its own can. Raises NotFound."""
     sheet = get_sheet(session, vehicle_id)
     catalogue = all_of_catalogue(session)
     entries = [one for one in catalogue if one.built_in(sheet.year)]

@@ -51,12 +51,7 @@ def start(services: Services, camera_id: int, wish: CalibrationRequest, actor: i
             frames_of(wish, recording.frame_count or 0)
         payload = {"camera_id": camera_id, **vars(wish)}
         return registry.enqueue(
-            session,
-            CALIBRATE,
-            payload,
-            survey_id=camera.survey_id,
-            recording_id=None,
-            actor=actor,
+            session, CALIBRATE, payload, survey_id=camera.survey_id, recording_id=None, actor=actor
         )
 
 

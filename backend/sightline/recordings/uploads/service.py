@@ -58,10 +58,7 @@ def begin_upload(
     *,
     purpose: UploadPurpose = "video",
 ) -> Upload:
-    """Announce a file.
-
-    Raises, before a byte is sent: NotFound (survey), BadInput (empty), NoRoom, TooMany (announced, not sent).
-    """
+    """Announce a file. Raises, before any byte is sent: NotFound, BadInput (empty), NoRoom, TooMany."""
     with services.reading() as session:
         is_full = len(unfinished_uploads(session, maker=actor)) >= MOST_ANNOUNCED
     if is_full:

@@ -1,7 +1,6 @@
 """Reading the audit trail with the names of what its events are about."""
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from datetime import date
 from typing import Any
 
 from sqlalchemy import ColumnElement, and_, or_, select
@@ -32,30 +31,8 @@ _NAMED = {
 _e = audit_events.c
 
 
-def named_events(
-    session: Session,
-    *,
-    survey_id: int | None = None,
-    entity: str | None = None,
-    person_id: int | None = None,
-    day: date | None = None,
-    vehicle: int | None = None,
-    seen: Collection[int] | None = None,
-    before_id: int | None = None,
-    limit: int = 100,
-) -> tuple[NamedEvent, ...]:
-    """Events, newest first; `vehicle` is a number in its survey, `day` one in UTC."""
-    found = trail.listing(
-        session,
-        survey_id=survey_id,
-        entity=entity,
-        actor_id=person_id,
-        day=day,
-        among=None if vehicle is None else _of_vehicle(vehicle, survey_id),
-        seen=seen,
-        before_id=before_id,
-        limit=limit,
-    )
+def with_names(session: Session, found: Sequence[AuditEvent]) -> tuple[NamedEvent, ...]:
+    """Events with the names of what they are about, in their order."""
     names = _names(session, found)
     of_surveys = _by_id(session, surveys.c.name, (one.survey_id for one in found))
     subjects = _subjects(session, found)
@@ -79,7 +56,7 @@ def acting_people(session: Session, seen: Collection[int] | None = None) -> tupl
     return tuple(Who(row.id, row.name) for row in session.execute(query.order_by(people.c.name)))
 
 
-def _of_vehicle(number: int, survey_id: int | None) -> ColumnElement[bool]:
+def of_vehicle(number: int, survey_id: int | None) -> ColumnElement[bool]:
     """Events of the vehicles with this number: their records, measurements, verdicts and tyres."""
     mine = select(vehicles.c.id).where(vehicles.c.number == number)
     if survey_id is not None:

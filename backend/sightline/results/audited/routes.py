@@ -5,6 +5,7 @@ from typing import Annotated
 
 from fastapi import APIRouter, Query
 
+from sightline.infra.audit import trail
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Id
 from sightline.infra.web.deps import Reading, SurveysSeen, Viewer
@@ -29,17 +30,18 @@ def list_named_events(
     limit: Annotated[int, Query(ge=1, le=1000)] = 100,
 ) -> tuple[NamedEvent, ...]:
     """Events with the names of what they are about, newest first; `before_id` turns the page."""
-    return query.named_events(
+    found = trail.listing(
         session,
         survey_id=survey_id,
         entity=entity,
-        person_id=person_id,
+        actor_id=person_id,
         day=day,
-        vehicle=vehicle,
+        among=None if vehicle is None else query.of_vehicle(vehicle, survey_id),
         seen=seen,
         before_id=before_id,
         limit=limit,
     )
+    return query.with_names(session, found)
 
 
 @router.get("/audit/people")

@@ -47,12 +47,7 @@ def planned_lots(
 
 
 def draw_lots(
-    session: Session,
-    survey_id: int,
-    by: Collection[LotGrouping],
-    risks: RiskPoints,
-    *,
-    actor: int | None,
+    session: Session, survey_id: int, by: Collection[LotGrouping], risks: RiskPoints, *, actor: int | None
 ) -> tuple[int, ...]:
     """Draw every lot whose sample is not all of it; their ids.
 

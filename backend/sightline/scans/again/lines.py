@@ -24,10 +24,7 @@ LineAnswers = dict[tuple[int, Clicks], LineHeight]
 def line_changes_to_come(
     session: Session, survey_id: int, answers: LineAnswers, *, tell: Tell = untold
 ) -> list[Changed]:
-    """The standing heights of line scans that come out as others with the facts that hold now.
-
-    Raises NotFound.
-    """
+    """The standing heights of line scans that come out otherwise with the facts of now. Raises NotFound."""
     standing = standing_scan_heights(session, survey_id)
     computed = _computed(session, survey_id, standing, answers)
     return list(changes_among(standing, computed, _EVERY, tell))

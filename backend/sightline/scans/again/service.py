@@ -39,10 +39,7 @@ class AllAnswers:
 
 
 def out_of_date(session: Session, survey_id: int) -> OutOfDate:
-    """How many standing heights follow from other facts than hold now; from facts alone, nothing is computed.
-
-    Raises NotFound.
-    """
+    """How many standing heights follow from other facts than now's; nothing is computed. Raises NotFound."""
     frames = measurements_out_of_date(session, survey_id)
     lines = count_out_of_date(alike_lines(session, survey_id))
     return replace(
@@ -55,12 +52,7 @@ def out_of_date(session: Session, survey_id: int) -> OutOfDate:
 
 
 def changes_to_come(
-    session: Session,
-    survey_id: int,
-    answers: AllAnswers,
-    *,
-    only_waiting: bool = False,
-    tell: Tell = untold,
+    session: Session, survey_id: int, answers: AllAnswers, *, only_waiting: bool = False, tell: Tell = untold
 ) -> list[Changed]:
     """The standing heights that come out as others with the facts that hold now.
 

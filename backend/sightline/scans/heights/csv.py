@@ -48,9 +48,7 @@ class RodMark:
 
 @dataclass(frozen=True, slots=True)
 class ListedHeight:
-    """A revision of a height; `current`: it is the newest of its vehicle and target; `verdict_of_id`: the
-    revision whose verdict holds for it too.
-    """
+    """A revision; `current`: its vehicle's and target's newest; `verdict_of_id`: whose verdict it keeps."""
 
     height: ScanHeight
     current: bool
@@ -219,14 +217,9 @@ TABLES: tuple[Table[Any], ...] = (LINE_POSES, LINE_MARKS, LINE_HEIGHTS, LINE_BUD
 
 
 def fill_heights(
-    staging: Staging,
-    session: Session,
-    vehicles_of: Mapping[int, Sequence[int]],
-    insets: Mapping[str, Inset],
+    staging: Staging, session: Session, vehicles_of: Mapping[int, Sequence[int]], insets: Mapping[str, Inset]
 ) -> None:
-    """Write the tables of heights. `vehicles_of`: the living vehicles of each recording, in their order;
-    `insets`: those of the survey, by name.
-    """
+    """Write the tables of heights. `vehicles_of`: living ones by recording, in order; `insets`: by name."""
     poses = {scan_id: line_pose_history(session, scan_id) for scan_id in vehicles_of}
     solved = [pose for history in poses.values() for pose in history]
     staging.fill(LINE_POSES, solved)

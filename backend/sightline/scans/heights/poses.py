@@ -166,10 +166,7 @@ def solve(rod: Rod) -> LinePose:
 
 def _solved(rod: Rod) -> LinePose:
     return solve_line_pose(
-        *_columns(rod.marks),
-        sigma_px=rod.sigma_px,
-        u_distance_m=rod.u_distance_m,
-        u_lean_rad=rod.u_lean_rad,
+        *_columns(rod.marks), sigma_px=rod.sigma_px, u_distance_m=rod.u_distance_m, u_lean_rad=rod.u_lean_rad
     )
 
 

@@ -36,9 +36,7 @@ _FIGURES = ("distance_m", "u_distance_m", "height_m", "u_height_m", "U95_height_
 
 
 def check_line_heights(
-    files: Files,
-    told_poses: Mapping[int, Mapping[str, Any]],
-    recomputing: Recomputing,
+    files: Files, told_poses: Mapping[int, Mapping[str, Any]], recomputing: Recomputing
 ) -> None:
     """Solve every calibration and compute every height again. Raises Damaged.
 

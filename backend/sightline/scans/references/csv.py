@@ -14,9 +14,7 @@ from sightline.statistics.references import Agreement
 
 @dataclass(frozen=True, slots=True)
 class ListedReference:
-    """A revision; `current`: it is the newest of its vehicle, quantity and source. `found`: ours beside it,
-    where it stands and there is a value of ours.
-    """
+    """`current`: the newest of its vehicle, quantity and source. `found`: ours beside it, where it stands."""
 
     reference: StoredReference
     current: bool

@@ -94,9 +94,7 @@ def import_references(
     *,
     actor: int | None,
 ) -> ReferencesImported:
-    """Store the lines that can be used; each value leaves an event. Raises as `plan_references`, and BadInput
-    where no line can be used.
-    """
+    """Store the usable lines, an event each. Raises as `plan_references`, BadInput where there is none."""
     lines, matching = _lines(session, scan_id, data, name, tolerance_s)
     plan = _plan(lines, matching)
     usable = [one for one in lines if one.row.change in ("new", "replaces") and one.vehicle is not None]

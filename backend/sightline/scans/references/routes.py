@@ -60,11 +60,7 @@ def withdraw_reference(
 
 @router.post("/scans/{scan_id}/references/preview")
 def preview_reference_import(
-    scan_id: PathId,
-    who: Operator,
-    services: Wired,
-    file: Sent,
-    tolerance_s: Tolerance = USUAL_TOLERANCE_S,
+    scan_id: PathId, who: Operator, services: Wired, file: Sent, tolerance_s: Tolerance = USUAL_TOLERANCE_S
 ) -> ReferencePlan:
     """What an import of this file would do with each line; nothing is stored."""
     name = file.filename or "The file"
@@ -75,11 +71,7 @@ def preview_reference_import(
 
 @router.post("/scans/{scan_id}/references/import")
 def import_scan_references(
-    scan_id: PathId,
-    who: Operator,
-    services: Wired,
-    file: Sent,
-    tolerance_s: Tolerance = USUAL_TOLERANCE_S,
+    scan_id: PathId, who: Operator, services: Wired, file: Sent, tolerance_s: Tolerance = USUAL_TOLERANCE_S
 ) -> ReferencesImported:
     """The lines of a CSV; those that cannot be used are named with their reason, the others are stored."""
     name = file.filename or "The file"

@@ -17,10 +17,7 @@ _UNKNOWN = datetime(1, 1, 1, tzinfo=UTC)  # no column that is made again holds i
 def check_references(
     rows: Mapping[int, Row], vehicles: Mapping[int, Row], told: Mapping[str, Mapping[int, Mapping[str, Any]]]
 ) -> None:
-    """Compare and compute again, from the events of the references and of each vehicle's current motion.
-
-    Raises Damaged.
-    """
+    """Compare and compute again, from the events of references and current motions. Raises Damaged."""
     history = [_stored(number, told["scan_reference"][number]) for number in sorted(rows)]
     motions = {
         number: told["scan_measurement"][int(row["measurement_id"])] if row["measurement_id"] else None

@@ -60,14 +60,7 @@ def preview_rig_calibration(
 
 
 def store_rig_calibration(
-    session: Session,
-    scan_id: int,
-    data: bytes,
-    name: str,
-    said: Given,
-    *,
-    version: int,
-    actor: int | None,
+    session: Session, scan_id: int, data: bytes, name: str, said: Given, *, version: int, actor: int | None
 ) -> StoredRigCalibration:
     """Store the calibration of these passes, and put its values in force; rows that cannot be used are left
     out.

@@ -16,10 +16,7 @@ from sightline.scans.rig.passes_csv import RefusedRow
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RigCalibrationValues:
-    """What a calibration consists of: its passes, what they share, and what both give.
-
-    `passes`: the fields of a linescan `RigPass` each.
-    """
+    """A calibration: its passes (fields of a linescan `RigPass` each), what they share, what both give."""
 
     passes: list[JsonObject]
     line_rate_hz: float

@@ -27,11 +27,7 @@ def list_rig_calibrations(scan_id: PathId, who: Viewer, session: Reading) -> lis
 
 @router.post("/scans/{scan_id}/rig-calibrations/preview")
 def preview_rig_calibration(
-    scan_id: PathId,
-    who: Operator,
-    services: Wired,
-    file: Sent,
-    said: Said,
+    scan_id: PathId, who: Operator, services: Wired, file: Sent, said: Said
 ) -> CalibrationLook:
     """What the passes of a CSV give; nothing is stored."""
     name = file.filename or "The file"

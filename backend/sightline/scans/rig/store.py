@@ -15,10 +15,7 @@ from sightline.scans.store import get_scan
 def append_rig_calibration(
     session: Session, scan_id: int, values: RigCalibrationValues, *, actor: int | None
 ) -> StoredRigCalibration:
-    """The next calibration of a scan's rig; the former ones stay. The rig itself is not changed.
-
-    Raises NotFound.
-    """
+    """The next calibration of a scan's rig; former ones stay, the rig is not changed. Raises NotFound."""
     scan, history = get_scan(session, scan_id), rig_calibration_history(session, scan_id)
     place = {"survey_id": scan.survey_id, "scan_id": scan_id, "revision": len(history) + 1}
     written_once(session, rig_calibrations, {**place, **asdict(values)}, "calibrate", actor=actor)

@@ -68,12 +68,7 @@ def _calibration(row: Row, rows: list[Row], passes: list[RigPass]) -> None:
     for name in _FIGURES:
         _same(RIG_CALIBRATIONS, row, name, getattr(values, name), row["id"])
     if int(row["degrees_of_freedom"]) != found.degrees_of_freedom:
-        raise Damaged(
-            "scans-rig-differs",
-            path=RIG_CALIBRATIONS.key,
-            name="degrees_of_freedom",
-            id=row["id"],
-        )
+        raise Damaged("scans-rig-differs", path=RIG_CALIBRATIONS.key, name="degrees_of_freedom", id=row["id"])
     for one, fitted in zip(rows, found.passes, strict=True):
         if one["kind"] != fitted.kind:
             raise Damaged("scans-rig-differs", path=RIG_PASSES.key, name="kind", id=row["id"])

@@ -55,8 +55,14 @@ MOTION = (
     "fit_error_percent",
 )
 GAPS = ("time_gap_s", "distance_gap_m", "headway_s")
-#: What is distributed: its unit.
-QUANTITIES = {"speed": "m/s", "length": "m", "time_gap": "s", "distance_gap": "m", "headway": "s"}
+# What is distributed: of which value, and its unit.
+_QUANTITIES = {
+    "speed": ("speed_mps", "m/s"),
+    "length": ("length_m", "m"),
+    "time_gap": ("time_gap_s", "s"),
+    "distance_gap": ("distance_gap_m", "m"),
+    "headway": ("headway_s", "s"),
+}
 
 
 @dataclass(frozen=True)
@@ -227,22 +233,13 @@ def statistics_of_seen(
         length_ratio=_ratio(chosen, "length"),
         wheelbase_ratio=_ratio(chosen, "wheelbase"),
         spreads=tuple(
-            _spread(name, unit, [v for one in chosen if (v := one.values.get(_NAMED[name])) is not None])
-            for name, unit in QUANTITIES.items()
+            _spread(name, unit, [v for one in chosen if (v := one.values.get(of)) is not None])
+            for name, (of, unit) in _QUANTITIES.items()
         ),
         table=tuple(_row(one) for one in chosen),
         references=tuple(_references(chosen)),
         cars=tuple(_cars(chosen)),
     )
-
-
-_NAMED = {
-    "speed": "speed_mps",
-    "length": "length_m",
-    "time_gap": "time_gap_s",
-    "distance_gap": "distance_gap_m",
-    "headway": "headway_s",
-}
 
 
 def counts(one: VehicleMotion, accepted_only: bool) -> bool:
@@ -278,9 +275,7 @@ def _errors(chosen: Sequence[VehicleMotion], name: str) -> dict[str, ErrorGroup]
 
 
 def _ratio(chosen: Sequence[VehicleMotion], of: KnownLength) -> RigEstimate:
-    """Measured over true, which tells of a wrong baseline; u of a measured one without the baseline's, which
-    is common.
-    """
+    """Measured over true, which tells of a wrong baseline; u of a measured one without the baseline's."""
     name = f"{of}_m"
     rows = [
         (value, one.u_alone_m(name), true, one.known.get(f"u_{name}") or 0.0)

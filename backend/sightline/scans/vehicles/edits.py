@@ -189,13 +189,7 @@ def add_vehicle(
 
 
 def fill_in(
-    session: Session,
-    vehicle_id: int,
-    changes: Changes,
-    *,
-    catalogue_id: int | None,
-    version: int,
-    actor: int,
+    session: Session, vehicle_id: int, changes: Changes, *, catalogue_id: int | None, version: int, actor: int
 ) -> ScanVehicle:
     """Store what is known of a vehicle; what is not given comes from the catalogue's entry, if one is named.
 
@@ -220,9 +214,7 @@ def fill_in(
 
 
 def _as_now(values: ScanValues, rig: Rig, lane: str | None) -> bool:
-    """Whether a revision was measured with the rig as it is, in the lane that a person chose, or the
-    machine's where nobody did.
-    """
+    """Whether a revision was measured with the rig as it is, in the lane of a person, else the machine's."""
     told = values.lane if values.lane_by == "person" else None
     return values.rig == rig_for(rig, values.lane, values.direction) and told == lane
 

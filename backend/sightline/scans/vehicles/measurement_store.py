@@ -27,12 +27,7 @@ _TOLD = tuple(one.name for one in fields(ScanValues) if one.name not in (*_UNTOL
 
 
 def append_scan_measurement(
-    session: Session,
-    vehicle_id: int,
-    values: ScanValues,
-    *,
-    version: int | None = None,
-    actor: int | None,
+    session: Session, vehicle_id: int, values: ScanValues, *, version: int | None = None, actor: int | None
 ) -> ScanMeasurement:
     """The next revision of a vehicle's motion; the vehicle's version counts up with it.
 

@@ -101,12 +101,7 @@ def fill_in_scan_vehicle(
         given["notes"] = ""
     with services.writing() as session:
         edits.fill_in(
-            session,
-            vehicle_id,
-            given,
-            catalogue_id=body.catalogue_id,
-            version=body.version,
-            actor=who.id,
+            session, vehicle_id, given, catalogue_id=body.catalogue_id, version=body.version, actor=who.id
         )
     return changed_vehicle(services, vehicle_id, who.id)
 

@@ -10,13 +10,7 @@ from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject, ScanDirection, VehicleOrigin
 from sightline.errors import BadInput, Conflict
-from sightline.infra.audit.changing import (
-    alter_row,
-    bring_back_row,
-    change_since,
-    make_rows,
-    take_out_row,
-)
+from sightline.infra.audit.changing import alter_row, bring_back_row, change_since, make_rows, take_out_row
 from sightline.infra.database.rows import get_row, last_change, the_one
 from sightline.infra.database.types import document_text
 from sightline.scans.query import is_current, scan_vehicle_of_row, scan_vehicle_rows, scan_vehicle_states
@@ -63,9 +57,7 @@ def list_scan_vehicles(session: Session, scan_id: int, *, deleted: bool = False)
 
 
 def last_scan_vehicles(session: Session, scan_id: int, count: int) -> tuple[ScanVehicle, ...]:
-    """Those of a scan that came last, in the order in which they passed; before them who stood until one of
-    them came.
-    """
+    """A scan's last vehicles, in the order of passing; before them who stood until one of them came."""
     of_scan = scan_vehicles.c.scan_id == scan_id
     newest = select(func.max(scan_vehicles.c.number)).where(of_scan).scalar_subquery()
     late = scan_vehicles.c.number > newest - count
@@ -139,12 +131,7 @@ def scan_vehicle_added_at(
 
 
 def change_scan_vehicle(
-    session: Session,
-    vehicle_id: int,
-    changes: Changes,
-    *,
-    version: int,
-    actor: int | None,
+    session: Session, vehicle_id: int, changes: Changes, *, version: int, actor: int | None
 ) -> ScanVehicle:
     """Fill in what is known of a vehicle. Raises Conflict if `version` is not the current one, BadInput."""
     before = require_scan_vehicle_version(session, vehicle_id, version)

@@ -14,8 +14,7 @@ router = APIRouter()
 
 def _members(session: Session, survey_id: int) -> MembersBody:
     return MembersBody(
-        open_to_all=get_survey(session, survey_id).open_to_all,
-        members=store.list_members(session, survey_id),
+        open_to_all=get_survey(session, survey_id).open_to_all, members=store.list_members(session, survey_id)
     )
 
 

@@ -32,9 +32,7 @@ def seen_surveys(session: Session, person: Person) -> Seen:
 
 
 def seen_studies(session: Session, person: Person) -> Seen:
-    """The studies that a person sees: those open to all, and those they belong to while they see each survey
-    that these take; None for all (an admin).
-    """
+    """The studies a person sees: open ones, theirs whose surveys they all see; None for all (an admin)."""
     if person.role == "admin":
         return None
     load_tables()
@@ -88,9 +86,7 @@ def _study_of(row: FromClause) -> ColumnElement[int | None]:
 
 
 def _survey_of(row: FromClause) -> ColumnElement[Any]:
-    """The survey of a table's rows: their own column, or their camera's (calibrations and images); a study
-    is of none.
-    """
+    """The survey of a table's rows: their column, or their camera's (calibrations, images); studies: none."""
     if row is surveys:
         return surveys.c.id
     own: ColumnElement[int] | None = row.c.get("survey_id")

@@ -8,13 +8,7 @@ from sqlalchemy.orm import Session
 
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
-from sightline.infra.audit.changing import (
-    alter_row,
-    bring_back_row,
-    change_since,
-    make_rows,
-    take_out_row,
-)
+from sightline.infra.audit.changing import alter_row, bring_back_row, change_since, make_rows, take_out_row
 from sightline.infra.audit.written import written_rows
 from sightline.infra.by_name import record_of
 from sightline.infra.database.rows import change_row, get_row, missing

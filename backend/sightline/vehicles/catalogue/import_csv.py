@@ -84,9 +84,7 @@ _SIZED = re.compile(rf"^(u_|u95_)?(.+?)(?:_({'|'.join(get_args(SizeUnit))}))?$")
 
 @dataclass(frozen=True)
 class Choices:
-    """How a file is read: fields by header ("" leaves a column out), and the unit of sizes that name none
-    or m.
-    """
+    """How a file is read: fields by header ("" leaves one out), and the unit of sizes that name none or m."""
 
     columns: Mapping[str, str]
     unit: SizeUnit | None = None
@@ -317,9 +315,7 @@ def _columns(table: GivenTable, choices: Choices) -> list[ImportColumn]:
 
 
 def _missing(columns: Sequence[ImportColumn], name: str) -> Said | None:
-    """Which column is needed that none is taken for. Raises BadInput where that is of no use, for
-    the file has no columns.
-    """
+    """Which column is needed that none is taken for. Raises BadInput where the file has no columns at all."""
     taken = {one.field for one in columns}
     missing = " and no column ".join(column for column in _NEEDED if column not in taken)
     if not missing:
@@ -330,9 +326,7 @@ def _missing(columns: Sequence[ImportColumn], name: str) -> Said | None:
 
 
 def _expanded(title: str, name: str) -> Said | None:
-    """Why a column that is taken for a field cannot be: its name is that of an expanded uncertainty of a
-    size.
-    """
+    """Why a column that is taken for a field cannot be: it is named as an expanded uncertainty of a size."""
     u, size, _ = _parts(_folded(title))
     if u is None or size not in SIZES:
         return None

@@ -12,10 +12,11 @@ from sightline.geometry.road_pose import RoadPose
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
+from sightline.infra.jobs.registry import Finish, JobContext
 from sightline.infra.jobs.store import jobs_under_way
 from sightline.infra.services import Services
-from sightline.media.video.passes import PassesCancelled, find_passes
+from sightline.media.video.passes import find_passes
+from sightline.media.video.report import mean_rate_hz
 from sightline.messages.said import Said
 from sightline.poses.store import get_pose
 from sightline.recordings.frames.stills import stills_of
@@ -49,26 +50,18 @@ def look_for_passes(context: JobContext) -> Finish:
     recording = opened.recording
     board, square_at = _posed(services, recording)
     context.progress(0.0, Said("job-passes-searching"))
-    try:
-        search = find_passes(
-            opened.media.path,
-            rate_hz=rate_hz_of(opened.time_s),
-            square_at=square_at,
-            on_progress=lambda fraction: context.progress(0.98 * fraction, Said("job-passes-searching")),
-            is_cancelled=context.is_cancelled,
-            name=recording.name,
-            stream_number=opened.media.stream_number,
-        )
-    except PassesCancelled as stopped:
-        raise Cancelled("vehicles-search-cancelled") from stopped
+    search = find_passes(
+        opened.media.path,
+        rate_hz=mean_rate_hz(opened.time_s),
+        square_at=square_at,
+        on_progress=lambda fraction: context.progress(0.98 * fraction, Said("job-passes-searching")),
+        is_cancelled=context.is_cancelled,
+        name=recording.name,
+        stream_number=opened.media.stream_number,
+    )
     count = search.frames
     if count != len(opened.media):
-        raise Damaged(
-            "vehicles-frames-changed",
-            name=recording.name,
-            count=count,
-            count_2=len(opened.media),
-        )
+        raise Damaged("vehicles-frames-changed", name=recording.name, count=count, count_2=len(opened.media))
     moving = [one for one in search.passes if not _is_board(one, board)]
 
     def finish(session: Session) -> Mapping[str, Any]:
@@ -132,12 +125,6 @@ def _told(found: int, new: int) -> Said:
     if new == found:
         return Said("passes-were-found", found=found)
     return Said("passes-were-found-again", found=found, new=new, known=found - new)
-
-
-def rate_hz_of(time_s: np.ndarray[Any, np.dtype[np.float64]]) -> float | None:
-    """How many frames a second are, on average; None where one says nothing of it."""
-    span_s = float(time_s[-1] - time_s[0]) if len(time_s) > 1 else 0.0
-    return (len(time_s) - 1) / span_s if span_s > 0 else None
 
 
 def _posed(services: Services, recording: Recording) -> tuple[tuple[int, int] | None, float]:

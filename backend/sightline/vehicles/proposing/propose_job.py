@@ -9,15 +9,15 @@ from sightline.geometry.documents import pose_from_dict
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
+from sightline.infra.jobs.registry import Finish, JobContext
 from sightline.infra.jobs.store import jobs_under_way
-from sightline.media.video.proposals import ProposalsCancelled, propose_in_video
+from sightline.media.video.proposals import propose_in_video
+from sightline.media.video.report import mean_rate_hz
 from sightline.messages.said import Said
 from sightline.poses.store import get_pose
 from sightline.proposals.propose import POINTS, Proposals, Proposed
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.store import get_ready_recording, get_recording
-from sightline.vehicles.passes.find_job import rate_hz_of
 from sightline.vehicles.proposing.records import PointProposal
 from sightline.vehicles.proposing.store import replace_proposals
 from sightline.vehicles.records import Vehicle
@@ -27,9 +27,7 @@ KIND = "proposals"
 
 
 def request_proposals(session: Session, recording_id: int, *, actor: int) -> Job:
-    """Queue the work. Raises NotFound, BadInput without frames or found passes, Conflict without a camera
-    pose or while it waits or runs.
-    """
+    """Queue it. Raises NotFound, BadInput (no frames or passes), Conflict (no camera pose; waits or runs)."""
     recording = get_ready_recording(session, recording_id)
     if recording.pose_id is None:
         raise Conflict("measurements-no-pose", name=recording.name)
@@ -57,21 +55,18 @@ def make_proposals(context: JobContext) -> Finish:
         pose = pose_from_dict(get_pose(session, pose_id).document, "the camera pose")
     context.progress(0.0, Said("proposals-looking"))
     made: list[PointProposal] = []
-    try:
-        found = propose_in_video(
-            opened.media.path,
-            [_found(one) for one in vehicles],
-            pose,
-            rate_hz=rate_hz_of(opened.time_s),
-            on_progress=lambda fraction: context.progress(0.98 * fraction, Said("proposals-looking")),
-            is_cancelled=context.is_cancelled,
-            name=recording.name,
-            stream_number=opened.media.stream_number,
-        )
-        for index, one in found:
-            made += proposals_of(vehicles[index].id, one)
-    except ProposalsCancelled as stopped:
-        raise Cancelled("proposals-cancelled") from stopped
+    found = propose_in_video(
+        opened.media.path,
+        [_found(one) for one in vehicles],
+        pose,
+        rate_hz=mean_rate_hz(opened.time_s),
+        on_progress=lambda fraction: context.progress(0.98 * fraction, Said("proposals-looking")),
+        is_cancelled=context.is_cancelled,
+        name=recording.name,
+        stream_number=opened.media.stream_number,
+    )
+    for index, one in found:
+        made += proposals_of(vehicles[index].id, one)
 
     def finish(session: Session) -> Mapping[str, Any]:
         replace_proposals(session, recording_id, pose_id, made, actor=context.actor)

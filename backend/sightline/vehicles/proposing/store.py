@@ -21,9 +21,7 @@ from sightline.vehicles.tables import vehicles
 def replace_proposals(
     session: Session, recording_id: int, pose_id: int, fresh: Sequence[PointProposal], *, actor: int | None
 ) -> None:
-    """Put these in the place of all that were proposed in the recording, with one audit event; the vehicles
-    that are measured free are drawn here.
-    """
+    """Put these in place of a recording's proposals, one event; vehicles to measure free are drawn here."""
     recording = get_row(session, recordings, recording_id, "recording")
     free, seed = drawn_free(session, recording["survey_id"], {one.vehicle_id for one in fresh})
     session.execute(delete(proposals).where(proposals.c.recording_id == recording_id))

@@ -1,13 +1,6 @@
 """What Sightline proposes to click of found passes: replaced as a whole, and never a measurement."""
 
-from sqlalchemy import (
-    CheckConstraint,
-    Column,
-    Float,
-    ForeignKey,
-    String,
-    UniqueConstraint,
-)
+from sqlalchemy import CheckConstraint, Column, Float, ForeignKey, String, UniqueConstraint
 
 from sightline.infra.database.types import UtcDateTime, columns_for, numbered
 from sightline.vehicles.proposing.records import PointProposal
