@@ -350,9 +350,12 @@ function DriverSideChoice({ model, vehicle }: { model: MeasureModel; vehicle: Ve
         />
       </span>
       {from === "said" && canWork.value && (
-        <button type="button" class="link small" onClick={() => model.insets.chooseSide(null)}>
-          {say("measure-side-as-survey")}
-        </button>
+        <Button
+          says="measure-side-as-survey"
+          small
+          kind="quiet"
+          onClick={() => model.insets.chooseSide(null)}
+        />
       )}
     </div>
   );

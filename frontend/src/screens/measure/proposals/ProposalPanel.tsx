@@ -100,7 +100,7 @@ function Reasons({ all, missing }: { all: readonly PointProposal[]; missing: rea
       {reasons.map((code) => {
         const of = refused.filter(({ reason }) => reason === code).map(({ target }) => TARGET_WORDS[target]);
         return (
-          <p key={code} class="proposed__reason muted small">
+          <p key={code} class="muted small">
             <strong>{of.join(", ")}</strong> {sayCode({ code, values: {} })}
           </p>
         );
