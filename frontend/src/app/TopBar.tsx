@@ -22,11 +22,11 @@ import { keysShown } from "./KeysDialog.state";
 export function TopBar() {
   const { name, guide } = current.value?.place ?? { name: "surveys", guide: "first-survey" };
   return (
-    <header class="topbar">
+    <header class="row topbar">
       <Pages />
       <Crumbs />
       <SaveWord />
-      {topTools.value && <div class="topbar__tools">{topTools.value}</div>}
+      {topTools.value && <div class="row row--near">{topTools.value}</div>}
       <span class="topbar__rule" aria-hidden="true" />
       <Button says="page-guide" kind="quiet" beside={name !== "guide"} href={guideAddress(guide)} />
       <Button
@@ -108,7 +108,7 @@ function Crumbs() {
   const surveyId = surveyHere.value;
   const inSurvey = surveyId > 0;
   return (
-    <nav class="crumbs" aria-label={say("app-where")}>
+    <nav class="row grow crumbs" aria-label={say("app-where")}>
       <ol>
         {inSurvey && (
           <li>

@@ -30,7 +30,7 @@ type EmptyProps = Named & {
 /** Nothing here yet: says so, and what to do. */
 export function Empty({ why, panel, children, actions, ...name }: EmptyProps) {
   const empty = (
-    <div class="empty">
+    <div class="stack stack--near empty">
       <h2>{nameOf(name)}</h2>
       {(why || children) && (
         <div class="stack stack--tight">

@@ -118,8 +118,8 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
     download(`sightline-${name}.csv`, "text/csv;charset=utf-8", csvOf(columns, rows));
   };
   return (
-    <figure class="panel stat-figure">
-      <header class="stat-figure__head">
+    <figure class="panel stack stack--tight stat-figure">
+      <header class="row row--apart stat-figure__head">
         <h3>{title}</h3>
         {!reason && (
           <div class="row stat-noprint">

@@ -22,7 +22,7 @@ export function useSample(surveyId: number, of: () => unknown = () => null) {
 export function SampleQuotas({ quotas }: { quotas: SampleProgress["quotas"] }) {
   if (quotas.length === 0) return null;
   return (
-    <ul class="quotas" aria-label={say("sample-quotas")} data-testid="quotas">
+    <ul class="stack stack--tight quotas" aria-label={say("sample-quotas")} data-testid="quotas">
       {quotas.map((one) => (
         <li key={quotaWords(one)}>
           <span class="clip" title={quotaWords(one)}>

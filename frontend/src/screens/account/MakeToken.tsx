@@ -38,7 +38,7 @@ export function MakeToken({ close, made }: { close: () => void; made: (token: Ma
       <fieldset class="field">
         <legend class="field__label">{say("account-token-scopes-field")}</legend>
         {SCOPES.map((scope) => (
-          <label key={scope} class="tokens__scope">
+          <label key={scope} class="row row--base tokens__scope">
             <input
               type="checkbox"
               checked={scopes.includes(scope)}

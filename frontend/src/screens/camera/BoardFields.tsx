@@ -69,7 +69,7 @@ export function BoardFields({ board, change }: { board: TypedBoard; change: (boa
   const field = fieldsOf(board, set);
   return (
     <div class="board">
-      <div class="board__fields">
+      <div class="stack stack--near board__fields">
         <KindField value={board} change={set} />
         <p>
           <Said what="camera-inner-corners" /> {board.kind === "charuco" && say("camera-charuco-corners")}

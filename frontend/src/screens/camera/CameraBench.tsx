@@ -234,7 +234,7 @@ function ImageGrid({
               />
             )}
           </div>
-          <div class="shot__words">
+          <div class="row row--apart shot__words">
             <span class="clip" title={image.name}>
               {image.name}
             </span>

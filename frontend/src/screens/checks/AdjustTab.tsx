@@ -109,7 +109,7 @@ function KnownFields({ known, change }: { known: Known; change(next: Known): voi
     />
   );
   return (
-    <div class="row row--wrap adjust-known">
+    <div class="row row--wrap row--end">
       {field("u_wheelbase_m", say("adjust-u-wheelbase", { unit }))}
       {field("u_wheelbase_common_m", say("adjust-u-wheelbase-common", { unit }))}
       {field("u_roof_common_m", say("adjust-u-roof-common", { unit }))}

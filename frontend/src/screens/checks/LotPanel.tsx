@@ -106,7 +106,7 @@ function Acts({ surveyId, shown, done }: Props) {
   return (
     <>
       <Problem error={problem} />
-      <div class="row lots__acts">
+      <div class="row row--wrap">
         {state === "open" && (
           <>
             {progress.judged < progress.sample && (

@@ -17,7 +17,7 @@ import type { Entry } from "./records";
 export function MeasurementDetail({ model, entry }: { model: MeasureModel; entry: Entry }) {
   const source = entry.preview ?? entry.saved;
   return (
-    <div class="height-detail">
+    <div class="stack stack--near height-detail">
       <Frames model={model} entry={entry} />
       {canWork.value && entry.state === "saved" && (
         <Button
@@ -117,7 +117,7 @@ function Frames({ model, entry }: { model: MeasureModel; entry: Entry }) {
         <>
           <ul class="frames-of__list">
             {frames.map(({ frame }, i) => (
-              <li key={frame}>
+              <li key={frame} class="row">
                 <Button
                   small
                   kind="quiet"

@@ -330,7 +330,11 @@ function DriverSideChoice({ model, vehicle }: { model: MeasureModel; vehicle: Ve
     steering: survey.value?.traffic.steering_side ?? "left",
   };
   return (
-    <div class="inset-choice" data-testid="inset-choice-driver_eye" data-side={side ?? "unknown"}>
+    <div
+      class="stack stack--dense inset-choice"
+      data-testid="inset-choice-driver_eye"
+      data-side={side ?? "unknown"}
+    >
       <span class="small">{say("measure-inset-side")}</span>
       {canWork.value ? (
         <Segments
@@ -371,7 +375,7 @@ function RoofChoice({ model, target, entry }: TargetProps) {
     (choice) => choice.inset_m === now?.inset_m && choice.u_inset_m === now?.u_inset_m,
   );
   return (
-    <div class="inset-choice" data-testid={`inset-choice-${target}`}>
+    <div class="stack stack--dense inset-choice" data-testid={`inset-choice-${target}`}>
       <span class="small">{say("measure-inset-roof")}</span>
       <Segments
         says="measure-inset-roof"

@@ -185,7 +185,7 @@ export function progress({ records }: Pick<MeasureModel, "records">, vehicle: Ve
 function NewPass({ model }: { model: MeasureModel }) {
   const from = model.passes.from.value;
   return (
-    <footer class="passes__foot">
+    <footer class="row row--wrap row--near passes__foot">
       {from === null ? (
         <Button
           says="measure-pass-begin"

@@ -37,7 +37,7 @@ export function TimelinePanel({ model, player }: { model: MeasureModel; player: 
   }
   return (
     <section class="measure__time" aria-label={say("stage-timeline")}>
-      <div class="frame-tools">
+      <div class="row row--near frame-tools">
         <Transport player={player} stage={model.stage} />
         <span class="grow" />
         {model.reel.recordings.value.length > 1 && <RecordingChoice model={model} player={player} />}

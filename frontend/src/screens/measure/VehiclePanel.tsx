@@ -27,7 +27,7 @@ export function VehiclePanel({ model }: { model: MeasureModel }) {
   }
   return (
     <aside class="measure__vehicle" aria-label={say("measure-vehicle")} key={vehicle.id}>
-      <header class="vehicle__head">
+      <header class="row row--far vehicle__head">
         <h2>{say("measure-vehicle-number", { vehicle: vehicleName(vehicle.number) })}</h2>
         <StateMark state={vehicle.state} />
         <span class="grow" />

@@ -222,7 +222,7 @@ function Run({ model }: { model: PoseModel }) {
   const locked = !canWork.value;
   const again = model.reel.recording.value?.pose_id != null && model.pose.value !== null;
   return (
-    <footer class="pose-form__foot">
+    <footer class="stack stack--tight pose-form__foot">
       {model.job.value?.state === "failed" && (
         <Notice kind="problem">{sentenceOf(model.job.value.error)}</Notice>
       )}

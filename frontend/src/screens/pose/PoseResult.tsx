@@ -21,7 +21,7 @@ export function PoseResult({ model }: { model: PoseModel }) {
   if (!pose && model.poses.value.length === 0) return null;
   const inUse = pose !== null && recording?.pose_id === pose.id;
   return (
-    <section class="pose-result" ref={box}>
+    <section class="stack stack--near pose-result" ref={box}>
       {pose && (
         <>
           <header class="row">

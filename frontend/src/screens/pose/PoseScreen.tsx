@@ -74,7 +74,7 @@ export default function PoseScreen({ surveyId }: ScreenProps) {
         <PoseForm model={model} />
       </aside>
       <section class="pose__time" aria-label={say("stage-timeline")}>
-        <div class="frame-tools">
+        <div class="row row--near frame-tools">
           <Transport player={player} stage={model.stage} />
           <span class="grow" />
           <CommandButton command={fitCommand(model.stage)}>{say("stage-fit")}</CommandButton>

@@ -56,7 +56,7 @@ export function RecordingCard({ recording, passes, cameras, changed, reload }: P
   return (
     <article class="panel recording">
       <Poster recording={recording} />
-      <div class="recording__body">
+      <div class="stack stack--near recording__body">
         <header class="row row--apart">
           <Name recording={recording} rename={(name) => void put({ name })} />
           <div class="row">

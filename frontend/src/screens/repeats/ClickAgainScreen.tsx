@@ -40,7 +40,7 @@ export default function ClickAgainScreen({ surveyId }: ScreenProps) {
   return (
     <div class="again">
       <h1 class="visually-hidden">{say("page-click-again")}</h1>
-      <header class="again__head">
+      <header class="row again__head">
         <p data-testid="again-progress">
           {item ? (
             <Said
@@ -78,7 +78,7 @@ export default function ClickAgainScreen({ surveyId }: ScreenProps) {
               stage={session.stage}
             />
           </section>
-          <section class="again__time frame-tools" aria-label={say("stage-frames")}>
+          <section class="again__time row row--near frame-tools" aria-label={say("stage-frames")}>
             <Transport player={player} stage={session.stage} />
             <span class="grow" />
             {player.shown.value?.frame !== item.frame && (

@@ -42,7 +42,7 @@ export function Queue({ model }: { model: ReviewModel }) {
             say("page-review")
           )}
         </h2>
-        <div class="review__choose">
+        <div class="stack stack--dense review__choose">
           <Select
             aria-label={say("review-show")}
             value={model.queue.shown.value}

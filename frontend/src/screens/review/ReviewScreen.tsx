@@ -71,7 +71,7 @@ function Shown({ model, player }: { model: ReviewModel; player: Player | null })
 
 function FrameTools({ model, player, m }: { model: ReviewModel; player: Player; m: Measurement }) {
   return (
-    <section class="review__time frame-tools" aria-label={say("stage-frames")}>
+    <section class="review__time row row--near frame-tools" aria-label={say("stage-frames")}>
       <Transport player={player} stage={model.stage} />
       <span class="grow" />
       {!model.onFrame.value && (

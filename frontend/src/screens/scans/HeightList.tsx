@@ -51,7 +51,7 @@ function Older({ model }: { model: ScanModel }) {
   const count = model.heights.kept.older.value.length;
   if (count === 0) return null;
   return (
-    <div class="line-heights__older small">
+    <div class="row row--wrap row--apart line-heights__older small">
       <span>{say("scan-heights-older", { count })}</span>
       <Button says="computing-look" small href={`/surveys/${survey.value?.id}/checks?tab=again`} />
     </div>
@@ -151,7 +151,7 @@ function InsetOf({ model, target }: { model: ScanModel; target: Target }) {
   const now = model.heights.insetOf(target) ?? usual;
   const chosen = choices.findIndex((one) => isChosen(one, now ?? null));
   return (
-    <div class="line-heights__inset small">
+    <div class="row row--wrap line-heights__inset small">
       <span>{ASKED[target]}</span>
       <Segments
         label={ASKED[target] ?? TARGET_WORDS[target]}

@@ -14,7 +14,7 @@ export function RodPanel({ model }: { model: ScanModel }) {
   const solved = rod.solved.value;
   return (
     <aside class="scan__side" aria-label={say("scan-rod-label")}>
-      <header class="vehicle__head">
+      <header class="row row--far vehicle__head">
         <h2>{say("scan-rod-title")}</h2>
         <span class="grow" />
         <Button says="action-close" small kind="quiet" onClick={() => model.cancel()} />

@@ -54,7 +54,7 @@ export function VehiclePanel({ model }: { model: ScanModel }) {
   const lanes = model.scan.value?.rig.lanes ?? [];
   return (
     <aside class="scan__side" aria-label={say("scan-vehicle")} key={vehicle.id}>
-      <header class="vehicle__head">
+      <header class="row row--far vehicle__head">
         <h2>
           {vehicleName(vehicle.number)}{" "}
           <span class="muted">{[vehicle.make, vehicle.model].filter(Boolean).join(" ")}</span>

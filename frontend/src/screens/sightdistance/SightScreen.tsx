@@ -60,7 +60,11 @@ function Sentences({ sight }: { sight: Sight }) {
   const standard = sight.cases.find((one) => one.name === "standard");
   const others = sight.cases.filter((one) => one.name !== "standard");
   return (
-    <section class="panel sight-sentence" aria-label={say("sight-sentence")} data-testid="sight-sentence">
+    <section
+      class="panel stack stack--near sight-sentence"
+      aria-label={say("sight-sentence")}
+      data-testid="sight-sentence"
+    >
       {others.map((one) => (
         <p key={one.name}>{caseWords(one, standard, sight)}</p>
       ))}

@@ -93,7 +93,7 @@ function Card({ one, mayChange, earlier, later, caption, remove }: CardProps) {
             onInput={(event) => setText(event.currentTarget.value)}
             onChange={(event) => caption(event.currentTarget.value)}
           />
-          <div class="photograph__tools">
+          <div class="row row--near">
             <span class="clip small muted grow" title={one.name}>
               {one.name}
             </span>

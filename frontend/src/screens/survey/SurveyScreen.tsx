@@ -106,7 +106,7 @@ function LineScans({ survey }: { survey: Survey }) {
           {scans.state === "done" ? <Shape shape="check" size={24} /> : <Icon name="scan" size={20} />}
         </span>
         <div class="step__words">
-          <h2>
+          <h2 class="row row--base">
             <a href={href}>{titleOf("scans")}</a>
             <span class="step__state">{scans.state === "done" ? STATE_WORDS.done : STATE_WORDS.to_do}</span>
           </h2>
@@ -142,7 +142,7 @@ function StepRow({ step, index, survey }: { step: Step; index: number; survey: S
         {step.state === "done" ? <Shape shape="check" size={24} /> : index + 1}
       </span>
       <div class="step__words">
-        <h2>
+        <h2 class="row row--base">
           <a href={href}>{titleOf(entry.name)}</a>
           <span class="step__state">{STATE_WORDS[step.state]}</span>
         </h2>

@@ -152,8 +152,8 @@ function SurveyCard({ survey }: { survey: Survey }) {
   const made = { recordings: counts.recordings, day: formatDay(survey.created_at) };
   const parts = { made: (text: string) => <span title={survey.created_at}>{text}</span> };
   return (
-    <article class="card">
-      <header>
+    <article class="stack stack--tight card">
+      <header class="row row--apart row--far">
         <h2>
           <a href={`/surveys/${survey.id}`} class="card__link">
             {survey.name}
@@ -209,8 +209,8 @@ function Tally({ label, done, of }: { label: string; done: number; of: number })
 
 function DemoCard({ job }: { job: Job }) {
   return (
-    <article class="card">
-      <header>
+    <article class="stack stack--tight card">
+      <header class="row row--apart row--far">
         <h2>{say("surveys-demo-title")}</h2>
         <span class="badge">{say("surveys-demo-being-made")}</span>
       </header>

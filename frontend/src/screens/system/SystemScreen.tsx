@@ -104,7 +104,7 @@ function Checkpoints() {
       aside={<Button says="system-checkpoints-sign" busy={busy} onClick={() => void sign()} />}
       data-testid="checkpoints"
     >
-      <div class="panel__body checkpoints">
+      <div class="panel__body stack stack--near">
         <p class="muted">{say("system-checkpoints-lead")}</p>
         <Problem error={problem ?? found.error} again={found.reload} />
         {!found.data && found.loading && <Loading what={say("system-checkpoints-loading")} />}

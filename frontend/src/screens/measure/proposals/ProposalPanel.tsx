@@ -20,7 +20,11 @@ export function ProposalPanel({ model }: { model: MeasureModel }) {
   const frame = model.vehicle.value && proposals.frameOf(model.vehicle.value.id, missing);
   const shown = proposals.shown.value;
   return (
-    <section class="proposed" aria-label={say("measure-proposed-title")} data-testid="proposed">
+    <section
+      class="stack stack--tight proposed"
+      aria-label={say("measure-proposed-title")}
+      data-testid="proposed"
+    >
       {shown && (
         <>
           <div class="proposed__points">
