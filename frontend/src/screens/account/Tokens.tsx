@@ -75,7 +75,7 @@ function TokenTable({ tokens, revoke }: TableProps) {
   return (
     <DataTable
       label={say("account-tokens")}
-      class="tokens"
+      class="table--middle tokens"
       rows={tokens}
       keyOf={(token) => token.id}
       columns={({ col, actions }) => [

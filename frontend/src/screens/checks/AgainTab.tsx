@@ -81,7 +81,7 @@ function Runs({ computings, shown }: { computings: readonly Computing[]; shown: 
       ) : (
         <DataTable
           label={say("computing-runs")}
-          scroll="again-runs"
+          scroll="heads-stay again-runs"
           data-testid="computings"
           rows={computings}
           keyOf={(one) => one.id}
@@ -256,7 +256,7 @@ function Heights({ surveyId, found }: { surveyId: number; found: ComputedHeights
     <>
       <DataTable
         label={say("computing-table")}
-        scroll="again-heights"
+        scroll="heads-stay again-heights"
         data-testid="computed-heights"
         rows={found.listed}
         keyOf={(one) => one.measurement_id}

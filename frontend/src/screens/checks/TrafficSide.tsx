@@ -140,7 +140,7 @@ function Preview({ model, preview }: { model: TrafficModel; preview: TurnedPose 
 function Passes({ model }: { model: TrafficModel }) {
   return (
     <Table
-      class="traffic__list"
+      class="heads-stay traffic__list"
       heads={[say("checks-vehicle"), num(say("checks-heading")), num(say("checks-apart"))]}
     >
       {model.passes.value.map((vehicle) => (

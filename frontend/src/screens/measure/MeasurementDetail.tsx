@@ -74,7 +74,7 @@ function InsetEditor({ model, entry }: { model: MeasureModel; entry: Entry }) {
           )}
         </span>
       </p>
-      <div class="height-detail__inset">
+      <div class="grid grid--close height-detail__inset">
         <LengthField
           says="measure-inset"
           disabled={!canWork.value}

@@ -292,7 +292,12 @@ function Reasons({ model, target }: { model: MeasureModel; target: AskedTarget }
     event.stopPropagation();
   };
   return (
-    <fieldset class="unseen" ref={box} onKeyDown={onKeyDown} data-testid="unseen-reasons">
+    <fieldset
+      class="row row--wrap row--near unseen"
+      ref={box}
+      onKeyDown={onKeyDown}
+      data-testid="unseen-reasons"
+    >
       <legend class="small">{say("measure-unseen-why", { target })}</legend>
       {reasons.map((why, i) => (
         <button type="button" class="btn btn--small" key={why} onClick={() => take(why)}>

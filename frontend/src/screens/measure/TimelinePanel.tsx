@@ -36,7 +36,7 @@ export function TimelinePanel({ model, player }: { model: MeasureModel; player: 
     });
   }
   return (
-    <section class="measure__time" aria-label={say("stage-timeline")}>
+    <section class="desk__time" aria-label={say("stage-timeline")}>
       <div class="row row--near frame-tools">
         <Transport player={player} stage={model.stage} />
         <span class="grow" />

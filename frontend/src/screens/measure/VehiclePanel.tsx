@@ -20,13 +20,13 @@ export function VehiclePanel({ model }: { model: MeasureModel }) {
   const vehicle = model.vehicle.value;
   if (!vehicle) {
     return (
-      <aside class="measure__vehicle" aria-label={say("measure-vehicle")}>
+      <aside class="desk__side measure__vehicle" aria-label={say("measure-vehicle")}>
         <p class="measure__none muted">{say("measure-vehicle-none")}</p>
       </aside>
     );
   }
   return (
-    <aside class="measure__vehicle" aria-label={say("measure-vehicle")} key={vehicle.id}>
+    <aside class="desk__side measure__vehicle" aria-label={say("measure-vehicle")} key={vehicle.id}>
       <header class="row row--far vehicle__head">
         <h2>{say("measure-vehicle-number", { vehicle: vehicleName(vehicle.number) })}</h2>
         <StateMark state={vehicle.state} />

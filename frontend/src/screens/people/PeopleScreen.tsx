@@ -75,7 +75,7 @@ export default function PeopleScreen() {
         <div class="panel">
           <DataTable
             label={say("page-people")}
-            class="people"
+            class="table--middle people"
             rows={people.data}
             keyOf={(person) => person.id}
             columns={({ col, actions }) => [

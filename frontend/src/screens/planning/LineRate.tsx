@@ -110,7 +110,7 @@ function Result({ plan }: { plan: LinePlan }) {
             corrected={errorWords(corrected)}
           />
         </Table>
-        <p class="plan-note field__hint">{say("planning-forms-note")}</p>
+        <p class="panel__note field__hint">{say("planning-forms-note")}</p>
       </Panel>
       <Advice advice={plan.advice} />
     </div>

@@ -13,7 +13,12 @@ import type { ReviewModel } from "./model";
 export function BlindPanel({ model, item }: { model: ReviewModel; item: ReviewItem }) {
   const m = item.measurement;
   return (
-    <aside class="review__side" aria-label={say("review-measurement")} key={m.id} data-testid="blind-panel">
+    <aside
+      class="desk__side review__side"
+      aria-label={say("review-measurement")}
+      key={m.id}
+      data-testid="blind-panel"
+    >
       <header class="row row--far vehicle__head">
         <h2>
           {vehicleName(item.vehicle.number)} {TARGET_WORDS[m.target]}

@@ -22,7 +22,7 @@ export function VerdictPanel({ model, item }: { model: ReviewModel; item: Review
   const m = item.measurement;
   if (model.hidden.value) return <BlindPanel model={model} item={item} />;
   return (
-    <aside class="review__side" aria-label={say("review-measurement")} key={m.id}>
+    <aside class="desk__side review__side" aria-label={say("review-measurement")} key={m.id}>
       <header class="row row--far vehicle__head">
         <h2>
           {vehicleName(item.vehicle.number)} {TARGET_WORDS[m.target]}
@@ -182,7 +182,7 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
     item.measurement.review.verdict === "accepted" || item.measurement.review.verdict === "rejected";
   return (
     <footer class="stack stack--tight review__verdict">
-      <div class="review__buttons">
+      <div class="grid grid--3 grid--close review__buttons">
         <JudgeButton
           of="reviewAccept"
           testId="review-accept"

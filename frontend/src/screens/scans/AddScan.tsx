@@ -139,7 +139,7 @@ function Strips({ surveyId, choose }: { surveyId: number; choose: (chosen: Chose
         <UploadRow key={item.key} item={item} />
       ))}
       <Problem error={waiting.error} again={waiting.reload} />
-      <div class="scan__fields">
+      <div class="grid grid--tight">
         <OptionalField says="scans-new-camera-1" {...field("first")} {...offered} />
         <OptionalField
           says="scans-new-camera-2"
@@ -223,7 +223,7 @@ function Cuts({ surveyId, choose }: { surveyId: number; choose: (chosen: ChosenC
   return (
     <>
       <Problem error={recordings.error} again={recordings.reload} />
-      <div class="scan__fields">
+      <div class="grid grid--tight">
         <OptionalField
           says="field-recording"
           {...field("recording")}

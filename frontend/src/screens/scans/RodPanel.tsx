@@ -13,7 +13,7 @@ export function RodPanel({ model }: { model: ScanModel }) {
   const { marks } = rod.values.value;
   const solved = rod.solved.value;
   return (
-    <aside class="scan__side" aria-label={say("scan-rod-label")}>
+    <aside class="desk__side scan__side" aria-label={say("scan-rod-label")}>
       <header class="row row--far vehicle__head">
         <h2>{say("scan-rod-title")}</h2>
         <span class="grow" />
@@ -57,7 +57,7 @@ function NextMark({ model }: { model: ScanModel }) {
   };
   return (
     <section aria-label={say("scan-rod-next")}>
-      <div class="rod__fields">
+      <div class="grid grid--3 grid--tight grid--low rod__fields">
         {NEXT.map(({ name, check }) => (
           <LengthField
             key={name}
@@ -160,7 +160,7 @@ function Uncertainties({ model }: { model: ScanModel }) {
     return value === null || value < least ? say("scan-rod-at-least", { least: String(least) }) : null;
   };
   return (
-    <section class="rod__fields" aria-label={say("scan-rod-u")}>
+    <section class="grid grid--3 grid--tight grid--low rod__fields" aria-label={say("scan-rod-u")}>
       <CommitField
         says="scan-rod-u-row"
         value={String(sigma_px)}

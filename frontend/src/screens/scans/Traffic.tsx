@@ -112,7 +112,7 @@ function OfScan({ scan, of, surveyId }: { scan: ScanTraffic; of: TrafficOfScans;
           <Notice kind="warning">{say("flows-unplaced", { count: scan.unplaced })}</Notice>
         )}
         <IntervalTable scan={scan} view={view} limits_m={of.length_limits_m} />
-        <p class="small muted scan-traffic__note">{say("flows-table-note")}</p>
+        <p class="small muted scan__note">{say("flows-table-note")}</p>
       </section>
     </>
   );

@@ -45,7 +45,7 @@ export function VehiclePanel({ model }: { model: ScanModel }) {
   const detail = model.detail.value;
   if (!vehicle) {
     return (
-      <aside class="scan__side scan__side--empty" aria-label={say("scan-vehicle")}>
+      <aside class="desk__side scan__side scan__side--empty" aria-label={say("scan-vehicle")}>
         <p class="muted">{say("scan-vehicle-none", { key: hint("passNext") })}</p>
       </aside>
     );
@@ -53,7 +53,7 @@ export function VehiclePanel({ model }: { model: ScanModel }) {
   const m = vehicle.measurement;
   const lanes = model.scan.value?.rig.lanes ?? [];
   return (
-    <aside class="scan__side" aria-label={say("scan-vehicle")} key={vehicle.id}>
+    <aside class="desk__side scan__side" aria-label={say("scan-vehicle")} key={vehicle.id}>
       <header class="row row--far vehicle__head">
         <h2>
           {vehicleName(vehicle.number)}{" "}
@@ -313,7 +313,7 @@ function Known({ model, vehicle }: { model: ScanModel; vehicle: ScanVehicle }) {
   const wrong = (text: string) =>
     text === "" || (parseLength(text) ?? 0) > 0 ? null : say("scan-known-problem");
   return (
-    <section class="scan__known" aria-label={say("scan-known")}>
+    <section class="grid grid--tight" aria-label={say("scan-known")}>
       <CatalogueField
         label={say("scan-known-make")}
         value={vehicle.make ?? ""}

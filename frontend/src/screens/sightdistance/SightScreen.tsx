@@ -34,7 +34,7 @@ export default function SightScreen(_props: ScreenProps) {
   }, []);
   const data = found.data;
   return (
-    <div class="page page--alone sight-page">
+    <div class="page page--alone page--wide">
       <PageHead says="page-sight-distance" lead={say("sight-lead")} />
       <PageTabs label={say("page-statistics")} tabs={resultsTabs("sight-distance")} />
       {query.value.getAll("survey").map((id) => (
@@ -143,7 +143,7 @@ function Cases({ sight }: { sight: Sight & { speed_mps: number } }) {
           </tr>
         ))}
       </Table>
-      <p class="field__hint sight-note">
+      <p class="field__hint panel__note">
         {say("sight-cases-note", {
           eyes: sight.eyes,
           objects: sight.objects,

@@ -51,7 +51,7 @@ export function FilterBar({ found }: { found: Statistics | null }) {
   const any = say("statistics-filter-any");
   return (
     <form
-      class="panel stat-filter stat-noprint"
+      class="panel panel__body grid grid--4 stat-noprint"
       aria-label={say("statistics-filter")}
       onSubmit={(event) => event.preventDefault()}
     >
@@ -67,9 +67,9 @@ export function FilterBar({ found }: { found: Statistics | null }) {
         onClassSets={(class_set) => setFilter({ class_set })}
         onCategories={(category) => setFilter({ category })}
       />
-      <details class="stat-filter__more" open={MORE.some((name) => at.get(name))}>
+      <details class="more across" open={MORE.some((name) => at.get(name))}>
         <summary>{say("statistics-filter-more")}</summary>
-        <div class="stat-filter__fields">
+        <div class="grid grid--5">
           {choice(
             "target",
             say("statistics-filter-target"),

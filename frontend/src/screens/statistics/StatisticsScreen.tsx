@@ -51,7 +51,7 @@ export default function StatisticsScreen() {
   const errors = query.value.get("tab") === "errors";
   const only = query.value.getAll("survey").length === 1 ? query.value.get("survey") : null;
   return (
-    <div class="page page--alone stat-page">
+    <div class="page page--alone page--wide stat-page">
       <PageHead
         says="page-statistics"
         more={
@@ -281,7 +281,7 @@ function LateralSection({ lateral }: { lateral: Lateral }) {
   const curves = drawn(lanes, "lane");
   return (
     <Panel says="statistics-lateral-title" data-testid="lateral">
-      <div class="stat-groups">
+      <div class="grid stat-groups">
         <PlotFigure
           name="lateral-position"
           title={say("statistics-lateral-figure")}

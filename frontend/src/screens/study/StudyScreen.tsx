@@ -28,7 +28,7 @@ export default function StudyScreen() {
 function Chosen({ id }: { id: number }) {
   const page = useAsked("GET /studies/{study_id}", { study_id: id });
   return (
-    <div class="page page--alone study">
+    <div class="page page--alone page--wide study">
       <Loaded of={page} what={say("study-loading")} />
       {page.data && <Page page={page.data} reload={page.reload} />}
     </div>

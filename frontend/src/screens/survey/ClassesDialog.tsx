@@ -29,7 +29,7 @@ export function ClassesDialog({ survey, close }: { survey: Survey; close: () => 
       <p class="field__hint">{say("classes-help")}</p>
       <Table
         label={say("classes-title")}
-        class="classes"
+        class="table--middle classes"
         heads={[say("classes-class"), say("classes-set"), say("classes-eu"), say("classes-fhwa")]}
       >
         {rows.map((row) => (

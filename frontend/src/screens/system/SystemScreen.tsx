@@ -140,7 +140,7 @@ function List({ listed }: { listed: Listed }) {
   return (
     <DataTable
       label={say("system-checkpoints")}
-      scroll="checkpoints__list"
+      scroll="tall"
       rows={listed.newest}
       keyOf={(one) => one.id}
       columns={({ col, num, actions }) => [
