@@ -1,14 +1,14 @@
 import {
   Button,
+  DataTable,
   type Fact,
   Facts,
   Loading,
   Notice,
   Notices,
-  num,
   OptionalField,
+  Panel,
   StateMark,
-  Table,
 } from "../../components";
 import { CommitField } from "../../components/CommitField";
 import { Said } from "../../components/Said";
@@ -361,42 +361,23 @@ function off(metres: number | null): string | undefined {
 
 function Budget({ detail }: { detail: ScanVehicleDetail }) {
   const m = detail.vehicle.measurement;
+  const parts = detail.budget.map((one) => ({ ...one, what: <>{budgetSource(one.source)}</> }));
+  const together = m && { ...m, source: "", what: <strong>{say("budget-together")}</strong> };
   return (
-    <section class="panel" aria-labelledby="scan-budget">
-      <header class="panel__head">
-        <h3 id="scan-budget">{say("budget-title")}</h3>
-        <span class="muted small">{say("scan-budget-note")}</span>
-      </header>
-      <Table
+    <Panel says="budget-title" within note={say("scan-budget-note")}>
+      <DataTable
         label={say("scan-budget")}
         class="table--dense"
-        heads={[
-          say("scan-budget-source"),
-          num(say("scan-budget-speed")),
-          num(say("scan-budget-acceleration")),
-          num(say("scan-budget-length")),
+        rows={together ? [...parts, together] : parts}
+        keyOf={(one) => one.source}
+        columns={({ col, num }) => [
+          col(say("scan-budget-source"), (one) => one.what),
+          num(say("scan-budget-speed"), (one) => formatSpeed(one.u_speed_mps, null, 3)),
+          num(say("scan-budget-acceleration"), (one) => formatAcceleration(one.u_acceleration_mps2, null, 3)),
+          num(say("scan-budget-length"), (one) => formatSmall(one.u_length_m)),
         ]}
-      >
-        {detail.budget.map((one) => (
-          <tr key={one.source}>
-            <td>{budgetSource(one.source)}</td>
-            <td class="num">{formatSpeed(one.u_speed_mps, null, 3)}</td>
-            <td class="num">{formatAcceleration(one.u_acceleration_mps2, null, 3)}</td>
-            <td class="num">{formatSmall(one.u_length_m)}</td>
-          </tr>
-        ))}
-        {m && (
-          <tr>
-            <td>
-              <strong>{say("budget-together")}</strong>
-            </td>
-            <td class="num">{formatSpeed(m.u_speed_mps, null, 3)}</td>
-            <td class="num">{formatAcceleration(m.u_acceleration_mps2, null, 3)}</td>
-            <td class="num">{formatSmall(m.u_length_m)}</td>
-          </tr>
-        )}
-      </Table>
-    </section>
+      />
+    </Panel>
   );
 }
 
