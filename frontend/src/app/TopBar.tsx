@@ -5,7 +5,7 @@ import { hint } from "../core/commands";
 import { held } from "../core/form";
 import { say, wordsOf } from "../core/messages";
 import { outbox } from "../core/outbox";
-import { guideAddress, type PlaceName, titleOf } from "../core/places";
+import { addressOf, guideAddress, type PlaceName, titleOf } from "../core/places";
 import { saveState } from "../core/save";
 import { me, signOut } from "../core/session";
 import { survey } from "../core/survey";
@@ -156,7 +156,7 @@ function WorkMenu({ surveyId, name, title }: { surveyId: number; name: PlaceName
             <a
               key={entry.name}
               class="menu__item"
-              href={entry.address(surveyId)}
+              href={addressOf(entry.name, surveyId)}
               aria-current={holds(entry, name) ? "page" : undefined}
             >
               {titleOf(entry.name)}

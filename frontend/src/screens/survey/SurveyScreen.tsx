@@ -3,7 +3,7 @@ import { Button, Icon, JobProgress, Loading, Notice, PageHead, Shape } from "../
 import { linkTo, Said } from "../../components/Said";
 import { isOver } from "../../core/jobs";
 import { say, sentencesOf, wordsOf } from "../../core/messages";
-import { type ScreenProps, titleOf } from "../../core/places";
+import { addressOf, type ScreenProps, titleOf } from "../../core/places";
 import { useAsked, useEvery } from "../../core/resource";
 import { may } from "../../core/session";
 import { survey as openSurvey, refreshSurvey } from "../../core/survey";
@@ -135,7 +135,7 @@ const VERBS: Readonly<Record<Step["key"], string>> = wordsOf("survey-go-");
 
 function StepRow({ step, index, survey }: { step: Step; index: number; survey: Survey }) {
   const entry = entryOfStep(step.key);
-  const href = entry.address(survey.id);
+  const href = addressOf(entry.name, survey.id);
   return (
     <li class={`step step--${step.state}`}>
       <span class="step__number" aria-hidden="true">
