@@ -184,7 +184,7 @@ export function SaveWord() {
               ? say("save-done", { time: formatClock(savedAt) })
               : "";
   return (
-    <span class="topbar__save" role="status" data-testid="save-state">
+    <span class="muted small nowrap" role="status" data-testid="save-state">
       {word}
     </span>
   );

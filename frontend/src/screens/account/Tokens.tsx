@@ -75,7 +75,7 @@ function TokenTable({ tokens, revoke }: TableProps) {
   return (
     <DataTable
       label={say("account-tokens")}
-      class="table--middle tokens"
+      class="table--middle"
       rows={tokens}
       keyOf={(token) => token.id}
       columns={({ col, actions }) => [

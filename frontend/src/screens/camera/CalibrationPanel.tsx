@@ -204,7 +204,7 @@ function Views({ calibration, camera }: { calibration: Calibration; camera: Came
             ))}
         </ol>
         {leftOut.length > 0 && (
-          <details class="left-out">
+          <details class="left-out small">
             <summary>{say("camera-left-out", { count: leftOut.length })}</summary>
             <dl>
               {leftOut.map((view) => (

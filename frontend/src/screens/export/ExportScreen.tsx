@@ -209,11 +209,11 @@ function Packages({ list }: { list: ExportPackage[] }) {
         actions(say("export-download-column"), (entry) => (
           <Button says="export-download" small icon="download" href={entry.url} download />
         )),
-        col(say("export-sha256"), (entry) => <Hash text={entry.sha256} which="sha256" />, "export__hash"),
+        col(say("export-sha256"), (entry) => <Hash text={entry.sha256} which="sha256" />, "nowrap"),
         col(
           say("export-audit-head"),
           (entry) => <Hash text={entry.audit_head} which="audit-head" />,
-          "export__hash",
+          "nowrap",
         ),
       ]}
     />

@@ -112,7 +112,7 @@ function InsetEditor({ model, entry }: { model: MeasureModel; entry: Entry }) {
 function Frames({ model, entry }: { model: MeasureModel; entry: Entry }) {
   const frames = framesOf(entry.values);
   return (
-    <div class="frames-of" data-testid="frames-of">
+    <div class="stack stack--tight frames-of" data-testid="frames-of">
       {frames.length > 1 && (
         <>
           <ul class="frames-of__list">

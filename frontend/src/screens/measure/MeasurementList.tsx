@@ -76,7 +76,7 @@ export function MeasurementList({ model }: { model: MeasureModel }) {
           );
         })}
         {idle.length > 0 && (
-          <li class="heights__idle" title={say("measure-targets-idle")}>
+          <li class="heights__idle muted small" title={say("measure-targets-idle")}>
             {idle.map((target) => (
               <Choose key={target} model={model} target={target} again={false} />
             ))}

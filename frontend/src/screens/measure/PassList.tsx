@@ -120,7 +120,7 @@ function Row({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
         <ToLookAt vehicle={vehicle} />
         <PassMark vehicle={vehicle} />
         {vehicle.lighting === "low_light" && (
-          <span class="pass__light" title={LIGHTING_WORDS.low_light}>
+          <span class="muted" title={LIGHTING_WORDS.low_light}>
             <Moon />
             <span class="visually-hidden">, {LIGHTING_NOUNS.low_light}</span>
           </span>

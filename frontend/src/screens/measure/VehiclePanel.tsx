@@ -21,7 +21,7 @@ export function VehiclePanel({ model }: { model: MeasureModel }) {
   if (!vehicle) {
     return (
       <aside class="desk__side measure__vehicle" aria-label={say("measure-vehicle")}>
-        <p class="measure__none muted">{say("measure-vehicle-none")}</p>
+        <p class="panel__body muted">{say("measure-vehicle-none")}</p>
       </aside>
     );
   }

@@ -60,7 +60,7 @@ function Result({ plan }: { plan: LinePlan }) {
   return (
     <div class="stack" data-testid="line-plan">
       <Panel says="planning-speed-title">
-        <p class="panel__body plan-line__words">
+        <p class="panel__body words">
           <Said
             what="planning-lines"
             values={{
@@ -157,7 +157,7 @@ function partWords(quantity: PlannedValue["quantity"], u: number): string {
 function Exposure({ plan, exposure }: { plan: LinePlan; exposure: NonNullable<LinePlan["exposure"]> }) {
   return (
     <Panel says="planning-exposure-title">
-      <div class="panel__body plan-line__words" data-testid="line-plan-exposure">
+      <div class="panel__body words" data-testid="line-plan-exposure">
         <p>
           <Said
             what="planning-exposure-blur"

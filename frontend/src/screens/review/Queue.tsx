@@ -175,7 +175,9 @@ function Row({ model, item }: { model: ReviewModel; item: ReviewItem }) {
             {say("lots-badge", { number: String(item.judged.lot.number) })}
           </span>
         )}
-        <span class="pass__name">{model.isHidden(item) ? say("review-blind-click") : heightWords(m)}</span>
+        <span class="pass__name clip">
+          {model.isHidden(item) ? say("review-blind-click") : heightWords(m)}
+        </span>
       </button>
     </li>
   );

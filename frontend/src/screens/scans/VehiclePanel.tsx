@@ -386,7 +386,7 @@ function History({ detail }: { detail: ScanVehicleDetail }) {
   return (
     <details open={detail.history.length > 1}>
       <summary>{say("scan-history", { count: detail.history.length })}</summary>
-      <ul class="scan__history small">
+      <ul class="stack stack--tight scan__history small">
         {[...detail.history].reverse().map((one) => (
           <li key={one.id}>
             <Said

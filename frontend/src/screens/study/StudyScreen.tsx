@@ -134,7 +134,7 @@ function Removing({ study, close }: { study: Study; close: () => void }) {
 
 function Made({ result }: { result: StudyResult }) {
   return (
-    <p class="muted small study-made">
+    <p class="muted small anywhere">
       {say("study-made", {
         moment: formatMoment(result.created_at),
         person: result.created_by?.name ?? say("study-made-by-system"),

@@ -57,7 +57,7 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
       ))}
       <OutOfDateNotice surveyId={survey.id} />
       <TrafficOf survey={survey} edit={() => setEditing(true)} />
-      <ol class="steps">
+      <ol class="panel">
         {survey.steps.map((step, index) => (
           <StepRow key={step.key} step={step} index={index} survey={survey} />
         ))}
@@ -100,7 +100,7 @@ function LineScans({ survey }: { survey: Survey }) {
       </p>
     );
   return (
-    <section class="steps" aria-label={say("survey-scans-label")} data-testid="line-scans">
+    <section class="panel" aria-label={say("survey-scans-label")} data-testid="line-scans">
       <div class={`step step--${scans.state === "done" ? "done" : "next"}`}>
         <span class="step__number step__number--plain" aria-hidden="true">
           {scans.state === "done" ? <Shape shape="check" size={24} /> : <Icon name="scan" size={20} />}

@@ -152,7 +152,7 @@ function SurveyCard({ survey }: { survey: Survey }) {
   const made = { recordings: counts.recordings, day: formatDay(survey.created_at) };
   const parts = { made: (text: string) => <span title={survey.created_at}>{text}</span> };
   return (
-    <article class="stack stack--tight card">
+    <article class="stack stack--tight panel card">
       <header class="row row--apart row--far">
         <h2>
           <a href={`/surveys/${survey.id}`} class="card__link">
@@ -196,7 +196,7 @@ function Tally({ label, done, of }: { label: string; done: number; of: number })
   const share = of > 0 ? done / of : 0;
   return (
     <div class="tally">
-      <span class="tally__label">{label}</span>
+      <span class="muted small">{label}</span>
       <span class="tally__figure">
         <Said what="surveys-tally" values={{ done, all: of }} />
       </span>
@@ -209,7 +209,7 @@ function Tally({ label, done, of }: { label: string; done: number; of: number })
 
 function DemoCard({ job }: { job: Job }) {
   return (
-    <article class="stack stack--tight card">
+    <article class="stack stack--tight panel card">
       <header class="row row--apart row--far">
         <h2>{say("surveys-demo-title")}</h2>
         <span class="badge">{say("surveys-demo-being-made")}</span>
