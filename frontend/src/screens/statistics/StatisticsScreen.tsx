@@ -74,23 +74,11 @@ export default function StatisticsScreen() {
       {query.value.getAll("survey").map((id) => (
         <OutOfDateNotice key={id} surveyId={Number(id)} computed={found.reload} />
       ))}
-      {data && data.counted.without_time > 0 && (
-        <Notice kind="info">
-          <Said
-            what="statistics-without-time"
-            values={{ count: data.counted.without_time }}
-            parts={{ link: (text) => (only ? <a href={`/surveys/${only}/recordings`}>{text}</a> : text) }}
-          />
-        </Notice>
+      {data && (
+        <Without what="time" count={data.counted.without_time} page={only && `/surveys/${only}/recordings`} />
       )}
-      {data && data.counted.without_class > 0 && (
-        <Notice kind="info">
-          <Said
-            what="statistics-without-class"
-            values={{ count: data.counted.without_class }}
-            parts={{ link: (text) => (only ? <a href={`/surveys/${only}/measure`}>{text}</a> : text) }}
-          />
-        </Notice>
+      {data && (
+        <Without what="class" count={data.counted.without_class} page={only && `/surveys/${only}/measure`} />
       )}
       {only && !narrowed(query.value) && <Conclusion surveyId={Number(only)} of={data} />}
       {only && <ByLot surveyId={Number(only)} />}
@@ -108,6 +96,17 @@ export default function StatisticsScreen() {
         </div>
       )}
     </div>
+  );
+}
+
+/** How many vehicles lack what a filter needs, and where it is filled in. */
+function Without({ what, count, page }: { what: "time" | "class"; count: number; page: string | null }) {
+  if (count === 0) return null;
+  const link = (text: string) => (page ? <a href={page}>{text}</a> : text);
+  return (
+    <Notice kind="info">
+      <Said what={`statistics-without-${what}`} values={{ count }} parts={{ link }} />
+    </Notice>
   );
 }
 
