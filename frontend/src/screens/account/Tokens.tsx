@@ -96,7 +96,7 @@ function TokenTable({ tokens, revoke }: TableProps) {
         actions(
           say("people-actions"),
           (token) => <Button says="account-token-revoke" small onClick={() => void revoke(token)} />,
-          "tokens__revoke",
+          "num",
         ),
       ]}
     />

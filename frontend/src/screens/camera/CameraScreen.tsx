@@ -60,12 +60,11 @@ export default function CameraScreen({ surveyId }: ScreenProps) {
         />
       )}
       {list.length > 1 && open && (
-        <nav class="tabs" aria-label={say("camera-list")}>
+        <nav class="page-tabs" aria-label={say("camera-list")}>
           {list.map((camera) => (
             <button
               key={camera.id}
               type="button"
-              class="tabs__tab"
               aria-current={camera.id === open.id ? "true" : undefined}
               onClick={() => setQuery({ camera: camera.id })}
             >

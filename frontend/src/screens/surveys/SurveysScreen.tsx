@@ -1,6 +1,16 @@
 import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
-import { Button, Empty, JobProgress, Loading, Notice, PageHead, Problem, StateMark } from "../../components";
+import {
+  Button,
+  Empty,
+  JobProgress,
+  Loading,
+  Notice,
+  PageHead,
+  Problem,
+  Progress,
+  StateMark,
+} from "../../components";
 import { linkTo, Said } from "../../components/Said";
 import { isOver } from "../../core/jobs";
 import { say, sentenceOf, sentencesOf } from "../../core/messages";
@@ -195,15 +205,12 @@ function SurveyCard({ survey }: { survey: Survey }) {
 function Tally({ label, done, of }: { label: string; done: number; of: number }) {
   const share = of > 0 ? done / of : 0;
   return (
-    <div class="tally">
-      <span class="muted small">{label}</span>
-      <span class="tally__figure">
-        <Said what="surveys-tally" values={{ done, all: of }} />
-      </span>
-      <span class="tally__track" aria-hidden="true">
-        <span style={{ width: `${share * 100}%` }} />
-      </span>
-    </div>
+    <Progress
+      still
+      value={share}
+      label={label}
+      figure={<Said what="surveys-tally" values={{ done, all: of }} />}
+    />
   );
 }
 
