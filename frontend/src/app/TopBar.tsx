@@ -59,7 +59,7 @@ function Pages() {
   ] as const;
   const items = (names: readonly { name: PlaceName; href: string }[]) =>
     names.map(({ name, href }) => (
-      <a key={name} class="menu__item" href={href} aria-current={name === place ? "page" : undefined}>
+      <a key={name} class="row menu__item" href={href} aria-current={name === place ? "page" : undefined}>
         {titleOf(name)}
       </a>
     ));
@@ -155,7 +155,7 @@ function WorkMenu({ surveyId, name, title }: { surveyId: number; name: PlaceName
           {group.entries.map((entry) => (
             <a
               key={entry.name}
-              class="menu__item"
+              class="row menu__item"
               href={addressOf(entry.name, surveyId)}
               aria-current={holds(entry, name) ? "page" : undefined}
             >
@@ -212,7 +212,7 @@ function PersonMenu() {
         </span>
       </div>
       <div class="menu__sep" />
-      <a class="menu__item" href="/account">
+      <a class="row menu__item" href="/account">
         {titleOf("account")}
       </a>
       <div class="menu__sep" />
@@ -226,10 +226,10 @@ function PersonMenu() {
       </label>
       <LanguageChoice class="menu__choice" />
       <div class="menu__sep" />
-      <button type="button" class="menu__item" onClick={() => beginTour().catch(toastProblem)}>
+      <button type="button" class="row menu__item" onClick={() => beginTour().catch(toastProblem)}>
         {say("tour-title")}
       </button>
-      <button type="button" class="menu__item" onClick={() => signOut().catch(toastProblem)}>
+      <button type="button" class="row menu__item" onClick={() => signOut().catch(toastProblem)}>
         {say("menu-sign-out")}
       </button>
     </Menu>

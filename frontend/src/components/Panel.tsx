@@ -46,7 +46,7 @@ export function Panel(props: Named & PanelProps) {
       aria-labelledby={rest["aria-label"] ? undefined : titleId}
       {...rest}
     >
-      <header class={wrap ? "panel__head row--wrap" : "panel__head"}>
+      <header class={`row row--apart row--far panel__head${wrap ? " row--wrap" : ""}`}>
         <Title id={titleId as string}>{nameOf(props)}</Title>
         {note && <span class="muted small">{note}</span>}
         {aside}

@@ -51,7 +51,7 @@ export function Reject({ rejection, busy }: { rejection: Rejection; busy: boolea
           );
         })}
       </div>
-      <label class="field">
+      <label class="stack stack--dense field">
         <span class="field__label">{say("review-reject-words")}</span>
         <textarea
           class="input"

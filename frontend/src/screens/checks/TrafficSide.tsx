@@ -14,7 +14,7 @@ export function TrafficSide({ model }: { model: TrafficModel }) {
   return (
     <aside class="traffic__side" aria-label={say("checks-direction")}>
       {model.reel.recordings.value.length > 1 && (
-        <div class="stack stack--tight traffic__pose">
+        <div class="stack stack--tight pad traffic__pose">
           <SelectField
             says="field-recording"
             hideLabel
@@ -34,7 +34,7 @@ function Verdict({ model }: { model: TrafficModel }) {
   const pose = model.pose.value;
   if (!pose) return null;
   return (
-    <section class="stack stack--tight traffic__pose" aria-label={say("checks-verdict")}>
+    <section class="stack stack--tight pad traffic__pose" aria-label={say("checks-verdict")}>
       <p class="traffic__verdict" data-testid="traffic-verdict">
         {sentencesOf(pose.verdict)}
       </p>
@@ -92,7 +92,7 @@ function Preview({ model, preview }: { model: TrafficModel; preview: TurnedPose 
   };
   return (
     <section
-      class="stack stack--tight traffic__pose"
+      class="stack stack--tight pad traffic__pose"
       aria-label={say("checks-turned-pose")}
       data-testid="turn-preview"
     >

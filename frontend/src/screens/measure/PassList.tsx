@@ -63,7 +63,7 @@ export function PassList({ model }: { model: MeasureModel }) {
         row={(vehicle) => <Row key={vehicle.id} model={model} vehicle={vehicle} />}
       >
         {list.length === 0 && model.loaded.value && (
-          <div role="listitem" class="passes__none muted">
+          <div role="listitem" class="pad small muted">
             {say(all.length === 0 ? "measure-passes-none" : "measure-passes-none-in-state")}
             {all.length === 0 && recording && (
               <FindPasses recording={recording} found={() => readAgain(model)} />

@@ -59,7 +59,7 @@ export function VehicleRecord({ model, vehicle }: { model: MeasureModel; vehicle
         </p>
       )}
       <TypingHold.Provider value={hold}>
-        <div class="grid grid--tight facts-form__grid">
+        <div class="grid grid--tight below facts-form__grid">
           <div class="across">
             <RecentModels locked={locked} onChoose={takeLast} toMake={toMake} />
           </div>

@@ -123,7 +123,7 @@ function PoseHistory({ model }: { model: PoseModel }) {
   return (
     <details class="pose-history">
       <summary>{say("pose-poses", { count: poses.length })}</summary>
-      <ul>
+      <ul class="below">
         {poses.map((one) => (
           <li key={one.id}>
             <button

@@ -58,7 +58,7 @@ export function AddScan({ surveyId, onClose, added }: Props) {
   };
   return (
     <form class="panel scan-add stack" onSubmit={sent(send)} noValidate aria-label={say("scans-new")}>
-      <header class="panel__head">
+      <header class="row row--apart row--far panel__head">
         <h2>{say("scans-new")}</h2>
         <Segments
           says="scans-new-from"

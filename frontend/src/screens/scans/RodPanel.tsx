@@ -20,7 +20,7 @@ export function RodPanel({ model }: { model: ScanModel }) {
         <Button says="action-close" small kind="quiet" onClick={() => model.cancel()} />
       </header>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard must reach it */}
-      <div class="scan__body stack" role="group" aria-label={say("scan-rod-body")} tabIndex={0}>
+      <div class="pad scan__body stack" role="group" aria-label={say("scan-rod-body")} tabIndex={0}>
         <NextMark model={model} />
         {marks.length === 0 ? (
           <Empty says="scan-rod-none-title" why="scan-rod-none" />

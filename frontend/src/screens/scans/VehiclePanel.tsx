@@ -62,7 +62,7 @@ export function VehiclePanel({ model }: { model: ScanModel }) {
         <StateMark state={stateOf(vehicle)} />
       </header>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard must reach it */}
-      <div class="scan__body stack" role="group" aria-label={say("scan-vehicle-body")} tabIndex={0}>
+      <div class="pad scan__body stack" role="group" aria-label={say("scan-vehicle-body")} tabIndex={0}>
         {m && <Numbers m={m} vehicle={vehicle} lanes={lanes} />}
         {m && <Verdict model={model} m={m} />}
         {canWork.value && <Tools model={model} m={m} />}

@@ -52,7 +52,7 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
       wrap
       data-testid="groups"
     >
-      <div class="grid stat-groups">
+      <div class="grid pad stat-groups">
         <PlotFigure
           name={`${target.target}-by-${grouping}`}
           title={say("statistics-groups-figure", { target: title, grouping })}

@@ -63,7 +63,7 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
     });
   };
   return (
-    <form class="stack stack--tight stat-editor" onSubmit={sent(save)}>
+    <form class="stack stack--tight pad" onSubmit={sent(save)}>
       {rows.map((row, at) => (
         <RowFields
           // rows have no name of their own while they are typed

@@ -257,7 +257,7 @@ function LateralSection({ lateral }: { lateral: Lateral }) {
   const curves = drawn(lanes, "lane");
   return (
     <Panel says="statistics-lateral-title" data-testid="lateral">
-      <div class="grid stat-groups">
+      <div class="grid pad stat-groups">
         <PlotFigure
           name="lateral-position"
           title={say("statistics-lateral-figure")}

@@ -48,7 +48,7 @@ export function TargetSection({ target, standards }: Props) {
       class="stat-target"
       data-testid={`target-${target.target}`}
     >
-      <div class="stack stack--tight stat-target__words small">
+      <div class="stack stack--tight pad stat-target__words small">
         <p data-testid={`correction-${target.target}`}>{sentenceOf(corrected.reason ?? corrected.words)}</p>
         {corrected.warning && <Notice kind="warning">{sentenceOf(corrected.warning)}</Notice>}
       </div>

@@ -76,7 +76,7 @@ function Surveys({ rows, change }: { rows: readonly Row[]; change: (rows: readon
     change([...rows, { survey_id: survey.id, name: survey.name, site, stratum: "", year: "" }]);
   };
   return (
-    <fieldset class="stack stack--near study-surveys">
+    <fieldset class="stack stack--near pad study-surveys">
       <legend>{say("study-joined")}</legend>
       {rows.map((one) => (
         <div class="study-surveys__row" key={one.survey_id}>
