@@ -164,7 +164,7 @@ function SurveyCard({ survey }: { survey: Survey }) {
   return (
     <article class="stack stack--tight panel card">
       <header class="row row--apart row--far">
-        <h2>
+        <h2 class="anywhere">
           <a href={`/surveys/${survey.id}`} class="card__link">
             {survey.name}
           </a>
