@@ -109,16 +109,16 @@ function Crumbs() {
   const inSurvey = surveyId > 0;
   return (
     <nav class="row grow crumbs" aria-label={say("app-where")}>
-      <ol>
+      <ol class="row row--near">
         {inSurvey && (
-          <li>
+          <li class="row row--near">
             <a class="clip" href={`/surveys/${surveyId}`}>
               {survey.value?.name ?? say("app-survey")}
             </a>
           </li>
         )}
         {here && !LISTED.includes(here.place.name) && (
-          <li>
+          <li class="row row--near">
             {inSurvey && (
               <div class={here.place.layout === "full" ? undefined : "crumbs__menu"}>
                 <WorkMenu surveyId={surveyId} name={here.place.name} title={titleOf(here.place.name)} />

@@ -125,7 +125,7 @@ function PoseHistory({ model }: { model: PoseModel }) {
       <summary>{say("pose-poses", { count: poses.length })}</summary>
       <ul class="below">
         {poses.map((one) => (
-          <li key={one.id}>
+          <li key={one.id} class="row row--apart">
             <button
               type="button"
               class="pose-history__show"
