@@ -85,7 +85,7 @@ function Figures({ calibration }: { calibration: Calibration }) {
   const unknown = figures.every((figure) => figure.u === null);
   return (
     <div>
-      <table class="table table--dense">
+      <table class="table table--dense figures">
         <tbody>
           <tr>
             <th scope="row">{say("camera-residual")}</th>

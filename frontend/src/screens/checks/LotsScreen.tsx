@@ -120,7 +120,7 @@ function Draw({ surveyId, changed, done }: DrawProps) {
       data-testid="lots-draw"
     >
       <div class="panel__body stack">
-        <fieldset class="lots__by row--wrap row">
+        <fieldset class="row row--wrap row--far">
           <legend class="field__label">{say("lots-by")}</legend>
           {GROUPINGS.map((one) => (
             <Check
