@@ -8,7 +8,7 @@ import ts from "typescript";
 
 const ROOT = fileURLToPath(new URL("..", import.meta.url));
 const SHOWN = new Set(["title", "label", "placeholder", "alt", "hint", "help", "note", "word", "words", "head", "unit"]);
-const HIDDEN = new Set(["class", "id", "role", "type", "name", "href", "key", "rel", "target", "autocomplete", "style", "preserveAspectRatio"]);
+const HIDDEN = new Set(["class", "scroll", "id", "role", "type", "name", "href", "key", "rel", "target", "autocomplete", "style", "preserveAspectRatio"]);
 const KEYS = /^(Enter|Escape|Tab|Space|Delete|Backspace|Home|End|Page(Up|Down)|Arrow(Left|Right|Up|Down)|Del|Esc|Shift|Alt|Ctrl|Control|Meta|F\d+)$/;
 // Names of browsers' errors and of headers, which are compared and never shown.
 const NAMES = /^([A-Z][a-z]+(Error|Exception)|Content-[A-Z][a-z]+|If-Match|Retry-After)$/;

@@ -5,7 +5,7 @@ import { Toasts } from "../components/Toasts";
 import { current, navigate, pathname, surveyHere } from "../core/address";
 import { useCommands } from "../core/commands";
 import { language, say } from "../core/messages";
-import { addressCalled, type PlaceName, titleOf } from "../core/places";
+import { addressCalled, addressOf, type PlaceName, titleOf } from "../core/places";
 import { loadSession, me, sessionProblem } from "../core/session";
 import { loadSurvey, survey, surveyProblem } from "../core/survey";
 import { type EntryName, groupsOf, holds, stepState } from "../core/work";
@@ -221,7 +221,7 @@ function Rail({ surveyId, name }: { surveyId: number; name: PlaceName }) {
                 <li key={entry.name}>
                   <a
                     class="rail__item"
-                    href={entry.address(surveyId)}
+                    href={addressOf(entry.name, surveyId)}
                     aria-current={holds(entry, name) ? "page" : undefined}
                   >
                     <Icon name={ICONS[entry.name]} />

@@ -20,7 +20,7 @@ export function Offline() {
   const { kept, queued } = outbox.counts.value;
   const others = saveState.value.waiting - (kept - queued);
   return (
-    <div class="offline" role="alert">
+    <div class="row row--far offline" role="alert">
       <Icon name="warning" />
       <span class="grow">
         {away ? explain(away) : say("problem-offline")}{" "}

@@ -5,7 +5,7 @@ import { hint } from "../core/commands";
 import { held } from "../core/form";
 import { say, wordsOf } from "../core/messages";
 import { outbox } from "../core/outbox";
-import { guideAddress, type PlaceName, titleOf } from "../core/places";
+import { addressOf, guideAddress, type PlaceName, titleOf } from "../core/places";
 import { saveState } from "../core/save";
 import { me, signOut } from "../core/session";
 import { survey } from "../core/survey";
@@ -22,11 +22,11 @@ import { keysShown } from "./KeysDialog.state";
 export function TopBar() {
   const { name, guide } = current.value?.place ?? { name: "surveys", guide: "first-survey" };
   return (
-    <header class="topbar">
+    <header class="row topbar">
       <Pages />
       <Crumbs />
       <SaveWord />
-      {topTools.value && <div class="topbar__tools">{topTools.value}</div>}
+      {topTools.value && <div class="row row--near">{topTools.value}</div>}
       <span class="topbar__rule" aria-hidden="true" />
       <Button says="page-guide" kind="quiet" beside={name !== "guide"} href={guideAddress(guide)} />
       <Button
@@ -59,7 +59,7 @@ function Pages() {
   ] as const;
   const items = (names: readonly { name: PlaceName; href: string }[]) =>
     names.map(({ name, href }) => (
-      <a key={name} class="menu__item" href={href} aria-current={name === place ? "page" : undefined}>
+      <a key={name} class="row menu__item" href={href} aria-current={name === place ? "page" : undefined}>
         {titleOf(name)}
       </a>
     ));
@@ -108,17 +108,17 @@ function Crumbs() {
   const surveyId = surveyHere.value;
   const inSurvey = surveyId > 0;
   return (
-    <nav class="crumbs" aria-label={say("app-where")}>
-      <ol>
+    <nav class="row grow crumbs" aria-label={say("app-where")}>
+      <ol class="row row--near">
         {inSurvey && (
-          <li>
+          <li class="row row--near">
             <a class="clip" href={`/surveys/${surveyId}`}>
               {survey.value?.name ?? say("app-survey")}
             </a>
           </li>
         )}
         {here && !LISTED.includes(here.place.name) && (
-          <li>
+          <li class="row row--near">
             {inSurvey && (
               <div class={here.place.layout === "full" ? undefined : "crumbs__menu"}>
                 <WorkMenu surveyId={surveyId} name={here.place.name} title={titleOf(here.place.name)} />
@@ -155,8 +155,8 @@ function WorkMenu({ surveyId, name, title }: { surveyId: number; name: PlaceName
           {group.entries.map((entry) => (
             <a
               key={entry.name}
-              class="menu__item"
-              href={entry.address(surveyId)}
+              class="row menu__item"
+              href={addressOf(entry.name, surveyId)}
               aria-current={holds(entry, name) ? "page" : undefined}
             >
               {titleOf(entry.name)}
@@ -184,7 +184,7 @@ export function SaveWord() {
               ? say("save-done", { time: formatClock(savedAt) })
               : "";
   return (
-    <span class="topbar__save" role="status" data-testid="save-state">
+    <span class="muted small nowrap" role="status" data-testid="save-state">
       {word}
     </span>
   );
@@ -212,7 +212,7 @@ function PersonMenu() {
         </span>
       </div>
       <div class="menu__sep" />
-      <a class="menu__item" href="/account">
+      <a class="row menu__item" href="/account">
         {titleOf("account")}
       </a>
       <div class="menu__sep" />
@@ -226,10 +226,10 @@ function PersonMenu() {
       </label>
       <LanguageChoice class="menu__choice" />
       <div class="menu__sep" />
-      <button type="button" class="menu__item" onClick={() => beginTour().catch(toastProblem)}>
+      <button type="button" class="row menu__item" onClick={() => beginTour().catch(toastProblem)}>
         {say("tour-title")}
       </button>
-      <button type="button" class="menu__item" onClick={() => signOut().catch(toastProblem)}>
+      <button type="button" class="row menu__item" onClick={() => signOut().catch(toastProblem)}>
         {say("menu-sign-out")}
       </button>
     </Menu>

@@ -30,7 +30,7 @@ export default function Tour() {
         {say("tour-step", { step: at.step + 1, of: TOUR.length, page: titleOf(name) })}
       </h2>
       <p id="tour-words">{say(`tour-${name}`)}</p>
-      <div class="tour__foot">
+      <div class="row tour__foot">
         {!last && <Button says="tour-skip" kind="quiet" small onClick={endTour} />}
         <span class="grow" />
         {at.step > 0 && <Button says="tour-back" small onClick={() => stepTour(-1)} />}

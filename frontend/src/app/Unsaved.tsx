@@ -8,7 +8,7 @@ export function Unsaved() {
   const open = [...outbox.wishes.value.values()].filter((wish) => isOpen(wish) && !isShownThere(wish));
   if (open.length === 0) return null;
   return (
-    <div class="unsaved" role="alert" data-testid="unsaved">
+    <div class="stack stack--tight unsaved" role="alert" data-testid="unsaved">
       {open.map((wish) => (
         <div key={wish.key} class="row row--wrap">
           <Icon name="warning" />

@@ -28,7 +28,7 @@ export function Checklist({ label, words, help, groups }: Props) {
     for (const group of groups) if (group.chosen.length > 0) group.onChange([]);
   };
   return (
-    <div class="field">
+    <div class="stack stack--dense field">
       <span class="field__label" id={id}>
         {label}
       </span>
@@ -36,10 +36,10 @@ export function Checklist({ label, words, help, groups }: Props) {
         <summary class="input clip" aria-describedby={id} title={words}>
           {words}
         </summary>
-        <fieldset class="checklist__list">
+        <fieldset class="stack stack--tight checklist__list">
           <legend class="visually-hidden">{help}</legend>
           {groups.map((group) => (
-            <div class="checklist__group" key={group.title}>
+            <div class="stack stack--dense" key={group.title}>
               {group.title && <p class="field__hint">{group.title}</p>}
               {group.options.map(({ value, label: word }) => (
                 <Check

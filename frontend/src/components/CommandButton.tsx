@@ -39,7 +39,7 @@ export function CommandItem({ command }: { command: Command }) {
   return (
     <button
       type="button"
-      class="menu__item"
+      class="row menu__item"
       disabled={command.enabled?.() === false}
       onClick={() => void command.run(true)}
     >

@@ -43,7 +43,7 @@ export function Dialog({ title, onClose, onEscape = onClose, children, actions, 
         onEscape();
       }}
     >
-      <header class="dialog__head">
+      <header class="row row--apart dialog__head">
         <h2 id={id}>{title}</h2>
         <Button kind="quiet" icon="close" label={say("action-close")} onClick={onClose} />
       </header>

@@ -11,7 +11,7 @@ import { type Named, nameOf } from "./named";
 
 export function Loading({ what }: { what: string }) {
   return (
-    <div class="loading" role="status">
+    <div class="row row--far muted loading" role="status">
       <span class="spinner" aria-hidden="true" />
       {say("loading", { what })}
     </div>
@@ -30,7 +30,7 @@ type EmptyProps = Named & {
 /** Nothing here yet: says so, and what to do. */
 export function Empty({ why, panel, children, actions, ...name }: EmptyProps) {
   const empty = (
-    <div class="empty">
+    <div class="stack stack--near empty">
       <h2>{nameOf(name)}</h2>
       {(why || children) && (
         <div class="stack stack--tight">
@@ -125,7 +125,7 @@ interface ProgressProps {
 export function Progress({ value, label, figure, still }: ProgressProps) {
   const percent = Math.round(Math.max(0, Math.min(1, value)) * 100);
   return (
-    <div class={`progress${still ? " progress--still" : ""}`}>
+    <div class={`stack stack--dense progress${still ? " progress--still" : ""}`}>
       <div class="progress__words">
         <span>{label}</span>
         <span class="nowrap">{figure ?? say("percent", { percent })}</span>

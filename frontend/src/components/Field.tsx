@@ -23,7 +23,7 @@ export function Field({ hint, problem, hideLabel, children, ...name }: FieldProp
   const id = useId();
   const described = [hint && `${id}-hint`, problem && `${id}-problem`].filter(Boolean).join(" ");
   return (
-    <div class="field">
+    <div class="stack stack--dense field">
       <label class={hideLabel ? "visually-hidden" : "field__label"} for={id}>
         {nameOf(name)}
       </label>

@@ -31,10 +31,13 @@ interface PanelProps extends Omit<HTMLAttributes<HTMLElement>, "label"> {
   aside?: ComponentChildren;
   /** The head may take more than one line. */
   wrap?: boolean;
+  /** Within another part of the page: its title stands below that one's. */
+  within?: boolean;
 }
 
 export function Panel(props: Named & PanelProps) {
-  const { says, label, note, aside, wrap, id, class: more, children, ...rest } = props;
+  const { says, label, note, aside, wrap, within, id, class: more, children, ...rest } = props;
+  const Title = within ? "h3" : "h2";
   const own = useId();
   const titleId = id ?? own;
   return (
@@ -43,8 +46,8 @@ export function Panel(props: Named & PanelProps) {
       aria-labelledby={rest["aria-label"] ? undefined : titleId}
       {...rest}
     >
-      <header class={wrap ? "panel__head row--wrap" : "panel__head"}>
-        <h2 id={titleId as string}>{nameOf(props)}</h2>
+      <header class={`row row--apart row--far panel__head${wrap ? " row--wrap" : ""}`}>
+        <Title id={titleId as string}>{nameOf(props)}</Title>
         {note && <span class="muted small">{note}</span>}
         {aside}
       </header>

@@ -5,7 +5,7 @@ import { Button, IconButton } from "./Button";
 /** One live region for all of them, so that each is read once and the ones that stay are not read again. */
 export function Toasts() {
   return (
-    <div class="toasts" role="status" aria-atomic="false">
+    <div class="stack stack--tight toasts" role="status" aria-atomic="false">
       {toasts.value.map((toast) => (
         <div key={toast.id} class="toast">
           <span class="grow">{toast.text}</span>

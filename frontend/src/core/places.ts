@@ -103,8 +103,13 @@ export function addressCalled(pathname: string): string | null {
     [name, ...sayInEach(`page-${name}`)].some((known) => plainWord(known) === called),
   );
   if (!place) return null;
-  if (!id) return place.pattern;
-  return RESULTS.includes(place.name) ? `${place.pattern}?survey=${id}` : place.pattern.replace(":id", id);
+  return id ? addressOf(place.name, id) : place.pattern;
+}
+
+/** The address of a page of a survey. */
+export function addressOf(name: PlaceName, surveyId: number | string): string {
+  const [pattern] = TABLE[name];
+  return RESULTS.includes(name) ? `${pattern}?survey=${surveyId}` : pattern.replace(":id", String(surveyId));
 }
 
 /** "Vue d’ensemble" is vue-d-ensemble: small letters without accents, and nothing else between them than hyphens. */

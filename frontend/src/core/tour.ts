@@ -3,10 +3,11 @@ import { signal } from "@preact/signals";
 import { navigate } from "./address";
 import { api } from "./api";
 import { say } from "./messages";
+import { addressOf } from "./places";
 import { me } from "./session";
 import { stored } from "./stored";
 import { toast } from "./toasts";
-import { type EntryName, GROUPS, type WorkEntry } from "./work";
+import type { EntryName } from "./work";
 
 /** The pages that it shows, in the order of the work. */
 export const TOUR = [
@@ -56,9 +57,7 @@ export function endTour(): void {
 
 function goTo(at: TourAt): void {
   const name = TOUR[at.step];
-  const entries: readonly WorkEntry[] = GROUPS.flatMap((group): readonly WorkEntry[] => group.entries);
-  const address = entries.find((entry) => entry.name === name)?.address(at.surveyId);
-  if (!address) return;
+  if (!name) return;
   tour.value = at;
-  navigate(address);
+  navigate(addressOf(name, at.surveyId));
 }

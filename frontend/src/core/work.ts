@@ -4,54 +4,43 @@ import type { StepKey, Survey } from "./types";
 
 export interface WorkEntry {
   name: PlaceName;
-  address: (surveyId: number) => string;
   step: StepKey | null;
   /** Pages that are reached over the tabs of this one. */
   tabs?: readonly PlaceName[];
 }
 
-const within = (path: string) => (surveyId: number) => `/surveys/${surveyId}${path}`;
-
 export const GROUPS = [
-  { key: "overview", entries: [{ name: "survey", address: within(""), step: null }] },
+  { key: "overview", entries: [{ name: "survey", step: null }] },
   {
     key: "setup",
     entries: [
-      { name: "camera", address: within("/camera"), step: "camera" },
-      { name: "recordings", address: within("/recordings"), step: "recordings" },
-      { name: "pose", address: within("/pose"), step: "pose" },
+      { name: "camera", step: "camera" },
+      { name: "recordings", step: "recordings" },
+      { name: "pose", step: "pose" },
     ],
   },
   {
     key: "measure",
     entries: [
-      { name: "measure", address: within("/measure"), step: "vehicles" },
-      { name: "review", address: within("/review"), step: "review", tabs: ["lots", "click-again"] },
-      { name: "scans", address: within("/scans"), step: null, tabs: ["scan", "live"] },
+      { name: "measure", step: "vehicles" },
+      { name: "review", step: "review", tabs: ["lots", "click-again"] },
+      { name: "scans", step: null, tabs: ["scan", "live"] },
     ],
   },
-  {
-    key: "quality",
-    entries: [{ name: "checks", address: within("/checks"), step: null, tabs: ["repeats"] }],
-  },
+  { key: "quality", entries: [{ name: "checks", step: null, tabs: ["repeats"] }] },
   {
     key: "results",
     entries: [
-      {
-        name: "statistics",
-        address: (surveyId) => `/statistics?survey=${surveyId}`,
-        step: null,
-        tabs: ["sight-distance", "scan-results"],
-      },
-      { name: "export", address: within("/export"), step: "results" },
-      { name: "history", address: within("/history"), step: null },
+      { name: "statistics", step: null, tabs: ["sight-distance", "scan-results"] },
+      { name: "export", step: "results" },
+      { name: "history", step: null },
     ],
   },
   {
     key: "aside",
     entries: [
-      { name: "planning", address: within("/planning"), step: null },
-      { name: "settings", address: within("/settings"), step: null },
+      { name: "planning", step: null },
+      { name: "settings", step: null },
     ],
   },
 ] as const satisfies readonly { key: string; entries: readonly WorkEntry[] }[];

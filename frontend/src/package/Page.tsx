@@ -21,7 +21,7 @@ import { ofChosen, ofDropped, ofZip } from "./pieces";
 import type { Part } from "./readme";
 import { Grid, Section } from "./Section";
 import { say } from "./say";
-import { type Check, ofChain, ofFolder, ofHeights } from "./verdict";
+import { type Check, check, ofChain, ofFolder, ofHeights } from "./verdict";
 
 export function Page() {
   const found = opened.value;
@@ -103,9 +103,7 @@ function checksSoFar(): Check[] {
     ...(again.value.size > 0 || done.value ? [ofHeights(again.value)] : []),
     ...(known === null ? [] : ofChain(known)),
     ...(files === null || files === "checking" ? [] : [ofFolder(files)]),
-    ...(failed.value === null
-      ? []
-      : [{ name: "failed", state: "wrong", words: say("opened-failed", { words: failed.value }) } as const]),
+    ...(failed.value === null ? [] : [check("failed", false, say("opened-failed", { words: failed.value }))]),
   ];
 }
 

@@ -14,6 +14,14 @@ const MOST_NAMED = 5;
 const named = (names: readonly string[]) =>
   names.slice(0, MOST_NAMED).join(", ") + (names.length > MOST_NAMED ? " …" : "");
 
+export function check(name: string, fine: boolean, words: string): Check {
+  return { name, state: fine ? "fine" : "wrong", words };
+}
+
+export function leftOpen(name: string, words: string): Check {
+  return { name, state: "open", words };
+}
+
 /** Heights: those computed again, those that differ, those that were not. */
 export function ofHeights(again: ReadonlyMap<string, Again>): Check {
   const all = [...again];
@@ -21,82 +29,60 @@ export function ofHeights(again: ReadonlyMap<string, Again>): Check {
   const refused = all.filter(([, one]) => one.refused !== null).length;
   const off = Math.max(0, ...all.map(([, one]) => Math.abs(one.off_m ?? 0)));
   const name = "heights";
-  if (wrong.length > 0) {
-    return {
-      name,
-      state: "wrong",
-      words: say("opened-heights-differ", { count: wrong.length, named: named(wrong) }),
-    };
-  }
+  if (wrong.length > 0)
+    return check(name, false, say("opened-heights-differ", { count: wrong.length, named: named(wrong) }));
   const words = say("opened-heights-agree", { count: all.length - refused, off_um: off * 1e6 });
   return refused === 0
-    ? { name, state: "fine", words }
-    : { name, state: "open", words: `${words} ${say("opened-heights-refused", { count: refused })}` };
+    ? check(name, true, words)
+    : leftOpen(name, `${words} ${say("opened-heights-refused", { count: refused })}`);
 }
 
 export function ofChain(audited: Audited | "absent"): Check[] {
-  if (audited === "absent") return [{ name: "chain", state: "open", words: say("opened-chain-absent") }];
-  const { chain } = audited;
-  const whole: Check =
-    chain.broken === null
-      ? { name: "chain", state: "fine", words: say("opened-chain-whole", { count: chain.events }) }
-      : {
-          name: "chain",
-          state: "wrong",
-          words: say("opened-chain-broken", { number: String(chain.broken) }),
-        };
+  if (audited === "absent") return [leftOpen("chain", say("opened-chain-absent"))];
+  const { broken, events: count } = audited.chain;
+  const words =
+    broken === null
+      ? say("opened-chain-whole", { count })
+      : say("opened-chain-broken", { number: String(broken) });
+  const whole = check("chain", broken === null, words);
   return [whole, ofSeal(audited), ofRows(audited), ofPoses(audited), ofSignature(audited)];
 }
 
 function ofSeal({ chain, notSealed, sealed }: Audited): Check {
   const name = "seal";
-  if (chain.seal === null) return { name, state: "wrong", words: say("opened-seal-none") };
-  if (!chain.seal.holds) return { name, state: "wrong", words: say("opened-seal-chain") };
+  if (chain.seal === null) return check(name, false, say("opened-seal-none"));
+  if (!chain.seal.holds) return check(name, false, say("opened-seal-chain"));
   return notSealed.length > 0
-    ? { name, state: "wrong", words: say("opened-seal-wrong", { named: named(notSealed) }) }
-    : { name, state: "fine", words: say("opened-seal-holds", { count: sealed }) };
+    ? check(name, false, say("opened-seal-wrong", { named: named(notSealed) }))
+    : check(name, true, say("opened-seal-holds", { count: sealed }));
 }
 
 function ofRows({ notVouched }: Audited): Check {
-  return notVouched.length > 0
-    ? {
-        name: "rows",
-        state: "wrong",
-        words: say("opened-rows-differ", { count: notVouched.length, named: named(notVouched) }),
-      }
-    : { name: "rows", state: "fine", words: say("opened-rows-agree") };
+  const count = notVouched.length;
+  return count > 0
+    ? check("rows", false, say("opened-rows-differ", { count, named: named(notVouched) }))
+    : check("rows", true, say("opened-rows-agree"));
 }
 
 function ofPoses({ posesNotVouched }: Audited): Check {
   return posesNotVouched.length > 0
-    ? { name: "poses", state: "wrong", words: say("opened-poses-differ", { named: named(posesNotVouched) }) }
-    : { name: "poses", state: "fine", words: say("opened-poses-agree") };
+    ? check("poses", false, say("opened-poses-differ", { named: named(posesNotVouched) }))
+    : check("poses", true, say("opened-poses-agree"));
 }
 
 function ofSignature({ signed: { state, key, at } }: Audited): Check {
   const name = "signature";
-  if (state === "wrong") return { name, state: "wrong", words: say("opened-signature-wrong") };
-  if (state === "unknown") return { name, state: "open", words: say("opened-signature-unknown") };
-  return {
-    name,
-    state: "fine",
-    words: say("opened-signature-holds", { at: at.slice(0, 10), key: key.slice(0, 16) }),
-  };
+  if (state === "wrong") return check(name, false, say("opened-signature-wrong"));
+  if (state === "unknown") return leftOpen(name, say("opened-signature-unknown"));
+  return check(name, true, say("opened-signature-holds", { at: at.slice(0, 10), key: key.slice(0, 16) }));
 }
 
-export function ofFolder(check: FolderCheck | "unreadable"): Check {
+export function ofFolder(found: FolderCheck | "unreadable"): Check {
   const name = "folder";
-  if (check === "unreadable") return { name, state: "open", words: say("opened-folder-unreadable") };
-  const { changed, missing, strange } = check;
-  if (changed.length > 0)
-    return { name, state: "wrong", words: say("opened-folder-changed", { named: named(changed) }) };
-  if (missing.length > 0)
-    return { name, state: "wrong", words: say("opened-folder-missing", { named: named(missing) }) };
-  if (strange.length > 0)
-    return { name, state: "wrong", words: say("opened-folder-strange", { named: named(strange) }) };
-  return {
-    name,
-    state: "fine",
-    words: say("opened-folder-fine", { count: check.files, mb: check.bytes / 1e6 }),
-  };
+  if (found === "unreadable") return leftOpen(name, say("opened-folder-unreadable"));
+  const { changed, missing, strange, files: count, bytes } = found;
+  if (changed.length > 0) return check(name, false, say("opened-folder-changed", { named: named(changed) }));
+  if (missing.length > 0) return check(name, false, say("opened-folder-missing", { named: named(missing) }));
+  if (strange.length > 0) return check(name, false, say("opened-folder-strange", { named: named(strange) }));
+  return check(name, true, say("opened-folder-fine", { count, mb: bytes / 1e6 }));
 }

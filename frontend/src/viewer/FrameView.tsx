@@ -77,12 +77,12 @@ function FrameState({ player }: { player: Player }) {
   const preview = player.preview.value;
   if (preview)
     return (
-      <div class="frame-loading frame-loading--on" role="status" data-testid="stand-in">
+      <div class="row frame-loading frame-loading--on" role="status" data-testid="stand-in">
         <span class="spinner" /> {say("viewer-stand-in", { thumbnail: String(preview.frame), frame })}
       </div>
     );
   return (
-    <div class={`frame-loading${waiting ? " frame-loading--on" : ""}`} aria-hidden={!waiting}>
+    <div class={`row frame-loading${waiting ? " frame-loading--on" : ""}`} aria-hidden={!waiting}>
       <span class="spinner" /> {say("viewer-frame", { frame })}
     </div>
   );

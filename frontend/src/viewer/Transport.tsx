@@ -35,7 +35,7 @@ export function Transport({ player, stage }: { player: Player; stage: FrameStage
     if (focused) input.select();
   }, [frame]);
   return (
-    <div class="transport">
+    <div class="row row--wrap row--near transport">
       <Step action="framePreviousTen" text="−10" onClick={() => player.step(-10)} />
       <Step action="framePrevious" text="−1" onClick={() => player.step(-1)} />
       <IconButton

@@ -3,7 +3,7 @@ import { canonical, type Json } from "../canonical";
 import { handedOn, holds } from "../chain";
 import { say } from "../say";
 import { sha256 } from "../sha256";
-import type { Check } from "../verdict";
+import { type Check, check, leftOpen } from "../verdict";
 import type { AuditEvent, Evidence, Held } from "./document";
 
 const SIGNS_OF_KEY = 16;
@@ -16,10 +16,6 @@ export async function checked(file: Held): Promise<Check[]> {
     ofMeasurement(file.evidence),
     await ofSignature(file),
   ];
-}
-
-function check(name: string, fine: boolean, words: string): Check {
-  return { name, state: fine ? "fine" : "wrong", words };
 }
 
 function ofText({ text, plain }: Held): Check {
@@ -81,6 +77,6 @@ async function ofSignature({ plain, evidence, signature }: Held): Promise<Check>
       : say("opened-evidence-signature-wrong", { key });
     return check("signature", fine, words);
   } catch {
-    return { name: "signature", state: "open", words: say("opened-evidence-signature-unknown") };
+    return leftOpen("signature", say("opened-evidence-signature-unknown"));
   }
 }

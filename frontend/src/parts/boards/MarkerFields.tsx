@@ -29,7 +29,7 @@ export function MarkerFields({ value, unit, problem, change }: Props) {
   if (value.kind === "checkerboard") return null;
   const field = fieldsOf(value, change);
   return (
-    <div class="markers">
+    <div class="grid markers">
       <SelectField
         says="board-dictionary"
         {...field("dictionary")}

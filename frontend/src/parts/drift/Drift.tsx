@@ -40,7 +40,7 @@ export function DriftVerdict({ recordingId, poseId, open }: Props) {
       </Button>
     );
   return (
-    <div role="group" class="drift" aria-label={say("drift-title")} data-testid="drift">
+    <div role="group" class="stack stack--dense drift" aria-label={say("drift-title")} data-testid="drift">
       <p class="drift__words">
         <Shape shape={shapeOf(drift.data)} />
         <span>
@@ -113,7 +113,7 @@ function Decide({ recordingId, drift, set, onProblem }: DecideProps) {
   if (drift.flagged.length === 0) return null;
   return (
     <form
-      class="drift__decide"
+      class="row row--wrap row--end"
       onSubmit={(event) => {
         event.preventDefault();
         void send(() =>

@@ -1,26 +1,16 @@
 /** Differences of figures, each with its interval and whether it is more than noise. */
 import { DataTable } from "../../components";
-import { type Said, say, sentenceOf } from "../../core/messages";
-import type { Target } from "../../core/types";
+import { say, sentenceOf } from "../../core/messages";
+import type { StudyDifference } from "../../core/types";
 import { formatSmall, plainPercent } from "../../core/units";
 import { HEIGHT_WORDS } from "../../core/words";
 import { Bounded } from "./FigureCell";
 import { NONE } from "./numbers";
 
-interface Difference {
-  target: Target;
-  /** Of the percentile; null: the mean. */
-  percent: number | null;
-  n_first: number;
-  n_second: number;
-  value_m: number | null;
-  low_m: number | null;
-  high_m: number | null;
-  verdict: "higher" | "lower" | "not_told_apart" | "unknown" | null;
-  reason: Said | null;
+type Difference = StudyDifference & {
   /** What the row compares, where the rows are not all of the same two. */
   between?: string;
-}
+};
 
 interface Props {
   rows: readonly Difference[];

@@ -118,8 +118,8 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
     download(`sightline-${name}.csv`, "text/csv;charset=utf-8", csvOf(columns, rows));
   };
   return (
-    <figure class="panel stat-figure">
-      <header class="stat-figure__head">
+    <figure class="panel stack stack--tight stat-figure">
+      <header class="row row--apart stat-figure__head">
         <h3>{title}</h3>
         {!reason && (
           <div class="row stat-noprint">
@@ -141,7 +141,7 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
         )}
       </header>
       {reason ? (
-        <p class="stat-reason">{reason}</p>
+        <p class="muted">{reason}</p>
       ) : (
         <>
           {legend && <Legend entries={legend.filter((one) => !beside.has(one.word))} />}
@@ -171,7 +171,7 @@ const DOTS = {
 function Legend({ entries }: { entries: readonly LegendEntry[] }) {
   if (entries.length === 0) return null;
   return (
-    <ul class="stat-legend">
+    <ul class="stat-legend small">
       {entries.map((one) => (
         <li key={one.word} class="row">
           <svg width="30" height="12" viewBox="-15 -6 30 12" aria-hidden="true">

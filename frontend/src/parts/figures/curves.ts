@@ -24,12 +24,6 @@ type Mark = ReturnType<Plot["line"]>;
 /** A simultaneous band of fewer covers more than half of the axis and hides the curves; it is read all the same. */
 const LEAST_FOR_A_BAND = 30;
 
-const lineStyle = (curve: Curve) => ({
-  stroke: hueOf(curve),
-  strokeWidth: curve.faint ? 1.5 : 2,
-  strokeDasharray: curve.dash,
-});
-
 /** One value alone spans no axis: units of its first digit about it do, 50 to 70 about 63. Numbers that are none (NaN)
  *  count for nothing. */
 export function aroundOne(values: readonly number[]): { domain?: [number, number] } {
@@ -41,45 +35,53 @@ export function aroundOne(values: readonly number[]): { domain?: [number, number
   return { domain: [least < 0 ? low : Math.max(0, low), low + 2 * unit] };
 }
 
+interface CurvePoint {
+  x: number;
+  y: number;
+  low: number | null;
+  high: number | null;
+}
+
+/** A curve as it is drawn and read, with its band where that is asked for and stands on enough; `from`: where the line
+ *  begins before its first point. */
+function curveMarks(
+  plot: Plot,
+  points: readonly CurvePoint[],
+  { n, way, from = [] }: { n: number; way: "steps" | "line"; from?: readonly { x: number; y: number }[] },
+  curve: Curve,
+): Mark[] {
+  const bent = way === "steps" ? ({ curve: "step-after" } as const) : {};
+  const marks: Mark[] = [];
+  if (curve.band && n >= LEAST_FOR_A_BAND) {
+    const within = { y1: (one: CurvePoint) => one.low ?? 0, y2: (one: CurvePoint) => one.high ?? 0 };
+    marks.push(plot.areaY(points, { x: "x", ...within, ...bent, fill: hueOf(curve), fillOpacity: 0.09 }));
+  }
+  const line = plot.line([...from, ...points], {
+    x: "x",
+    y: "y",
+    ...bent,
+    stroke: hueOf(curve),
+    strokeWidth: curve.faint ? 1.5 : 2,
+    strokeDasharray: curve.dash,
+  });
+  const { word } = curve;
+  const banded = curve.band ? { low: points.map((one) => one.low), high: points.map((one) => one.high) } : {};
+  const [x, y] = [points.map((one) => one.x), points.map((one) => one.y)];
+  marks.push(readable(line, { word, ink: inkOf(curve), x, y, ...banded, way }));
+  return marks;
+}
+
 /** A cumulative distribution as steps, with its band. */
 export function ecdfMarks(plot: Plot, ecdf: Ecdf, curve: Curve, perX: number): Mark[] {
-  const first = ecdf.value[0] ?? 0;
-  const steps = [
-    { x: first * perX, y: 0 },
-    ...ecdf.value.map((value, i) => ({ x: value * perX, y: 100 * (ecdf.share[i] ?? 0) })),
-  ];
-  const marks: Mark[] = [];
-  if (curve.band && ecdf.n >= LEAST_FOR_A_BAND) {
-    const band = ecdf.value.map((value, i) => ({
-      x: value * perX,
-      low: 100 * (ecdf.low[i] ?? 0),
-      high: 100 * (ecdf.high[i] ?? 0),
-    }));
-    marks.push(
-      plot.areaY(band, {
-        x: "x",
-        y1: "low",
-        y2: "high",
-        curve: "step-after",
-        fill: hueOf(curve),
-        fillOpacity: 0.09,
-      }),
-    );
-  }
-  const line = plot.line(steps, { x: "x", y: "y", curve: "step-after", ...lineStyle(curve) });
-  const percents = (of: readonly (number | null)[]) => of.map((one) => (one === null ? null : 100 * one));
-  const banded = curve.band ? { low: percents(ecdf.low), high: percents(ecdf.high) } : {};
-  marks.push(
-    readable(line, {
-      word: curve.word,
-      ink: inkOf(curve),
-      x: ecdf.value.map((one) => one * perX),
-      y: percents(ecdf.share),
-      ...banded,
-      way: "steps",
-    }),
-  );
-  return marks;
+  const percent = (of: number | null | undefined) => (of == null ? null : 100 * of);
+  const points = ecdf.value.map((value, i) => ({
+    x: value * perX,
+    y: percent(ecdf.share[i]) ?? 0,
+    low: percent(ecdf.low[i]),
+    high: percent(ecdf.high[i]),
+  }));
+  const from = [{ x: (ecdf.value[0] ?? 0) * perX, y: 0 }];
+  return curveMarks(plot, points, { n: ecdf.n, way: "steps", from }, curve);
 }
 
 /** Steps of a density's axis: a share is read "per centimetre" or "per inch", not "per metre"; of errors in finer ones. */
@@ -97,29 +99,13 @@ export function densityMarks(
   stepM: number,
 ): Mark[] {
   const perY = 100 * stepM;
-  const rows = density.value.map((value, i) => ({
+  const points = density.value.map((value, i) => ({
     x: value * perX,
     y: (density.density[i] ?? 0) * perY,
     low: (density.low[i] ?? 0) * perY,
     high: (density.high[i] ?? 0) * perY,
   }));
-  const marks: Mark[] = [];
-  if (curve.band && density.n >= LEAST_FOR_A_BAND) {
-    marks.push(plot.areaY(rows, { x: "x", y1: "low", y2: "high", fill: hueOf(curve), fillOpacity: 0.09 }));
-  }
-  const of = (what: "x" | "y" | "low" | "high") => rows.map((row) => row[what]);
-  const banded = curve.band ? { low: of("low"), high: of("high") } : {};
-  marks.push(
-    readable(plot.line(rows, { x: "x", y: "y", ...lineStyle(curve) }), {
-      word: curve.word,
-      ink: inkOf(curve),
-      x: of("x"),
-      y: of("y"),
-      ...banded,
-      way: "line",
-    }),
-  );
-  return marks;
+  return curveMarks(plot, points, { n: density.n, way: "line" }, curve);
 }
 
 const TIER_PX = 16;

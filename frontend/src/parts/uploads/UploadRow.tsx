@@ -11,7 +11,7 @@ import "./uploads.css";
 export function UploadRow({ item }: { item: UploadItem }) {
   const resting = item.state === "paused" || item.state === "failed" || item.state === "retrying";
   return (
-    <div class="upload">
+    <div class="stack stack--tight upload">
       <div class="row">
         <div class="grow">
           <Progress
@@ -70,7 +70,7 @@ export function UnfinishedRow({ upload, gone }: { upload: UnfinishedUpload; gone
     });
   };
   return (
-    <div class="upload">
+    <div class="stack stack--tight upload">
       <div class="row">
         <div class="grow">
           <Progress

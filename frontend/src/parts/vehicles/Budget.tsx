@@ -8,7 +8,7 @@ import "./vehicle.css";
 export function Budget({ entries, total_m }: { entries: readonly BudgetEntry[]; total_m: number | null }) {
   const squares = entries.reduce((sum, one) => sum + one.u_m ** 2, 0);
   return (
-    <table class="budget">
+    <table class="budget small">
       <caption class="small">
         <strong>{say("budget-title")}</strong> <span class="muted">{say("budget-note")}</span>
       </caption>

@@ -35,7 +35,7 @@ export function RecordingJob({ recording, kind, start, words, over }: RecordingJ
   });
   if (!may("operator") || recording.state !== "ready") return null;
   return (
-    <div class="find-passes">
+    <div class="stack stack--dense find-passes">
       {work.job ? (
         <JobProgress job={work.job} onCancel={work.cancel} />
       ) : (

@@ -1,11 +1,11 @@
 /** How many vehicles of each kind are measured, of those that the survey wants. */
 import { useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
+import { Progress } from "../../components";
 import { say } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import type { Quota, SampleProgress } from "../../core/types";
 import { CLASS_SET_WORDS, LIGHTING_WORDS } from "../../core/words";
-import "./sample.css";
 
 /** The sample of a survey as it stands; read again whenever `of` gives another value. */
 export function useSample(surveyId: number, of: () => unknown = () => null) {
@@ -22,19 +22,14 @@ export function useSample(surveyId: number, of: () => unknown = () => null) {
 export function SampleQuotas({ quotas }: { quotas: SampleProgress["quotas"] }) {
   if (quotas.length === 0) return null;
   return (
-    <ul class="quotas" aria-label={say("sample-quotas")} data-testid="quotas">
+    <ul class="stack stack--tight" aria-label={say("sample-quotas")} data-testid="quotas">
       {quotas.map((one) => (
         <li key={quotaWords(one)}>
-          <span class="clip" title={quotaWords(one)}>
-            {quotaWords(one)}
-          </span>
-          <span class="quotas__count">
-            {say("sample-quota", { measured: one.measured, wanted: one.wanted })}
-          </span>
-          <progress
-            max={one.wanted}
-            value={Math.min(one.measured, one.wanted)}
-            aria-label={quotaWords(one)}
+          <Progress
+            still
+            value={one.measured / one.wanted}
+            label={quotaWords(one)}
+            figure={say("sample-quota", { measured: one.measured, wanted: one.wanted })}
           />
         </li>
       ))}

@@ -27,7 +27,7 @@ export function TargetButton({ target, pressed, title, testId, onClick }: Props)
   return (
     <button
       type="button"
-      class="height-row__target"
+      class="row height-row__target"
       data-testid={testId}
       aria-pressed={pressed}
       disabled={!canWork.value}

@@ -32,7 +32,7 @@ export function Reject({ rejection, busy }: { rejection: Rejection; busy: boolea
   return (
     <div class="stack stack--tight" data-testid="review-reasons" ref={box} tabIndex={-1}>
       <h3>{say("review-reject-why")}</h3>
-      <div class="reject__reasons">
+      <div class="stack stack--dense reject__reasons">
         {rejection.reasons.map((key, i) => {
           const words = say(key);
           const chord = keyMap.value[`reviewReason${i + 1}` as ActionId][0];
@@ -51,7 +51,7 @@ export function Reject({ rejection, busy }: { rejection: Rejection; busy: boolea
           );
         })}
       </div>
-      <label class="field">
+      <label class="stack stack--dense field">
         <span class="field__label">{say("review-reject-words")}</span>
         <textarea
           class="input"

@@ -30,7 +30,7 @@ export default function AccountScreen() {
         />
       </section>
       <section class="panel panel__body">
-        <LanguageChoice class="field" />
+        <LanguageChoice class="stack stack--dense field" />
       </section>
       <PasswordForm hasPassword={person.has_password} />
       <Tokens />

@@ -35,10 +35,10 @@ export function MakeToken({ close, made }: { close: () => void; made: (token: Ma
         hint={say("account-token-name-hint")}
         problem={tried && !name.trim() ? say("account-token-name-problem") : null}
       />
-      <fieldset class="field tokens__scopes">
+      <fieldset class="stack stack--dense field">
         <legend class="field__label">{say("account-token-scopes-field")}</legend>
         {SCOPES.map((scope) => (
-          <label key={scope} class="tokens__scope">
+          <label key={scope} class="row row--base tokens__scope">
             <input
               type="checkbox"
               checked={scopes.includes(scope)}

@@ -75,7 +75,7 @@ function TokenTable({ tokens, revoke }: TableProps) {
   return (
     <DataTable
       label={say("account-tokens")}
-      class="tokens"
+      class="table--middle"
       rows={tokens}
       keyOf={(token) => token.id}
       columns={({ col, actions }) => [
@@ -96,7 +96,7 @@ function TokenTable({ tokens, revoke }: TableProps) {
         actions(
           say("people-actions"),
           (token) => <Button says="account-token-revoke" small onClick={() => void revoke(token)} />,
-          "tokens__revoke",
+          "num",
         ),
       ]}
     />

@@ -222,7 +222,7 @@ function Verify() {
       setCheck(await api.ask("POST /audit/verify", {}, { retry: true }));
     });
   return (
-    <div class="audit__verify">
+    <div class="stack stack--tight audit__verify">
       <Button says="audit-check" busy={busy} onClick={() => void run()} />
       {problem !== null && <Notice kind="problem">{explain(problem)}</Notice>}
       {check?.ok && (

@@ -3,8 +3,9 @@ import { TextField } from "../../components";
 import { Said } from "../../components/Said";
 import { fieldsOf } from "../../core/form";
 import { say } from "../../core/messages";
+import { stored } from "../../core/stored";
 import type { CameraDetail } from "../../core/types";
-import { lengthUnit, parseNumber, parseSmall, smallScale, smallText } from "../../core/units";
+import { lengthUnit, parseNumber, parseSmall, smallScale } from "../../core/units";
 import { KindField, MarkerFields } from "../../parts/boards/MarkerFields";
 import { PLAIN } from "../../parts/boards/markers";
 import { BoardDrawing } from "./BoardDrawing";
@@ -13,7 +14,7 @@ import { boardText, inUnit, problemsOf, readBoard, type TypedBoard } from "./boa
 /** The board as it was for this camera's images; the square as it was typed last on this machine. */
 function firstBoard(camera: CameraDetail): TypedBoard {
   const image = camera.images.find((one) => !one.found) ?? camera.images[0];
-  const square_m = lastSquare();
+  const square_m = square_mm.value / 1000;
   const share = image?.marker_share ?? null;
   return {
     columns: String(image?.columns ?? 9),
@@ -38,24 +39,8 @@ export function useTypedBoard(camera: CameraDetail): [TypedBoard, (board: TypedB
   return [typed, setTyped];
 }
 
-const SQUARE = "sightline.square_mm";
-const USUAL_SQUARE_M = 0.025;
-
-function lastSquare(): number {
-  try {
-    return parseSmall(localStorage.getItem(SQUARE) ?? "", "m") ?? USUAL_SQUARE_M;
-  } catch {
-    return USUAL_SQUARE_M;
-  }
-}
-
-function keepSquare(square: string): void {
-  try {
-    localStorage.setItem(SQUARE, smallText(parseSmall(square), "m"));
-  } catch {
-    // it is only a convenience
-  }
-}
+/** The square that was typed last in this browser. */
+const square_mm = stored("square_mm", 25, (value) => value > 0);
 
 /** Asks for the board in words, and draws what is meant. */
 export function BoardFields({ board, change }: { board: TypedBoard; change: (board: TypedBoard) => void }) {
@@ -64,12 +49,12 @@ export function BoardFields({ board, change }: { board: TypedBoard; change: (boa
   const set = (part: Partial<TypedBoard>) => {
     const next = { ...board, ...part };
     change(next);
-    if (part.square && !problemsOf(next).square) keepSquare(part.square);
+    if (part.square && !problemsOf(next).square) square_mm.value = 1000 * (parseSmall(part.square) ?? 0);
   };
   const field = fieldsOf(board, set);
   return (
     <div class="board">
-      <div class="board__fields">
+      <div class="stack stack--near board__fields">
         <KindField value={board} change={set} />
         <p>
           <Said what="camera-inner-corners" /> {board.kind === "charuco" && say("camera-charuco-corners")}

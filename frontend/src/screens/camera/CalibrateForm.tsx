@@ -76,7 +76,7 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
               {...form.field("last")}
               placeholder={String((clip.frame_count ?? 1) - 1)}
             />
-            {wrong && <p class="field__problem">{wrong}</p>}
+            {wrong && <p class="field__problem across">{wrong}</p>}
           </div>
         ) : (
           <p class="muted">

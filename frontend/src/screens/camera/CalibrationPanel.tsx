@@ -32,7 +32,7 @@ export function CalibrationPanel({ id, camera, makeCurrent }: Props) {
   const inUse = camera.current_calibration_id === c.id;
   return (
     <section class="panel" aria-label={say("field-calibration")}>
-      <header class="panel__head">
+      <header class="row row--apart row--far panel__head">
         <div>
           <h2 class="row">
             <StateMark
@@ -85,7 +85,7 @@ function Figures({ calibration }: { calibration: Calibration }) {
   const unknown = figures.every((figure) => figure.u === null);
   return (
     <div>
-      <table class="table figures">
+      <table class="table table--dense figures">
         <tbody>
           <tr>
             <th scope="row">{say("camera-residual")}</th>
@@ -108,7 +108,7 @@ function Figures({ calibration }: { calibration: Calibration }) {
           ))}
         </tbody>
       </table>
-      {!unknown && <p class="small muted figures__note">{say("camera-u-note")}</p>}
+      {!unknown && <p class="small muted below">{say("camera-u-note")}</p>}
     </div>
   );
 }
@@ -138,7 +138,7 @@ function Coverage({ calibration }: { calibration: Calibration }) {
   return (
     <figure>
       <CoverageMap coverage={coverage} aspect={lens.width_px / lens.height_px} />
-      <figcaption class="small muted">
+      <figcaption class="small muted below">
         {say("camera-coverage", { percent: fixed(coveredShare(coverage) * 100, 0) })}
       </figcaption>
       <Reshoot missing={calibration.reshoot} />
@@ -204,7 +204,7 @@ function Views({ calibration, camera }: { calibration: Calibration; camera: Came
             ))}
         </ol>
         {leftOut.length > 0 && (
-          <details class="left-out">
+          <details class="left-out small">
             <summary>{say("camera-left-out", { count: leftOut.length })}</summary>
             <dl>
               {leftOut.map((view) => (

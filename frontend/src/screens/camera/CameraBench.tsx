@@ -234,7 +234,7 @@ function ImageGrid({
               />
             )}
           </div>
-          <div class="shot__words">
+          <div class="row row--apart shot__words small">
             <span class="clip" title={image.name}>
               {image.name}
             </span>
@@ -244,7 +244,7 @@ function ImageGrid({
               onClick={() => remove(image)}
             />
           </div>
-          <p class="shot__state">
+          <p class="small">
             <StateMark
               state={image.found ? "used" : "left_out"}
               word={image.found ? foundInWords(image) : STATE_WORDS.left_out}

@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { Button, Empty, Loaded, Loading, Notice, PageHead, Problem } from "../../components";
+import { Button, Empty, Loaded, Notice, PageHead } from "../../components";
 import { asked, query, setQuery } from "../../core/address";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
@@ -40,11 +40,10 @@ export default function CameraScreen({ surveyId }: ScreenProps) {
           </div>
         )}
       </PageHead>
-      <Problem error={cameras.error} again={cameras.reload} />
+      <Loaded of={cameras} what={say("camera-loading-all")} />
       {wanted !== null && open && open.id !== wanted && (
         <Notice kind="warning">{say("address-elsewhere", { what: "camera" })}</Notice>
       )}
-      {!cameras.data && cameras.loading && <Loading what={say("camera-loading-all")} />}
       {cameras.data && list.length === 0 && (
         <Empty
           panel
@@ -61,12 +60,11 @@ export default function CameraScreen({ surveyId }: ScreenProps) {
         />
       )}
       {list.length > 1 && open && (
-        <nav class="tabs" aria-label={say("camera-list")}>
+        <nav class="page-tabs" aria-label={say("camera-list")}>
           {list.map((camera) => (
             <button
               key={camera.id}
               type="button"
-              class="tabs__tab"
               aria-current={camera.id === open.id ? "true" : undefined}
               onClick={() => setQuery({ camera: camera.id })}
             >

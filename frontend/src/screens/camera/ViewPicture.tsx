@@ -41,7 +41,7 @@ export function ViewPicture({ view, worst, lens, picture }: Props) {
           ))}
         </svg>
       </div>
-      <figcaption class="small muted">
+      <figcaption class="small muted below">
         {worst && <strong>{say("camera-worst-view")} </strong>}
         {say("camera-residuals-drawn", { file: view.file, times, longest_px })}
       </figcaption>

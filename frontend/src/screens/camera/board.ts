@@ -1,5 +1,6 @@
 /** The checkerboard as a person types it, and what is wrong with it in words. */
 import { say } from "../../core/messages";
+import type { BoardIn, CalibrationWish } from "../../core/types";
 import {
   type LengthUnit,
   lengthUnit,
@@ -17,14 +18,8 @@ export interface TypedBoard extends TypedMarkers {
   square: string;
 }
 
-export interface Board {
-  columns: number;
-  rows: number;
-  square_m: number;
-  board_kind?: "charuco";
-  dictionary?: string;
-  marker_m?: number;
-}
+/** What is calibrated with, as far as it is the board. */
+export type Board = Pick<CalibrationWish, keyof BoardIn>;
 
 const EXAMPLES: Record<LengthUnit, { square: string; marker: string }> = {
   m: { square: "25", marker: "18" },

@@ -175,7 +175,7 @@ function sizeWords(row: CatalogueRow, size: Size) {
 function Pages({ offset, total }: { offset: number; total: number }) {
   const last = Math.min(offset + A_PAGE, total);
   return (
-    <footer class="catalogue-pages small">
+    <footer class="row catalogue-pages small">
       <span class="grow">{say("catalogue-shown", { first: Math.min(offset + 1, total), last, total })}</span>
       <Button
         says="catalogue-before"

@@ -56,7 +56,7 @@ function Preview({ plan, taken, change }: PreviewProps) {
   return (
     <>
       {plan.problem && <Notice kind="problem">{sentenceOf(plan.problem)}</Notice>}
-      <div class="catalogue-form">
+      <div class="grid">
         <OptionalField
           says="catalogue-import-unit"
           {...field("unit")}
@@ -86,7 +86,7 @@ function Columns({ plan, taken, change }: PreviewProps) {
   const skipped = plan.columns.filter((one) => !one.field).map((one) => `“${one.header}”`);
   return (
     <>
-      <fieldset class="catalogue-columns">
+      <fieldset class="grid grid--4 catalogue-columns">
         <legend>{say("catalogue-import-columns")}</legend>
         {plan.columns.map((one, at) => (
           <OptionalField
@@ -116,7 +116,7 @@ function Lines({ plan }: { plan: Plan }) {
   return (
     <DataTable
       label={say("catalogue-import-lines")}
-      scroll="catalogue-lines"
+      scroll="tall"
       class="table--dense"
       data-testid="catalogue-lines"
       rows={shown}

@@ -70,7 +70,7 @@ export function ModelDialog({ row, close, saved }: Props) {
       onClose={close}
       submit={submit}
     >
-      <div class="catalogue-form">
+      <div class="grid">
         <TextField says="catalogue-make" {...form.field("make")} problem={empty(make)} />
         <TextField says="catalogue-model-name" {...form.field("model")} problem={empty(model)} />
         <TextField says="catalogue-year-from" {...form.field("from")} problem={year(from)} />

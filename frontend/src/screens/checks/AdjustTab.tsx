@@ -109,7 +109,7 @@ function KnownFields({ known, change }: { known: Known; change(next: Known): voi
     />
   );
   return (
-    <div class="row row--wrap adjust-known">
+    <div class="row row--wrap row--end">
       {field("u_wheelbase_m", say("adjust-u-wheelbase", { unit }))}
       {field("u_wheelbase_common_m", say("adjust-u-wheelbase-common", { unit }))}
       {field("u_roof_common_m", say("adjust-u-roof-common", { unit }))}
@@ -239,7 +239,7 @@ function LeftOut({ surveyId, found }: { surveyId: number; found: PoseAdjustment 
   return (
     <DataTable
       label={say("adjust-left-title")}
-      scroll="adjust-left"
+      scroll="tall"
       caption={say("adjust-left-title")}
       data-testid="left-out"
       rows={found.left_out}
@@ -260,7 +260,7 @@ function ModelsTable({ found }: { found: PoseAdjustment }) {
     <>
       <DataTable
         label={say("adjust-models-title")}
-        scroll="adjust-left"
+        scroll="tall"
         caption={say("adjust-models-title")}
         rows={found.without_model}
         keyOf={(one) => one.model}
@@ -280,7 +280,7 @@ function HeightsTable({ surveyId, found }: { surveyId: number; found: PoseAdjust
   return (
     <DataTable
       label={say("adjust-heights-title")}
-      scroll="again-heights"
+      scroll="heads-stay again-heights"
       caption={say("adjust-heights-title")}
       data-testid="adjusted-heights"
       rows={found.heights}

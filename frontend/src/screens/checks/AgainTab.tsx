@@ -1,5 +1,5 @@
 /** Heights computed again: what is out of date, each time it was done, old beside new, and the undo of all. */
-import { Button, DataTable, JobProgress, Loaded, Loading, Notice, Panel, Problem } from "../../components";
+import { Button, DataTable, JobProgress, Loaded, Notice, Panel, Problem } from "../../components";
 import { query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
@@ -81,7 +81,7 @@ function Runs({ computings, shown }: { computings: readonly Computing[]; shown: 
       ) : (
         <DataTable
           label={say("computing-runs")}
-          scroll="again-runs"
+          scroll="heads-stay again-runs"
           data-testid="computings"
           rows={computings}
           keyOf={(one) => one.id}
@@ -127,8 +127,7 @@ function ComputedHeightsPanel({ surveyId, computing, busy, undo }: Props) {
     { also: [computing.undone_by] },
   );
   const found = read.data;
-  if (!found)
-    return read.error ? <Problem error={read.error} /> : <Loading what={say("computing-old-new")} />;
+  if (!found) return <Loaded of={read} what={say("computing-old-new")} />;
   return (
     <Panel
       says="computing-old-new"
@@ -256,7 +255,7 @@ function Heights({ surveyId, found }: { surveyId: number; found: ComputedHeights
     <>
       <DataTable
         label={say("computing-table")}
-        scroll="again-heights"
+        scroll="heads-stay again-heights"
         data-testid="computed-heights"
         rows={found.listed}
         keyOf={(one) => one.measurement_id}

@@ -19,7 +19,13 @@ interface Props {
   done(): Promise<void>;
 }
 
-type Act = "accept" | "inspect" | "dissolve" | "take-back";
+const ROUTES = {
+  accept: "POST /lots/{lot_id}/accept",
+  inspect: "POST /lots/{lot_id}/inspect",
+  dissolve: "POST /lots/{lot_id}/dissolve",
+  "take-back": "POST /lots/{lot_id}/take-back",
+} as const;
+type Act = keyof typeof ROUTES;
 
 export function LotPanel({ surveyId, shown, done }: Props) {
   const { lot } = shown;
@@ -84,13 +90,7 @@ function Acts({ surveyId, shown, done }: Props) {
   const { lot, progress, state } = shown;
   const act = async (one: Act) => {
     setBusy(one);
-    const where = { lot_id: lot.id };
-    await run(async () => {
-      if (one === "accept") await api.write("POST /lots/{lot_id}/accept", where);
-      if (one === "inspect") await api.write("POST /lots/{lot_id}/inspect", where);
-      if (one === "dissolve") await api.write("POST /lots/{lot_id}/dissolve", where);
-      if (one === "take-back") await api.write("POST /lots/{lot_id}/take-back", where);
-    });
+    await run(() => api.write(ROUTES[one], { lot_id: lot.id }));
     await done();
     setBusy(null);
   };
@@ -106,7 +106,7 @@ function Acts({ surveyId, shown, done }: Props) {
   return (
     <>
       <Problem error={problem} />
-      <div class="row lots__acts">
+      <div class="row row--wrap">
         {state === "open" && (
           <>
             {progress.judged < progress.sample && (

@@ -120,7 +120,7 @@ function Draw({ surveyId, changed, done }: DrawProps) {
       data-testid="lots-draw"
     >
       <div class="panel__body stack">
-        <fieldset class="lots__by row">
+        <fieldset class="row row--wrap row--far">
           <legend class="field__label">{say("lots-by")}</legend>
           {GROUPINGS.map((one) => (
             <Check
@@ -131,7 +131,7 @@ function Draw({ surveyId, changed, done }: DrawProps) {
             />
           ))}
         </fieldset>
-        <div class="lots__risks">
+        <div class="grid grid--4 grid--low lots__risks">
           {RISKS.map((one) => (
             <TextField
               key={one}
@@ -160,7 +160,7 @@ function Planned({ planned }: { planned: readonly PlannedLot[] }) {
   return (
     <DataTable
       label={say("lots-planned")}
-      scroll="lots__planned"
+      scroll="tall"
       data-testid="lots-planned"
       rows={planned}
       keyOf={(one) => JSON.stringify(one.common)}
@@ -186,7 +186,7 @@ function Lots({ lots, shown }: { lots: readonly ShownLot[]; shown: ShownLot | un
     <Panel says="page-lots">
       <DataTable
         label={say("page-lots")}
-        scroll="lots__planned"
+        scroll="tall"
         data-testid="lots"
         rows={lots}
         keyOf={(one) => one.lot.id}

@@ -14,7 +14,7 @@ export function TrafficSide({ model }: { model: TrafficModel }) {
   return (
     <aside class="traffic__side" aria-label={say("checks-direction")}>
       {model.reel.recordings.value.length > 1 && (
-        <div class="traffic__pose">
+        <div class="stack stack--tight pad traffic__pose">
           <SelectField
             says="field-recording"
             hideLabel
@@ -34,7 +34,7 @@ function Verdict({ model }: { model: TrafficModel }) {
   const pose = model.pose.value;
   if (!pose) return null;
   return (
-    <section class="traffic__pose" aria-label={say("checks-verdict")}>
+    <section class="stack stack--tight pad traffic__pose" aria-label={say("checks-verdict")}>
       <p class="traffic__verdict" data-testid="traffic-verdict">
         {sentencesOf(pose.verdict)}
       </p>
@@ -91,7 +91,11 @@ function Preview({ model, preview }: { model: TrafficModel; preview: TurnedPose 
     return vehicle ? vehicleName(vehicle.number) : "–";
   };
   return (
-    <section class="traffic__pose" aria-label={say("checks-turned-pose")} data-testid="turn-preview">
+    <section
+      class="stack stack--tight pad traffic__pose"
+      aria-label={say("checks-turned-pose")}
+      data-testid="turn-preview"
+    >
       <h2>{say("checks-turned-by", { turn: formatDegrees(preview.turn_rad) })}</h2>
       <p class="small">{sentencesOf(preview.summary)}</p>
       <p class="small">
@@ -136,7 +140,7 @@ function Preview({ model, preview }: { model: TrafficModel; preview: TurnedPose 
 function Passes({ model }: { model: TrafficModel }) {
   return (
     <Table
-      class="traffic__list"
+      class="heads-stay traffic__list"
       heads={[say("checks-vehicle"), num(say("checks-heading")), num(say("checks-apart"))]}
     >
       {model.passes.value.map((vehicle) => (

@@ -140,7 +140,7 @@ function Tools(props: { model: TrafficModel; player: Player; commands: Commands 
           <Said what="checks-no-pose-link" parts={linkTo(`/surveys/${model.surveyId}/pose`)} />
         </Notice>
       )}
-      <div class="frame-tools">
+      <div class="row row--wrap row--near frame-tools">
         <CommandButton command={commands.previous} kind="plain">
           {say("checks-previous")}
         </CommandButton>

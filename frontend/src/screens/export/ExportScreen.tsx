@@ -134,7 +134,7 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
 function Choosing({ wanted, onChange }: { wanted: Wanted; onChange(wanted: Wanted): void }) {
   return (
     <section class="panel panel__body" aria-label={say("export-of-title")}>
-      <div class="row row--wrap export__of">
+      <div class="row row--wrap row--end export__of">
         <OptionalField
           says="export-of-lighting"
           value={wanted.lighting}
@@ -209,11 +209,11 @@ function Packages({ list }: { list: ExportPackage[] }) {
         actions(say("export-download-column"), (entry) => (
           <Button says="export-download" small icon="download" href={entry.url} download />
         )),
-        col(say("export-sha256"), (entry) => <Hash text={entry.sha256} which="sha256" />, "export__hash"),
+        col(say("export-sha256"), (entry) => <Hash text={entry.sha256} which="sha256" />, "nowrap"),
         col(
           say("export-audit-head"),
           (entry) => <Hash text={entry.audit_head} which="audit-head" />,
-          "export__hash",
+          "nowrap",
         ),
       ]}
     />

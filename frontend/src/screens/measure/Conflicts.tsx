@@ -24,7 +24,7 @@ export function VehicleConflict({ model, id }: { model: MeasureModel; id: number
   };
   return (
     <section
-      class="conflict"
+      class="stack stack--tight conflict"
       role="alertdialog"
       aria-label={say("measure-conflict")}
       data-testid="vehicle-conflict"
@@ -72,7 +72,7 @@ export function MeasurementConflict({ model, entry }: { model: MeasureModel; ent
     when: formatMoment(theirs.created_at),
   };
   return (
-    <div class="conflict" role="alert" data-testid="measurement-conflict">
+    <div class="stack stack--tight conflict" role="alert" data-testid="measurement-conflict">
       <p>{say(theirs.withdrawn ? "measure-conflict-withdrawn" : "measure-conflict-measured", told)}</p>
       <dl class="conflict__heights">
         <dt>{say("measure-conflict-height-theirs")}</dt>

@@ -24,7 +24,7 @@ export function KnownHeights({ vehicle, locked, edit }: Props) {
         {count > 0 && <span class="small muted">{say("measure-known-some", { count })}</span>}
       </summary>
       <p class="field__hint">{say("measure-known-help")}</p>
-      <div class="known__rows">
+      <div class="stack stack--tight known__rows">
         {KNOWN.map((target) => (
           <Known key={target} target={target} vehicle={vehicle} locked={locked} edit={edit} />
         ))}

@@ -38,7 +38,7 @@ export default function MeasureScreen({ surveyId }: ScreenProps) {
   if (model.problem.value) return <FailedPage model={model} />;
   if (model.loaded.value && !player) return <NothingToMeasure surveyId={surveyId} />;
   return (
-    <div class="measure">
+    <div class="desk measure">
       <h1 class="visually-hidden">{say("page-measure")}</h1>
       <PassList model={model} />
       {player ? (

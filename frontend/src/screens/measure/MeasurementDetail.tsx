@@ -17,7 +17,7 @@ import type { Entry } from "./records";
 export function MeasurementDetail({ model, entry }: { model: MeasureModel; entry: Entry }) {
   const source = entry.preview ?? entry.saved;
   return (
-    <div class="height-detail">
+    <div class="stack stack--near height-detail">
       <Frames model={model} entry={entry} />
       {canWork.value && entry.state === "saved" && (
         <Button
@@ -74,7 +74,7 @@ function InsetEditor({ model, entry }: { model: MeasureModel; entry: Entry }) {
           )}
         </span>
       </p>
-      <div class="height-detail__inset">
+      <div class="grid grid--close height-detail__inset">
         <LengthField
           says="measure-inset"
           disabled={!canWork.value}
@@ -112,12 +112,12 @@ function InsetEditor({ model, entry }: { model: MeasureModel; entry: Entry }) {
 function Frames({ model, entry }: { model: MeasureModel; entry: Entry }) {
   const frames = framesOf(entry.values);
   return (
-    <div class="frames-of" data-testid="frames-of">
+    <div class="stack stack--tight frames-of" data-testid="frames-of">
       {frames.length > 1 && (
         <>
           <ul class="frames-of__list">
             {frames.map(({ frame }, i) => (
-              <li key={frame}>
+              <li key={frame} class="row">
                 <Button
                   small
                   kind="quiet"

@@ -76,7 +76,7 @@ export function MeasurementList({ model }: { model: MeasureModel }) {
           );
         })}
         {idle.length > 0 && (
-          <li class="heights__idle" title={say("measure-targets-idle")}>
+          <li class="heights__idle muted small" title={say("measure-targets-idle")}>
             {idle.map((target) => (
               <Choose key={target} model={model} target={target} again={false} />
             ))}
@@ -292,7 +292,12 @@ function Reasons({ model, target }: { model: MeasureModel; target: AskedTarget }
     event.stopPropagation();
   };
   return (
-    <fieldset class="unseen" ref={box} onKeyDown={onKeyDown} data-testid="unseen-reasons">
+    <fieldset
+      class="row row--wrap row--near unseen"
+      ref={box}
+      onKeyDown={onKeyDown}
+      data-testid="unseen-reasons"
+    >
       <legend class="small">{say("measure-unseen-why", { target })}</legend>
       {reasons.map((why, i) => (
         <button type="button" class="btn btn--small" key={why} onClick={() => take(why)}>
@@ -330,7 +335,11 @@ function DriverSideChoice({ model, vehicle }: { model: MeasureModel; vehicle: Ve
     steering: survey.value?.traffic.steering_side ?? "left",
   };
   return (
-    <div class="inset-choice" data-testid="inset-choice-driver_eye" data-side={side ?? "unknown"}>
+    <div
+      class="stack stack--dense inset-choice"
+      data-testid="inset-choice-driver_eye"
+      data-side={side ?? "unknown"}
+    >
       <span class="small">{say("measure-inset-side")}</span>
       {canWork.value ? (
         <Segments
@@ -350,9 +359,12 @@ function DriverSideChoice({ model, vehicle }: { model: MeasureModel; vehicle: Ve
         />
       </span>
       {from === "said" && canWork.value && (
-        <button type="button" class="link small" onClick={() => model.insets.chooseSide(null)}>
-          {say("measure-side-as-survey")}
-        </button>
+        <Button
+          says="measure-side-as-survey"
+          small
+          kind="quiet"
+          onClick={() => model.insets.chooseSide(null)}
+        />
       )}
     </div>
   );
@@ -368,7 +380,7 @@ function RoofChoice({ model, target, entry }: TargetProps) {
     (choice) => choice.inset_m === now?.inset_m && choice.u_inset_m === now?.u_inset_m,
   );
   return (
-    <div class="inset-choice" data-testid={`inset-choice-${target}`}>
+    <div class="stack stack--dense inset-choice" data-testid={`inset-choice-${target}`}>
       <span class="small">{say("measure-inset-roof")}</span>
       <Segments
         says="measure-inset-roof"

@@ -64,7 +64,7 @@ export function PassList({ model }: { model: MeasureModel }) {
         row={(vehicle) => <Row key={vehicle.id} model={model} vehicle={vehicle} />}
       >
         {list.length === 0 && model.loaded.value && (
-          <div role="listitem" class="passes__none muted">
+          <div role="listitem" class="pad small muted">
             {say(all.length === 0 ? "measure-passes-none" : "measure-passes-none-in-state")}
             {all.length === 0 && recording && (
               <FindPasses recording={recording} found={() => readAgain(model)} />
@@ -121,7 +121,7 @@ function Row({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
         <ToLookAt vehicle={vehicle} />
         <PassMark vehicle={vehicle} />
         {vehicle.lighting === "low_light" && (
-          <span class="pass__light" title={LIGHTING_WORDS.low_light}>
+          <span class="muted" title={LIGHTING_WORDS.low_light}>
             <Moon />
             <span class="visually-hidden">, {LIGHTING_NOUNS.low_light}</span>
           </span>
@@ -185,7 +185,7 @@ export function progress({ records }: Pick<MeasureModel, "records">, vehicle: Ve
 function NewPass({ model }: { model: MeasureModel }) {
   const from = model.passes.from.value;
   return (
-    <footer class="passes__foot">
+    <footer class="row row--wrap row--near passes__foot">
       {from === null ? (
         <Button
           says="measure-pass-begin"

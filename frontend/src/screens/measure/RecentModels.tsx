@@ -52,7 +52,7 @@ export function RecentModels({ locked, onChoose, toMake }: Props) {
   if (rows.length === 0) return null;
   return (
     <section class="which-model" aria-label={say("recent-models-title")}>
-      <h4>{say("recent-models-title")}</h4>
+      <h4 class="row row--base">{say("recent-models-title")}</h4>
       {rows.map((row, i) => (
         <button
           key={row.id}

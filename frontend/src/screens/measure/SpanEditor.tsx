@@ -20,7 +20,7 @@ export function SpanEditor({ model, vehicle }: { model: MeasureModel; vehicle: V
   return (
     <section class="facts-form span-editor" aria-label={say("measure-span")}>
       <h3>{say("measure-span")}</h3>
-      <div class="span-editor__ends">
+      <div class="grid grid--3 grid--close below span-editor__ends">
         {ENDS.map(({ end, label, take }) => {
           const problem = spanProblem(vehicle, end, String(here));
           const why = sameRecording ? problem : say("measure-span-elsewhere");

@@ -36,8 +36,8 @@ export function TimelinePanel({ model, player }: { model: MeasureModel; player: 
     });
   }
   return (
-    <section class="measure__time" aria-label={say("stage-timeline")}>
-      <div class="frame-tools">
+    <section class="desk__time" aria-label={say("stage-timeline")}>
+      <div class="row row--near frame-tools">
         <Transport player={player} stage={model.stage} />
         <span class="grow" />
         {model.reel.recordings.value.length > 1 && <RecordingChoice model={model} player={player} />}

@@ -20,14 +20,14 @@ export function VehiclePanel({ model }: { model: MeasureModel }) {
   const vehicle = model.vehicle.value;
   if (!vehicle) {
     return (
-      <aside class="measure__vehicle" aria-label={say("measure-vehicle")}>
-        <p class="measure__none muted">{say("measure-vehicle-none")}</p>
+      <aside class="desk__side measure__vehicle" aria-label={say("measure-vehicle")}>
+        <p class="panel__body muted">{say("measure-vehicle-none")}</p>
       </aside>
     );
   }
   return (
-    <aside class="measure__vehicle" aria-label={say("measure-vehicle")} key={vehicle.id}>
-      <header class="vehicle__head">
+    <aside class="desk__side measure__vehicle" aria-label={say("measure-vehicle")} key={vehicle.id}>
+      <header class="row row--far vehicle__head">
         <h2>{say("measure-vehicle-number", { vehicle: vehicleName(vehicle.number) })}</h2>
         <StateMark state={vehicle.state} />
         <span class="grow" />

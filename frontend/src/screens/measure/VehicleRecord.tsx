@@ -59,8 +59,8 @@ export function VehicleRecord({ model, vehicle }: { model: MeasureModel; vehicle
         </p>
       )}
       <TypingHold.Provider value={hold}>
-        <div class="facts-form__grid">
-          <div class="facts-form__wide">
+        <div class="grid grid--tight below facts-form__grid">
+          <div class="across">
             <RecentModels locked={locked} onChoose={takeLast} toMake={toMake} />
           </div>
           <CatalogueField
@@ -78,7 +78,7 @@ export function VehicleRecord({ model, vehicle }: { model: MeasureModel; vehicle
             onChoose={(row) => take(row)}
             onCommit={(text) => model.edit({ model: text || null })}
           />
-          <div class="facts-form__wide">
+          <div class="across">
             <ModelChosen
               vehicle={vehicle}
               locked={locked}
@@ -100,24 +100,24 @@ export function VehicleRecord({ model, vehicle }: { model: MeasureModel; vehicle
             options={choices(CATEGORY_WORDS)}
             hint={lacksClass(vehicle) ? say("measure-class-missing") : undefined}
           />
-          <div class="facts-form__wide">
+          <div class="across">
             <ModelYears make={vehicle.make} model={vehicle.model} year={vehicle.year} />
           </div>
           <LengthField says="measure-makers-height" {...length("manufacturer_height_m")} />
           <LengthField says="measure-makers-height-u" {...length("u_manufacturer_height_m")} />
-          <div class="facts-form__wide">
+          <div class="across">
             <CommitField
               {...wired("height_source")}
               value={vehicle.height_source ?? ""}
               onCommit={(text) => model.edit({ height_source: text || null })}
             />
           </div>
-          <div class="facts-form__wide">
+          <div class="across">
             <KnownHeights vehicle={vehicle} locked={locked} edit={(changes) => model.edit(changes)} />
           </div>
           <OptionalField {...chosen("lighting")} none="–" options={choices(LIGHTING_WORDS)} />
           <OptionalField {...chosen("direction")} none="–" options={choices(DIRECTION_WORDS)} />
-          <div class="facts-form__wide">
+          <div class="across">
             <OptionalField
               {...chosen("discarded")}
               none={say(vehicle.in_sample ? "measure-in-sample" : "measure-out-of-sample")}
@@ -126,7 +126,7 @@ export function VehicleRecord({ model, vehicle }: { model: MeasureModel; vehicle
               disabled={locked || (vehicle.measurements.length > 0 && !vehicle.discarded)}
             />
           </div>
-          <div class="facts-form__wide">
+          <div class="across">
             <CommitField
               {...wired("notes")}
               rows={2}

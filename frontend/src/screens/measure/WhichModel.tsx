@@ -123,7 +123,7 @@ export function WhichModel({ found, locked, onChoose }: Props) {
   };
   return (
     <section class="which-model" aria-label={say("which-model-title")}>
-      <h4>
+      <h4 class="row row--base">
         {say("which-model-title")}
         <span class="muted small">{hint("whichModel")}</span>
       </h4>

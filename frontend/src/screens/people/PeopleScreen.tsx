@@ -75,7 +75,7 @@ export default function PeopleScreen() {
         <div class="panel">
           <DataTable
             label={say("page-people")}
-            class="people"
+            class="table--middle"
             rows={people.data}
             keyOf={(person) => person.id}
             columns={({ col, actions }) => [
@@ -83,7 +83,7 @@ export default function PeopleScreen() {
                 <>
                   <strong>{person.name}</strong>
                   {isMe(person) && <span class="muted"> {say("people-you")}</span>}
-                  <div class="people__mail">{person.email}</div>
+                  <div class="muted anywhere">{person.email}</div>
                 </>
               )),
               col(
@@ -135,7 +135,7 @@ export default function PeopleScreen() {
           />
         </div>
       )}
-      <Facts class="people__roles" of={roles().map((role) => [ROLE_NAMES[role], DOES[role]])} />
+      <Facts class="small" of={roles().map((role) => [ROLE_NAMES[role], DOES[role]])} />
       {adding && (
         <AddPerson
           close={() => setAdding(false)}

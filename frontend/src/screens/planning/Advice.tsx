@@ -5,7 +5,7 @@ import { type Said, sentenceOf } from "../../core/messages";
 export function Advice({ advice }: { advice: readonly Said[] }) {
   return (
     <Panel says="planning-advice">
-      <ul class="panel__body plan-advice">
+      <ul class="panel__body stack stack--near words plan-advice">
         {advice.map(sentenceOf).map((sentence) => (
           <li key={sentence}>{sentence}</li>
         ))}

@@ -1,7 +1,6 @@
 /** What a rig of line cameras will be worth, and equation (2) of the line-scan paper beside it. */
-import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
-import { DataTable, Loaded, Panel, Table } from "../../components";
+import { DataTable, Loaded, Panel } from "../../components";
 import { Said } from "../../components/Said";
 import { current, query, setQuery } from "../../core/address";
 import { region, say, wordsOf } from "../../core/messages";
@@ -61,7 +60,7 @@ function Result({ plan }: { plan: LinePlan }) {
   return (
     <div class="stack" data-testid="line-plan">
       <Panel says="planning-speed-title">
-        <p class="panel__body plan-line__words">
+        <p class="panel__body words">
           <Said
             what="planning-lines"
             values={{
@@ -84,33 +83,35 @@ function Result({ plan }: { plan: LinePlan }) {
       <ExpectedValues plan={plan} />
       {plan.exposure && <Exposure plan={plan} exposure={plan.exposure} />}
       <Panel says="planning-forms-title">
-        <Table
+        <DataTable
           label={say("planning-forms-label")}
           class="plan-lines"
-          heads={[
-            say("planning-forms-equation"),
-            say("planning-forms-printed"),
-            say("planning-forms-corrected"),
+          rows={[
+            [say("planning-forms-error"), "2 / (n + 2)", "2 / n"],
+            [
+              say("planning-forms-says"),
+              say("planning-forms-says-printed"),
+              say("planning-forms-says-corrected"),
+            ],
+            [
+              say("planning-forms-line-rate", { error: percent(plan.error) }),
+              <b>{lineRateWords(printed.line_rate_hz)}</b>,
+              <b>{lineRateWords(corrected.line_rate_hz)}</b>,
+            ],
+            [
+              say("planning-forms-error-at", { line_rate_hz: formatCount(plan.line_rate_hz) }),
+              errorWords(printed),
+              errorWords(corrected),
+            ],
           ]}
-        >
-          <Row what={say("planning-forms-error")} printed="2 / (n + 2)" corrected="2 / n" />
-          <Row
-            what={say("planning-forms-says")}
-            printed={say("planning-forms-says-printed")}
-            corrected={say("planning-forms-says-corrected")}
-          />
-          <Row
-            what={say("planning-forms-line-rate", { error: percent(plan.error) })}
-            printed={<b>{lineRateWords(printed.line_rate_hz)}</b>}
-            corrected={<b>{lineRateWords(corrected.line_rate_hz)}</b>}
-          />
-          <Row
-            what={say("planning-forms-error-at", { line_rate_hz: formatCount(plan.line_rate_hz) })}
-            printed={errorWords(printed)}
-            corrected={errorWords(corrected)}
-          />
-        </Table>
-        <p class="plan-note field__hint">{say("planning-forms-note")}</p>
+          keyOf={(_, at) => at}
+          columns={({ col, rowHead }) => [
+            rowHead(say("planning-forms-equation"), ([what]) => what),
+            col(say("planning-forms-printed"), ([, inPrint]) => inPrint),
+            col(say("planning-forms-corrected"), ([, , right]) => right),
+          ]}
+        />
+        <p class="panel__note field__hint">{say("planning-forms-note")}</p>
       </Panel>
       <Advice advice={plan.advice} />
     </div>
@@ -156,7 +157,7 @@ function partWords(quantity: PlannedValue["quantity"], u: number): string {
 function Exposure({ plan, exposure }: { plan: LinePlan; exposure: NonNullable<LinePlan["exposure"]> }) {
   return (
     <Panel says="planning-exposure-title">
-      <div class="panel__body plan-line__words" data-testid="line-plan-exposure">
+      <div class="panel__body words" data-testid="line-plan-exposure">
         <p>
           <Said
             what="planning-exposure-blur"
@@ -184,19 +185,3 @@ function Exposure({ plan, exposure }: { plan: LinePlan; exposure: NonNullable<Li
 }
 
 const HINTS = wordsOf("planning-exposure-", "dark", "wide", "tall");
-
-interface RowProps {
-  what: string;
-  printed: ComponentChildren;
-  corrected: ComponentChildren;
-}
-
-function Row({ what, printed, corrected }: RowProps) {
-  return (
-    <tr>
-      <th scope="row">{what}</th>
-      <td>{printed}</td>
-      <td>{corrected}</td>
-    </tr>
-  );
-}

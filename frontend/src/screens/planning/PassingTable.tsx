@@ -23,7 +23,7 @@ export function PassingTable({ passing }: { passing: readonly Passing[] }) {
           num(say("planning-passing-frames-60"), (one) => one.frames[1]),
         ]}
       />
-      <p class="field__hint plan-note">{say("planning-passing-note")}</p>
+      <p class="field__hint panel__note">{say("planning-passing-note")}</p>
     </Panel>
   );
 }

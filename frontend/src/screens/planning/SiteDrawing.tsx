@@ -22,7 +22,7 @@ export function SiteAlong({ plan }: { plan: Plan }) {
     <figure class="panel plan-figure">
       <h2>{say("planning-along-title")}</h2>
       <Elevation plan={plan} />
-      <figcaption class="field__hint">{say("planning-along-note")}</figcaption>
+      <figcaption class="field__hint below">{say("planning-along-note")}</figcaption>
     </figure>
   );
 }
@@ -33,7 +33,7 @@ export function SiteAbove({ plan }: { plan: Plan }) {
     <figure class="panel plan-figure">
       <h2>{say("planning-above-title")}</h2>
       <FromAbove plan={plan} />
-      <figcaption class="field__hint">
+      <figcaption class="field__hint below">
         {say("planning-above-note", { shown: formatLength(plan.track_shown_m, 1) })}
       </figcaption>
     </figure>

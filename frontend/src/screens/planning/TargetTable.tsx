@@ -36,7 +36,7 @@ export function TargetTable({ targets, travelM }: { targets: readonly PlannedTar
           num(say("planning-inset-ignored"), (one) => formatSmall(one.bias_if_ignored_m)),
         ]}
       />
-      <p class="field__hint plan-note">
+      <p class="field__hint panel__note">
         {say("planning-targets-note", { travel: formatLength(travelM, 2) })}
       </p>
       <Contributions targets={targets} />

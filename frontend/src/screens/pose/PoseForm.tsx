@@ -197,7 +197,7 @@ function SurenessQuestions({ model }: { model: PoseModel }) {
   return (
     <details>
       <summary>{say("pose-sure")}</summary>
-      <div class="pose-form__two">
+      <div class="grid grid--close pose-form__two">
         <TextField
           says="pose-u-tape"
           unit={unit}
@@ -222,7 +222,7 @@ function Run({ model }: { model: PoseModel }) {
   const locked = !canWork.value;
   const again = model.reel.recording.value?.pose_id != null && model.pose.value !== null;
   return (
-    <footer class="pose-form__foot">
+    <footer class="stack stack--tight pose-form__foot">
       {model.job.value?.state === "failed" && (
         <Notice kind="problem">{sentenceOf(model.job.value.error)}</Notice>
       )}

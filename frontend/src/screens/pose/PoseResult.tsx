@@ -21,7 +21,7 @@ export function PoseResult({ model }: { model: PoseModel }) {
   if (!pose && model.poses.value.length === 0) return null;
   const inUse = pose !== null && recording?.pose_id === pose.id;
   return (
-    <section class="pose-result" ref={box}>
+    <section class="stack stack--near pose-result" ref={box}>
       {pose && (
         <>
           <header class="row">
@@ -123,9 +123,9 @@ function PoseHistory({ model }: { model: PoseModel }) {
   return (
     <details class="pose-history">
       <summary>{say("pose-poses", { count: poses.length })}</summary>
-      <ul>
+      <ul class="below">
         {poses.map((one) => (
-          <li key={one.id}>
+          <li key={one.id} class="row row--apart">
             <button
               type="button"
               class="pose-history__show"

@@ -53,7 +53,7 @@ export default function PoseScreen({ surveyId }: ScreenProps) {
     );
   }
   return (
-    <div class="pose">
+    <div class="desk pose">
       <h1 class="visually-hidden">{say("page-pose")}</h1>
       <section class="frame-place" aria-label={say("stage-frame")}>
         <FrameView
@@ -69,12 +69,12 @@ export default function PoseScreen({ surveyId }: ScreenProps) {
           {model.finding.value?.found && <FoundBoard finding={model.finding.value} stage={model.stage} />}
         </FrameView>
       </section>
-      <aside class="pose__side" aria-label={say("pose-side")}>
+      <aside class="desk__side" aria-label={say("pose-side")}>
         <PoseResult model={model} />
         <PoseForm model={model} />
       </aside>
-      <section class="pose__time" aria-label={say("stage-timeline")}>
-        <div class="frame-tools">
+      <section class="desk__time" aria-label={say("stage-timeline")}>
+        <div class="row row--near frame-tools">
           <Transport player={player} stage={model.stage} />
           <span class="grow" />
           <CommandButton command={fitCommand(model.stage)}>{say("stage-fit")}</CommandButton>

@@ -56,7 +56,7 @@ export function RecordingCard({ recording, passes, cameras, changed, reload }: P
   return (
     <article class="panel recording">
       <Poster recording={recording} />
-      <div class="recording__body">
+      <div class="stack stack--near recording__body">
         <header class="row row--apart">
           <Name recording={recording} rename={(name) => void put({ name })} />
           <div class="row">
@@ -96,7 +96,7 @@ export function RecordingCard({ recording, passes, cameras, changed, reload }: P
           <Failed reason={sentenceOf(recording.error)} again={canWork ? () => void readAgain() : undefined} />
         )}
         {recording.notes.length > 0 && (
-          <ul class="recording__notes">
+          <ul class="recording__notes muted small">
             {recording.notes.map(sentenceOf).map((note) => (
               <li key={note}>{note}</li>
             ))}
@@ -219,7 +219,7 @@ function Facts({ recording, passes }: Pick<Props, "recording" | "passes">) {
     formatBytes(recording.size_bytes),
   ].filter(Boolean);
   return (
-    <p class="recording__facts">
+    <p class="recording__facts small">
       {recording.state === "ready" && passes !== undefined && (
         <>
           <strong data-testid={`passes-of-${recording.id}`}>

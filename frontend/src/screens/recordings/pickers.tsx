@@ -49,7 +49,7 @@ export function LightPick({ recording, pick }: { recording: Recording; pick: (li
     return guessed ? say("recordings-lighting-guess", { lighting }) : lighting;
   };
   return (
-    <div class="field">
+    <div class="stack stack--dense field">
       <span class="field__label">
         {proposed ? <Said what="recordings-lighting-proposed" /> : say("recordings-lighting")}
       </span>

@@ -38,9 +38,9 @@ export default function ClickAgainScreen({ surveyId }: ScreenProps) {
   const item = session.current.value;
   if (items.length === 0) return <NothingToClick surveyId={surveyId} onlyOwn={onlyOwn} />;
   return (
-    <div class="again">
+    <div class="desk again">
       <h1 class="visually-hidden">{say("page-click-again")}</h1>
-      <header class="again__head">
+      <header class="row again__head">
         <p data-testid="again-progress">
           {item ? (
             <Said
@@ -78,7 +78,10 @@ export default function ClickAgainScreen({ surveyId }: ScreenProps) {
               stage={session.stage}
             />
           </section>
-          <section class="again__time frame-tools" aria-label={say("stage-frames")}>
+          <section
+            class="desk__time desk__time--low row row--near frame-tools"
+            aria-label={say("stage-frames")}
+          >
             <Transport player={player} stage={session.stage} />
             <span class="grow" />
             {player.shown.value?.frame !== item.frame && (

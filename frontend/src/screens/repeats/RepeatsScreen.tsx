@@ -145,7 +145,7 @@ function AnchoringPanel({ surveyId }: { surveyId: number }) {
           ),
         ]}
       />
-      <p class="repeats__note small muted">
+      <p class="panel__note words small muted">
         {say("anchoring-help")}{" "}
         {say("anchoring-counts", { confirmed: data.confirmed, moved: data.moved, afresh: data.afresh })}
       </p>

@@ -27,7 +27,7 @@ export function TargetTable({ found }: { found: Repeats }) {
           <Row key={one.target ?? "all"} one={one} />
         ))}
       </Table>
-      <p class="repeats__note small muted">{say("repeats-targets-help")}</p>
+      <p class="panel__note words small muted">{say("repeats-targets-help")}</p>
     </Panel>
   );
 }

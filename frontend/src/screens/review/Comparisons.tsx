@@ -13,14 +13,19 @@ import type { ReviewModel } from "./model";
 export function BlindPanel({ model, item }: { model: ReviewModel; item: ReviewItem }) {
   const m = item.measurement;
   return (
-    <aside class="review__side" aria-label={say("review-measurement")} key={m.id} data-testid="blind-panel">
-      <header class="vehicle__head">
+    <aside
+      class="desk__side review__side"
+      aria-label={say("review-measurement")}
+      key={m.id}
+      data-testid="blind-panel"
+    >
+      <header class="row row--far vehicle__head">
         <h2>
           {vehicleName(item.vehicle.number)} {TARGET_WORDS[m.target]}
         </h2>
         <StateMark state={m.review.verdict} />
       </header>
-      <div class="review__body">
+      <div class="stack stack--near review__body">
         <h3>{say("review-blind-title")}</h3>
         <p>{say(model.blind.contact.value ? "review-blind-target" : "review-blind-contact")}</p>
         <p class="small muted">{say("review-blind-why")}</p>
@@ -28,7 +33,7 @@ export function BlindPanel({ model, item }: { model: ReviewModel; item: ReviewIt
       {model.rejection.begun.value ? (
         <Rejecting model={model} />
       ) : (
-        <footer class="review__verdict">
+        <footer class="stack stack--tight review__verdict">
           <RejectButton model={model} />
         </footer>
       )}
@@ -38,7 +43,7 @@ export function BlindPanel({ model, item }: { model: ReviewModel; item: ReviewIt
 
 export function Rejecting({ model }: { model: ReviewModel }) {
   return (
-    <footer class="review__verdict">
+    <footer class="stack stack--tight review__verdict">
       <Reject rejection={model.rejection} busy={model.busy.value} />
     </footer>
   );
@@ -60,7 +65,11 @@ export function Comparisons({ model }: { model: ReviewModel }) {
   const found = model.repeats.comparisons.value ?? [];
   if (found.length === 0) return null;
   return (
-    <section class="review__again" aria-label={say("review-again")} data-testid="comparisons">
+    <section
+      class="stack stack--tight review__again"
+      aria-label={say("review-again")}
+      data-testid="comparisons"
+    >
       {found.map((one) => (
         <Row key={one.repeat.id} model={model} one={one} />
       ))}

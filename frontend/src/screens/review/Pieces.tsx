@@ -21,7 +21,7 @@ function Crops({ m, recording }: { m: Measurement; recording: Recording | null }
   const size = { width: recording?.width_px ?? 0, height: recording?.height_px ?? 0 };
   if (size.width === 0) return null;
   return (
-    <div class="review__crops">
+    <div class="grid grid--close">
       <Crop m={m} at={m.contact} point="contact" size={size} />
       <Crop m={m} at={m.target_point} point={m.target} size={size} />
     </div>
@@ -87,7 +87,7 @@ function Neighbours({
   return (
     <section aria-label={say("review-neighbours")}>
       <h3 class="small">{say("review-neighbours")}</h3>
-      <div class="review__crops">
+      <div class="grid grid--close">
         {NEAR_FRAMES.map((by) => m.frame + by)
           .filter((frame) => frame >= 0 && frame <= last)
           .map((frame) => (

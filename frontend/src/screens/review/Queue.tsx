@@ -42,7 +42,7 @@ export function Queue({ model }: { model: ReviewModel }) {
             say("page-review")
           )}
         </h2>
-        <div class="review__choose">
+        <div class="stack stack--dense review__choose">
           <Select
             aria-label={say("review-show")}
             value={model.queue.shown.value}
@@ -175,7 +175,9 @@ function Row({ model, item }: { model: ReviewModel; item: ReviewItem }) {
             {say("lots-badge", { number: String(item.judged.lot.number) })}
           </span>
         )}
-        <span class="pass__name">{model.isHidden(item) ? say("review-blind-click") : heightWords(m)}</span>
+        <span class="pass__name clip">
+          {model.isHidden(item) ? say("review-blind-click") : heightWords(m)}
+        </span>
       </button>
     </li>
   );

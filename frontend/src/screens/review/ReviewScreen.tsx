@@ -38,7 +38,7 @@ export default function ReviewScreen({ surveyId }: ScreenProps) {
   if (model.problem.value) return <FailedPage model={model} />;
   const items = model.queue.items.value;
   return (
-    <div class="review">
+    <div class="desk review">
       <h1 class="visually-hidden">{say("page-review")}</h1>
       <Queue model={model} />
       {items === null ? (
@@ -71,7 +71,10 @@ function Shown({ model, player }: { model: ReviewModel; player: Player | null })
 
 function FrameTools({ model, player, m }: { model: ReviewModel; player: Player; m: Measurement }) {
   return (
-    <section class="review__time frame-tools" aria-label={say("stage-frames")}>
+    <section
+      class="desk__time desk__time--low review__time row row--near frame-tools"
+      aria-label={say("stage-frames")}
+    >
       <Transport player={player} stage={model.stage} />
       <span class="grow" />
       {!model.onFrame.value && (

@@ -22,15 +22,15 @@ export function VerdictPanel({ model, item }: { model: ReviewModel; item: Review
   const m = item.measurement;
   if (model.hidden.value) return <BlindPanel model={model} item={item} />;
   return (
-    <aside class="review__side" aria-label={say("review-measurement")} key={m.id}>
-      <header class="vehicle__head">
+    <aside class="desk__side review__side" aria-label={say("review-measurement")} key={m.id}>
+      <header class="row row--far vehicle__head">
         <h2>
           {vehicleName(item.vehicle.number)} {TARGET_WORDS[m.target]}
         </h2>
         <StateMark state={m.review.verdict} />
       </header>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard must reach it */}
-      <div class="review__body" role="group" aria-label={say("review-facts")} tabIndex={0}>
+      <div class="stack stack--near review__body" role="group" aria-label={say("review-facts")} tabIndex={0}>
         <p class="vehicle__height">{heightWords(m)}</p>
         {m.review.lot_id !== null && m.review.verdict === "accepted" && (
           <p class="small row">
@@ -146,11 +146,11 @@ function Signs({ item }: { item: ReviewItem }) {
 
 function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
   if (!may("reviewer")) {
-    return <footer class="review__verdict small muted">{say("review-look-only")}</footer>;
+    return <footer class="stack stack--tight review__verdict small muted">{say("review-look-only")}</footer>;
   }
   if (item.mine) {
     return (
-      <footer class="review__verdict" data-testid="review-mine">
+      <footer class="stack stack--tight review__verdict" data-testid="review-mine">
         <Notice>{say("review-own")}</Notice>
       </footer>
     );
@@ -159,7 +159,7 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
   if (model.fix.value) {
     const changed = isOfFrame(item.measurement) && model.poseChanged(item.measurement);
     return (
-      <footer class="review__verdict">
+      <footer class="stack stack--tight review__verdict">
         {changed && <Notice kind="warning">{say("review-pose-changed")}</Notice>}
         <div class="row">
           <span class="grow" data-testid="review-save-fix">
@@ -181,8 +181,8 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
   const judged =
     item.measurement.review.verdict === "accepted" || item.measurement.review.verdict === "rejected";
   return (
-    <footer class="review__verdict">
-      <div class="review__buttons">
+    <footer class="stack stack--tight review__verdict">
+      <div class="grid grid--3 grid--close review__buttons">
         <JudgeButton
           of="reviewAccept"
           testId="review-accept"

@@ -58,7 +58,7 @@ export function AddScan({ surveyId, onClose, added }: Props) {
   };
   return (
     <form class="panel scan-add stack" onSubmit={sent(send)} noValidate aria-label={say("scans-new")}>
-      <header class="panel__head">
+      <header class="row row--apart row--far panel__head">
         <h2>{say("scans-new")}</h2>
         <Segments
           says="scans-new-from"
@@ -139,7 +139,7 @@ function Strips({ surveyId, choose }: { surveyId: number; choose: (chosen: Chose
         <UploadRow key={item.key} item={item} />
       ))}
       <Problem error={waiting.error} again={waiting.reload} />
-      <div class="scan__fields">
+      <div class="grid grid--tight">
         <OptionalField says="scans-new-camera-1" {...field("first")} {...offered} />
         <OptionalField
           says="scans-new-camera-2"
@@ -223,7 +223,7 @@ function Cuts({ surveyId, choose }: { surveyId: number; choose: (chosen: ChosenC
   return (
     <>
       <Problem error={recordings.error} again={recordings.reload} />
-      <div class="scan__fields">
+      <div class="grid grid--tight">
         <OptionalField
           says="field-recording"
           {...field("recording")}

@@ -47,7 +47,7 @@ export default function BenchScreen({ surveyId }: ScreenProps) {
   if (scan.survey_id !== surveyId) return <Elsewhere surveyId={surveyId} />;
   if (scan.state !== "ready") return <NotReady scan={scan} model={model} surveyId={surveyId} />;
   return (
-    <div class="scan">
+    <div class="desk scan">
       <Head model={model} scan={scan} surveyId={surveyId} />
       <StripView model={model} />
       <section class="scan__list" aria-label={say("scan-vehicles")}>

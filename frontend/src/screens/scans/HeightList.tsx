@@ -1,7 +1,7 @@
 /** The chosen vehicle's heights: one line per target; budget, inset and history on demand. */
 
 import { useEffect, useRef, useState } from "preact/hooks";
-import { Button, Facts, IconButton, Notice, Segments, StateMark } from "../../components";
+import { Button, Facts, IconButton, Notice, Panel, Segments, StateMark } from "../../components";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { outbox } from "../../core/outbox";
 import { canWork, may } from "../../core/session";
@@ -22,17 +22,18 @@ export function HeightList({ model }: { model: ScanModel }) {
   const pose = heights.kept.pose.value;
   if (heights.kept.poses.value === null) return null;
   return (
-    <section class="panel line-heights" aria-labelledby="line-heights">
-      <header class="panel__head">
-        <h3 id="line-heights">{say("scan-heights")}</h3>
-        {pose && (
-          <span class="muted small">
-            {say("scan-heights-camera", {
+    <Panel
+      says="scan-heights"
+      within
+      class="line-heights"
+      note={
+        pose
+          ? say("scan-heights-camera", {
               height: formatHeight(pose.solved.camera_height_m, pose.solved.U95_camera_height_m),
-            })}
-          </span>
-        )}
-      </header>
+            })
+          : undefined
+      }
+    >
       {pose && <Older model={model} />}
       {pose ? (
         <ul>
@@ -43,7 +44,7 @@ export function HeightList({ model }: { model: ScanModel }) {
       ) : (
         <Uncalibrated model={model} />
       )}
-    </section>
+    </Panel>
   );
 }
 
@@ -51,7 +52,7 @@ function Older({ model }: { model: ScanModel }) {
   const count = model.heights.kept.older.value.length;
   if (count === 0) return null;
   return (
-    <div class="line-heights__older small">
+    <div class="row row--wrap row--apart line-heights__older small">
       <span>{say("scan-heights-older", { count })}</span>
       <Button says="computing-look" small href={`/surveys/${survey.value?.id}/checks?tab=again`} />
     </div>
@@ -151,7 +152,7 @@ function InsetOf({ model, target }: { model: ScanModel; target: Target }) {
   const now = model.heights.insetOf(target) ?? usual;
   const chosen = choices.findIndex((one) => isChosen(one, now ?? null));
   return (
-    <div class="line-heights__inset small">
+    <div class="row row--wrap line-heights__inset small">
       <span>{ASKED[target]}</span>
       <Segments
         label={ASKED[target] ?? TARGET_WORDS[target]}

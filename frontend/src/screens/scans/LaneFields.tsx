@@ -58,7 +58,7 @@ function Lane({ number, lane, problems, put, remove }: LaneProps) {
   return (
     <fieldset class="scan__lane">
       <legend class="visually-hidden">{say("scans-lane-of", { number: String(number) })}</legend>
-      <div class="scan__pairs">
+      <div class="grid grid--tight scan__pairs">
         <TextField says="scans-lane-name" {...typed("name")} />
         <SelectField
           says="scan-direction"

@@ -1,6 +1,6 @@
 /** Both strips of one vehicle, the second resampled by the fitted motion: what fits vanishes in the difference. */
 import { useEffect, useState } from "preact/hooks";
-import { choices, Segments } from "../../components";
+import { choices, Panel, Segments } from "../../components";
 import { say, wordsOf } from "../../core/messages";
 import type { ScanVehicleDetail } from "../../core/types";
 
@@ -22,17 +22,17 @@ export function MatchPictures({ detail }: { detail: ScanVehicleDetail }) {
   const urls = { first: match.first_url, second: match.second_url, difference: match.difference_url };
   const picture = shown === "blink" ? (odd ? "second" : "first") : shown;
   return (
-    <section class="panel scan__match" aria-labelledby="scan-match">
-      <header class="panel__head">
-        <h3 id="scan-match">{say("scan-match-title")}</h3>
-        <Segments says="scan-match-picture" value={shown} options={choices(SHOWN)} onInput={setShown} />
-      </header>
+    <Panel
+      says="scan-match-title"
+      within
+      aside={<Segments says="scan-match-picture" value={shown} options={choices(SHOWN)} onInput={setShown} />}
+    >
       <div class="scan__match-box">
         {(["first", "second", "difference"] as const).map((one) => (
           <img key={one} src={urls[one]} hidden={one !== picture} alt={ALTS[one]} />
         ))}
       </div>
       <p class="scan__note small muted">{say("scan-match-note")}</p>
-    </section>
+    </Panel>
   );
 }

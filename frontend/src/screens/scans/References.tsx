@@ -132,7 +132,7 @@ function ReferenceDialog({ model, vehicle, before, onClose }: Props) {
       onClose={onClose}
       submit={submit}
     >
-      <div class="scan__fields">
+      <div class="grid grid--tight">
         <SelectField
           says="scan-reference-quantity"
           {...form.field("quantity")}

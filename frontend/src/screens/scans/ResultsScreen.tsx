@@ -32,7 +32,7 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
   const data = found.data;
   const vehicles = data?.table.length ?? 0;
   return (
-    <div class="page page--alone motion-page">
+    <div class="page page--alone page--wide">
       <PageHead says="page-scan-results" lead={say("motion-lead")}>
         <div class="row row--wrap">
           <Segments
@@ -45,9 +45,9 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
         </div>
       </PageHead>
       <PageTabs label={say("page-statistics")} tabs={resultsTabs("scan-results")} />
-      <details class="panel panel__body motion-filmed" open={limited}>
+      <details class="panel panel__body more" open={limited}>
         <summary>{say("motion-filter")}</summary>
-        <div class="motion-filmed__fields">
+        <div class="grid grid--4">
           <FilmedFields value={filmed} onChange={setQuery} />
         </div>
       </details>

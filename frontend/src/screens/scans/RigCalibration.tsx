@@ -205,7 +205,7 @@ function Beside({ typed, change }: { typed: BesideTyped; change: (part: Partial<
     onInput: (text: string) => change({ [name]: text }),
   });
   return (
-    <div class="scan__fields">
+    <div class="grid grid--tight">
       <TextField
         says="scans-rig-distance"
         unit={lengthUnit.value}

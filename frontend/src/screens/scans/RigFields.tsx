@@ -24,7 +24,7 @@ const ADVANCED = [
 export function RigFields({ noRate, plain, ...of }: Props) {
   return (
     <>
-      <div class="scan__fields">
+      <div class="grid grid--tight">
         <Fields of={of} names={noRate ? MAIN.slice(0, 2) : MAIN} />
       </div>
       {!plain && <Advanced of={of} />}
@@ -38,7 +38,7 @@ function Advanced({ of }: { of: Typing }) {
   return (
     <details class="scan__advanced" open={used || undefined}>
       <summary>{say("scans-rig-more")}</summary>
-      <div class="scan__pairs">
+      <div class="grid grid--tight scan__pairs">
         <Fields of={of} names={ADVANCED} />
       </div>
     </details>

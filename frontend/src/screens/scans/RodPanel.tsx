@@ -13,14 +13,14 @@ export function RodPanel({ model }: { model: ScanModel }) {
   const { marks } = rod.values.value;
   const solved = rod.solved.value;
   return (
-    <aside class="scan__side" aria-label={say("scan-rod-label")}>
-      <header class="vehicle__head">
+    <aside class="desk__side scan__side" aria-label={say("scan-rod-label")}>
+      <header class="row row--far vehicle__head">
         <h2>{say("scan-rod-title")}</h2>
         <span class="grow" />
         <Button says="action-close" small kind="quiet" onClick={() => model.cancel()} />
       </header>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard must reach it */}
-      <div class="scan__body stack" role="group" aria-label={say("scan-rod-body")} tabIndex={0}>
+      <div class="pad scan__body stack" role="group" aria-label={say("scan-rod-body")} tabIndex={0}>
         <NextMark model={model} />
         {marks.length === 0 ? (
           <Empty says="scan-rod-none-title" why="scan-rod-none" />
@@ -57,7 +57,7 @@ function NextMark({ model }: { model: ScanModel }) {
   };
   return (
     <section aria-label={say("scan-rod-next")}>
-      <div class="rod__fields">
+      <div class="grid grid--3 grid--tight grid--low rod__fields">
         {NEXT.map(({ name, check }) => (
           <LengthField
             key={name}
@@ -160,7 +160,7 @@ function Uncertainties({ model }: { model: ScanModel }) {
     return value === null || value < least ? say("scan-rod-at-least", { least: String(least) }) : null;
   };
   return (
-    <section class="rod__fields" aria-label={say("scan-rod-u")}>
+    <section class="grid grid--3 grid--tight grid--low rod__fields" aria-label={say("scan-rod-u")}>
       <CommitField
         says="scan-rod-u-row"
         value={String(sigma_px)}

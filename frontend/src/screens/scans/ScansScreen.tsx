@@ -66,7 +66,7 @@ const LIMITS = ["opposing", "abreast", "slow", "cut", "distance"] as const;
 /** What no setting helps against, in words; a vehicle that it concerns has the reason in place of its numbers. */
 function Limits() {
   return (
-    <details class="scan-limits">
+    <details class="words scan-limits">
       <summary>{say("scans-limits")}</summary>
       <dl>
         {LIMITS.map((limit) => (
@@ -111,13 +111,13 @@ function ScanCard({ scan, reload }: { scan: Scan; reload: () => Promise<void> })
     });
   const bench = `/surveys/${scan.survey_id}/scan?scan=${scan.id}`;
   return (
-    <article class="panel scan-card" data-testid={`scan-${scan.id}`}>
+    <article class="panel stack stack--near scan-card" data-testid={`scan-${scan.id}`}>
       {scan.state === "ready" && (
         <div class="scan-card__picture">
           <Overview scan={scan} />
         </div>
       )}
-      <div class="scan-card__body">
+      <div class="stack stack--tight scan-card__body">
         <header class="row row--apart">
           <h2 class="clip">{scan.name}</h2>
           <div class="row">

@@ -13,7 +13,7 @@ export function TableOne({ found }: { found: ScanStatistics }) {
         <Own found={found} />
         <Printed found={found} />
       </div>
-      <p class="small muted scan-traffic__note">{say("paper-sizes")}</p>
+      <p class="small muted scan__note">{say("paper-sizes")}</p>
     </Panel>
   );
 }

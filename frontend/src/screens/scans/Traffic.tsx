@@ -9,6 +9,7 @@ import {
   Loaded,
   type Columns as Made,
   Notice,
+  Panel,
   Segments,
 } from "../../components";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
@@ -97,23 +98,26 @@ function OfScan({ scan, of, surveyId }: { scan: ScanTraffic; of: TrafficOfScans;
         <FundamentalFigure scan={scan} against="density" />
         <FundamentalFigure scan={scan} against="flow" />
       </div>
-      <section class="panel" aria-label={say("flows-table", { scan: scan.name })}>
-        <header class="panel__head">
-          <h3>{scan.name}</h3>
-          <span class="muted small">{day}</span>
+      <Panel
+        label={scan.name}
+        within
+        aria-label={say("flows-table", { scan: scan.name })}
+        note={day}
+        aside={
           <Segments
             label={say("flows-columns", { scan: scan.name })}
             value={view}
             options={choices(VIEWS)}
             onInput={setView}
           />
-        </header>
+        }
+      >
         {scan.unplaced > 0 && (
           <Notice kind="warning">{say("flows-unplaced", { count: scan.unplaced })}</Notice>
         )}
         <IntervalTable scan={scan} view={view} limits_m={of.length_limits_m} />
-        <p class="small muted scan-traffic__note">{say("flows-table-note")}</p>
-      </section>
+        <p class="small muted scan__note">{say("flows-table-note")}</p>
+      </Panel>
     </>
   );
 }

@@ -1,14 +1,14 @@
 import {
   Button,
+  DataTable,
   type Fact,
   Facts,
   Loading,
   Notice,
   Notices,
-  num,
   OptionalField,
+  Panel,
   StateMark,
-  Table,
 } from "../../components";
 import { CommitField } from "../../components/CommitField";
 import { Said } from "../../components/Said";
@@ -45,7 +45,7 @@ export function VehiclePanel({ model }: { model: ScanModel }) {
   const detail = model.detail.value;
   if (!vehicle) {
     return (
-      <aside class="scan__side scan__side--empty" aria-label={say("scan-vehicle")}>
+      <aside class="desk__side scan__side scan__side--empty" aria-label={say("scan-vehicle")}>
         <p class="muted">{say("scan-vehicle-none", { key: hint("passNext") })}</p>
       </aside>
     );
@@ -53,8 +53,8 @@ export function VehiclePanel({ model }: { model: ScanModel }) {
   const m = vehicle.measurement;
   const lanes = model.scan.value?.rig.lanes ?? [];
   return (
-    <aside class="scan__side" aria-label={say("scan-vehicle")} key={vehicle.id}>
-      <header class="vehicle__head">
+    <aside class="desk__side scan__side" aria-label={say("scan-vehicle")} key={vehicle.id}>
+      <header class="row row--far vehicle__head">
         <h2>
           {vehicleName(vehicle.number)}{" "}
           <span class="muted">{[vehicle.make, vehicle.model].filter(Boolean).join(" ")}</span>
@@ -62,7 +62,7 @@ export function VehiclePanel({ model }: { model: ScanModel }) {
         <StateMark state={stateOf(vehicle)} />
       </header>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard must reach it */}
-      <div class="scan__body stack" role="group" aria-label={say("scan-vehicle-body")} tabIndex={0}>
+      <div class="pad scan__body stack" role="group" aria-label={say("scan-vehicle-body")} tabIndex={0}>
         {m && <Numbers m={m} vehicle={vehicle} lanes={lanes} />}
         {m && <Verdict model={model} m={m} />}
         {canWork.value && <Tools model={model} m={m} />}
@@ -313,7 +313,7 @@ function Known({ model, vehicle }: { model: ScanModel; vehicle: ScanVehicle }) {
   const wrong = (text: string) =>
     text === "" || (parseLength(text) ?? 0) > 0 ? null : say("scan-known-problem");
   return (
-    <section class="scan__known" aria-label={say("scan-known")}>
+    <section class="grid grid--tight" aria-label={say("scan-known")}>
       <CatalogueField
         label={say("scan-known-make")}
         value={vehicle.make ?? ""}
@@ -361,42 +361,23 @@ function off(metres: number | null): string | undefined {
 
 function Budget({ detail }: { detail: ScanVehicleDetail }) {
   const m = detail.vehicle.measurement;
+  const parts = detail.budget.map((one) => ({ ...one, what: <>{budgetSource(one.source)}</> }));
+  const together = m && { ...m, source: "", what: <strong>{say("budget-together")}</strong> };
   return (
-    <section class="panel" aria-labelledby="scan-budget">
-      <header class="panel__head">
-        <h3 id="scan-budget">{say("budget-title")}</h3>
-        <span class="muted small">{say("scan-budget-note")}</span>
-      </header>
-      <Table
+    <Panel says="budget-title" within note={say("scan-budget-note")}>
+      <DataTable
         label={say("scan-budget")}
         class="table--dense"
-        heads={[
-          say("scan-budget-source"),
-          num(say("scan-budget-speed")),
-          num(say("scan-budget-acceleration")),
-          num(say("scan-budget-length")),
+        rows={together ? [...parts, together] : parts}
+        keyOf={(one) => one.source}
+        columns={({ col, num }) => [
+          col(say("scan-budget-source"), (one) => one.what),
+          num(say("scan-budget-speed"), (one) => formatSpeed(one.u_speed_mps, null, 3)),
+          num(say("scan-budget-acceleration"), (one) => formatAcceleration(one.u_acceleration_mps2, null, 3)),
+          num(say("scan-budget-length"), (one) => formatSmall(one.u_length_m)),
         ]}
-      >
-        {detail.budget.map((one) => (
-          <tr key={one.source}>
-            <td>{budgetSource(one.source)}</td>
-            <td class="num">{formatSpeed(one.u_speed_mps, null, 3)}</td>
-            <td class="num">{formatAcceleration(one.u_acceleration_mps2, null, 3)}</td>
-            <td class="num">{formatSmall(one.u_length_m)}</td>
-          </tr>
-        ))}
-        {m && (
-          <tr>
-            <td>
-              <strong>{say("budget-together")}</strong>
-            </td>
-            <td class="num">{formatSpeed(m.u_speed_mps, null, 3)}</td>
-            <td class="num">{formatAcceleration(m.u_acceleration_mps2, null, 3)}</td>
-            <td class="num">{formatSmall(m.u_length_m)}</td>
-          </tr>
-        )}
-      </Table>
-    </section>
+      />
+    </Panel>
   );
 }
 
@@ -405,7 +386,7 @@ function History({ detail }: { detail: ScanVehicleDetail }) {
   return (
     <details open={detail.history.length > 1}>
       <summary>{say("scan-history", { count: detail.history.length })}</summary>
-      <ul class="scan__history small">
+      <ul class="stack stack--tight scan__history small">
         {[...detail.history].reverse().map((one) => (
           <li key={one.id}>
             <Said

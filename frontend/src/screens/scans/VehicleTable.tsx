@@ -80,7 +80,8 @@ function Row({ vehicle, model, lanes }: { vehicle: ScanVehicle; model: ScanModel
     <tr
       data-vehicle={vehicle.id}
       data-testid={`scan-vehicle-${vehicle.number}`}
-      class={here ? "scan__row scan__row--chosen" : "scan__row"}
+      class="scan__row"
+      aria-current={here}
       onClick={() => model.choose(vehicle.id)}
     >
       <td>

@@ -182,7 +182,7 @@ function Fleet({ found }: { found: Sight }) {
     setShares(new Map(found.classes.map((one) => [one.category, Number((100 * one.share).toFixed(1))])));
   if (shares.size === 0)
     return (
-      <div class="sight-form__fleet">
+      <div class="row row--far">
         <Button says="sight-fleet-begin" icon="add" onClick={begin} />
         <span class="field__hint">{say("sight-fleet-hint")}</span>
       </div>

@@ -34,7 +34,7 @@ export default function SightScreen(_props: ScreenProps) {
   }, []);
   const data = found.data;
   return (
-    <div class="page page--alone sight-page">
+    <div class="page page--alone page--wide">
       <PageHead says="page-sight-distance" lead={say("sight-lead")} />
       <PageTabs label={say("page-statistics")} tabs={resultsTabs("sight-distance")} />
       {query.value.getAll("survey").map((id) => (
@@ -60,7 +60,11 @@ function Sentences({ sight }: { sight: Sight }) {
   const standard = sight.cases.find((one) => one.name === "standard");
   const others = sight.cases.filter((one) => one.name !== "standard");
   return (
-    <section class="panel sight-sentence" aria-label={say("sight-sentence")} data-testid="sight-sentence">
+    <section
+      class="panel stack stack--near sight-sentence"
+      aria-label={say("sight-sentence")}
+      data-testid="sight-sentence"
+    >
       {others.map((one) => (
         <p key={one.name}>{caseWords(one, standard, sight)}</p>
       ))}
@@ -139,7 +143,7 @@ function Cases({ sight }: { sight: Sight & { speed_mps: number } }) {
           </tr>
         ))}
       </Table>
-      <p class="field__hint sight-note">
+      <p class="field__hint panel__note">
         {say("sight-cases-note", {
           eyes: sight.eyes,
           objects: sight.objects,

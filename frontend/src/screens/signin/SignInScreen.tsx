@@ -14,8 +14,8 @@ export default function SignInScreen() {
   const token = query.value.get("token");
   return (
     <main class="signin" id="main">
-      <div class="signin__card">
-        <div class="signin__mark">
+      <div class="stack signin__card">
+        <div class="row row--far signin__mark">
           <Mark size={32} />
           <span>{say("app-name")}</span>
         </div>

@@ -23,15 +23,6 @@ const CURVES: Record<string, Omit<Curve, "word">> = {
 };
 const GROUPS = Object.keys(CURVES);
 
-function legendOf(list: readonly Drawn<unknown>[]): LegendEntry[] {
-  return list.map(({ curve }) => ({
-    word: curve.word,
-    dash: curve.dash,
-    faint: curve.faint,
-    hue: curve.hue,
-  }));
-}
-
 interface Drawn<T> {
   group: string;
   part: T;
@@ -90,7 +81,7 @@ function ShareFigure({ errors, of }: { errors: Errors; of: "absolute" | "relativ
       title={say(`statistics-${of}-title`)}
       says={say(`statistics-${of}-says`, { groups })}
       note={say(`statistics-${of}-note`, { groups })}
-      legend={legendOf(list)}
+      legend={list.map(({ curve }) => curve)}
       reason={reasonOf(errors[of])}
       data={errors}
       options={(plot, unit) => {
@@ -133,7 +124,7 @@ function DensityFigure({ errors }: { errors: Errors }) {
       title={say("statistics-density-title")}
       says={say("statistics-density-says", { groups: counts(list) })}
       note={densityNote(list, errors.rounding === "cm")}
-      legend={legendOf(list)}
+      legend={list.map(({ curve }) => curve)}
       reason={reasonOf(errors.density)}
       data={errors}
       options={(plot, unit) => {

@@ -1,14 +1,5 @@
-import { useState } from "preact/hooks";
-import {
-  Button,
-  Checklist,
-  type Choice,
-  choices,
-  DateField,
-  named,
-  OptionalField,
-  TextField,
-} from "../../components";
+import { Button, Checklist, type Choice, choices, DateField, named, OptionalField } from "../../components";
+import { CommitField } from "../../components/CommitField";
 import { query, setQuery } from "../../core/address";
 import { say, wordsOf } from "../../core/messages";
 import { lengthUnit, parseSmall, smallScale, smallText } from "../../core/units";
@@ -51,7 +42,7 @@ export function FilterBar({ found }: { found: Statistics | null }) {
   const any = say("statistics-filter-any");
   return (
     <form
-      class="panel stat-filter stat-noprint"
+      class="panel panel__body grid grid--4 stat-noprint"
       aria-label={say("statistics-filter")}
       onSubmit={(event) => event.preventDefault()}
     >
@@ -67,9 +58,9 @@ export function FilterBar({ found }: { found: Statistics | null }) {
         onClassSets={(class_set) => setFilter({ class_set })}
         onCategories={(category) => setFilter({ category })}
       />
-      <details class="stat-filter__more" open={MORE.some((name) => at.get(name))}>
+      <details class="more across" open={MORE.some((name) => at.get(name))}>
         <summary>{say("statistics-filter-more")}</summary>
-        <div class="stat-filter__fields">
+        <div class="grid grid--5">
           {choice(
             "target",
             say("statistics-filter-target"),
@@ -138,32 +129,24 @@ const USUAL_U_M = 0.0173;
 
 /** The standard uncertainty of reference heights that have none of their own, as a small length. */
 function ReferenceU({ value }: { value: string | null }) {
-  const [problem, setProblem] = useState<string | null>(null);
   const now = value === null ? USUAL_U_M : Number(value);
   const [, unit] = smallScale();
-  const [text, setText] = useState<string | null>(null);
-  const send = (typed: string) => {
-    const read = typed.trim() ? parseSmall(typed) : USUAL_U_M;
-    const wrong = read === null || read < 0;
-    setProblem(
-      wrong
-        ? say(unit === "in" ? "statistics-reference-u-inches" : "statistics-reference-u-millimetres")
-        : null,
-    );
-    if (wrong) return;
-    setText(null);
-    const metres = Number(read.toFixed(6));
-    setFilter({ u_reference_m: metres === USUAL_U_M ? null : String(metres) });
-  };
+  const read = (text: string) => (text ? parseSmall(text) : USUAL_U_M);
   return (
-    <TextField
+    <CommitField
       says="statistics-reference-u"
       hint={say("statistics-reference-u-hint", { limit: fixedRange(Math.sqrt(3) * now) })}
       unit={unit}
-      value={text ?? smallText(now, lengthUnit.value, 2)}
-      problem={problem}
-      onInput={setText}
-      onChange={send}
+      value={smallText(now, lengthUnit.value, 2)}
+      check={(text) =>
+        (read(text) ?? -1) < 0
+          ? say(unit === "in" ? "statistics-reference-u-inches" : "statistics-reference-u-millimetres")
+          : null
+      }
+      onCommit={(text) => {
+        const metres = Number((read(text) ?? USUAL_U_M).toFixed(6));
+        setFilter({ u_reference_m: metres === USUAL_U_M ? null : String(metres) });
+      }}
     />
   );
 }

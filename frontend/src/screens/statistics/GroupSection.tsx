@@ -52,7 +52,7 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
       wrap
       data-testid="groups"
     >
-      <div class="stat-groups">
+      <div class="grid pad stat-groups">
         <PlotFigure
           name={`${target.target}-by-${grouping}`}
           title={say("statistics-groups-figure", { target: title, grouping })}
@@ -66,7 +66,7 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
                 })
               : undefined
           }
-          legend={curves.map(({ curve: { word, dash, faint, hue } }) => ({ word, dash, faint, hue }))}
+          legend={curves.map(({ curve }) => curve)}
           reason={curves.length === 0 ? say("statistics-groups-nothing", { grouping }) : null}
           data={[target, grouping]}
           options={(plot, unit) => {

@@ -63,7 +63,7 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
     });
   };
   return (
-    <form class="stat-editor" onSubmit={sent(save)}>
+    <form class="stack stack--tight pad" onSubmit={sent(save)}>
       {rows.map((row, at) => (
         <RowFields
           // rows have no name of their own while they are typed
@@ -134,7 +134,7 @@ function RowFields({ row: stored, change, remove }: RowProps) {
   const row = { ...inWords(stored), height: stored.height ?? shown(stored.height_m) };
   const field = fieldsOf(row, change);
   return (
-    <fieldset class="stat-editor__row">
+    <fieldset class="grid grid--6 grid--tight grid--low stat-editor__row">
       <legend class="visually-hidden">{row.name || say("statistics-standard-new")}</legend>
       <TextField says="statistics-standard-name" {...field("name")} required />
       <SelectField says="statistics-standard-for" {...field("what")} options={choices(STANDARD_OF)} />

@@ -1,4 +1,4 @@
-import { useEffect, useState } from "preact/hooks";
+import { useEffect } from "preact/hooks";
 import {
   Button,
   Check,
@@ -14,7 +14,7 @@ import {
 import { PageTabs } from "../../components/PageTabs";
 import { Said } from "../../components/Said";
 import { query } from "../../core/address";
-import { api, fromAddress } from "../../core/api";
+import { fromAddress } from "../../core/api";
 import { useForm } from "../../core/form";
 import { say, sentenceOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
@@ -34,8 +34,7 @@ import { FilterBar } from "./FilterBar";
 import { asInPaper, narrowed, setFilter, statisticsQuery, WIDE } from "./filters";
 import { drawn, GroupSection } from "./GroupSection";
 import { KnownErrorsTable } from "./KnownErrors";
-import type { Comparison, SampleSize } from "./model";
-import { groupWord, isThere, type Lateral, STANDARD_FOR, type Statistics } from "./model";
+import { type Comparison, groupWord, isThere, type Lateral, STANDARD_FOR, type Statistics } from "./model";
 import { Standards, switchedOn } from "./Standards";
 import { SpreadCells, spreadHeads } from "./spread";
 import { TargetSection } from "./TargetSection";
@@ -51,7 +50,7 @@ export default function StatisticsScreen() {
   const errors = query.value.get("tab") === "errors";
   const only = query.value.getAll("survey").length === 1 ? query.value.get("survey") : null;
   return (
-    <div class="page page--alone stat-page">
+    <div class="page page--alone page--wide stat-page">
       <PageHead
         says="page-statistics"
         more={
@@ -75,23 +74,11 @@ export default function StatisticsScreen() {
       {query.value.getAll("survey").map((id) => (
         <OutOfDateNotice key={id} surveyId={Number(id)} computed={found.reload} />
       ))}
-      {data && data.counted.without_time > 0 && (
-        <Notice kind="info">
-          <Said
-            what="statistics-without-time"
-            values={{ count: data.counted.without_time }}
-            parts={{ link: (text) => (only ? <a href={`/surveys/${only}/recordings`}>{text}</a> : text) }}
-          />
-        </Notice>
+      {data && (
+        <Without what="time" count={data.counted.without_time} page={only && `/surveys/${only}/recordings`} />
       )}
-      {data && data.counted.without_class > 0 && (
-        <Notice kind="info">
-          <Said
-            what="statistics-without-class"
-            values={{ count: data.counted.without_class }}
-            parts={{ link: (text) => (only ? <a href={`/surveys/${only}/measure`}>{text}</a> : text) }}
-          />
-        </Notice>
+      {data && (
+        <Without what="class" count={data.counted.without_class} page={only && `/surveys/${only}/measure`} />
       )}
       {only && !narrowed(query.value) && <Conclusion surveyId={Number(only)} of={data} />}
       {only && <ByLot surveyId={Number(only)} />}
@@ -109,6 +96,17 @@ export default function StatisticsScreen() {
         </div>
       )}
     </div>
+  );
+}
+
+/** How many vehicles lack what a filter needs, and where it is filled in. */
+function Without({ what, count, page }: { what: "time" | "class"; count: number; page: string | null }) {
+  if (count === 0) return null;
+  const link = (text: string) => (page ? <a href={page}>{text}</a> : text);
+  return (
+    <Notice kind="info">
+      <Said what={`statistics-without-${what}`} values={{ count }} parts={{ link }} />
+    </Notice>
   );
 }
 
@@ -220,53 +218,31 @@ function Nothing({ found, surveyId }: { found: Statistics; surveyId: string | nu
   );
 }
 
-const PAUSE_MS = 300;
-
 /** How many vehicles a percentile's interval of a wanted width takes. */
 function SamplePlan({ sdM }: { sdM: number | null }) {
   const unit = lengthUnit.value;
   const shown = (metres: number) => lengthText(metres, unit, 3);
-  const form = useForm({ percent: "10", width: shown(0.02), sd: shown(sdM ?? 0.08) });
-  const { percent, width, sd } = form.values;
-  const [found, setFound] = useState<SampleSize | null>(null);
-  const [error, setError] = useState<unknown>(null);
-  useEffect(() => {
-    form.change({ width: shown(0.02), sd: shown(sdM ?? 0.08) });
-  }, [unit]);
-  const asked = [parseNumber(percent), parseLength(width), parseLength(sd)] as const;
-  const complete = asked.every((value) => value !== null);
-  useEffect(() => {
-    const [percent, width_m, sd_m] = asked;
-    if (percent === null || width_m === null || sd_m === null) return;
-    const stop = new AbortController();
-    const timer = setTimeout(() => {
-      const own = { signal: stop.signal };
-      api.ask("GET /statistics/sample-size", { percent, width_m, sd_m }, own).then(
-        (answer) => {
-          setFound(answer);
-          setError(null);
-        },
-        (reason) => {
-          if (!stop.signal.aborted) setError(reason);
-        },
-      );
-    }, PAUSE_MS);
-    return () => {
-      clearTimeout(timer);
-      stop.abort();
-    };
-  }, asked);
+  const { values, change, field } = useForm({ percent: "10", width: shown(0.02), sd: shown(sdM ?? 0.08) });
+  useEffect(() => change({ width: shown(0.02), sd: shown(sdM ?? 0.08) }), [unit]);
+  const [percent, width_m, sd_m] = [
+    parseNumber(values.percent),
+    parseLength(values.width),
+    parseLength(values.sd),
+  ];
+  const complete = percent !== null && width_m !== null && sd_m !== null;
+  const asked = complete ? { percent, width_m, sd_m } : { percent: 0, width_m: 0, sd_m: 0 };
+  const found = useAsked(complete ? "GET /statistics/sample-size" : null, asked, { keep: true });
   return (
     <Panel says="statistics-plan-title" class="stat-noprint">
       <form class="stat-plan" onSubmit={(event) => event.preventDefault()}>
-        <TextField says="statistics-plan-percentile" numeric {...form.field("percent")} />
-        <TextField says="statistics-plan-width" unit={unit} {...form.field("width")} />
-        <TextField says="statistics-plan-sd" unit={unit} {...form.field("sd")} />
+        <TextField says="statistics-plan-percentile" numeric {...field("percent")} />
+        <TextField says="statistics-plan-width" unit={unit} {...field("width")} />
+        <TextField says="statistics-plan-sd" unit={unit} {...field("sd")} />
         <p class="stat-plan__answer" data-testid="sample-size" role="status">
-          {!complete ? say("statistics-plan-incomplete") : error ? "" : sentenceOf(found?.words)}
+          {!complete ? say("statistics-plan-incomplete") : found.error ? "" : sentenceOf(found.data?.words)}
         </p>
       </form>
-      {complete && <Problem error={error} />}
+      {complete && <Problem error={found.error} />}
     </Panel>
   );
 }
@@ -281,13 +257,13 @@ function LateralSection({ lateral }: { lateral: Lateral }) {
   const curves = drawn(lanes, "lane");
   return (
     <Panel says="statistics-lateral-title" data-testid="lateral">
-      <div class="stat-groups">
+      <div class="grid pad stat-groups">
         <PlotFigure
           name="lateral-position"
           title={say("statistics-lateral-figure")}
           says={say("statistics-lateral-says", { count: curves.length })}
           note={say("statistics-lateral-note")}
-          legend={curves.map(({ curve: { word, dash, faint, hue } }) => ({ word, dash, faint, hue }))}
+          legend={curves.map(({ curve }) => curve)}
           reason={curves.length === 0 ? say("statistics-lateral-none") : null}
           data={lateral}
           options={(plot, unit) => {

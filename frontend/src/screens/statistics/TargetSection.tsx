@@ -48,7 +48,7 @@ export function TargetSection({ target, standards }: Props) {
       class="stat-target"
       data-testid={`target-${target.target}`}
     >
-      <div class="stat-target__words small">
+      <div class="stack stack--tight pad stat-target__words small">
         <p data-testid={`correction-${target.target}`}>{sentenceOf(corrected.reason ?? corrected.words)}</p>
         {corrected.warning && <Notice kind="warning">{sentenceOf(corrected.warning)}</Notice>}
       </div>
@@ -157,7 +157,7 @@ export function Shares({ target, standards }: Props) {
     .filter((one) => names.has(`${one.standard.name}|${one.standard.height_m}`));
   if (of === "roof" || shares.length === 0) return null; // no standard speaks of roofs
   return (
-    <ul class="stat-shares" data-testid={`shares-${target.target}`}>
+    <ul class="stack stack--dense stat-shares" data-testid={`shares-${target.target}`}>
       {shares.map((one) => (
         <li key={`${one.standard.name}${one.standard.height_m}`}>
           <Said

@@ -16,7 +16,6 @@ export type Group = OfTarget["groups"][string]["groups"][number];
 export type Lateral = NonNullable<Statistics["lateral"]>;
 export type Comparison = NonNullable<Statistics["comparison"]>;
 export type Percentile = Schemas["Percentile"];
-export type SampleSize = Schemas["SampleSize"];
 
 /** Whether a part was computed, or is only the reason why not. */
 export function isThere<T extends object>(part: T | Reason): part is T {

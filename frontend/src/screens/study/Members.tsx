@@ -30,7 +30,7 @@ export function Members({ studyId }: { studyId: number }) {
         />
         <ul class="study-members">
           {members.map((one) => (
-            <li key={one.id}>
+            <li key={one.id} class="row row--near">
               {one.name}
               {may("operator") && (
                 <IconButton

@@ -76,7 +76,7 @@ function Surveys({ rows, change }: { rows: readonly Row[]; change: (rows: readon
     change([...rows, { survey_id: survey.id, name: survey.name, site, stratum: "", year: "" }]);
   };
   return (
-    <fieldset class="study-surveys">
+    <fieldset class="stack stack--near pad study-surveys">
       <legend>{say("study-joined")}</legend>
       {rows.map((one) => (
         <div class="study-surveys__row" key={one.survey_id}>
@@ -116,7 +116,7 @@ interface TableProps {
 function Table({ example, onInput, ...field }: TableProps) {
   const id = useId();
   return (
-    <div class="study-table">
+    <div class="stack stack--tight study-table">
       <TextField {...field} onInput={onInput} rows={4} placeholder={example} />
       <label class="btn btn--small" for={id}>
         {say("study-choose-file")}

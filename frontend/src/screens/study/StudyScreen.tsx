@@ -28,7 +28,7 @@ export default function StudyScreen() {
 function Chosen({ id }: { id: number }) {
   const page = useAsked("GET /studies/{study_id}", { study_id: id });
   return (
-    <div class="page page--alone study">
+    <div class="page page--alone page--wide study">
       <Loaded of={page} what={say("study-loading")} />
       {page.data && <Page page={page.data} reload={page.reload} />}
     </div>
@@ -134,7 +134,7 @@ function Removing({ study, close }: { study: Study; close: () => void }) {
 
 function Made({ result }: { result: StudyResult }) {
   return (
-    <p class="muted small study-made">
+    <p class="muted small anywhere">
       {say("study-made", {
         moment: formatMoment(result.created_at),
         person: result.created_by?.name ?? say("study-made-by-system"),

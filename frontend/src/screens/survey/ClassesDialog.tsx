@@ -29,7 +29,7 @@ export function ClassesDialog({ survey, close }: { survey: Survey; close: () => 
       <p class="field__hint">{say("classes-help")}</p>
       <Table
         label={say("classes-title")}
-        class="classes"
+        class="table--middle classes"
         heads={[say("classes-class"), say("classes-set"), say("classes-eu"), say("classes-fhwa")]}
       >
         {rows.map((row) => (
@@ -55,22 +55,16 @@ function ClassRow({ row, change }: { row: Typed; change(part: Partial<Typed>): v
           options={choices(CLASS_SET_WORDS)}
         />
       </td>
-      <td>
-        <TextField
-          hideLabel
-          label={say("classes-eu-of", { category: word })}
-          {...field("eu")}
-          problem={euOf(row.eu) ? null : say("classes-eu-problem")}
-        />
-      </td>
-      <td>
-        <TextField
-          hideLabel
-          label={say("classes-fhwa-of", { category: word })}
-          {...field("fhwa")}
-          problem={fhwaOf(row.fhwa) ? null : say("classes-fhwa-problem")}
-        />
-      </td>
+      {(["eu", "fhwa"] as const).map((name) => (
+        <td key={name}>
+          <TextField
+            hideLabel
+            label={say(`classes-${name}-of`, { category: word })}
+            {...field(name)}
+            problem={READ[name](row[name]) ? null : say(`classes-${name}-problem`)}
+          />
+        </td>
+      ))}
     </tr>
   );
 }
@@ -99,6 +93,8 @@ export function fhwaOf(text: string): number[] | null {
   });
   return found.every(Number.isInteger) ? found : null;
 }
+
+const READ = { eu: euOf, fhwa: fhwaOf };
 
 function readClass({ category, class_set, eu, fhwa }: Typed): VehicleClass | null {
   const [inEu, inFhwa] = [euOf(eu), fhwaOf(fhwa)];

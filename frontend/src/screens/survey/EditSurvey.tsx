@@ -52,6 +52,7 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
         <legend>{say("survey-insets")}</legend>
         <p class="field__hint">{say("survey-insets-help")}</p>
         <Table
+          class="below"
           heads={[
             say("survey-insets-target"),
             num(say("survey-insets-inset", { unit })),

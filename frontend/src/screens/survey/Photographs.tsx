@@ -17,7 +17,7 @@ export function Photographs({ surveyId }: { surveyId: number }) {
   if (!read.data) return <Problem error={read.error} />;
   if (read.data.length === 0 && !mayChange) return null;
   return (
-    <section class="photographs" aria-labelledby="photographs-title">
+    <section class="stack stack--near photographs" aria-labelledby="photographs-title">
       <h2 id="photographs-title">{say("photographs-title")}</h2>
       <p class="muted">{say("photographs-help")}</p>
       {read.data.length > 0 && (
@@ -71,7 +71,7 @@ function Card({ one, mayChange, earlier, later, caption, remove }: CardProps) {
   useEffect(() => setText(one.caption), [one.caption]);
   const photograph = one.caption || one.name;
   return (
-    <li class="photograph">
+    <li class="stack stack--tight photograph">
       <a
         class="photograph__picture"
         href={one.url}
@@ -93,7 +93,7 @@ function Card({ one, mayChange, earlier, later, caption, remove }: CardProps) {
             onInput={(event) => setText(event.currentTarget.value)}
             onChange={(event) => caption(event.currentTarget.value)}
           />
-          <div class="photograph__tools">
+          <div class="row row--near">
             <span class="clip small muted grow" title={one.name}>
               {one.name}
             </span>

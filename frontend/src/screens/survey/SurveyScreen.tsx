@@ -3,7 +3,7 @@ import { Button, Icon, JobProgress, Loading, Notice, PageHead, Shape } from "../
 import { linkTo, Said } from "../../components/Said";
 import { isOver } from "../../core/jobs";
 import { say, sentencesOf, wordsOf } from "../../core/messages";
-import { type ScreenProps, titleOf } from "../../core/places";
+import { addressOf, type ScreenProps, titleOf } from "../../core/places";
 import { useAsked, useEvery } from "../../core/resource";
 import { may } from "../../core/session";
 import { survey as openSurvey, refreshSurvey } from "../../core/survey";
@@ -57,7 +57,7 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
       ))}
       <OutOfDateNotice surveyId={survey.id} />
       <TrafficOf survey={survey} edit={() => setEditing(true)} />
-      <ol class="steps">
+      <ol class="panel">
         {survey.steps.map((step, index) => (
           <StepRow key={step.key} step={step} index={index} survey={survey} />
         ))}
@@ -100,13 +100,13 @@ function LineScans({ survey }: { survey: Survey }) {
       </p>
     );
   return (
-    <section class="steps" aria-label={say("survey-scans-label")} data-testid="line-scans">
+    <section class="panel" aria-label={say("survey-scans-label")} data-testid="line-scans">
       <div class={`step step--${scans.state === "done" ? "done" : "next"}`}>
         <span class="step__number step__number--plain" aria-hidden="true">
           {scans.state === "done" ? <Shape shape="check" size={24} /> : <Icon name="scan" size={20} />}
         </span>
         <div class="step__words">
-          <h2>
+          <h2 class="row row--base">
             <a href={href}>{titleOf("scans")}</a>
             <span class="step__state">{scans.state === "done" ? STATE_WORDS.done : STATE_WORDS.to_do}</span>
           </h2>
@@ -135,14 +135,14 @@ const VERBS: Readonly<Record<Step["key"], string>> = wordsOf("survey-go-");
 
 function StepRow({ step, index, survey }: { step: Step; index: number; survey: Survey }) {
   const entry = entryOfStep(step.key);
-  const href = entry.address(survey.id);
+  const href = addressOf(entry.name, survey.id);
   return (
     <li class={`step step--${step.state}`}>
       <span class="step__number" aria-hidden="true">
         {step.state === "done" ? <Shape shape="check" size={24} /> : index + 1}
       </span>
       <div class="step__words">
-        <h2>
+        <h2 class="row row--base">
           <a href={href}>{titleOf(entry.name)}</a>
           <span class="step__state">{STATE_WORDS[step.state]}</span>
         </h2>

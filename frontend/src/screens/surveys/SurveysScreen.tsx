@@ -1,6 +1,16 @@
 import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
-import { Button, Empty, JobProgress, Loading, Notice, PageHead, Problem, StateMark } from "../../components";
+import {
+  Button,
+  Empty,
+  JobProgress,
+  Loading,
+  Notice,
+  PageHead,
+  Problem,
+  Progress,
+  StateMark,
+} from "../../components";
 import { linkTo, Said } from "../../components/Said";
 import { isOver } from "../../core/jobs";
 import { say, sentenceOf, sentencesOf } from "../../core/messages";
@@ -154,9 +164,9 @@ export function SurveyCard({ survey }: { survey: Survey }) {
   const made = { recordings: counts.recordings, day: formatDay(survey.created_at) };
   const parts = { made: (text: string) => <span title={survey.created_at}>{text}</span> };
   return (
-    <article class="card">
-      <header>
-        <h2>
+    <article class="stack stack--tight panel card">
+      <header class="row row--apart row--far">
+        <h2 class="anywhere">
           <a href={`/surveys/${survey.id}`} class="card__link">
             {survey.name}
           </a>
@@ -201,22 +211,19 @@ export function SurveyCard({ survey }: { survey: Survey }) {
 function Tally({ label, done, of }: { label: string; done: number; of: number }) {
   const share = of > 0 ? done / of : 0;
   return (
-    <div class="tally">
-      <span class="tally__label">{label}</span>
-      <span class="tally__figure">
-        <Said what="surveys-tally" values={{ done, all: of }} />
-      </span>
-      <span class="tally__track" aria-hidden="true">
-        <span style={{ width: `${share * 100}%` }} />
-      </span>
-    </div>
+    <Progress
+      still
+      value={share}
+      label={label}
+      figure={<Said what="surveys-tally" values={{ done, all: of }} />}
+    />
   );
 }
 
 function DemoCard({ job }: { job: Job }) {
   return (
-    <article class="card">
-      <header>
+    <article class="stack stack--tight panel card">
+      <header class="row row--apart row--far">
         <h2>{say("surveys-demo-title")}</h2>
         <span class="badge">{say("surveys-demo-being-made")}</span>
       </header>

@@ -1,14 +1,12 @@
 /** How the installation is doing, for administrators: the same figures that Prometheus reads. */
 import inPages from "virtual:licences";
 import { useState } from "preact/hooks";
-import { Button, DataTable, Empty, Loading, Problem } from "../../components";
+import { Button, DataTable, Empty, Facts, Loaded, Loading, PageHead, Panel, Problem } from "../../components";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
-import type { AnswerOf } from "../../core/routes";
-import "./checkpoints.css";
-import { Facts, Loaded, PageHead, Panel } from "../../components";
 import { say } from "../../core/messages";
 import { useAsked, useEvery } from "../../core/resource";
+import type { AnswerOf } from "../../core/routes";
 import { formatMoment } from "../../core/times";
 import { formatBytes, formatCount } from "../../core/units";
 import { STATE_WORDS } from "../../core/words";
@@ -104,7 +102,7 @@ function Checkpoints() {
       aside={<Button says="system-checkpoints-sign" busy={busy} onClick={() => void sign()} />}
       data-testid="checkpoints"
     >
-      <div class="panel__body checkpoints">
+      <div class="panel__body stack stack--near">
         <p class="muted">{say("system-checkpoints-lead")}</p>
         <Problem error={problem ?? found.error} again={found.reload} />
         {!found.data && found.loading && <Loading what={say("system-checkpoints-loading")} />}
@@ -122,7 +120,7 @@ function Key({ listed }: { listed: Listed }) {
         [
           say("system-checkpoints-key"),
           <>
-            <code class="checkpoints__key">{listed.key}</code>
+            <code class="anywhere">{listed.key}</code>
             {listed.keys_before > 0 && (
               <div class="small muted">
                 {say("system-checkpoints-keys-before", { count: listed.keys_before })}
@@ -140,7 +138,7 @@ function List({ listed }: { listed: Listed }) {
   return (
     <DataTable
       label={say("system-checkpoints")}
-      scroll="checkpoints__list"
+      scroll="tall"
       rows={listed.newest}
       keyOf={(one) => one.id}
       columns={({ col, num, actions }) => [

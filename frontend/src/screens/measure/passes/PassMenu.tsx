@@ -26,7 +26,7 @@ export function PassMenu({ model }: { model: MeasureModel }) {
       class="btn btn--quiet btn--small pass-menu"
     >
       {proposed && (
-        <button type="button" class="menu__item" onClick={() => confirmPass(model)}>
+        <button type="button" class="row menu__item" onClick={() => confirmPass(model)}>
           {say("measure-pass-confirm", { lighting: proposed })}
         </button>
       )}

@@ -20,7 +20,11 @@ export function ProposalPanel({ model }: { model: MeasureModel }) {
   const frame = model.vehicle.value && proposals.frameOf(model.vehicle.value.id, missing);
   const shown = proposals.shown.value;
   return (
-    <section class="proposed" aria-label={say("measure-proposed-title")} data-testid="proposed">
+    <section
+      class="stack stack--tight proposed"
+      aria-label={say("measure-proposed-title")}
+      data-testid="proposed"
+    >
       {shown && (
         <>
           <div class="proposed__points">
@@ -100,7 +104,7 @@ function Reasons({ all, missing }: { all: readonly PointProposal[]; missing: rea
       {reasons.map((code) => {
         const of = refused.filter(({ reason }) => reason === code).map(({ target }) => TARGET_WORDS[target]);
         return (
-          <p key={code} class="proposed__reason muted small">
+          <p key={code} class="muted small">
             <strong>{of.join(", ")}</strong> {sayCode({ code, values: {} })}
           </p>
         );
