@@ -33,7 +33,7 @@ NOTCH_M, THERE = 0.010, 2.5
 CLEAR_SHARE = 0.4
 # What differs from the road lies at most so far before its half-way edge, metres, by optics and noise.
 TOLD_M = 0.011
-# The five of the next two lines were found from the errors of 960 ends of 480 bodies (seeds 8801 and 8901).
+# The next four were found from the errors of the ends of 480 simulated bodies (seeds 8801 and 8901).
 # Greys that change behind an edge change alike in all bands: by so many times their mean a round end is off,
 # and a flat one.
 ROUND_GREY, FLAT_GREY = 1.0, 0.4
