@@ -8,6 +8,7 @@ afterEach(() => render(null, document.body));
 it("says which heights its tally is of where those of line scans are among them", () => {
   const told = (heights_accepted: number) => {
     const counts = {
+      recordings: 2,
       vehicles: 20,
       vehicles_measured: 20,
       accepted: 42 + heights_accepted,
@@ -18,7 +19,7 @@ it("says which heights its tally is of where those of line scans are among them"
     const scans = { ...none, heights_to_review: 0, heights_rejected: 0, heights_accepted };
     const survey = { id: 1, name: "Rouen", created_at: "2026-05-03T08:10:00Z", steps: [], counts, scans };
     render(<SurveyCard survey={survey as unknown as Survey} />, document.body);
-    return document.querySelectorAll(".tally")[1]?.textContent;
+    return document.querySelectorAll(".progress__words")[1]?.textContent;
   };
   expect(told(0)).toMatch(/^Heights reviewed\D*42\D+57/);
   expect(told(2)).toMatch(/^Heights reviewed \(frames and line scans\)\D*44\D+59/);
