@@ -7931,7 +7931,7 @@ report-fig-height-above = Height of the { $target } above the road ({ $unit })
 report-fig-height = Height of the { $target } ({ $unit })
 report-fig-share = Share of vehicles (%)
 report-fig-share-below = { $standard }, { $share } below
-report-fig-cumulative-caption = All classes together. Solid line: heights corrected by the inset. Points: percentiles of true heights with their total 95 % intervals.
+report-fig-cumulative-caption = All classes together. Solid line: heights corrected by the inset. Points: percentiles of true heights with their total 95 % intervals. Shares below standards are of true heights, too.
 report-fig-density = Heights of the { $target }, density
 report-fig-density-axis = Density (per { $unit })
 report-fig-density-caption = Corrected heights, n = { $n }; Gaussian kernel, bandwidth { $width }.

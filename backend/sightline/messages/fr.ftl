@@ -7988,7 +7988,7 @@ report-fig-height-above = Hauteur au-dessus de la route : { $target } ({ $unit 
 report-fig-height = Hauteur : { $target } ({ $unit })
 report-fig-share = Part des véhicules (%)
 report-fig-share-below = { $standard }, { $share } au-dessous
-report-fig-cumulative-caption = Toutes classes comprises. Trait plein : hauteurs corrigées de leur retrait. Points : centiles des hauteurs vraies avec leurs intervalles totaux à 95 %.
+report-fig-cumulative-caption = Toutes classes comprises. Trait plein : hauteurs corrigées de leur retrait. Points : centiles des hauteurs vraies avec leurs intervalles totaux à 95 %. Les parts sous les normes sont, elles aussi, celles des hauteurs vraies.
 report-fig-density = Hauteurs, densité : { $target }
 report-fig-density-axis = Densité (par { $unit })
 report-fig-density-caption = Hauteurs corrigées, n = { $n } ; noyau gaussien, largeur de bande { $width }.
