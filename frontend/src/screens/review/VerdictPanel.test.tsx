@@ -33,24 +33,27 @@ it.each([
   ["snapped", MARIE, "contact snapped to the tyre, target clicked by Marie", AT],
   ["clicked", MARIE, "clicked by Marie", AT],
   ["clicked", RENE, "clicked by Marie", ""], // he restored it, at another time
-] as [Made, typeof MARIE, string, string][])("points that were %s, stored by %o", async (made, by, words, at) => {
-  const measurement = server.save(1, {
-    target: "roof",
-    frame: 40,
-    contact: [100, 400],
-    target_point: [101, 250],
-    revision: 1,
-    withdrawn: false,
-    made,
-    created_by: by,
-    created_at: "2026-11-26T10:00:00Z",
-  });
-  const judged = { blind: false, signs: [], error_m: null, U95_error_m: null, operator: MARIE };
-  const item = { measurement, mine: false, vehicle: { number: 3 }, judged } as unknown as ReviewItem;
-  server.on("GET", /\/review-queue/, () => [item]);
-  const model = new ReviewModel(5);
-  await model.load();
-  render(<VerdictPanel model={model} item={item} />, box);
-  const said = box.querySelector('[data-testid="review-made"]')?.textContent;
-  expect(at ? said?.startsWith(words + at) : said === words).toBe(true);
-});
+] as [Made, typeof MARIE, string, string][])(
+  "points that were %s, stored by %o",
+  async (made, by, words, at) => {
+    const measurement = server.save(1, {
+      target: "roof",
+      frame: 40,
+      contact: [100, 400],
+      target_point: [101, 250],
+      revision: 1,
+      withdrawn: false,
+      made,
+      created_by: by,
+      created_at: "2026-11-26T10:00:00Z",
+    });
+    const judged = { blind: false, signs: [], error_m: null, U95_error_m: null, operator: MARIE };
+    const item = { measurement, mine: false, vehicle: { number: 3 }, judged } as unknown as ReviewItem;
+    server.on("GET", /\/review-queue/, () => [item]);
+    const model = new ReviewModel(5);
+    await model.load();
+    render(<VerdictPanel model={model} item={item} />, box);
+    const said = box.querySelector('[data-testid="review-made"]')?.textContent;
+    expect(at ? said?.startsWith(words + at) : said === words).toBe(true);
+  },
+);

@@ -12,7 +12,9 @@ afterEach(() => {
 it("says no number of vehicles until the one of what is typed now has come", async () => {
   const server = new FakeServer();
   let answer = (_: object) => {};
-  const words = (vehicles: number) => ({ words: { code: "x", values: {}, message: `${vehicles} vehicles.` } });
+  const words = (vehicles: number) => ({
+    words: { code: "x", values: {}, message: `${vehicles} vehicles.` },
+  });
   server.on("GET", /^\/statistics\/sample-size\?percent=10&/, () => words(155));
   server.on("GET", /^\/statistics\/sample-size\?percent=15&/, () => new Promise((come) => (answer = come)));
   render(<SamplePlan sdM={0.08} />, document.body);

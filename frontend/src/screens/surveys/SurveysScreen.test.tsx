@@ -27,7 +27,14 @@ it("says which heights its tally is of where those of line scans are among them"
 
 it("shows no bar where nothing is done, and a full one only where all is", () => {
   const told = (vehicles_measured: number) => {
-    const counts = { recordings: 1, vehicles: 300, vehicles_measured, accepted: 0, rejected: 0, to_review: 0 };
+    const counts = {
+      recordings: 1,
+      vehicles: 300,
+      vehicles_measured,
+      accepted: 0,
+      rejected: 0,
+      to_review: 0,
+    };
     const scans = { scans: 0, heights_to_review: 0, heights_rejected: 0, heights_accepted: 0 };
     const survey = { id: 1, name: "Rouen", created_at: "2026-05-03T08:10:00Z", steps: [], counts, scans };
     render(<SurveyCard survey={survey as unknown as Survey} />, document.body);
