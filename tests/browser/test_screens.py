@@ -135,7 +135,7 @@ def look_at(page: Page, name: str, variant: str, folder: Path) -> list[str]:
     """What is wrong with the page as it stands, but for axe; its picture goes to `folder`."""
     settle(page)
     page.screenshot(path=folder / f"{name}-{variant}.png")
-    seen = overflows(page) + clipped_away(page) + columns_out_of_sight(page)
+    seen = overflows(page) + clipped_away(page) + columns_out_of_sight(page) + squeezed(page)
     return [f"{name} {variant}: {one}" for one in seen]
 
 
@@ -202,6 +202,16 @@ def clipped_away(page: Page) -> list[str]:
           .filter(e => getComputedStyle(e).clipPath === 'inset(50%)'
             && !e.matches('.visually-hidden'))
           .slice(0, 5).map(e => `cannot be seen: ${e.tagName} ${e.textContent}`)"""
+    )
+    return found
+
+
+def squeezed(page: Page) -> list[str]:
+    """Icons of buttons that their words leave no room for."""
+    found: list[str] = page.evaluate(
+        """() => [...document.querySelectorAll('.btn > svg[width]')]
+          .filter(e => e.checkVisibility() && e.getBoundingClientRect().width < e.width.baseVal.value - 1)
+          .slice(0, 5).map(e => `no room for the icon of: ${e.parentElement.textContent}`)"""
     )
     return found
 

@@ -470,7 +470,7 @@ system-checkpoints-keys-before = { $count ->
     [one] It replaced { $count } earlier key, which signed it.
    *[other] It replaced { $count } earlier keys; each signed the next.
   }
-system-checkpoints-none = No checkpoints yet.
+system-checkpoints-none = No checkpoints yet
 system-checkpoints-chains = Chains
 system-checkpoints-events = Events
 system-checkpoints-root = Root
@@ -2072,10 +2072,10 @@ review-inset = Inset
 review-inset-estimate = { $inset } (u = { $u_inset }, estimate)
 review-points-set = Points
 review-made-by = { $made ->
-    [snapped] contact snapped to the tyre, target clicked by { $person }, { $time }
-    [confirmed] suggested, confirmed by { $person }, { $time }
-    [moved] suggested, moved by { $person }, { $time }
-   *[clicked] clicked by { $person }, { $time }
+    [snapped] contact snapped to the tyre, target clicked by { $person }
+    [confirmed] suggested, confirmed by { $person }
+    [moved] suggested, moved by { $person }
+   *[clicked] clicked by { $person }
 }
 
 ## Review: the verdict
@@ -2627,11 +2627,14 @@ scan-wheelbase = Wheelbase
 scan-wheelbase-none = not clicked
 scan-axles = Axles
 scan-axles-of = { $count ->
-    [0] no wheel found
-   *[other] { $count }
-}, { $by ->
-    [person] corrected by hand
-   *[machine] found by Sightline
+    [0] { $by ->
+        [person] none, corrected by hand
+       *[machine] no wheel found
+    }
+   *[other] { $count }, { $by ->
+        [person] corrected by hand
+       *[machine] found by Sightline
+    }
 }
 scan-axles-correct = Correct the axles
 scan-axles-title = Click a hub to add an axle, a line to remove it
@@ -2641,7 +2644,7 @@ scan-step-lane = lane of vehicle { $vehicle }
 scan-step-axles = axles of vehicle { $vehicle }
 scan-passed = Passed
 scan-passed-at = { $day }, { $time }
-scan-passed-within = { $time } ± { $U95_s } s
+scan-passed-within = { $time } ± { $U95_s } s
 scan-passed-unknown = Time of day unknown: the start of the recording is not confirmed
 scan-lane = Lane
 scan-lane-unknown = lane not known

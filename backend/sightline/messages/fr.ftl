@@ -468,7 +468,7 @@ system-checkpoints-keys-before = { $count ->
     [one] Elle remplace { $count } clé antérieure, qui l’a signée.
    *[other] Elle remplace { $count } clés antérieures ; chacune a signé la suivante.
   }
-system-checkpoints-none = Aucun point de contrôle pour l’instant.
+system-checkpoints-none = Aucun point de contrôle pour l’instant
 system-checkpoints-chains = Chaînes
 system-checkpoints-events = Événements
 system-checkpoints-root = Racine
@@ -2071,10 +2071,10 @@ review-inset = Retrait
 review-inset-estimate = { $inset } (u = { $u_inset }, estimation)
 review-points-set = Points
 review-made-by = { $made ->
-    [snapped] contact accroché au pneu, cible pointée par { $person }, { $time }
-    [confirmed] proposés, confirmés par { $person }, { $time }
-    [moved] proposés, déplacés par { $person }, { $time }
-   *[clicked] pointés par { $person }, { $time }
+    [snapped] contact accroché au pneu, cible pointée par { $person }
+    [confirmed] proposés, confirmés par { $person }
+    [moved] proposés, déplacés par { $person }
+   *[clicked] pointés par { $person }
 }
 
 ## Vérification : la décision
@@ -2626,11 +2626,14 @@ scan-wheelbase = Empattement
 scan-wheelbase-none = non pointé
 scan-axles = Essieux
 scan-axles-of = { $count ->
-    [0] aucune roue trouvée
-   *[other] { $count }
-}, { $by ->
-    [person] corrigé à la main
-   *[machine] trouvé par Sightline
+    [0] { $by ->
+        [person] aucun, corrigé à la main
+       *[machine] aucune roue trouvée
+    }
+   *[other] { $count }, { $by ->
+        [person] corrigés à la main
+       *[machine] trouvés par Sightline
+    }
 }
 scan-axles-correct = Corriger les essieux
 scan-axles-title = Cliquez sur un moyeu pour ajouter un essieu, sur un trait pour le retirer
@@ -2638,9 +2641,9 @@ scan-axles-again = Rechercher les essieux
 scan-click-axle = Cliquez sur le moyeu d’une roue pour ajouter son essieu, ou sur le trait d’un essieu pour le retirer ; Échap termine.
 scan-step-lane = voie du véhicule { $vehicle }
 scan-step-axles = essieux du véhicule { $vehicle }
-scan-passed = Passé
+scan-passed = Passage
 scan-passed-at = { $day }, { $time }
-scan-passed-within = { $time } ± { $U95_s } s
+scan-passed-within = { $time } ± { $U95_s } s
 scan-passed-unknown = Heure inconnue : le début de l’enregistrement n’est pas confirmé
 scan-lane = Voie
 scan-lane-unknown = voie inconnue
@@ -3819,8 +3822,8 @@ planning-forms-printed = Imprimée : son membre de droite
 planning-forms-corrected = Corrigée : son terme central
 planning-forms-error = Erreur de la vitesse
 planning-forms-says = Remarque
-planning-forms-says-printed = n + 2 lignes sont comptées au lieu de n, divisé par n + 2. Les 6600 Hz imprimés en viennent ; les 1,3 % imprimés vont aux deux formes.
-planning-forms-says-corrected = n + 2 lignes sont comptées au lieu de n, divisé par n, comme dans le terme central 2 s / (b f). Un peu plus prudent.
+planning-forms-says-printed = n + 2 lignes sont comptées au lieu de n, et l’écart est rapporté à n + 2. Les 6600 Hz imprimés en découlent ; les 1,3 % imprimés s’accordent avec les deux formes.
+planning-forms-says-corrected = n + 2 lignes sont comptées au lieu de n, et l’écart est rapporté à n, comme dans le terme central 2 s / (b f). Un peu plus prudent.
 planning-forms-line-rate = Cadence pour { $error }
 planning-forms-line-rate-value = { $line_rate_hz } Hz
 planning-forms-error-at = Erreur à { $line_rate_hz } Hz
@@ -4347,7 +4350,7 @@ people-link-copied = Le lien est dans le presse-papiers.
 ## Audit : la page
 
 audit-lead = Chaque modification est un événement d’une chaîne de hachage. Toute retouche ou suppression ultérieure rompt la chaîne.
-audit-numbers = Chaque relevé a sa propre chaîne ; les modifications hors relevé en ont une autre. Les numéros comptent les événements d’une chaîne : une liste filtrée a des trous. Vérifiez la chaîne pour savoir s’il en manque.
+audit-numbers = Chaque relevé a sa propre chaîne ; les modifications hors relevé en ont une autre. Les numéros comptent les événements d’une chaîne : une liste filtrée a des trous. Contrôlez la chaîne pour savoir s’il en manque.
 audit-loading = journal d’audit
 audit-survey = Relevé
 audit-survey-all = Tous

@@ -123,7 +123,9 @@ interface ProgressProps {
 }
 
 export function Progress({ value, label, figure, still }: ProgressProps) {
-  const percent = Math.round(Math.max(0, Math.min(1, value)) * 100);
+  const share = value > 0 ? Math.min(1, value) : 0;
+  // all of it is said of nothing less
+  const percent = share < 1 ? Math.min(99, Math.round(100 * share)) : 100;
   return (
     <div class={`stack stack--dense progress${still ? " progress--still" : ""}`}>
       <div class="progress__words">
@@ -138,7 +140,7 @@ export function Progress({ value, label, figure, still }: ProgressProps) {
         aria-valuemin={0}
         aria-valuemax={100}
       >
-        <div class="progress__bar" style={{ width: `${percent}%` }} />
+        {share > 0 && <div class="progress__bar" style={{ width: `${100 * share}%` }} />}
       </div>
     </div>
   );

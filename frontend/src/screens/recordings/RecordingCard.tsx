@@ -203,6 +203,9 @@ function kindOf(name: string, container: string): string {
   return kinds.includes(ending) ? ending : kinds.slice(0, 2).join("/");
 }
 
+/** It ends a line and begins none. */
+const BETWEEN = "\u00a0\u00a0·  ";
+
 function Facts({ recording, passes }: Pick<Props, "recording" | "passes">) {
   const { width_px, height_px, frame_count, duration_s, codec, container } = recording;
   const rate = frame_count && duration_s ? frame_count / duration_s : null;
@@ -225,21 +228,21 @@ function Facts({ recording, passes }: Pick<Props, "recording" | "passes">) {
           <strong data-testid={`passes-of-${recording.id}`}>
             {say("recordings-passes", { count: passes })}
           </strong>
-          {"  ·  "}
+          {BETWEEN}
         </>
       )}
-      {facts.join("  ·  ")}
+      {facts.join(BETWEEN)}
       <span
         class="muted"
         title={recording.sha256 ? say("recordings-sha256", { sha256: recording.sha256 }) : undefined}
       >
-        {"  ·  "}
+        {BETWEEN}
         {formatMoment(recording.created_at)}
         {recording.sha256 && (
-          <span class="nowrap">
-            {"  ·  "}
+          <>
+            {BETWEEN}
             <code>{recording.sha256.slice(0, 12)}</code>
-          </span>
+          </>
         )}
       </span>
     </p>

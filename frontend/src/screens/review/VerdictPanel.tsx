@@ -92,11 +92,13 @@ function Known({ item }: { item: ReviewItem }) {
         ],
         [
           say("review-points-set"),
-          say("review-made-by", {
-            made,
-            person: judged.operator?.name ?? say("person-unknown"),
-            time: formatMoment(m.created_at),
-          }),
+          [
+            say("review-made-by", { made, person: judged.operator?.name ?? say("person-unknown") }),
+            // a revision of somebody else, who restored or computed it, has another time than the clicks
+            m.created_by?.id === judged.operator?.id && formatMoment(m.created_at),
+          ]
+            .filter(Boolean)
+            .join(", "),
           "review-made",
         ],
       ]}

@@ -1,4 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { say, speak } from "../../core/messages";
 import { me } from "../../core/session";
 import { toasts } from "../../core/toasts";
 import type { StripPoint } from "../../parts/strips/view";
@@ -272,4 +273,16 @@ describe("judging vehicles of a line scan", () => {
     await quiet();
     expect(model.chosenId.value).toBe(5);
   });
+});
+
+it("axles that are none were found by nobody", async () => {
+  const told = (count: number, by: "person" | "machine") => say("scan-axles-of", { count, by });
+  expect(told(0, "machine")).toBe("no wheel found");
+  expect(told(0, "person")).toBe("none, corrected by hand");
+  expect(told(2, "machine")).toBe("2, found by Sightline");
+  vi.useRealTimers();
+  await speak("fr");
+  expect(told(2, "machine")).toBe("2, trouvés par Sightline");
+  expect(told(3, "person")).toBe("3, corrigés à la main");
+  await speak("en");
 });

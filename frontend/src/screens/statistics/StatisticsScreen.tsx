@@ -219,7 +219,7 @@ function Nothing({ found, surveyId }: { found: Statistics; surveyId: string | nu
 }
 
 /** How many vehicles a percentile's interval of a wanted width takes. */
-function SamplePlan({ sdM }: { sdM: number | null }) {
+export function SamplePlan({ sdM }: { sdM: number | null }) {
   const unit = lengthUnit.value;
   const shown = (metres: number) => lengthText(metres, unit, 3);
   const { values, change, field } = useForm({ percent: "10", width: shown(0.02), sd: shown(sdM ?? 0.08) });
@@ -231,7 +231,8 @@ function SamplePlan({ sdM }: { sdM: number | null }) {
   ];
   const complete = percent !== null && width_m !== null && sd_m !== null;
   const asked = complete ? { percent, width_m, sd_m } : { percent: 0, width_m: 0, sd_m: 0 };
-  const found = useAsked(complete ? "GET /statistics/sample-size" : null, asked, { keep: true });
+  // an answer goes at once when something else is typed: its number is of what it was asked with
+  const found = useAsked(complete ? "GET /statistics/sample-size" : null, asked);
   return (
     <Panel says="statistics-plan-title" class="stat-noprint">
       <form class="stat-plan" onSubmit={(event) => event.preventDefault()}>
@@ -239,7 +240,7 @@ function SamplePlan({ sdM }: { sdM: number | null }) {
         <TextField says="statistics-plan-width" unit={unit} {...field("width")} />
         <TextField says="statistics-plan-sd" unit={unit} {...field("sd")} />
         <p class="stat-plan__answer" data-testid="sample-size" role="status">
-          {!complete ? say("statistics-plan-incomplete") : found.error ? "" : sentenceOf(found.data?.words)}
+          {complete ? sentenceOf(found.data?.words) : say("statistics-plan-incomplete")}
         </p>
       </form>
       {complete && <Problem error={found.error} />}

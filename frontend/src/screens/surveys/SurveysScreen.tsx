@@ -173,7 +173,7 @@ export function SurveyCard({ survey }: { survey: Survey }) {
         </h2>
         {survey.is_demo && <span class="badge">{say("survey-demonstration")}</span>}
       </header>
-      <p class="muted clip" title={survey.site || undefined}>
+      <p class="muted">
         {survey.site ? (
           <Said what="surveys-card-with-site" values={{ site: survey.site, ...made }} parts={parts} />
         ) : (
