@@ -1,6 +1,7 @@
 /** A reviewer reads how the points were set, and by whom. */
 import { render } from "preact";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { formatMoment } from "../../core/times";
 import type { Made, ReviewItem } from "../../core/types";
 import { FakeServer, recording } from "../../testing/server";
 import { ReviewModel } from "./model";
@@ -38,15 +39,16 @@ it.each([
     withdrawn: false,
     made,
     created_by: { id: 3, name: "René" }, // restored it
-    created_at: "2026-11-26T10:00:00Z",
+    created_at: "2026-11-26T10:00:00Z", // when it was restored
   });
   const operator = { id: 2, name: "Marie" };
-  const judged = { blind: false, signs: [], error_m: null, U95_error_m: null, operator };
+  const clicked_at = "2026-11-24T10:00:00Z";
+  const judged = { blind: false, signs: [], error_m: null, U95_error_m: null, operator, clicked_at };
   const item = { measurement, mine: false, vehicle: { number: 3 }, judged } as unknown as ReviewItem;
   server.on("GET", /\/review-queue/, () => [item]);
   const model = new ReviewModel(5);
   await model.load();
   render(<VerdictPanel model={model} item={item} />, box);
   const said = box.querySelector('[data-testid="review-made"]')?.textContent;
-  expect(said?.startsWith(words)).toBe(true);
+  expect(said).toBe(words + formatMoment(clicked_at));
 });

@@ -95,7 +95,7 @@ function Known({ item }: { item: ReviewItem }) {
           say("review-made-by", {
             made,
             person: judged.operator?.name ?? say("person-unknown"),
-            time: formatMoment(m.created_at),
+            time: formatMoment(judged.clicked_at),
           }),
           "review-made",
         ],
