@@ -135,7 +135,7 @@ def what_is_said_of_all_is_of_them(place: Path, kept: set[str]) -> None:
     files = FolderFiles(place)
     made, path = statistics_of(files), place / "tables" / "measurements.csv"
     before, written = report_facts(files, made, {}), path.read_bytes()
-    another = {"created_at": "2020-01-01T00:00:00.000000Z", "pose_id": "99", "code_version": "0.0.1"}
+    another = {"clicked_at": "2020-01-01T00:00:00.000000Z", "pose_id": "99", "code_version": "0.0.1"}
     edit(place, "measurements.csv", lambda row: row["vehicle_id"] not in kept, **another)
     after = report_facts(files, made, {})
     assert (after.first_day, after.code_versions) == (before.first_day, before.code_versions)

@@ -378,7 +378,7 @@ def test_the_package_marks_what_is_out_of_date_as_the_pages_do(
         place = written(services, ground.survey_id, tmp_path / name)
         found = verify_package(FolderFiles(place))
         assert found.ok, found.problem
-        assert list(rows(place, "measurements.csv")[0])[-2:] == ["out_of_date", "operator_id"]  # appended
+        assert list(rows(place, "measurements.csv")[0])[-3:] == ["out_of_date", "operator_id", "clicked_at"]
         marks = {int(row["id"]): row["out_of_date"] for row in rows(place, "measurements.csv")}
         again = {int(row["id"]): row["out_of_date"] for row in rows(place, "repeats.csv")}
         assert again == {repeat["id"]: marks[roof["id"]], withdrawn["id"]: ""}  # clicked alike, marked alike

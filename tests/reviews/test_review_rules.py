@@ -1,18 +1,23 @@
 """Reviews: never one's own, a rejection goes back with its reason, a fix is a new revision, counts follow."""
 
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
-from sightline.export.measured import measured_in
+from sightline.export.measured import measured_in, statistics_of
+from sightline.export.report.package_facts import report_facts
 from sightline.export.verify.package import verify_package
 from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.services import Services
+from sightline.measurements import store as measurements_store
 from sightline.quality.repeats.query import measurements_to_click_again
 from sightline.results.measured_columns_query import load_measured_columns
 from sightline.reviews import order_query
 from sightline.reviews.lots.query import waiting_measurements
+from sightline.reviews.lots.service import _groups
 from sightline.reviews.order_query import standing_order
 from tests.scans.test_scan_again import in_survey
 from tests.support import scans_samples
@@ -68,6 +73,40 @@ def test_points_stay_ones_own_when_somebody_else_withdraws_and_restores_them(
     assert operator.delete(f"{path}?revision=1").status_code == 200
     back = operator.post(f"{path}/restore", {"revision": 2}).json()
     assert back["created_by"]["name"] == "Operator"
+    assert judge(reviewer, back, "accepted").status_code == 403
+    assert judge(admin, back, "accepted").status_code == 201
+
+
+def test_who_restored_clicked_nothing_and_may_review_and_who_clicked_may_not(
+    operator: Client, reviewer: Client, vehicle_id: int, ground: Ground
+) -> None:
+    made = measure(operator, vehicle_id)
+    path = f"/measurements/{made['id']}"
+    assert reviewer.delete(f"{path}?revision=1").status_code == 200
+    back = reviewer.post(f"{path}/restore", {"revision": 2}).json()
+    (item,) = reviewer.seen(f"/surveys/{ground.survey_id}/review-queue")
+    assert not item["mine"] and item["judged"]["operator"]["name"] == "Operator"
+    assert judge(reviewer, back, "accepted").status_code == 201
+
+
+@pytest.mark.parametrize("entered", ["further frame", "inset"])
+def test_what_somebody_entered_beside_anothers_points_is_not_theirs_to_review(
+    operator: Client, reviewer: Client, admin: Client, ground: Ground, entered: str
+) -> None:
+    """Nor that of who clicked the points, also once it was withdrawn and restored."""
+    vehicle = add_vehicle(operator, ground.recording_id)
+    made = measure(operator, vehicle["id"])
+    points = {name: value for name, value in clicks().items() if name != "target"}
+    further = {"frame": 7, "contact": pixel(0.9, 0.0, 0.0), "target_point": pixel(1.3, 0.2, 1.3)}
+    more = {"more_frames": [further]} if entered == "further frame" else {"inset_m": 0.3, "u_inset_m": 0.05}
+    path = f"/measurements/{made['id']}"
+    changed = reviewer.put(path, {"revision": 1, **points, **more})
+    assert changed.status_code == 200, changed.text
+    assert judge(reviewer, changed.json(), "accepted").status_code == 403
+    assert admin.delete(f"{path}?revision=2").status_code == 200
+    back = admin.post(f"{path}/restore", {"revision": 3}).json()
+    (item,) = reviewer.seen(f"/surveys/{ground.survey_id}/review-queue")
+    assert item["mine"] and item["judged"]["operator"]["name"] == "Operator"
     assert judge(reviewer, back, "accepted").status_code == 403
     assert judge(admin, back, "accepted").status_code == 201
 
@@ -189,11 +228,8 @@ def test_points_are_mine_whoever_restored_them(
     assert operator.delete(f"/measurements/{own['id']}?revision=1").status_code == 200
     assert operator.post(f"/measurements/{own['id']}/restore", {"revision": 2}).status_code == 200
     path = f"/surveys/{ground.survey_id}/review-queue"
-    assert [item["mine"] for who in (reviewer, operator, admin) for item in who.seen(path)] == [
-        True,
-        True,
-        False,
-    ]
+    mine = [item["mine"] for who in (reviewer, operator, admin) for item in who.seen(path)]
+    assert mine == [True, False, False]
     assert operator.put(f"/measurements/{own['id']}", {**clicks(1.25), "revision": 3}).status_code == 200
     assert [item["mine"] for item in reviewer.seen(path)] == [False]
 
@@ -309,6 +345,75 @@ def test_who_clicked_the_points_that_stand_is_their_operator_everywhere(
     edit(place, "measurements.csv", lambda row: row["id"] == str(restored["id"]), operator_id=str(rene))
     reseal(place)
     assert "the operator of" in str(verify_package(FolderFiles(place)).problem)
+
+
+def test_a_height_is_of_the_day_when_its_points_were_clicked_everywhere(
+    operator: Client,
+    reviewer: Client,
+    ground: Ground,
+    services: Services,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Not of the day of restoring; a fix is of its own. In filter, queue, package and report."""
+    days = [datetime(2025, 5, day, 12, tzinfo=UTC) for day in (1, 2)]
+
+    def on(day: datetime) -> None:
+        monkeypatch.setattr(measurements_store, "now", lambda: day)
+
+    on(days[0])
+    restored, fixed = (
+        measure(operator, add_vehicle(operator, ground.recording_id)["id"], **clicks(1.3 + n / 50))
+        for n in range(2)
+    )
+    assert judge(reviewer, restored, "accepted").status_code == 201
+    on(days[1])
+    path = f"/measurements/{restored['id']}"
+    assert operator.delete(f"{path}?revision=1").status_code == 200
+    assert operator.post(f"{path}/restore", {"revision": 2}).status_code == 200
+    points = {"contact": fixed["contact"], "target_point": clicks(1.3)["target_point"]}
+    assert judge(reviewer, fixed, "fixed", **points).status_code == 201
+
+    def counted(day: str) -> int:
+        asked = f"/statistics?survey={ground.survey_id}&first_day={day}&last_day={day}"
+        return int(reviewer.seen(asked)["counted"]["measurements"])
+
+    assert [counted("2025-05-01"), counted("2025-05-02")] == [1, 1]
+    queue = reviewer.seen(f"/surveys/{ground.survey_id}/review-queue?state=all")
+    told = {one["measurement"]["id"]: one["judged"]["clicked_at"][:10] for one in queue}
+    assert told == {restored["id"]: "2025-05-01", fixed["id"]: "2025-05-02"}
+
+    place = written(services, ground.survey_id, tmp_path / "package")
+    files = FolderFiles(place)
+    in_package = {int(row["id"]): row["clicked_at"][:10] for row in rows(place, "measurements.csv")}
+    assert in_package == told
+    assert np.diff(measured_in(files).day).tolist() == [1]
+    facts = report_facts(files, statistics_of(files), {})
+    assert (facts.first_day, facts.last_day) == (days[0].date(), days[1].date())
+    checked = verify_package(files)
+    assert checked.ok, checked.problem
+    moved = {"clicked_at": "2025-05-02T12:00:00.000000Z"}
+    edit(place, "measurements.csv", lambda row: row["id"] == str(restored["id"]), **moved)
+    reseal(place)
+    assert "clicked_at of" in str(verify_package(FolderFiles(place)).problem)
+
+
+def test_a_lot_by_day_takes_what_was_clicked_on_it(
+    operator: Client,
+    reviewer: Client,
+    ground: Ground,
+    services: Services,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    clicked = datetime(2025, 5, 1, 12, tzinfo=UTC)
+    monkeypatch.setattr(measurements_store, "now", lambda: clicked)
+    made = measure(operator, add_vehicle(operator, ground.recording_id)["id"])
+    monkeypatch.setattr(measurements_store, "now", lambda: clicked + timedelta(days=1))
+    assert operator.delete(f"/measurements/{made['id']}?revision=1").status_code == 200
+    assert operator.post(f"/measurements/{made['id']}/restore", {"revision": 2}).status_code == 200
+    with services.reading() as session:
+        (group,) = _groups(session, ground.survey_id, ["day"])
+    assert group[0] == {"day": "2025-05-01"}
 
 
 def test_heights_of_line_scans_stand_in_the_reviewers_queue(

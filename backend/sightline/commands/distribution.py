@@ -57,7 +57,7 @@ def distribution(heights: Path, by: str | None, percents: str, compare: str | No
 
     Besides height_m, u_height_m and status, these columns are used: u_random_m (error of this row only;
     usually u_height_m), shared_group and u_shared_m (error common to all rows of a group), site (a cluster),
-    counts (rows with "false" are excluded; a package sets it by the survey's sampling rule).
+    counts (rows with "false" are excluded; a package sets it to what its statistics evaluate).
     """
     from sightline.statistics.total_uncertainty import TotalUncertainty
 

@@ -48,7 +48,7 @@ from sightline.measurements.csv import (
     clicks_with_frames,
     with_frames,
 )
-from sightline.measurements.records import Measurement, operator_of
+from sightline.measurements.records import Measurement, revision_of_clicks
 from sightline.measurements.sheets.csv import VEHICLES
 from sightline.messages.said import Said
 from sightline.poses.csv import POSES, pose_path
@@ -202,8 +202,15 @@ class _Writers:
         for one in revisions:
             self._all.add(one)
         newest = revisions[-1]
-        operator = operator_of(revisions, newest)
-        self._current.add(replace(newest, out_of_date=out_of_date, operator=operator))
+        clicking = revision_of_clicks(revisions, newest)
+        self._current.add(
+            replace(
+                newest,
+                out_of_date=out_of_date,
+                operator=clicking.created_by,
+                clicked_at=clicking.created_at,
+            )
+        )
         for entry in budget_entries(newest):
             self._budget.add(entry)
         if not newest.withdrawn:

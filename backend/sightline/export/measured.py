@@ -55,6 +55,7 @@ _READ = (
     "created_by_id",
     "operator_id",
     "created_at",
+    "clicked_at",
     "pose_id",
     "y_m",
     *UNCERTAINTY,
@@ -97,7 +98,7 @@ class PackageStatistics:
 
 
 def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()) -> PackageStatistics:
-    """The statistics of the accepted measurements of a package, from its tables, under every correction."""
+    """Statistics of the accepted measurements of a package's selection, from its tables, by correction."""
     filter_ = filter_of(selection_in(files))
     measured, left_out = filtered(measured_in(files), filter_)
     groupings = _groupings(files, measured)
@@ -122,7 +123,7 @@ def measured_in(files: Files) -> Measured:
     """The standing measurements with a height, from measurements.csv, vehicles.csv and recordings.csv."""
     cars, cameras = _cars(files), _Cameras(files)
     columns: dict[str, list[Any]] = {one.name: [] for one in fields(Measured)}
-    # before the column, who restored a height was told as its operator
+    # before the columns, who restored a height was told as its operator, and when as its moment
     earlier = "operator_id" in columns_lacking(files, MEASUREMENTS.key)
     operator = "created_by_id" if earlier else "operator_id"
     for row in read_columns(files, "measurements.csv", _READ):
@@ -138,7 +139,7 @@ def measured_in(files: Files) -> Measured:
             "vehicle_id": int(of["vehicle_id"]),
             "survey_id": 0,
             "operator_id": whole(of[operator]),
-            "day": _day(of["created_at"]),
+            "day": _day(of["clicked_at"] or of["created_at"]),
             "target": of["target"],
             "verdict": of["verdict"],
             "known_m": known_m,

@@ -307,6 +307,7 @@ MEASUREMENTS: Table[Measurement] = Table(
         *within("review", integer("lot_id", "of a verdict by lot: the lot")),
         out_of_date("recording's road pose"),
         person("operator_id", "column-measurements-operator-id"),
+        moment("clicked_at", "when the points that stand were clicked: the day of measuring"),
     ),
     primary=("id",),
     foreign=(

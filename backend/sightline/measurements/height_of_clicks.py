@@ -211,7 +211,10 @@ def measured_frames(pose: RoadPose, clicks: Clicks) -> MultiHeight:
 
 
 def measured_pass(pose: RoadPose, clicks: Clicks) -> WholePass:
-    """The height from all that was followed. Raises ValueError of nothing, Damaged for a foreign text."""
+    """The height from all that was followed.
+
+    Raises ValueError where nothing was, Damaged for a text that Sightline did not write.
+    """
     if clicks.followed is None:
         raise ValueError("nothing was followed from these clicks")
     assumed = None if clicks.inset_m is None else clicks.assumed()[1:]

@@ -2,10 +2,11 @@
 
 from collections.abc import Callable, Iterable
 from dataclasses import fields
+from datetime import datetime
 from operator import itemgetter
 from typing import Any, Generic, TypeVar
 
-from sqlalchemy import ColumnElement, Row, Select, and_, case, exists, func, null, or_, select
+from sqlalchemy import ColumnElement, Row, Select, case, exists, func, null, or_, select
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
@@ -63,39 +64,46 @@ is_first: ColumnElement[bool] = series.c.repeat_of.is_(None)
 verdict: ColumnElement[str] = func.coalesce(reviews.c.verdict, "to_review")
 waits: ColumnElement[bool] = verdict.in_(("to_review", "reopened"))
 
-_mine = measurements.alias("mine")
 _earlier = measurements.alias("earlier")
+_Given = Callable[[Any], list[ColumnElement[Any]]]
 
 
-def _same_points(other: Any) -> ColumnElement[bool]:
-    """Whether another revision of the series has the first frame's points, as `first_clicks` tells them."""
-    names = ("frame", "contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
-    alike = (other.c[name].is_not_distinct_from(measurements.c[name]) for name in names)
-    return and_(other.c.series_id == measurements.c.series_id, *alike)
+def _clicked(of: Any) -> list[ColumnElement[Any]]:
+    """The first frame's points, as `first_clicks` tells them."""
+    return [of[name] for name in ("frame", "contact_x_px", "contact_y_px", "target_x_px", "target_y_px")]
 
 
-#: Who clicked the points of a revision (`operator_of`): made the first that has them. Who withdrew, restored
-#: or computed it again did not.
-operator_id: ColumnElement[int | None] = case(
-    (measurements.c.revision == 1, measurements.c.created_by),
-    else_=select(_earlier.c.created_by)
-    .where(_same_points(_earlier))
-    .order_by(_earlier.c.revision)
-    .limit(1)
-    .correlate(measurements)
-    .scalar_subquery(),
-)
+def _entered(of: Any) -> list[ColumnElement[Any]]:
+    """All that a person gave: the points in every frame, and an inset of its own."""
+    inset = (case((of.inset_from == "own", of[name])) for name in ("inset_m", "u_inset_m"))
+    return [*_clicked(of), of.more_frames, *inset]
+
+
+def _of_first(name: str, given: _Given) -> ColumnElement[Any]:
+    """A column of the first revision of the series in which the same was given."""
+    alike = zip(given(_earlier.c), given(measurements.c), strict=True)
+    first = (
+        select(_earlier.c[name])
+        .where(_earlier.c.series_id == measurements.c.series_id)
+        .where(*(theirs.is_not_distinct_from(here) for theirs, here in alike))
+        .order_by(_earlier.c.revision)
+        .limit(1)
+        .correlate(measurements)
+        .scalar_subquery()
+    )
+    return case((measurements.c.revision == 1, measurements.c[name]), else_=first)
+
+
+#: Who clicked the points of a revision, and when: of the first that has them (`revision_of_clicks`). Who
+#: withdrew, restored or computed it again did not.
+operator_id: ColumnElement[int | None] = _of_first("created_by", _clicked)
+clicked_at: ColumnElement[datetime] = _of_first("created_at", _clicked)
 
 
 def is_own(actor: int | None) -> ColumnElement[bool]:
-    """Whether a revision is of a person's making, or stands on the very points that they clicked; computed
-    again by others, clicks are still theirs who placed them.
-    """
-    return exists().where(
-        _mine.c.series_id == measurements.c.series_id,
-        _mine.c.created_by == actor,
-        or_(_mine.c.revision == measurements.c.revision, _same_points(_mine)),
-    )
+    """Whether a person is the operator of a revision, or gave its points in further frames or its inset."""
+    theirs = (operator_id, _of_first("created_by", _entered))
+    return or_(*(one.is_not_distinct_from(actor) for one in theirs))
 
 
 def with_verdict(*columns: Any) -> Select[Any]:

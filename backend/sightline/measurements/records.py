@@ -325,9 +325,10 @@ class Revision(RevisionFacts, Generic[Content]):
     #: The revision that the verdict was given to.
     judged_revision: int | None = None
     #: Filled in for the package alone: the facts that it follows from and that hold no longer, and who
-    #: clicked the points that stand.
+    #: clicked the points that stand, and when.
     out_of_date: tuple[ComputingCause, ...] = ()
     operator: Who | None = None
+    clicked_at: datetime | None = None
 
     @property
     def all_flags(self) -> list[Said]:
@@ -357,10 +358,11 @@ class Measurement(Revision[MeasurementValues]):
         return flags if self.drift_flag is None else [*flags, self.drift_flag]
 
 
-def operator_of(revisions: Iterable[Measurement], standing: Measurement) -> Who | None:
-    """Who clicked the points that stand, not who restored them; of revisions from the first on."""
-    clicks = standing.values.first_clicks
-    return next((one.created_by for one in revisions if one.values.first_clicks == clicks), None)
+def revision_of_clicks(revisions: Iterable[Measurement], standing: Measurement) -> Measurement:
+    """The revision in which the points that stand were clicked, not one that restored them: its maker is the
+    operator, its moment that of measuring. `revisions`: from the first to the one that stands, at least.
+    """
+    return next(one for one in revisions if one.values.first_clicks == standing.values.first_clicks)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -69,7 +69,7 @@ _RECOMPUTED = tuple(
 )
 _FIRST_CLICKS = ("frame", "contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
 _VERDICT = ("verdict", "review_reason", "reviewer_id", "reviewed_at", "verdict_by", "lot_id")
-_ONLY_CURRENT = ("id", "filmed_at", "out_of_date", "operator_id", *_VERDICT)
+_ONLY_CURRENT = ("id", "filmed_at", "out_of_date", "operator_id", "clicked_at", *_VERDICT)
 
 
 @dataclass(eq=False)
@@ -214,7 +214,7 @@ def check_measurements(
             stored = heights.without_drift(f"revisions.csv: {name}", row, open_spans)
             _by_event(events, stored, "revisions.csv", (int(name), int(row["revision"])))
         _is_newest(current, rows[-1])
-        _is_of_operator(current, rows)
+        _is_of_clicks(current, rows)
         _is_filmed(current, filmings.get(current["recording_id"]))
         budget.check(current)
         if current["withdrawn"] != "true":
@@ -353,11 +353,13 @@ def _is_newest(current: Row, newest: Row) -> None:
             raise Damaged("measurements-last-revision-differs", id=current["id"], column=column)
 
 
-def _is_of_operator(current: Row, revisions: Sequence[Row]) -> None:
-    """Who clicked is the maker of the first revision with the points that stand, as `operator_of` has it."""
+def _is_of_clicks(current: Row, revisions: Sequence[Row]) -> None:
+    """Who clicked, and when: of the first revision with the points that stand (`revision_of_clicks`)."""
     first = next(row for row in revisions if all(row[name] == current[name] for name in _FIRST_CLICKS))
     if current.get("operator_id", first["created_by_id"]) != first["created_by_id"]:
         raise Damaged("measurements-operator-differs", id=current["id"])
+    if current.get("clicked_at", first["created_at"]) != first["created_at"]:
+        raise Damaged("measurements-clicked-at-differs", id=current["id"])
 
 
 def _is_filmed(row: Row, filming: Filming | None) -> None:

@@ -2072,10 +2072,10 @@ review-inset = Inset
 review-inset-estimate = { $inset } (u = { $u_inset }, estimate)
 review-points-set = Points
 review-made-by = { $made ->
-    [snapped] contact snapped to the tyre, target clicked by { $person }
-    [confirmed] suggested, confirmed by { $person }
-    [moved] suggested, moved by { $person }
-   *[clicked] clicked by { $person }
+    [snapped] contact snapped to the tyre, target clicked by { $person }, { $time }
+    [confirmed] suggested, confirmed by { $person }, { $time }
+    [moved] suggested, moved by { $person }, { $time }
+   *[clicked] clicked by { $person }, { $time }
 }
 
 ## Review: the verdict
@@ -5209,6 +5209,7 @@ measurements-result-differs = { $name } states { $words } { $told }, its clicks 
 measurements-last-revision-differs = measurements.csv: { $id } has another { $column } than its last revision.
 measurements-value-differs = { $path }: { $id } has another { $name } than measurements.csv; one is wrong.
 measurements-operator-differs = measurements.csv: the operator of { $id } is not who made the first revision with its points (revisions.csv); one is wrong.
+measurements-clicked-at-differs = measurements.csv: clicked_at of { $id } is not when the first revision with its points was stored (revisions.csv); one is wrong.
 measurements-vehicle-differs = { $path }: { $id } has another { $name } than its vehicle in vehicles.csv; one is wrong.
 measurements-vehicle-missing = { $path }: the vehicle of { $id } is not in vehicles.csv; a row was removed.
 measurements-row-misplaced = { $path } { $found } where { $name } belongs; a row was removed or added.
@@ -6407,6 +6408,7 @@ column-statistics-words-code = words by code and values (JSON)
 column-measurements-code-version = version of the program that computed the height
 column-measurements-created-by-id = who made the revision: clicked the points, withdrew the measurement or restored it; of a recomputed one, as of the revision before
 column-measurements-operator-id = who clicked the points that stand, the maker of the first revision with them: the operator of all statistics
+column-measurements-clicked-at = when the points that stand were clicked: the day of measuring (ISO 8601, UTC)
 column-measurements-created-at = when the revision was stored (ISO 8601, UTC)
 column-measurements-withdrawn = true if the measurement was withdrawn
 column-measurements-computing-id = recomputation that made this revision from the clicks of the previous one

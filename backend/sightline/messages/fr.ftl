@@ -2071,10 +2071,10 @@ review-inset = Retrait
 review-inset-estimate = { $inset } (u = { $u_inset }, estimation)
 review-points-set = Points
 review-made-by = { $made ->
-    [snapped] contact accroché au pneu, cible pointée par { $person }
-    [confirmed] proposés, confirmés par { $person }
-    [moved] proposés, déplacés par { $person }
-   *[clicked] pointés par { $person }
+    [snapped] contact accroché au pneu, cible pointée par { $person }, { $time }
+    [confirmed] proposés, confirmés par { $person }, { $time }
+    [moved] proposés, déplacés par { $person }, { $time }
+   *[clicked] pointés par { $person }, { $time }
 }
 
 ## Vérification : la décision
@@ -5240,6 +5240,7 @@ measurements-result-differs = { $name } indique { $words } { $told }, ses point�
 measurements-last-revision-differs = measurements.csv : { $id } a une autre valeur de { $column } que sa dernière révision.
 measurements-value-differs = { $path } : { $id } a une autre valeur de { $name } que measurements.csv ; l’un des deux est faux.
 measurements-operator-differs = measurements.csv : l’opérateur de { $id } n’est pas l’auteur de la première révision avec ses points (revisions.csv) ; l’un des deux est faux.
+measurements-clicked-at-differs = measurements.csv : clicked_at de { $id } n’est pas le moment de la première révision avec ses points (revisions.csv) ; l’un des deux est faux.
 measurements-vehicle-differs = { $path } : { $id } a une autre valeur de { $name } que son véhicule dans vehicles.csv ; l’un des deux est faux.
 measurements-vehicle-missing = { $path } : le véhicule de { $id } n’est pas dans vehicles.csv ; une ligne a été supprimée.
 measurements-row-misplaced = { $path } { $found } là où { $name } a sa place ; une ligne a été retirée ou ajoutée.
@@ -6462,6 +6463,7 @@ column-statistics-words-code = texte par code et valeurs (JSON)
 column-measurements-code-version = version du programme qui a calculé la hauteur
 column-measurements-created-by-id = qui a fait la révision : placé les points, retiré ou rétabli la mesure ; pour une révision recalculée, comme la précédente
 column-measurements-operator-id = qui a placé les points en vigueur, l’auteur de la première révision qui les a : l’opérateur de toutes les statistiques
+column-measurements-clicked-at = quand les points en vigueur ont été placés : le jour de mesure (ISO 8601, UTC)
 column-measurements-created-at = quand la révision a été enregistrée (ISO 8601, UTC)
 column-measurements-withdrawn = true si la mesure a été retirée
 column-measurements-computing-id = le recalcul dont vient cette révision, avec les pointés de la précédente

@@ -17,7 +17,15 @@ from sightline.arrays import Floats, Ints
 from sightline.enums import Category, ClassSet, Direction, Lighting, Target, Verdict
 from sightline.errors import Damaged
 from sightline.geometry.documents import camera_across_m
-from sightline.measurements.query import is_current, is_first, operator_id, series, verdict, with_verdict
+from sightline.measurements.query import (
+    clicked_at,
+    is_current,
+    is_first,
+    operator_id,
+    series,
+    verdict,
+    with_verdict,
+)
 from sightline.measurements.tables import measurements
 from sightline.poses.tables import road_poses
 from sightline.recordings.filming import filming_of
@@ -97,9 +105,9 @@ class Measured(Heights):
 
     In the order of `measurement_id`. Words are indices into TARGETS, LIGHTING, LANES (the way that a vehicle
     goes in the picture), CATEGORIES, CLASS_SETS,
-    VERDICTS, -1 for none; `class_set` is what the survey makes of the category; `day` counts days since
-    1970-01-01 (UTC) of the revision's making, 0 unless asked for; `filmed_hour`: the full hour in which its
-    pass was filmed, by the clocks of the place, hours since the beginning of 1970-01-01, -1 where nobody has
+    VERDICTS, -1 for none; `class_set` is what the survey makes of the category; `day`: when its points were
+    clicked, days since 1970-01-01 (UTC), 0 unless asked for; `filmed_hour`: the full hour in which its pass
+    was filmed, by the clocks of the place, hours since the beginning of 1970-01-01, -1 where nobody has
     confirmed the start of its recording; `known_m`: what was known of the target's height before it was
     measured, of a roof the maker's; `by_size`: its vehicle's model was chosen by its sizes, so nothing of it
     is known for a reference; `check_target`: of no vehicle of the traffic; `counts`: in results, by what its
@@ -187,7 +195,7 @@ def _standing(survey_ids: Sequence[int] | None, days: bool) -> Select[Any]:
             series.c.vehicle_id,
             series.c.survey_id,
             operator_id.label("operator_id"),
-            (m.created_at if days else null()).label("day"),
+            (clicked_at if days else null()).label("day"),
             v.recording_id,
             FIRST_S,
             m.target,

@@ -1,6 +1,7 @@
 """A survey's standing heights, of frames and of line scans, in the order in which they are reviewed."""
 
 from dataclasses import dataclass
+from datetime import datetime
 from threading import Lock
 from typing import Any
 
@@ -11,7 +12,15 @@ from sqlalchemy.orm import Session
 
 from sightline.enums import ReviewSign, Verdict
 from sightline.infra.audit import trail
-from sightline.measurements.query import is_current, is_first, is_own, operator_id, verdict, with_verdict
+from sightline.measurements.query import (
+    clicked_at,
+    is_current,
+    is_first,
+    is_own,
+    operator_id,
+    verdict,
+    with_verdict,
+)
 from sightline.measurements.tables import measurement_series
 from sightline.measurements.tables import measurements as revision_rows
 from sightline.scans.tables import scan_vehicles, scans
@@ -27,13 +36,14 @@ MOST_KEPT = 400_000
 @dataclass(frozen=True, slots=True)
 class Standing:
     """A height that stands: its verdict, whose it is, what speaks against it; `scanned`: of a line scan.
-    `operator`: the number of who clicked its points; `mine`: whether the actor may not judge it.
+    `operator`: the number of who clicked its points, at `clicked_at`; `mine`: the actor may not judge it.
     """
 
     scanned: bool
     verdict: Verdict
     mine: bool
     operator: int | None
+    clicked_at: datetime
     signs: tuple[ReviewSign, ...]
     error_m: float | None
     u_error_m: float | None
@@ -67,7 +77,7 @@ def _standing_order(session: Session, survey_id: int, actor: int | None, _end: s
                 verdict.label("verdict"),
                 is_own(actor).label("mine"),
             ),
-            *(operator_id.label("operator"), of.scan_id),
+            *(operator_id.label("operator"), clicked_at.label("clicked_at"), of.scan_id),
             *(vehicles.c.manufacturer_height_m, vehicles.c.u_manufacturer_height_m),
             vehicles.c.model_chosen_by,
         )
@@ -103,6 +113,7 @@ def _standing_order(session: Session, survey_id: int, actor: int | None, _end: s
             verdict="to_review" if rows[at].verdict == "reopened" else rows[at].verdict,
             mine=bool(rows[at].mine),
             operator=rows[at].operator,
+            clicked_at=rows[at].clicked_at,
             signs=tuple(sign for sign, there in zip(SIGNS, found.signs[at], strict=True) if there),
             error_m=_known(errors[at, 0]),
             u_error_m=_known(errors[at, 1]),

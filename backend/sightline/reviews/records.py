@@ -1,6 +1,7 @@
 """Reviews, a measurement's history and the queue."""
 
 from dataclasses import dataclass
+from datetime import datetime
 from typing import Annotated
 
 from pydantic import Field
@@ -45,6 +46,7 @@ class Judged:
 
     blind: Annotated[bool, Field(description="To be clicked again before it is shown: the survey's plan.")]
     signs: Annotated[tuple[ReviewSign, ...], Field(description="Why it may be wrong.")]
+    clicked_at: Annotated[datetime, Field(description="When the points that stand were clicked.")]
     error_m: Annotated[float | None, Field(description="Of a roof: less the maker's height.")] = None
     U95_error_m: float | None = None
     operator: Annotated[Who | None, Field(description="Who clicked the points that stand.")] = None

@@ -160,6 +160,7 @@ def _judged(place: Standing, drawn: bool, people: Mapping[int, Who], lot: LotPla
         error_m=place.error_m,
         U95_error_m=place.u_error_m and COVERAGE_95 * place.u_error_m,
         operator=None if place.operator is None else people.get(place.operator),
+        clicked_at=place.clicked_at,
         lot=lot,
     )
 
@@ -214,7 +215,7 @@ def _drawn(session: Session, survey_id: int, found: Sequence[Measurement], actor
 
 
 def not_own(session: Session, before: Measurement | ScanHeight, actor: int) -> None:
-    """Nobody reviews points of their own, also once another withdrew and restored. Raises NotAllowed."""
+    """Nobody reviews points of their own, whoever restored them. Raises NotAllowed."""
     query = select(is_own(actor)).where(revision_rows.c.id == before.revision_id)
     if session.execute(query).scalar_one():
         raise NotAllowed("reviews-own-measurement")

@@ -202,7 +202,7 @@ def _members(session: Session, study_id: int) -> StudyMembersBody:
 
 
 def _worked_on(session: Session, who: Person, study_id: int) -> StoredStudy:
-    """A study that is changed or computed. Raises NotAllowed where the person does not see its surveys."""
+    """A study that is changed or computed. Raises NotAllowed for who does not see all its surveys."""
     study = store.get_study(session, study_id)
     require_surveys(session, who, (one.survey_id for one in study.facts.surveys))
     return study

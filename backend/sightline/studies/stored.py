@@ -38,7 +38,10 @@ class Computed:
 
 
 def checked(session: Session, facts: StudyFacts) -> StudyFacts:
-    """The same with a site for every survey. Raises BadInput where it does not hold together, NotFound."""
+    """The same with a site for every survey.
+
+    Raises BadInput where it does not hold together, NotFound for a survey that is not there.
+    """
     if not facts.name.strip():
         raise BadInput("studies-needs-a-name")
     if not 0.0 < facts.goal_m < 1.0:

@@ -27,7 +27,7 @@ Side = tuple[float, float, str, str]
 
 @dataclass(frozen=True, eq=False)
 class Named:
-    """A curve as drawn, (M,) each in data units, and its word. `at`: where along it, from 0 to 1."""
+    """A curve as drawn, (M,) each in data units, and its word, best placed at this share `at` of its way."""
 
     x: Floats
     y: Floats

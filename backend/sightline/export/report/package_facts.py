@@ -161,12 +161,12 @@ class _Measurements:
         self.calibrations: Counter[str] = Counter()
         self.code_versions: Counter[str] = Counter()
         chosen = chosen_vehicles(files).of
-        names = ("vehicle_id", "created_at", "pose_id", "calibration_id", "code_version")
-        for vehicle, at, pose, calibration, code in read_columns(files, "measurements.csv", names):
+        names = ("vehicle_id", "clicked_at", "created_at", "pose_id", "calibration_id", "code_version")
+        for vehicle, clicked, made, pose, calibration, code in read_columns(files, "measurements.csv", names):
             self.count += 1
             if vehicle not in chosen:
                 continue
-            days.add(at[:10])
+            days.add((clicked or made)[:10])
             self.poses[pose] += 1
             self.calibrations[calibration] += 1
             self.code_versions[code] += 1

@@ -75,7 +75,9 @@ class Checking:
 
 
 def check_heights(c: Checking) -> None:
-    """Every height from its clicks; revisions, budgets, repeats; what is out of date. Raises Damaged."""
+    """Measurements, their revisions, budgets and clicks, and repeats: every height from its clicks, and what
+    is out of date. Raises Damaged.
+    """
     told = c.told
     heights = Recomputed(c.files, c.recomputing, c.described.program)
     check_measurements(c.files, told.measurements, told.is_gone, told.drift.open_spans, heights)

@@ -40,7 +40,10 @@ _SAME_TURN_RAD = 1e-6
 
 @dataclass(frozen=True)
 class VehicleHeading:
-    """A vehicle's way against the road's X axis, u of its clicks; `reason`: why it has none or is unused."""
+    """A vehicle's direction of travel against the road's X axis, with the u of its own clicks.
+
+    `reason`: why it has none, or is unused.
+    """
 
     vehicle_id: int
     number: int

@@ -11,7 +11,7 @@ from sightline.infra.audit.records import Who
 from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.measurements.height_of_clicks import answer
-from sightline.measurements.records import BudgetPart, Clicks, Measurement, operator_of
+from sightline.measurements.records import BudgetPart, Clicks, Measurement, revision_of_clicks
 from sightline.measurements.road_poses import road_pose
 from sightline.quality.repeats.query import repeats_of_survey
 
@@ -73,7 +73,7 @@ def clicks_of_survey(session: Session, survey_id: int) -> tuple[Click, ...]:
             first = _standing_before(firsts[first_id], again[0])
             found = [(first, firsts[first_id]), *((revisions[-1], revisions) for revisions in again)]
             for one, revisions in found:
-                if (who := operator_of(revisions, one)) is not None:
+                if (who := revision_of_clicks(revisions, one).created_by) is not None:
                     out.append(_click(session, one, first, who))
     return tuple(out)
 

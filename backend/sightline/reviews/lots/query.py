@@ -12,7 +12,15 @@ from sightline.enums import AcceptedVerdict, LotLeaving
 from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import names, the_one, who
-from sightline.measurements.query import is_current, is_first, operator_id, verdict, waits, with_verdict
+from sightline.measurements.query import (
+    clicked_at,
+    is_current,
+    is_first,
+    operator_id,
+    verdict,
+    waits,
+    with_verdict,
+)
 from sightline.measurements.tables import (
     lot_decisions,
     lot_items,
@@ -37,8 +45,8 @@ _newest: ColumnElement[bool] = ~exists().where(
 
 def waiting_measurements(session: Session, survey_id: int) -> Sequence[Any]:
     """The standing heights on frames that wait for a verdict and are in no lot that is open, nor went to full
-    inspection with this revision: (series_id, revision, target, lighting, operator_id, day). Those in line
-    scans are judged one by one: a lot's items are revisions of measurements.csv in the package.
+    inspection with this revision: (series_id, revision, target, lighting, operator_id, clicked_at). Those in
+    line scans are judged one by one: a lot's items are revisions of measurements.csv in the package.
     """
     light = func.coalesce(vehicles.c.lighting, recordings.c.lighting).label("lighting")
     closed = (
@@ -52,7 +60,7 @@ def waiting_measurements(session: Session, survey_id: int) -> Sequence[Any]:
     query = (
         with_verdict(
             *(_m.series_id, _m.revision, _m.target, light),
-            *(operator_id.label("operator_id"), _m.created_at),
+            *(operator_id.label("operator_id"), clicked_at.label("clicked_at")),
         )
         .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
         .join(recordings, recordings.c.id == measurement_series.c.recording_id)

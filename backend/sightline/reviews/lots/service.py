@@ -268,7 +268,7 @@ def _groups(session: Session, survey_id: int, by: Collection[LotGrouping]) -> li
     }
     wanted = [(one, names_of[one]) for one in names_of if one in by]
     for row in query.waiting_measurements(session, survey_id):
-        has = {**row._mapping, "day": row.created_at.date().isoformat()}
+        has = {**row._mapping, "day": row.clicked_at.date().isoformat()}
         groups[tuple(has[name] for _, name in wanted)].append((row.series_id, row.revision))
     found = [
         ({name: value for (_, name), value in zip(wanted, values, strict=True)}, items)

@@ -92,13 +92,11 @@ function Known({ item }: { item: ReviewItem }) {
         ],
         [
           say("review-points-set"),
-          [
-            say("review-made-by", { made, person: judged.operator?.name ?? say("person-unknown") }),
-            // a revision of somebody else, who restored or computed it, has another time than the clicks
-            m.created_by?.id === judged.operator?.id && formatMoment(m.created_at),
-          ]
-            .filter(Boolean)
-            .join(", "),
+          say("review-made-by", {
+            made,
+            person: judged.operator?.name ?? say("person-unknown"),
+            time: formatMoment(judged.clicked_at),
+          }),
           "review-made",
         ],
       ]}
