@@ -3803,7 +3803,6 @@ planning-values-speed = Speed
 planning-values-length = Length
 planning-values-time_gap = Time gap
 planning-values-distance_gap = Distance gap
-planning-seconds = { $value } ± { $U95 } s
 planning-ms = { $value } ms
 planning-exposure-title = Pixels and exposure
 planning-exposure-blur = With an exposure of { $exposure_us } µs, each line is blurred by <strong>{ $blur }</strong> of road; the vehicle travels { $line } from line to line. A pixel covers { $width } along the road and { $height } vertically, so a vertical edge is spread over <strong>{ $smear }</strong>.

@@ -3801,7 +3801,6 @@ planning-values-speed = Vitesse
 planning-values-length = Longueur
 planning-values-time_gap = Intervalle temporel
 planning-values-distance_gap = Distance intervéhiculaire
-planning-seconds = { $value } ± { $U95 } s
 planning-ms = { $value } ms
 planning-exposure-title = Pixels et temps de pose
 planning-exposure-blur = Avec un temps de pose de { $exposure_us } µs, chaque ligne est floue sur <strong>{ $blur }</strong> de chaussée ; le véhicule parcourt { $line } d’une ligne à l’autre. Un pixel couvre { $width } le long de la chaussée et { $height } en hauteur : une arête verticale s’étale sur <strong>{ $smear }</strong>.
