@@ -27,7 +27,7 @@ from sightline.scans.live.state import live_state
 from sightline.scans.live.tables import scan_live
 from sightline.scans.presenters import scan_body
 from sightline.scans.service import request_find
-from sightline.scans.store import list_scans
+from sightline.scans.store import list_scans, remove_scan, update_scan
 from sightline.scans.vehicles.store import list_scan_vehicles
 from sightline.settings import load_settings
 from sightline.surveys.store import create_survey
@@ -101,6 +101,12 @@ def test_a_stream_becomes_a_recording_whose_vehicles_are_those_of_the_search(
     with services.reading() as session:
         assert list_scan_vehicles(session, scan.id) == before
         assert verify_records(session).ok
+
+    with services.writing() as session:
+        twice = {"line_rate_hz": 2 * SITE.line_rate_hz}
+        update_scan(session, scan.id, twice, version=scan.version, actor=None)
+    (later,) = streams_of(services)
+    assert (later.vehicles, later.line_rate_hz) == (stream.vehicles, 2 * SITE.line_rate_hz)
 
 
 @pytest.mark.parametrize(("at_begin", "at_end"), [(2, 2), (9, 1)])
