@@ -330,7 +330,15 @@ def mean_speeds(moving: Sequence[Passed]) -> tuple[Figure, Figure]:
 
 
 def length_classes(measured: Sequence[Passed], limits_m: Sequence[float]) -> tuple[LengthClass, ...]:
-    """How many vehicles lie between the limits; a length at a limit belongs to the shorter class."""
+    """How many vehicles lie between the limits, by the rule of `class_names`."""
+def class_names(limits_m: Sequence[float]) -> list[str]:
+    """Names of the classes that rising limits part: to 6 m, 6 to 12 m, above 12 m. A length at a limit is of
+    the shorter class.
+    """
+    between = [f"{low:g} to {high:g} m" for low, high in pairwise(limits_m)]
+    return [f"to {limits_m[0]:g} m", *between, f"above {limits_m[-1]:g} m"] if limits_m else []
+
+
     edges = (None, *limits_m, None)
     return _nobody(edges) if not measured else _classes(measured, edges)
 
