@@ -6957,6 +6957,7 @@ scan-flow-rear-unseen = The occupancy is not known: the rear of a vehicle that s
 scan-flow-no-u-occupancy = The uncertainty of the occupancy is not known: { $count } of the vehicles here have no motion.
 stream-lines-lost = { $count } lines of camera { $camera } were lost and replaced by copies; vehicles that passed meanwhile are not measured.
 stream-vehicles-wait = { $message } { $waiting } vehicles wait to be stored in the survey.
+stream-recording-deleted = { $recording } was deleted while it was streamed: none of its vehicles are stored from now on, and both strips are deleted at its end.
 stream-stopped = The previous run was stopped after { $lines } lines (segment { $number }, last contact { $last_at } UTC). Its vehicles are kept; missing are the { NUMBER($gap_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s (about { $gap_lines } lines) since then, and the vehicle that was in view.
 stream-resumed = The previous run was stopped; it is resumed at line { $begin } of { $name }, and nothing is missing.
 stream-clock-set = The computer’s clock was set by { NUMBER($jump_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s at line { $lines }; speeds, lengths and gaps are not affected, and times of day continue from the start of this segment.

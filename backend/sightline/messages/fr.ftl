@@ -7014,6 +7014,7 @@ scan-flow-rear-unseen = Le taux d’occupation n’est pas connu : l’arrière
 scan-flow-no-u-occupancy = L’incertitude du taux d’occupation n’est pas connue : { $count } des véhicules n’ont pas de mouvement.
 stream-lines-lost = { $count } lignes de la caméra { $camera } ont été perdues et remplacées par des copies ; les véhicules passés pendant ce temps ne sont pas mesurés.
 stream-vehicles-wait = { $message } { $waiting } véhicules attendent d’être enregistrés dans le relevé.
+stream-recording-deleted = { $recording } a été supprimé pendant le flux : plus aucun de ses véhicules n’est enregistré, et ses deux bandes sont supprimées à sa fin.
 stream-stopped = L’exécution précédente a été interrompue après { $lines } lignes (segment { $number }, dernier contact { $last_at } UTC). Ses véhicules sont conservés ; manquent les { NUMBER($gap_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s (environ { $gap_lines } lignes) écoulées depuis, et le véhicule en vue.
 stream-resumed = L’exécution précédente a été interrompue ; elle reprend à la ligne { $begin } de { $name }, et rien ne manque.
 stream-clock-set = L’horloge de l’ordinateur a été réglée de { NUMBER($jump_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s à la ligne { $lines } ; vitesses, longueurs et intervalles n’en dépendent pas, et les heures continuent depuis le début de ce segment.
