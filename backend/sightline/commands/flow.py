@@ -104,7 +104,8 @@ def _of_place(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic], R
         if one.watched_s is None
     ]
     notes += [
-        f"The uncertainty of the start of {one.name} is not included, because it is not stated there."
+        f"The uncertainties of the times of {one.name} and near_edge are left out, because that of its start "
+        "is not stated there."
         for one in results
         if not one.u_start_told
     ]
