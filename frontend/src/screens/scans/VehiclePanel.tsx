@@ -159,7 +159,10 @@ function Numbers({ m, vehicle, lanes }: { m: ScanMotion; vehicle: ScanVehicle; l
 
 /** From front to front there may be a time where the rear of the vehicle before is not known. */
 export function gapFacts(gap: ScanVehicle["gap"]): Fact[] {
-  const headway: Fact = gap?.headway_s != null && [say("scan-headway"), formatSeconds(gap.headway_s, null, 3)];
+  const headway: Fact = gap?.headway_s != null && [
+    say("scan-headway"),
+    formatSeconds(gap.headway_s, null, 3),
+  ];
   if (gap?.time_gap_s == null)
     return [[say("scan-time-gap"), sentenceOf(gap?.reason) ?? say("scan-time-gap-first")], headway];
   return [
