@@ -84,7 +84,7 @@ class Segment:
         self.finder = Finder(rows, rig, behind=behind)
         self.vehicles = first_id - 1
         self.found = 0
-        self._untold = inf  # front of the next of those that were complete at once
+        self._more = False  # of those that were complete at once, some are yet to be told
         self._before, self.begin = before, begin
         self.paths = spool_paths(folder, facts.number) if folder else None
         spools = [Spool(path, rows, rig.line_rate_hz) for path in self.paths] if self.paths else [None, None]
@@ -124,11 +124,13 @@ class Segment:
 
     def note(self, at: datetime) -> None:
         """Say in the journal how far everything is told."""
-        self._write({**self._settled(), "lines": self.lines, "at": at.isoformat()})
+        settled, stand = self._settled_before, self._stand()
+        self._write({"settled": settled, "stand": stand, "lines": self.lines, "at": at.isoformat()})
 
     def told(self, one: LiveVehicle) -> None:
         """Say in the journal that a vehicle has been told."""
-        self._write({**told_line(one), **self._settled()})
+        settled = {} if self._more else {"settled": self._settled_before}
+        self._write({**told_line(one), **settled, "stand": self._stand()})
 
     def belongs_to(self, scan_id: int | None) -> None:
         self._write({"scan_id": scan_id})
@@ -173,9 +175,9 @@ class Segment:
         return self.facts.began_at + timedelta(seconds=line / self.rig.line_rate_hz)
 
     def _told(self, passages: Sequence[Passage], *, always: bool = False) -> Iterator[LiveVehicle]:
-        moved = [_moved(one, -self._lead, 0.0 if always else -inf) for one in passages]
-        for at_passage, passage in enumerate(moved):
-            self._untold = min((one.crossings.front_line_1 for one in moved[at_passage + 1 :]), default=inf)
+        for left, found in zip(range(len(passages) - 1, -1, -1), passages, strict=True):
+            self._more = left > 0
+            passage = _moved(found, -self._lead, 0.0 if always else -inf)
             counted = always or not self._before.has(passage.crossings.front_line_1, self.finder.spans.guard)
             dropped = (self.cameras[0].dropped, self.cameras[1].dropped)
             vehicle = self._follower.next(without_losses(passage, dropped), counted=counted)
@@ -185,14 +187,14 @@ class Segment:
                 at = self.time_of(passage.crossings.front_line_1)
                 yield LiveVehicle(self.facts.number, self.begin, vehicle, at)
 
-    def _settled(self) -> dict[str, Any]:
-        """The line before which all are told, and the lines of those that nobody waits for, and that are told
-        when they have left.
-        """
-        stand = [[float(line - self._lead) for line in asdict(one).values()] for one in self.finder.given_up]
-        # a front lies half a line before the first line that shows it; found again, it may lie elsewhere
-        before = min(self.settled_line - 1, self._untold - self.finder.spans.guard)
-        return {"settled": max(0, int(before)), "stand": stand}
+    @property
+    def _settled_before(self) -> int:
+        """For the journal: a front lies half a line before the first line that shows it."""
+        return max(0, self.settled_line - 1)
+
+    def _stand(self) -> list[list[float]]:
+        """Lines of those that nobody waits for, and that are told when they have left."""
+        return [[float(line - self._lead) for line in asdict(one).values()] for one in self.finder.given_up]
 
     def _columns(self, crossings: Crossings) -> Crossings:
         return columns_of(crossings, *(camera.dropped for camera in self.cameras))
