@@ -258,6 +258,7 @@ def test_a_resumed_stream_is_on_one_clock(tmp_path: Path, capsys: pytest.Capture
         "09": "1",
     }
     assert float(hours["06"]["headway_mean_s"]) == pytest.approx(4.0, abs=1e-5)
+    assert {one["near_edge"] for one in rows} == {"", "0"} and hours["07"]["near_edge"] == "0"
     told = read_recorded(path, 4 * 3600.0)
     assert [one.front_s for one in told.passings] == pytest.approx([5.0, 9.0, 3 * 3600 + 5.0], abs=1e-5)
     assert told.passings[2].rear_s == pytest.approx(3 * 3600 + 5.2)
@@ -342,13 +343,31 @@ def test_an_archive_keeps_the_u_of_the_line_rate(tmp_path: Path, capsys: pytest.
     assert not json.loads(flow(capsys, path, "--json"))["notes"]
     untold = as_json(tmp_path / "untold.json", 680.0)
     (note,) = json.loads(flow(capsys, untold, "--json"))["notes"]
-    assert note.startswith("The uncertainty of the start of untold.json is not included")
+    assert note.startswith("The uncertainties of the times of untold.json and near_edge are left out")
     told = []
     for place in (path, tmp_path / "archive"):
         cars = tmp_path / "cars.csv"
         flow(capsys, place, "-o", tmp_path / "out.csv", "--vehicles", cars)
         told.append([one["u_front_at_s"] for one in table(cars.read_text())])
     assert told[0] == told[1] and float(told[0][-1]) == pytest.approx(hypot(0.1, 0.067), rel=1e-3)
+
+
+def test_times_of_a_stream_have_no_u_for_that_of_its_start_is_not_known(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """0.2 ms of its front alone would look like the u of a time that a computer's clock told."""
+    recording = json.loads(as_json(tmp_path / "recording.json", 680.0).read_text())
+    ats = {"segment": 1, "reason": None}
+    cars = [
+        {**one, **ats, "front_at": (LINE_0 + timedelta(seconds=one["front_s"])).isoformat()}
+        for one in recording["vehicles"]
+    ]
+    path = tmp_path / "stream.jsonl"
+    path.write_text("\n".join(map(json.dumps, cars)))
+    told = json.loads(flow(capsys, path, "--interval", "5", "--json"))
+    assert {one["u_front_at_s"] for one in told["vehicles"]} == {None}
+    assert {one["near_edge"] for one in told["intervals"] if one["measured"]} == {None}
+    assert any(note.startswith("The uncertainties of the times of stream.jsonl") for note in told["notes"])
 
 
 def _without(row: Row, *names: str) -> Row:

@@ -64,7 +64,7 @@ def test_from_strips_to_figures(recording: Path, tmp_path: Path, capsys: pytest.
     out = tmp_path / "flows.csv"
     said_by(capsys, "flows", folder, "--minutes", "1", "--lengths", "4,6", "-o", str(out))
     rows = list(csv.DictReader(io.StringIO(out.read_text())))
-    assert [one["class"] for one in rows] == ["all", "under 4 m", "4 to 6 m", "6 m or more", "length unknown"]
+    assert [one["class"] for one in rows] == ["all", "to 4 m", "4 to 6 m", "above 6 m", "length unknown"]
     assert said_by(capsys, "remove", folder, "recording.json").startswith("recording.json was removed")
     assert "is empty; add a recording" in said_by(capsys, "sites", folder)
 

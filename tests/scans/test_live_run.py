@@ -241,9 +241,15 @@ def test_a_followed_file_taken_up_an_hour_later_tells_when_its_lines_were_taken(
     for one, same in zip(rest, clean[1:], strict=True):
         lines = same.vehicle.motion.crossings.front_line_1 - 500
         assert one.at.timestamp() == pytest.approx(1e9 + lines / RIG.line_rate_hz, abs=1e-3)
+    begun_at = begun[1] + round(0.3 * RIG.line_rate_hz)
+    # no line is kept twice, but for what a segment shares with the one before
+    one, two = (open_strip(path, "height").lines for path in sorted(tmp_path.glob("*-camera-1.tif")))
+    margin = 2 * Finder(SITE.rows, RIG).margin
+    assert (one - margin, two) == (begun_at, len(pair[0]) - begun_at) and rest[0].begin == begun_at
+    assert all(one.vehicle.front_s > 0 for one in rest)
     # an hour has passed since line 500; the counting clock goes on by 1 s each time it is read
     assert begun[1] > 0
-    assert heard[0] == pytest.approx(3600 + (500 - begun[1]) / RIG.line_rate_hz + 1, abs=2)
+    assert heard[0] == pytest.approx(3600 + (500 - begun_at) / RIG.line_rate_hz + 1, abs=2)
 
 
 def test_swapped_cameras_are_said_while_the_stream_goes_on(pair: tuple[Pixels, Pixels]) -> None:

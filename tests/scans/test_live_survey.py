@@ -21,13 +21,13 @@ from sightline.infra.database.types import now
 from sightline.infra.services import Services, open_services
 from sightline.scans.live import keeping
 from sightline.scans.live.keeping import SurveyKeeper
-from sightline.scans.live.records import LiveStream
+from sightline.scans.live.records import LiveStream, LiveVehicle
 from sightline.scans.live.service import flow_of, live_streams
 from sightline.scans.live.state import live_state
 from sightline.scans.live.tables import scan_live
 from sightline.scans.presenters import scan_body
 from sightline.scans.service import request_find
-from sightline.scans.store import list_scans
+from sightline.scans.store import list_scans, remove_scan, update_scan
 from sightline.scans.vehicles.store import list_scan_vehicles
 from sightline.settings import load_settings
 from sightline.surveys.store import create_survey
@@ -101,6 +101,12 @@ def test_a_stream_becomes_a_recording_whose_vehicles_are_those_of_the_search(
     with services.reading() as session:
         assert list_scan_vehicles(session, scan.id) == before
         assert verify_records(session).ok
+
+    with services.writing() as session:
+        twice = {"line_rate_hz": 2 * SITE.line_rate_hz}
+        update_scan(session, scan.id, twice, version=scan.version, actor=None)
+    (later,) = streams_of(services)
+    assert (later.vehicles, later.line_rate_hz) == (stream.vehicles, 2 * SITE.line_rate_hz)
 
 
 @pytest.mark.parametrize(("at_begin", "at_end"), [(2, 2), (9, 1)])
@@ -176,6 +182,45 @@ def test_a_killed_stream_of_a_survey_is_taken_up(
     assert [scan_body(one).stream_state for one in scans] == [None, None]
     (stream,) = streams_of(services)
     assert [one.scan_id for one in stream.earlier] == [scans[0].id]
+
+
+@pytest.mark.parametrize("after", [1, 3])
+def test_a_recording_that_is_deleted_while_it_is_streamed_is_said_and_leaves_nothing(
+    services: Services,
+    lines: bytes,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    after: int,
+) -> None:
+    """After its first vehicle, or after its last."""
+    keepers, add = list[SurveyKeeper](), SurveyKeeper.add
+
+    def added(keeper: SurveyKeeper, vehicle: LiveVehicle) -> None:
+        add(keeper, vehicle)
+        keepers.append(keeper)
+        if len(keepers) == after:
+            with services.writing() as session:
+                (scan,) = list_scans(session, 1)
+                remove_scan(session, scan.id, actor=None)
+        elif len(keepers) > after:
+            assert keeper._recording is not None
+            assert not keeper._recording.waiting and not keeper._recording.motions
+
+    monkeypatch.setattr(SurveyKeeper, "add", added)
+    path = tmp_path / "lines.raw"
+    path.write_bytes(lines)
+    where = ("--survey", "Hill", "--data-dir", str(tmp_path / "data"))
+    assert main([*STREAM, *where, "--follow", str(path), "--until-idle", "0.3"]) == 0
+    told = capsys.readouterr()
+    assert len(told.out.splitlines()) == 3
+    assert told.err.count("was deleted while it was streamed") == 1 and "wait to be stored" not in told.err
+    folder = tmp_path / "data" / "live"
+    assert not list(folder.rglob("*.tif"))
+    assert '"ended"' in next(folder.rglob("*.jsonl")).read_text()
+    with services.reading() as session:
+        assert not list_scans(session, 1)
+        assert verify_records(session).ok
 
 
 @pytest.mark.parametrize("stored", [False, True])

@@ -45,7 +45,10 @@ def test_two_strips_become_measured_vehicles(
         assert abs(motion["length_m"] - true.vehicle.length_m) < 0.05
         assert motion["U95_speed_mps"] == pytest.approx(COVERAGE_95 * motion["u_speed_mps"])
     assert found[0]["gap"] is None
-    assert found[1]["gap"]["time_gap_s"] == pytest.approx(truth[1].time_gap_s, abs=0.003)
+    gap = found[1]["gap"]
+    assert gap["time_gap_s"] == pytest.approx(truth[1].time_gap_s, abs=0.003)
+    for name in ("time_gap_s", "distance_gap_m"):
+        assert gap[f"U95_{name}"] == pytest.approx(COVERAGE_95 * gap[f"u_{name}"])
     tile_of_strip_and_cache(viewer, scan, first)
     sources_are_gone(services, scan)
     marked_by_hand(operator, scan, truth[0])

@@ -14,6 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sightline.linescan.parts import STOOD, STOPPED
+from sightline.linescan.traffic import Passed, length_classes
 from sightline.messages.said import Said
 from sightline.statistics.distributions import vehicles_for_interval
 from sightline.traffic.archive import add_recorded
@@ -131,6 +132,17 @@ def test_the_median_gap_is_of_measured_vehicles(tmp_path: Path) -> None:
     assert row["median_time_gap_s"] == 2.0
 
 
+def test_a_length_at_a_limit_is_of_the_shorter_class_here_and_in_flow(tmp_path: Path) -> None:
+    cars = tuple(replace(standing_passing(n, 10.0 * n, 10.0 * n + 1), length_m=6.0) for n in (1, 2))
+    add_recorded(tmp_path, Recorded("limit", "ab" * 32, 300.0, cars, ()), stood("2026-05-04T12:00"))
+    with ArchiveTables(tmp_path) as tables:
+        rows = list(tables.intervals(Asked(minutes=5, limits_m=(6.0, 12.0))))
+    counts = {row["class"]: row["vehicles"] for row in rows}
+    assert counts == {ALL: 2, "to 6 m": 2, "6 to 12 m": 0, "above 12 m": 0, NO_LENGTH: 0}
+    passed = [Passed(one.front_s, one.occupied_s, length_m=one.length_m) for one in cars]
+    assert [one.vehicles for one in length_classes(passed, (6.0, 12.0))] == [2, 0, 0]
+
+
 def test_occupancy_is_empty_from_a_rear_that_nobody_saw_to_the_next_front(tmp_path: Path) -> None:
     unseen = replace(standing_passing(1, 100.0, 100.0), rear_s=None, rear_line_1=None, length_m=None)
     beside = standing_passing(2, 110.0, 110.5)  # while it stands, of which 0 was told from 300 s on
@@ -142,7 +154,7 @@ def test_occupancy_is_empty_from_a_rear_that_nobody_saw_to_the_next_front(tmp_pa
         name: [row["occupancy_ratio"] for row in rows if row["class"] == name] for name in (ALL, NO_LENGTH)
     }
     assert shown == {ALL: [None, None, None, 0.0], NO_LENGTH: [None, None, None, 0.0]}
-    short = [row["occupancy_ratio"] for row in rows if row["class"] == "under 6 m"]
+    short = [row["occupancy_ratio"] for row in rows if row["class"] == "to 6 m"]
     assert short == [pytest.approx(0.5 / 300), 0.0, pytest.approx(6 / 300), 0.0]
     assert "the rear of a vehicle that stood was not seen" in rows[0]["reason"]
 
@@ -300,7 +312,7 @@ def test_classes_part_the_traffic_and_lose_nobody(minutes: int, limits: list[flo
         return
     edges = [0.0, *limits, np.inf]
     for low, high, name in zip(edges, edges[1:], names, strict=False):
-        own = [one for one in sent.passings if one.length_m is not None and low <= one.length_m < high]
+        own = [one for one in sent.passings if one.length_m is not None and low < one.length_m <= high]
         assert sum(row["vehicles"] for row in rows if row["class"] == name) == len(own)
     unknown = sum(row["vehicles"] for row in rows if row["class"] == NO_LENGTH)
     assert unknown == sum(one.length_m is None for one in sent.passings)

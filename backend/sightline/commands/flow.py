@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +12,7 @@ from sightline.commands.files import csv_text, write_whole
 from sightline.commands.options import FILE, json_option, print_json
 from sightline.commands.scanned import cell_of
 from sightline.errors import BadInput
-from sightline.linescan.traffic import LENGTH_LIMITS_M, MINUTES, headways_s, strays_s, streams_of
+from sightline.linescan.traffic import LENGTH_LIMITS_M, MINUTES, class_names, headways_s, strays_s, streams_of
 
 if TYPE_CHECKING:
     from sightline.scans.statistics.service import VehicleMotion
@@ -105,7 +104,8 @@ def _of_place(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic], R
         if one.watched_s is None
     ]
     notes += [
-        f"The uncertainty of the start of {one.name} is not included, because it is not stated there."
+        f"The uncertainties of the times of {one.name} and near_edge are left out, because that of its start "
+        "is not stated there."
         for one in results
         if not one.u_start_told
     ]
@@ -133,11 +133,7 @@ def _of_package(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic],
     return [one for one in found if not one.reason], rows, list(notes.values())
 
 
-_CLASSES = (
-    f"length_to_{LENGTH_LIMITS_M[0]:g}_m",
-    *(f"length_{low:g}_to_{high:g}_m" for low, high in pairwise(LENGTH_LIMITS_M)),
-    f"length_above_{LENGTH_LIMITS_M[-1]:g}_m",
-)
+_CLASSES = tuple(f"length_{name.replace(' ', '_')}" for name in class_names(LENGTH_LIMITS_M))
 _AXLES = ("axles_2", "axles_3", "axles_4", "axles_5_or_more", "axles_unknown")
 _PERCENTS = (15, 50, 85)
 COLUMNS = (

@@ -19,16 +19,17 @@ def since_start_s(front_line_1: float, line_rate_hz: float) -> float:
 
 def u_passing_s(
     since_s: float,
-    u_start_s: float,
+    u_start_s: float | None,
     u_line_rate_ratio: float,
     speed_mps: float | None,
     u_length_m: float | None,
 ) -> float | None:
     """Standard uncertainty of a time of day, seconds, as written to the millisecond.
 
-    None for a vehicle without a measured motion: how well its front is known is not known.
+    None without that of the start, and for a vehicle without a measured motion: how well its front is known
+    is not known.
     """
-    if not speed_mps or u_length_m is None:
+    if u_start_s is None or not speed_mps or u_length_m is None:
         return None
     own_s = u_length_m / abs(speed_mps)
     return hypot(u_start_s, since_s * u_line_rate_ratio, own_s, U_WRITTEN_S)

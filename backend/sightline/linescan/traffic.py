@@ -155,15 +155,15 @@ class Interval:
     """Traffic of `watched_s` seconds that begin `begin_s` after the first line's; see the module.
 
     `vehicles`: how many fronts passed; `refused`: those whose motion could not be measured; `measured`: those
-    with a speed that counts; `unclassed`: those without a length that counts. `speeds_mps`: the speeds,
-    rising. `reasons`: why a figure is missing.
+    with a speed that counts; `unclassed`: those without a length that counts; `near_edge`: None where their
+    times have no u. `speeds_mps`: the speeds, rising. `reasons`: why a figure is missing.
     """
 
     begin_s: float
     watched_s: float
     partial: bool
     vehicles: int
-    near_edge: int
+    near_edge: int | None
     refused: int
     measured: int
     flow_per_hour: float
@@ -288,7 +288,9 @@ def _interval(
         watched_s=watched_s,
         partial=partial,
         vehicles=len(inside),
-        near_edge=sum(_near_edge(one, edges) for one in inside),
+        near_edge=None
+        if any(one.u_since_s is None for one in moving)
+        else sum(_near_edge(one, edges) for one in inside),
         refused=sum(one.refused for one in inside),
         measured=len(moving),
         flow_per_hour=flow,
@@ -329,8 +331,16 @@ def mean_speeds(moving: Sequence[Passed]) -> tuple[Figure, Figure]:
     return Figure(time_mean, u_time), Figure(space_mean, hypot(ratio * space_mean, *weighed))
 
 
+def class_names(limits_m: Sequence[float]) -> list[str]:
+    """Names of the classes that rising limits part: to 6 m, 6 to 12 m, above 12 m. A length at a limit is of
+    the shorter class.
+    """
+    between = [f"{low:g} to {high:g} m" for low, high in pairwise(limits_m)]
+    return [f"to {limits_m[0]:g} m", *between, f"above {limits_m[-1]:g} m"] if limits_m else []
+
+
 def length_classes(measured: Sequence[Passed], limits_m: Sequence[float]) -> tuple[LengthClass, ...]:
-    """How many vehicles lie between the limits; a length at a limit belongs to the shorter class."""
+    """How many vehicles lie between the limits, by the rule of `class_names`."""
     edges = (None, *limits_m, None)
     return _nobody(edges) if not measured else _classes(measured, edges)
 

@@ -200,6 +200,14 @@ class ScanMotionBody(FoundMotion):
     mine: Annotated[bool, Field(description="You placed its boundaries, so somebody else reviews it.")]
 
 
+@dataclass(frozen=True, kw_only=True)
+class GapBody(Gap):
+    """The gap before a vehicle. U95 = 1.96 u."""
+
+    U95_time_gap_s: float | None
+    U95_distance_gap_m: float | None
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ScanVehicleBody(ScanVehicleFacts):
     """A vehicle of a scan with its current measurement; errors are measured minus the maker's value."""
@@ -214,7 +222,7 @@ class ScanVehicleBody(ScanVehicleFacts):
         float | None, Field(description="Of that (k = 1); null without a measured motion.")
     ]
     U95_filmed_at_s: float | None
-    gap: Annotated[Gap | None, Field(description="null: the first vehicle.")]
+    gap: Annotated[GapBody | None, Field(description="null: the first vehicle.")]
     length_error_m: float | None
     wheelbase_error_m: float | None
     references: Annotated[

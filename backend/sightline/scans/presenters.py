@@ -8,10 +8,11 @@ from sightline.infra.by_name import filled_from
 from sightline.infra.database.types import now
 from sightline.infra.services import Services
 from sightline.infra.web.bodies import JobBody
-from sightline.linescan.parts import Entry, Rig
+from sightline.linescan.parts import Entry, Gap, Rig
 from sightline.media.strips.stored_writer import STEP, TILE_LINES, level_lines
 from sightline.recordings.csv import started_text
 from sightline.scans.bodies import (
+    GapBody,
     LevelBody,
     MatchBody,
     ProfileBody,
@@ -78,7 +79,7 @@ def vehicle_body(shown: ShownVehicle, asker: int) -> ScanVehicleBody:
         filmed_at=None if passing is None else passing.filmed_at,
         u_filmed_at_s=None if passing is None else passing.u_filmed_at_s,
         U95_filmed_at_s=None if passing is None else expanded(passing.u_filmed_at_s),
-        gap=shown.gap,
+        gap=shown.gap and _gap(shown.gap),
         length_error_m=shown.length_error_m,
         wheelbase_error_m=shown.wheelbase_error_m,
         references=[shown_reference(one, ours) for one in shown.references],
@@ -102,6 +103,15 @@ def detail_body(detail: ShownDetail, asker: int) -> ScanVehicleDetailBody:
         match=None if measured is None else _match(measured, detail.scan),
         history=[motion_body(one, shown.rig, asker) for one in detail.history],
         reviews=[filled_from(ScanReviewFacts, one) for one in detail.reviews],
+    )
+
+
+def _gap(gap: Gap) -> GapBody:
+    return filled_from(
+        GapBody,
+        gap,
+        U95_time_gap_s=expanded(gap.u_time_gap_s),
+        U95_distance_gap_m=expanded(gap.u_distance_gap_m),
     )
 
 

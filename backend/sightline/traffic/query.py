@@ -19,7 +19,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from datetime import date, datetime, timedelta
 from functools import lru_cache
-from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +26,7 @@ import duckdb
 
 from sightline.infra.local_time import zone_of
 from sightline.linescan.parts import AT_END_S, STANDS_S, STOOD, STOPPED
+from sightline.linescan.traffic import class_names
 from sightline.statistics.distributions import too_few_for, vehicles_for_interval
 from sightline.traffic.archive import VEHICLES, WATCHED, files_of, sites_of
 from sightline.traffic.records import Asked, Site
@@ -155,11 +155,8 @@ def columns_of(asked: Asked) -> list[str]:
 
 
 def classes_of(limits_m: Sequence[float]) -> list[str]:
-    """Names of the classes that rising limits part: under 6 m, 6 to 12 m, 12 m or more, length unknown."""
-    if not limits_m:
-        return []
-    between = [f"{low:g} to {high:g} m" for low, high in pairwise(limits_m)]
-    return [f"under {limits_m[0]:g} m", *between, f"{limits_m[-1]:g} m or more", NO_LENGTH]
+    """Names of the classes that rising limits part, and of no length: to 6 m, above 6 m, length unknown."""
+    return [*class_names(limits_m), NO_LENGTH] if limits_m else []
 
 
 _NOBODY = """
@@ -287,10 +284,10 @@ def _intervals_sql(asked: Asked) -> str:
 
 
 def _kind_sql(limits_m: Sequence[float]) -> str:
-    """The place of a vehicle's class, and once more 0, the place of all."""
+    """The place of a vehicle's class, by the rule of `class_names`, and once more 0, the place of all."""
     if not limits_m:
         return "0::BIGINT"
-    cases = " ".join(f"WHEN length_m < {limit!r} THEN {at}" for at, limit in enumerate(limits_m, 1))
+    cases = " ".join(f"WHEN length_m <= {limit!r} THEN {at}" for at, limit in enumerate(limits_m, 1))
     last = len(limits_m) + 1
     return f"unnest([0, CASE WHEN length_m IS NULL THEN {last + 1} {cases} ELSE {last} END])"
 

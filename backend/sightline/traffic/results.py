@@ -61,7 +61,7 @@ class StatedClock:
 @dataclass(frozen=True, eq=False)
 class Results:
     """The vehicles of one recording, from `clock`'s start on; `watched_s` None: it is not said how long;
-    `u_start_told`: whether the u of its times of day holds that of the start.
+    `u_start_told`: whether the u of its start is known, without which its times of day have none.
     """
 
     name: str
@@ -129,7 +129,7 @@ def _of_data(path: Path, data: bytes) -> Results:
         begun -= timedelta(seconds=passings[0].front_s)
         return Results(path.name, StatedClock(begun), None, _motions(passings), u_start_told=False)
     check_passings(path, passings, whole["duration_s"])
-    u_start_s = u_told(whole, "u_start_s")
+    u_start_s = u_told(whole, "u_start_s") or None
     found = _motions(
         passings,
         u_start_s=u_start_s,
@@ -137,7 +137,7 @@ def _of_data(path: Path, data: bytes) -> Results:
         rig=_rig_told(whole),
     )
     clock = StatedClock(_start(path, whole.get("start")))
-    return Results(path.name, clock, float(whole["duration_s"]), found, u_start_told=u_start_s > 0)
+    return Results(path.name, clock, float(whole["duration_s"]), found, u_start_told=u_start_s is not None)
 
 
 def _rig_told(whole: Mapping[str, Any]) -> Rig | None:
@@ -253,7 +253,7 @@ def _of_archive(folder: Path) -> Iterator[Results]:
                 f"{site}: {one['recording']}",
                 Filming(one["start_at"], one["zone"]),
                 watched_s,
-                _motions(cars, u_start_s=one["u_start_s"], u_rate=u_told(one, "u_line_rate_ratio")),
+                _motions(cars, u_start_s=one["u_start_s"] or None, u_rate=u_told(one, "u_line_rate_ratio")),
                 site,
                 u_start_told=one["u_start_s"] > 0,
             )
@@ -270,7 +270,7 @@ def _stored(row: Mapping[str, Any], before: datetime | None) -> Passing:
 def _motions(
     passings: Sequence[Passing],
     *,
-    u_start_s: float = 0.0,
+    u_start_s: float | None = None,
     u_rate: float = 0.0,
     rig: Rig | None = None,
 ) -> tuple[VehicleMotion, ...]:

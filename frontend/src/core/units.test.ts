@@ -8,6 +8,7 @@ import {
   formatHeight,
   formatLength,
   formatRung,
+  formatSeconds,
   formatSmall,
   formatSpeed,
   heads,
@@ -57,6 +58,11 @@ describe("heights", () => {
 
   it("leaves the uncertainty out where it is unknown", () => {
     expect(formatHeight(1.5, null)).toBe("1.500\u00a0m");
+  });
+
+  it("never rounds an uncertainty to none", () => {
+    expect(formatSeconds(1.65, 0.0003, 3)).toBe("1.650\u00a0±\u00a00.001\u00a0s");
+    expect(formatHeight(1.5, 0)).toBe("1.500\u00a0±\u00a00.000\u00a0m");
   });
 });
 

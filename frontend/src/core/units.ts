@@ -81,10 +81,7 @@ export function formatHeight(
   digits = HEIGHT_DIGITS,
   unit = lengthUnit.value,
 ): string {
-  if (metres === null) return "–";
-  if (U95_m === null) return formatLength(metres, digits, unit);
-  const value = fixed(convert(metres, unit), digits);
-  return `${value}${NBSP}±${NBSP}${fixed(convert(U95_m, unit), digits)}${NBSP}${unit}`;
+  return withInterval(metres, U95_m, lengthScale(unit), digits);
 }
 
 /** A small length: "18 mm", or "0.71 in" for those who read feet. */
@@ -224,6 +221,11 @@ export function formatAcceleration(mps2: number | null, U95_mps2: number | null 
   return withInterval(mps2, U95_mps2, accelerationScale(), digits);
 }
 
+/** "1.650 ± 0.004 s" */
+export function formatSeconds(seconds: number | null, U95_s: number | null = null, digits = 2): string {
+  return withInterval(seconds, U95_s, [1, "s"], digits);
+}
+
 function withInterval(
   value: number | null,
   U95: number | null,
@@ -231,7 +233,8 @@ function withInterval(
   digits: number,
 ): string {
   if (value === null) return "–";
-  const half = U95 === null ? "" : `${NBSP}±${NBSP}${fixed(U95 * factor, digits)}`;
+  const least = U95 ? 10 ** -digits : 0; // what is not known exactly never reads ± 0
+  const half = U95 === null ? "" : `${NBSP}±${NBSP}${fixed(Math.max(U95 * factor, least), digits)}`;
   return `${fixed(value * factor, digits)}${half}${NBSP}${unit}`;
 }
 

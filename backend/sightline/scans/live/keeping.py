@@ -32,13 +32,18 @@ AGAIN_S = 1.0
 
 @dataclass
 class _Recording:
-    """What is to be stored of one segment; `scan_id`: its row, once it is there."""
+    """What is to be stored of one segment; `scan_id`: its row, once it is there; `deleted`: by a person."""
 
-    segment: SegmentFacts | None = None
+    segment: SegmentFacts
     belongs_to: Callable[[int | None], None] | None = None
     scan_id: int | None = None
     waiting: list[LiveVehicle] = field(default_factory=list)
     motions: list[Motion] = field(default_factory=list)
+    deleted: bool = False
+
+    @property
+    def name(self) -> str:
+        return f"Live {self.segment.began_at:%Y-%m-%d %H:%M:%S} UTC"
 
 
 class SurveyKeeper(Keeper):
@@ -64,19 +69,19 @@ class SurveyKeeper(Keeper):
     def begin(self, segment: SegmentFacts, belongs_to: Callable[[int | None], None]) -> None:
         belongs_to(None)
         recording = self._recording = _Recording(segment, belongs_to)
-        self._try(lambda: self._store(recording))
+        self._try(recording, lambda: self._store(recording))
 
     def take_up(self, segment: SegmentFacts | None, scan_id: int | None) -> None:
         self._recording = None if segment is None else _Recording(segment, scan_id=scan_id)
 
     def add(self, vehicle: LiveVehicle) -> None:
-        if (recording := self._recording) is not None:
+        if (recording := self._recording) is not None and not recording.deleted:
             recording.waiting.append(vehicle)
             recording.motions.append(replace(vehicle.vehicle.motion, profile=None))
-            self._try(lambda: self._store(recording))
+            self._try(recording, lambda: self._store(recording))
 
     def hear(self, health: LiveHealth) -> None:
-        if (recording := self._recording) is None:
+        if (recording := self._recording) is None or recording.deleted:
             return
 
         def heard() -> None:
@@ -84,7 +89,7 @@ class SurveyKeeper(Keeper):
             with self._writing() as session:
                 hear_live_scan(session, scan_id, health)
 
-        self._try(heard)
+        self._try(recording, heard)
 
     def end(self, paths: tuple[Path, Path] | None, notes: list[Said], moved: Callable[[], None]) -> None:
         recording, self._recording = self._recording, None
@@ -109,7 +114,7 @@ class SurveyKeeper(Keeper):
         moved: Callable[[], None],
     ) -> None:
         told = False
-        while True:
+        while not recording.deleted:
             try:
                 self._store_end(recording, paths, notes)
                 break
@@ -121,10 +126,9 @@ class SurveyKeeper(Keeper):
                 told = True
                 time.sleep(AGAIN_S)
             except NotFound:
-                moved()  # it was deleted: no later run can store them
-                raise
+                self._forget(recording)
         for path in paths or ():
-            path.unlink()  # the media store has it
+            path.unlink()  # the media store has it, or nobody wants it
         moved()
 
     def _store_end(self, recording: _Recording, paths: tuple[Path, Path] | None, notes: list[Said]) -> None:
@@ -161,12 +165,11 @@ class SurveyKeeper(Keeper):
         return recording.scan_id
 
     def _store_begin(self, recording: _Recording) -> None:
-        assert recording.segment is not None
         with self._writing() as session:
             made = create_scan(
                 session,
                 self._survey_id,
-                name=f"Live {recording.segment.began_at:%Y-%m-%d %H:%M:%S} UTC",
+                name=recording.name,
                 source=LiveSource(),
                 time_axis="height",
                 rig=self._rig,
@@ -185,13 +188,20 @@ class SurveyKeeper(Keeper):
     def _writing(self) -> AbstractContextManager[Session]:
         return self._services.writing(self._survey_id)
 
-    def _try(self, work: Callable[[], object]) -> None:
+    def _forget(self, recording: _Recording) -> None:
+        """It was deleted while it was streamed: nothing more of it is stored."""
+        recording.deleted, recording.waiting, recording.motions = True, [], []
+        self._say(Said("stream-recording-deleted", recording=recording.name))
+
+    def _try(self, recording: _Recording, work: Callable[[], object]) -> None:
         """Whatever the database does, the stream goes on: said once, tried again with the next second."""
         try:
             work()
             self._troubled = False
+        except NotFound:
+            self._forget(recording)
         except SightlineError as error:
             if not self._troubled:
-                waiting = len(self._recording.waiting) if self._recording else 0
+                waiting = len(recording.waiting)
                 self._say(Said("stream-vehicles-wait", message=error.said, waiting=waiting))
             self._troubled = True

@@ -17,7 +17,7 @@ import numpy as np
 from sightline.enums import ScanMethod
 from sightline.errors import BadInput
 from sightline.linescan import faults
-from sightline.linescan.finding import Behind
+from sightline.linescan.finding import Behind, Finder
 from sightline.linescan.parts import Rig
 from sightline.linescan.rig import rig_from
 from sightline.media.lines.source import LineSource, Piece
@@ -34,7 +34,7 @@ from sightline.scans.live.journal import (
     unmoved,
 )
 from sightline.scans.live.records import Keeper, LiveHealth, LiveVehicle, SegmentFacts
-from sightline.scans.live.segment import LEAD_S, Remainder, Segment
+from sightline.scans.live.segment import LEAD_S, Remainder, Segment, trimmed
 
 TICK_S = 1.0
 JUMP_S = 0.5
@@ -83,8 +83,9 @@ class LiveRun:
         self._said: set[tuple[str, object]] = set()
         self._segment: Segment | None = None
         self._stream = secrets.token_hex(8)
-        self._begin, self._before, self._first_id = 0, Before(), 1
+        self._begin, self._lead, self._before, self._first_id = 0, 0, Before(), 1
         self._resumed_at: datetime | None = None
+        self._left: Told | None = None
         self._behind: Behind = ((), ())
         self._ticked = self._clock.steady()
         self._apart = self._clock.wall() - self._ticked
@@ -99,7 +100,7 @@ class LiveRun:
             self._hand_on(closed)
         if left is not None:
             yield from self._taken_up(left)
-        self.source = self._open(self._begin)
+        self.source = self._open(self._begin - self._lead)
         for piece in self.source.pieces():
             if piece is not None and len(piece.first):
                 yield from self._take(piece)
@@ -134,6 +135,8 @@ class LiveRun:
         wrote of it.
         """
         assert self.source is not None
+        if self._left is not None:
+            self._end_left(self._left)
         came = len(piece.first) + self.source.waiting_bytes // (2 * self.rows)
         now, last_at = self._clock.now(), self.source.last_at
         # another machine's clock may be ahead, but no line comes after now
@@ -144,7 +147,7 @@ class LiveRun:
     def _next_segment(self, before: Segment) -> Iterator[LiveVehicle]:
         """Where the road is empty: another pair of files, from just before the lines not yet looked at."""
         yield from before.give_up()
-        stop = before.finder.settled_line
+        stop = before.settled_line
         start = max(0, stop - 2 * before.finder.margin)
         self._behind = before.finder.behind
         self._close(before, stop)
@@ -171,6 +174,7 @@ class LiveRun:
             before=self._before,
             first_id=self._first_id,
             behind=self._behind,
+            lead=self._lead,
         )
         try:
             made = make(self.folder)
@@ -181,7 +185,8 @@ class LiveRun:
             self._say(Said("stream-lines-not-stored", strerror=error.strerror))
             made = make(None)
         self._number = number
-        self._segment, self._before, self._began = made, Before(), self._clock.steady() - since_s
+        self._segment, self._began = made, self._clock.steady() - since_s
+        self._before, self._lead = Before(), 0
         self._keeper.begin(facts, made.belongs_to)
         return made
 
@@ -237,7 +242,7 @@ class LiveRun:
         waiting = 0 if self.source is None else self.source.waiting_bytes
         words = [*self._losses(segment), *faults.notes_of(segment.finder)]
         return LiveHealth(
-            lines=segment.lines,
+            lines=max(segment.lines, 0),
             lost_lines=(segment.cameras[0].lost, segment.cameras[1].lost),
             light_dn=(light[0], light[1]),
             saturated=(saturated[0], saturated[1]),
@@ -274,12 +279,28 @@ class LiveRun:
                 self._first_id = one.vehicle.number + 1
                 yield one
         if again:
-            lead = max(0, int(after - LEAD_S * self.rig.line_rate_hz))
-            self._begin, self._before = left.begin + lead, left.before.since(lead)
-            self._resumed_at = left.began_at + timedelta(seconds=lead / self.rig.line_rate_hz)
+            # as where a segment ends: another begins just before what is not yet told
+            start = max(0, int(after) - 2 * Finder(self.rows, self.rig).margin)
+            self._begin, self._before = left.begin + start, left.before.since(start)
+            self._lead = min(self._begin, round(LEAD_S * self.rig.line_rate_hz))
+            self._resumed_at = left.began_at + timedelta(seconds=start / self.rig.line_rate_hz)
+            self._left = left
             self._say(Said("stream-resumed", begin=left.begin + int(after), name=self._name))
-        else:
-            self._say(self._missing(left, lines))
+            return
+        self._say(self._missing(left, lines))
+        self._append(left.number, {"closed": []})
+        self._hand_on(left)
+
+    def _end_left(self, left: Told) -> None:
+        """Lines come again from where all is told: there the killed segment ends, or after the last rear of
+        those who are told.
+        """
+        assert self.folder is not None
+        paths = spool_paths(self.folder, left.number)
+        stop = int(max([left.before.settled, *(rear for _, rear in left.before.passed)]))
+        if all(path.is_file() for path in paths) and not trimmed(paths, stop):
+            for path in paths:
+                path.unlink()
         self._append(left.number, {"closed": []})
         self._hand_on(left)
 

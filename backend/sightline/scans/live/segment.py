@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, replace
 from datetime import datetime, timedelta
+from math import inf
 from pathlib import Path
 from typing import Any
 
@@ -60,7 +61,8 @@ class Segment:
     """Lines that are counted from 0, one finder, a pair of files (`folder` None: not kept).
 
     `begin`: number of line 0 in a followed file; `before`: vehicles that are already told; `first_id`: number
-    of the first vehicle; `behind`: roads behind who stands and was told.
+    of the first vehicle; `behind`: roads behind who stands and was told; `lead`: so many lines come before
+    line 0, from which the road is learnt: they are of the segment before, and are not kept again.
     """
 
     def __init__(
@@ -75,12 +77,14 @@ class Segment:
         before: Before = Before(),
         first_id: int = 1,
         behind: Behind = ((), ()),
+        lead: int = 0,
     ) -> None:
-        self.facts, self.rig, self.lines = facts, rig, 0
+        self.facts, self.rig, self.lines, self._lead = facts, rig, -lead, lead
         self.full: Said | None = None
         self.finder = Finder(rows, rig, behind=behind)
         self.vehicles = first_id - 1
         self.found = 0
+        self._more = False  # of those that were complete at once, some are yet to be told
         self._before, self.begin = before, begin
         self.paths = spool_paths(folder, facts.number) if folder else None
         spools = [Spool(path, rows, rig.line_rate_hz) for path in self.paths] if self.paths else [None, None]
@@ -93,10 +97,11 @@ class Segment:
 
     def take(self, piece: Piece) -> Iterator[LiveVehicle]:
         """The vehicles that are complete with these lines. A full disk ends the keeping only."""
+        kept = piece.since(min(max(-self.lines, 0), len(piece.first)))
         for number, (camera, lines) in enumerate(
-            zip(self.cameras, (piece.first, piece.second), strict=True), 1
+            zip(self.cameras, (kept.first, kept.second), strict=True), 1
         ):
-            lost = _within(piece.lost, number)
+            lost = _within(kept.lost, number)
             try:
                 camera.take(lines, lost)
             except OSError as error:
@@ -106,7 +111,7 @@ class Segment:
 
     def finish(self) -> Iterator[LiveVehicle]:
         """What is complete at the end of the lines."""
-        if self.lines:
+        if self.lines > 0:
             yield from self._told(self.finder.finish())
             yield from self._told(self.finder.stood_throughout(), always=True)
 
@@ -119,13 +124,13 @@ class Segment:
 
     def note(self, at: datetime) -> None:
         """Say in the journal how far everything is told."""
-        # a front lies half a line before the first line that shows it
-        settled, stand = max(0, self.finder.settled_line - 1), self._stand()
+        settled, stand = self._settled_before, self._stand()
         self._write({"settled": settled, "stand": stand, "lines": self.lines, "at": at.isoformat()})
 
     def told(self, one: LiveVehicle) -> None:
         """Say in the journal that a vehicle has been told."""
-        self._write({**told_line(one), "stand": self._stand()})
+        settled = {} if self._more else {"settled": self._settled_before}
+        self._write({**told_line(one), **settled, "stand": self._stand()})
 
     def belongs_to(self, scan_id: int | None) -> None:
         self._write({"scan_id": scan_id})
@@ -152,6 +157,11 @@ class Segment:
         return said + ([self.full] if self.full else [])
 
     @property
+    def settled_line(self) -> int:
+        """All whose rears came before this line are told."""
+        return max(0, self.finder.settled_line - self._lead)
+
+    @property
     def crowded(self) -> bool:
         """Whether the list of lost lines needs another file."""
         return any(camera.spool is not None and camera.spool.full for camera in self.cameras)
@@ -165,7 +175,9 @@ class Segment:
         return self.facts.began_at + timedelta(seconds=line / self.rig.line_rate_hz)
 
     def _told(self, passages: Sequence[Passage], *, always: bool = False) -> Iterator[LiveVehicle]:
-        for passage in passages:
+        for left, found in zip(range(len(passages) - 1, -1, -1), passages, strict=True):
+            self._more = left > 0
+            passage = _moved(found, -self._lead, 0.0 if always else -inf)
             counted = always or not self._before.has(passage.crossings.front_line_1, self.finder.spans.guard)
             dropped = (self.cameras[0].dropped, self.cameras[1].dropped)
             vehicle = self._follower.next(without_losses(passage, dropped), counted=counted)
@@ -175,9 +187,14 @@ class Segment:
                 at = self.time_of(passage.crossings.front_line_1)
                 yield LiveVehicle(self.facts.number, self.begin, vehicle, at)
 
+    @property
+    def _settled_before(self) -> int:
+        """For the journal: a front lies half a line before the first line that shows it."""
+        return max(0, self.settled_line - 1)
+
     def _stand(self) -> list[list[float]]:
         """Lines of those that nobody waits for, and that are told when they have left."""
-        return [[float(line) for line in asdict(one).values()] for one in self.finder.given_up]
+        return [[float(line - self._lead) for line in asdict(one).values()] for one in self.finder.given_up]
 
     def _columns(self, crossings: Crossings) -> Crossings:
         return columns_of(crossings, *(camera.dropped for camera in self.cameras))
@@ -292,8 +309,8 @@ def trimmed(paths: tuple[Path, Path], stop: int | None = None) -> int:
     return common
 
 
-def _moved(passage: Passage, by: int) -> Passage:
-    crossings = Crossings(*(line + by for line in asdict(passage.crossings).values()))
+def _moved(passage: Passage, by: int, least: float = -inf) -> Passage:
+    crossings = Crossings(*(max(line + by, least) for line in asdict(passage.crossings).values()))
     start_1, start_2 = passage.start_1 + by, passage.start_2 + by
     return replace(passage, crossings=crossings, start_1=start_1, start_2=start_2)
 

@@ -44,10 +44,10 @@ def list_live_scans(session: Session, survey_id: int) -> tuple[LiveScan, ...]:
     return tuple(_live_scan(dict(row)) for row in session.execute(query).mappings())
 
 
-def fronts_of(session: Session, scan_ids: Sequence[int]) -> list[tuple[int, float]]:
-    """(scan, front line at camera 1, as first measured) of the vehicles that stand."""
+def fronts_of(session: Session, scan_ids: Sequence[int]) -> list[tuple[int, float, float]]:
+    """(scan, front line at camera 1, line rate, Hz), as first measured, of the vehicles that stand."""
     query = (
-        select(scan_measurements.c.scan_id, scan_measurements.c.front_line_1)
+        select(scan_measurements.c.scan_id, scan_measurements.c.front_line_1, scan_measurements.c.rig)
         .join(scan_vehicles, scan_vehicles.c.id == scan_measurements.c.vehicle_id)
         .where(
             scan_measurements.c.scan_id.in_(scan_ids),
@@ -55,7 +55,7 @@ def fronts_of(session: Session, scan_ids: Sequence[int]) -> list[tuple[int, floa
             scan_vehicles.c.deleted_at.is_(None),
         )
     )
-    return [(row.scan_id, row.front_line_1) for row in session.execute(query)]
+    return [(row.scan_id, row.front_line_1, row.rig["line_rate_hz"]) for row in session.execute(query)]
 
 
 def _live_scan(row: JsonObject) -> LiveScan:

@@ -65,8 +65,11 @@ class ShownInterval(Interval):
 
     begins_at: Annotated[str, Field(description="By the clocks of the place, ISO 8601 with offset.")]
     near_edge: Annotated[
-        int,
-        Field(description="Passed so near to an edge that the clock leaves open on which side (95 %)."),
+        int | None,
+        Field(
+            description="Passed so near to an edge that the clock leaves open on which side (95 %); "
+            "null: not known."
+        ),
     ]
     refused: Annotated[int, Field(description="Those whose motion could not be measured.")]
     flow_low: Annotated[

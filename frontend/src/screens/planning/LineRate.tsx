@@ -5,7 +5,7 @@ import { Said } from "../../components/Said";
 import { current, query, setQuery } from "../../core/address";
 import { region, say, wordsOf } from "../../core/messages";
 import { useAsked, useResource } from "../../core/resource";
-import { fixed, formatCount, formatHeight, formatSmall, formatSpeed } from "../../core/units";
+import { fixed, formatCount, formatHeight, formatSeconds, formatSmall, formatSpeed } from "../../core/units";
 import { Advice } from "./Advice";
 import type { LinePlan } from "./model";
 import { ValueFields } from "./PlanForm";
@@ -146,7 +146,7 @@ type PlannedValue = LinePlan["values"][number];
 function valueWords({ quantity, value, U95 }: PlannedValue): string {
   if (quantity === "speed") return formatSpeed(value, U95, 2);
   if (quantity !== "time_gap") return formatHeight(value, U95, quantity === "length" ? 3 : 2);
-  return say("planning-seconds", { value: fixed(value, 4), U95: fixed(U95, 4) });
+  return formatSeconds(value, U95, 4);
 }
 
 function partWords(quantity: PlannedValue["quantity"], u: number): string {

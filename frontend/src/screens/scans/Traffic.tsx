@@ -180,7 +180,7 @@ function ofFlow({ num }: Intervals) {
       <>
         {one.vehicles}
         {one.refused > 0 && <Small>{say("flows-refused", { count: one.refused })}</Small>}
-        {one.near_edge > 0 && <Small>{say("flows-near-edge", { count: one.near_edge })}</Small>}
+        {!!one.near_edge && <Small>{say("flows-near-edge", { count: one.near_edge })}</Small>}
       </>
     )),
     num(withUnit(say("flows-head-flow"), say("unit-per-hour")), (one) => (

@@ -20,7 +20,9 @@ import type { CatalogueRow, ScanMotion, ScanVehicle, ScanVehicleDetail } from ".
 import {
   fixed,
   formatAcceleration,
+  formatHeight,
   formatLength,
+  formatSeconds,
   formatSmall,
   formatSpeed,
   lengthUnit,
@@ -38,7 +40,7 @@ import { MatchPictures } from "./MatchPictures";
 import type { ScanModel } from "./model";
 import { ProfileFigure } from "./ProfileFigure";
 import { References } from "./References";
-import { causeWords, formatMeasured, formatSeconds, stateOf } from "./words";
+import { causeWords, formatMeasured, stateOf } from "./words";
 
 export function VehiclePanel({ model }: { model: ScanModel }) {
   const vehicle = model.chosen.value;
@@ -157,11 +159,14 @@ function Numbers({ m, vehicle, lanes }: { m: ScanMotion; vehicle: ScanVehicle; l
 
 /** From front to front there may be a time where the rear of the vehicle before is not known. */
 export function gapFacts(gap: ScanVehicle["gap"]): Fact[] {
-  const headway: Fact = gap?.headway_s != null && [say("scan-headway"), formatSeconds(gap.headway_s, 3)];
+  const headway: Fact = gap?.headway_s != null && [
+    say("scan-headway"),
+    formatSeconds(gap.headway_s, null, 3),
+  ];
   if (gap?.time_gap_s == null)
     return [[say("scan-time-gap"), sentenceOf(gap?.reason) ?? say("scan-time-gap-first")], headway];
   return [
-    [say("scan-time-gap"), formatSeconds(gap.time_gap_s, 3)],
+    [say("scan-time-gap"), formatSeconds(gap.time_gap_s, gap.U95_time_gap_s, 3)],
     [say("scan-distance-gap"), <DistanceGap gap={gap} />],
     headway,
   ];
@@ -196,7 +201,10 @@ function Passed({ vehicle }: { vehicle: ScanVehicle }) {
 }
 
 function DistanceGap({ gap }: { gap: NonNullable<ScanVehicle["gap"]> }) {
-  const words = gap.distance_gap_m === null ? sentenceOf(gap.reason) : formatLength(gap.distance_gap_m, 2);
+  const words =
+    gap.distance_gap_m === null
+      ? sentenceOf(gap.reason)
+      : formatHeight(gap.distance_gap_m, gap.U95_distance_gap_m, 2);
   if (gap.paper_distance_gap_m === null) return <>{words}</>;
   return (
     <Said

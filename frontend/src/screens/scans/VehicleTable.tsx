@@ -8,11 +8,11 @@ import { Said } from "../../components/Said";
 import { say, sentenceOf } from "../../core/messages";
 import { formatPlaceClock, formatPlaceMoment } from "../../core/times";
 import type { ScanVehicle } from "../../core/types";
-import { fixed, heads, plainAcceleration, plainLength, plainSpeed } from "../../core/units";
+import { fixed, formatSeconds, heads, plainAcceleration, plainLength, plainSpeed } from "../../core/units";
 import { vehicleName } from "../../core/words";
 import { OtherWay } from "../../parts/OtherWay";
 import type { ScanModel } from "./model";
-import { formatSeconds, stateOf } from "./words";
+import { stateOf } from "./words";
 
 export function VehicleTable({ model }: { model: ScanModel }) {
   const units = heads();

@@ -1,13 +1,8 @@
 /** Figures of a line scan in words and units; every number is the server's. */
 import { say } from "../../core/messages";
 import type { ScanMotion, ScanVehicle } from "../../core/types";
-import { fixed, formatHeight } from "../../core/units";
+import { formatHeight } from "../../core/units";
 import type { StateName } from "../../core/words";
-
-/** "1.284 s" */
-export function formatSeconds(seconds: number | null, digits = 2): string {
-  return seconds === null ? "–" : say("value-s", { value: fixed(seconds, digits) });
-}
 
 /** "4.660 ± 0.008 m"; of an uncertain length no more decimals than its uncertainty has to say. */
 export function formatMeasured(metres: number | null, U95_m: number | null): string {

@@ -1,4 +1,6 @@
+import { render } from "preact";
 import { expect, it } from "vitest";
+import { Facts } from "../../components";
 import type { ScanVehicle } from "../../core/types";
 import { gapFacts } from "./VehiclePanel";
 
@@ -13,4 +15,12 @@ it("tells a known headway where the time gap is missing, and why that is", () =>
   expect(first).toContain("the rear is not known");
   expect(second).toMatch(/headway.*2\.456/);
   expect(told({ ...gap, headway_s: null })).toHaveLength(1);
+});
+
+it("shows both gaps with half their 95 % interval", () => {
+  const gap = { time_gap_s: 1.65, U95_time_gap_s: 0.0041, distance_gap_m: 22.331, U95_distance_gap_m: 0.048 };
+  const facts = gapFacts({ ...gap, headway_s: null, paper_distance_gap_m: null } as ScanVehicle["gap"]);
+  render(<Facts of={facts} />, document.body);
+  expect(document.body.textContent).toContain("1.650\u00a0±\u00a00.004\u00a0s");
+  expect(document.body.textContent).toContain("22.33\u00a0±\u00a00.05\u00a0m");
 });
