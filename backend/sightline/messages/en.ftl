@@ -5418,6 +5418,7 @@ people-sign-ins-blocked = Too many failed sign-ins; wait five minutes and try ag
 people-token-incomplete = A token needs a name, a scope and 1 to { NUMBER($most_days) } days; fill them in.
 people-token-too-many = You already have { NUMBER($most) } tokens; revoke one that is no longer used.
 people-link-used = This sign-in link was already used or has expired; ask an administrator for a new one.
+people-link-switched-off = { $person }’s account is deactivated; reactivate it before you make a sign-in link.
 people-email-form = “{ $email }” is not an e-mail address; write it as name@place.
 people-account-exists = There is already an account for { $email }; change that one instead.
 people-last-admin = This is the last administrator; make another person administrator first.

@@ -5458,6 +5458,7 @@ people-sign-ins-blocked = Trop d’échecs de connexion ; attendez cinq minute
 people-token-incomplete = Un jeton demande un nom, un droit et de 1 à { NUMBER($most_days) } jours ; remplissez-les.
 people-token-too-many = Vous avez déjà { NUMBER($most) } jetons ; révoquez-en un qui ne sert plus.
 people-link-used = Ce lien de connexion a déjà servi ou est trop ancien ; demandez-en un nouveau à un administrateur.
+people-link-switched-off = Le compte de { $person } est désactivé ; réactivez-le avant de créer un lien de connexion.
 people-email-form = « { $email } » n’est pas une adresse e-mail ; écrivez-la sous la forme nom@lieu.
 people-account-exists = Il existe déjà un compte pour { $email } ; modifiez plutôt celui-là.
 people-last-admin = C’est le dernier administrateur ; nommez-en d’abord un autre.
