@@ -5483,6 +5483,7 @@ recordings-pose-image-size = The camera pose { $pose_id } is for images of { $po
 recordings-frames-differ = The frames found now are not those that were measured; upload the video as a new one.
 recordings-tus-version = Uploads use tus 1.0.0; send the header Tus-Resumable: 1.0.0.
 recordings-too-many-uploads = You have { $most } uploads that are not complete; finish or cancel some first.
+recordings-uploads-no-room = There is not enough space for this upload ({ $needed }) beside your uploads that are not complete ({ $to_come } still to come, { $free } free); finish or cancel some first.
 recordings-upload-without-length = The upload does not state the length of the file; send the header Upload-Length.
 recordings-upload-content-type = The bytes of an upload come as application/offset+octet-stream; send that Content-Type.
 recordings-upload-without-name = The upload does not name its file; send filename in the header Upload-Metadata.

@@ -5528,6 +5528,7 @@ recordings-pose-image-size = La pose { $pose_id } de la caméra vaut pour des im
 recordings-frames-differ = Les images trouvées maintenant ne sont pas celles qui ont été mesurées ; envoyez la vidéo comme nouvelle.
 recordings-tus-version = Les envois utilisent tus 1.0.0 ; envoyez l’en-tête Tus-Resumable: 1.0.0.
 recordings-too-many-uploads = Vous avez { $most } envois incomplets ; terminez ou annulez-en d’abord.
+recordings-uploads-no-room = Il n’y a pas de place pour cet envoi ({ $needed }) à côté de vos envois incomplets ({ $to_come } encore à venir, { $free } libres) ; terminez ou annulez-en d’abord.
 recordings-upload-without-length = L’envoi ne dit pas la longueur du fichier ; envoyez l’en-tête Upload-Length.
 recordings-upload-content-type = Les octets d’un envoi arrivent en application/offset+octet-stream ; envoyez ce Content-Type.
 recordings-upload-without-name = L’envoi ne nomme pas son fichier ; envoyez filename dans l’en-tête Upload-Metadata.

@@ -79,14 +79,14 @@ def sha256_of(path: Path) -> str:
 
 def check_room(folder: Path, size: int, what: str = "this file") -> None:
     """Raise NoRoom, before anything is written, if `size` more bytes would use up the disk's reserve."""
-    free = shutil.disk_usage(folder).free
-    if size + RESERVE_BYTES > free:
-        raise NoRoom(
-            "store-no-room",
-            what=what,
-            needed=_mb(size),
-            free=_mb(max(0, free - RESERVE_BYTES)),
-        )
+    free = free_bytes(folder)
+    if size > free:
+        raise NoRoom("store-no-room", what=what, needed=in_mb(size), free=in_mb(max(0, free)))
+
+
+def free_bytes(folder: Path) -> int:
+    """How many bytes a folder's disk still takes before its reserve."""
+    return shutil.disk_usage(folder).free - RESERVE_BYTES
 
 
 @contextmanager
@@ -100,7 +100,8 @@ def no_room_told(what: str = "this file") -> Iterator[None]:
         raise NoRoom("store-disk-full", what=what) from error
 
 
-def _mb(size: int) -> str:
+def in_mb(size: int) -> str:
+    """A number of bytes for people."""
     return f"{size / 1e6:.0f} MB" if size >= 10e6 else f"{size / 1e6:.1f} MB"
 
 
