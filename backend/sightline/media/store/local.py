@@ -30,13 +30,17 @@ class MediaStore(Protocol):
         and no room are needed, but the given file must never be changed in place (deleting it is fine).
         """
 
-    def local_path(self, key: str) -> Path:
-        """A local file with the content, for reading only. Raises NotFound, NoRoom."""
+    def local_path(self, key: str, *, replaced: bool = False) -> Path:
+        """A local file with the content, for reading only. Raises NotFound, NoRoom.
 
-    def exists(self, key: str) -> bool: ...
+        `replaced`: the key does not tell the content, and another machine may have put other content there.
+        """
+
+    def exists(self, key: str, *, at_once: bool = False) -> bool:
+        """Whether the file is there; `at_once`: others wait to write, so it takes seconds, or raises Away."""
 
     def delete(self, key: str) -> None:
-        """Remove the file; nothing happens if it is not there."""
+        """Remove the file, if it is there; others wait to write, so this takes seconds, or raises Away."""
 
     def open(self, key: str) -> BinaryIO:
         """The content from its start, for reading; the caller closes it. Raises NotFound."""
@@ -120,13 +124,13 @@ class LocalStore:
         with no_room_told():
             copy_whole(path, target)
 
-    def local_path(self, key: str) -> Path:
+    def local_path(self, key: str, *, replaced: bool = False) -> Path:
         path = self._path(key)
         if not path.is_file():
             raise NotFound("store-file-lost", key=key)
         return path
 
-    def exists(self, key: str) -> bool:
+    def exists(self, key: str, *, at_once: bool = False) -> bool:
         return self._path(key).is_file()
 
     def delete(self, key: str) -> None:
