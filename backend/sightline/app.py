@@ -10,10 +10,11 @@ from typing import Any
 
 import anyio
 from fastapi import APIRouter, FastAPI
+from fastapi.params import Form
 from fastapi.routing import APIRoute
 from prometheus_client import CollectorRegistry
 from starlette.middleware.gzip import GZipMiddleware
-from starlette.routing import BaseRoute
+from starlette.routing import BaseRoute, compile_path
 
 import sightline.job_handlers
 from sightline.errors import NotFound
@@ -26,7 +27,7 @@ from sightline.infra.web.ballast import Ballast, RoomForDeleting
 from sightline.infra.web.bearer import Bearers
 from sightline.infra.web.bodies import ErrorBody
 from sightline.infra.web.cookie import SignIn
-from sightline.infra.web.guard import Guard
+from sightline.infra.web.guard import FormRoute, Guard
 from sightline.infra.web.idempotency import Idempotency
 from sightline.infra.web.metrics import InstallationMetrics
 from sightline.infra.web.nearest import Nearest
@@ -127,6 +128,18 @@ def api_routes() -> tuple[BaseRoute, ...]:
     return (Nearest(zip(api.routes, paths, strict=True)), *api.routes)
 
 
+@cache
+def form_routes() -> tuple[FormRoute, ...]:
+    """Where a form may come, with a file: every other body is bounded like JSON."""
+    return tuple(
+        (method, compile_path(f"/api{one.path}")[0])
+        for _, router in ROUTERS
+        for one in router.routes
+        if isinstance(one, APIRoute) and one.body_field and isinstance(one.body_field.field_info, Form)
+        for method in sorted(one.methods or ())
+    )
+
+
 def describe() -> dict[str, Any]:
     """The OpenAPI document, without opening a database or a media store."""
     return Api(title=TITLE, version=VERSION, description=DESCRIPTION, routes=[*api_routes()]).openapi()
@@ -175,7 +188,7 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
     app.add_middleware(Spoken)
     app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
     app.add_middleware(RoomForDeleting, ballast=ballast)
-    app.add_middleware(Guard)
+    app.add_middleware(Guard, forms=form_routes())
     app.state.metrics = CollectorRegistry()
     turns = {"reading": app.state.readers, "writing": app.state.write_gate}
     app.state.metrics.register(InstallationMetrics(services, turns))

@@ -103,6 +103,17 @@ def test_a_huge_body_that_says_it_is_of_an_upload_is_refused_where_none_goes_on(
     error_of(answer)
 
 
+def test_a_huge_form_is_refused_where_no_file_is_taken(nobody: Client) -> None:
+    files = {"file": ("road.jpg", b"x" * 3_000_000, "image/jpeg")}
+    for method, path in (("POST", "/session"), ("POST", "/surveys"), ("PUT", "/surveys/1/photographs")):
+        answer = nobody.http.request(method, f"/api{path}", files=files, headers={"X-Sightline": "1"})
+        assert answer.status_code in (405, 413), path
+        assert (answer.status_code == 405) == (method == "PUT")
+        error_of(answer)
+    taken = nobody.http.post("/api/surveys/1/photographs", files=files, headers={"X-Sightline": "1"})
+    assert taken.status_code == 401
+
+
 def test_an_unexpected_failure_is_a_sentence(app: FastAPI, nobody: Client) -> None:
     @app.get("/api/broken-for-the-test")
     def broken() -> None:

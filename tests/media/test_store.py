@@ -14,7 +14,7 @@ from s3transfer.utils import OSUtils
 
 from sightline.errors import BadInput, NoRoom, NotFound, SightlineError
 from sightline.media.atomic import atomic_file
-from sightline.media.store import local
+from sightline.media.store import local, s3
 from sightline.media.store.local import LocalStore, MediaStore, key_of, open_store, sha256_of
 from tests.support.waiting import NEVER_S
 
@@ -85,11 +85,11 @@ def test_what_replaces_another_is_there_at_once(
     other.write_bytes(b"made anew")
     for _ in range(2):
         store.put_file("a/b", video, link=link, replace=True)
-        assert store.local_path("a/b").read_bytes() == DATA
+        assert store.local_path("a/b", replaced=True).read_bytes() == DATA
     store.put_file("a/b", other, link=link)
-    assert store.local_path("a/b").read_bytes() == DATA
+    assert store.local_path("a/b", replaced=True).read_bytes() == DATA
     store.put_file("a/b", other, link=link, replace=True)
-    assert store.local_path("a/b").read_bytes() == b"made anew"
+    assert store.local_path("a/b", replaced=True).read_bytes() == b"made anew"
 
 
 def test_linking_needs_no_room_and_outlives_the_given_file(
@@ -225,6 +225,46 @@ def test_s3_fetches_of_two_files_do_not_wait_for_each_other(
 def test_s3_is_shared_by_machines(open_s3: OpenS3, video: Path) -> None:
     open_s3("one").put_file("a/b", video)
     assert open_s3("two").local_path("a/b").read_bytes() == DATA
+
+
+def test_what_one_machine_replaces_or_deletes_the_others_see(
+    open_s3: OpenS3, video: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(s3, "BELIEVED_S", 0.0)
+    one, two = open_s3("one"), open_s3("two")
+    other = tmp_path / "other"
+    other.write_bytes(DATA[::-1])  # as long as what it replaces
+    one.put_file("a/b.zip", video, replace=True)
+    then = two.local_path("a/b.zip", replaced=True)
+    assert then.read_bytes() == DATA and two.local_path("a/b.zip", replaced=True) == then
+    one.put_file("a/b.zip", other, replace=True)
+    now = two.local_path("a/b.zip", replaced=True)
+    assert now.read_bytes() == DATA[::-1]
+    assert now != then and now.suffix == ".zip"  # who has the other one open does not take it for this one
+    one.delete("a/b.zip")
+    with pytest.raises(NotFound):
+        two.local_path("a/b.zip", replaced=True)
+
+
+def test_what_is_replaced_while_it_is_fetched_is_not_kept_under_the_former_tag(
+    open_s3: OpenS3, video: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(s3, "BELIEVED_S", 0.0)
+    one, two = open_s3("one"), open_s3("two")
+    other = tmp_path / "other"
+    other.write_bytes(b"made anew")
+    one.put_file("a/b", video, replace=True)
+    fetch, meanwhile = two._fetch, [other]
+
+    def overtaken(key: str, path: Path) -> None:
+        if meanwhile:
+            one.put_file(key, meanwhile.pop(), replace=True)
+        fetch(key, path)
+
+    monkeypatch.setattr(two, "_fetch", overtaken)
+    assert two.local_path("a/b", replaced=True).read_bytes() == b"made anew"
+    one.put_file("a/b", video, replace=True)
+    assert two.local_path("a/b", replaced=True).read_bytes() == DATA
 
 
 def test_s3_that_does_not_answer_is_told_in_a_sentence(

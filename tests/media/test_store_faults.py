@@ -8,10 +8,12 @@ from pathlib import Path
 
 import pytest
 
+from sightline.infra.database.engine import SHORT_IDLE_S
 from sightline.media.store import s3
 from sightline.media.store.local import open_store
 from sightline.media.store.s3 import S3Store, StorageAway
 from tests.media.faulty_s3 import Fault, FaultyS3
+from tests.support.waiting import NEVER_S
 
 DATA = os.urandom(300_000)
 
@@ -78,6 +80,26 @@ def test_a_store_with_a_fault_is_told_and_leaves_nothing_half(
     faulty.begin("none")
     store.put_file("a/new", video)
     assert store.local_path("a/kept").read_bytes() == store.local_path("a/new").read_bytes() == DATA
+
+
+def test_what_others_wait_for_is_not_waited_for_long(
+    faulty: FaultyS3, store: S3Store, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Under the lock under which files go: a store that is silent keeps nobody from writing."""
+    once_s = s3.AT_ONCE_CONNECT_S + s3.AT_ONCE_READ_S
+    assert s3.AT_ONCE_ATTEMPTS * once_s + 1.0 < SHORT_IDLE_S  # with the pause between two tries
+    monkeypatch.setattr(S3Store, "_make_bucket", lambda _: None)
+    monkeypatch.setattr(s3, "READ_S", NEVER_S)
+    monkeypatch.setattr(s3, "AT_ONCE_READ_S", 0.2)
+    patient = opened(faulty, tmp_path)
+    faulty.begin("slow")
+    with pytest.raises(StorageAway):
+        patient.delete("a/kept")
+    with pytest.raises(StorageAway):
+        patient.exists("a/kept", at_once=True)
+    assert faulty.asked == 2 * s3.AT_ONCE_ATTEMPTS
+    faulty.begin("closed", 1)
+    patient.delete("a/kept")
 
 
 def test_one_bad_answer_is_asked_again_without_a_word(faulty: FaultyS3, store: S3Store, video: Path) -> None:

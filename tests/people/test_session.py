@@ -130,6 +130,18 @@ def test_whoever_is_switched_off_comes_back_by_no_old_link(
     assert fresh(app).post("/session/link", {"token": link}).status_code == 401
 
 
+def test_whoever_is_switched_off_is_given_no_link(admin: Client, operator: Client) -> None:
+    """It would hold once they are switched on again."""
+    me = operator.seen("/session")["person"]
+    links = f"/people/{me['id']}/link"
+    admin.put(f"/people/{me['id']}", {"name": "Op", "role": me["role"], "active": False})
+    refused = admin.post(links)
+    assert refused.status_code == 409
+    assert error_of(refused).startswith("Op’s account is deactivated; reactivate it")
+    admin.put(f"/people/{me['id']}", {"name": "Op", "role": me["role"], "active": True})
+    assert admin.post(links).status_code == 201
+
+
 def test_a_sign_in_beside_a_change_of_password_is_over_with_the_other_sessions(
     app: FastAPI, operator: Client, monkeypatch: pytest.MonkeyPatch
 ) -> None:

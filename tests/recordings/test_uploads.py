@@ -275,6 +275,33 @@ def test_a_full_disk_is_told_before_a_byte_is_sent(
 
 
 @pytest.mark.once
+def test_what_one_person_announced_must_fit_together(
+    operator: Client, admin: Client, survey_id: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    class Usage:
+        free = local.RESERVE_BYTES + 12_000_000
+
+    monkeypatch.setattr(local.shutil, "disk_usage", lambda _path: Usage)
+    first = announce(operator, survey_id, "a.mp4", 8_000_000).headers["Location"]
+    refused = announce(operator, survey_id, "b.mp4", 5_000_000)
+    assert refused.status_code == 507
+    assert "(5.0 MB) beside" in error_of(refused) and "(8.0 MB still to come, 12 MB free)" in error_of(
+        refused
+    )
+    assert announce(operator, survey_id, "c.mp4", 4_000_000).status_code == 201
+    assert announce(admin, survey_id, "d.mp4", 12_000_000).status_code == 201
+    # what has arrived is on the disk already
+    assert send(operator, first, 0, b"x" * 1_000_000).status_code == 204
+    assert announce(operator, survey_id, "e.mp4", 1_000_000).status_code == 201
+    assert announce(operator, survey_id, "f.mp4", 1).status_code == 507
+    # of what never came, or was given up, no room is kept
+    assert operator.http.delete(first, headers=TUS).status_code == 204
+    assert announce(operator, survey_id, "f.mp4", 7_000_000).status_code == 201
+    monkeypatch.setattr(service, "NEVER_CAME_S", 0.0)
+    assert announce(operator, survey_id, "g.mp4", 12_000_000).status_code == 201
+
+
+@pytest.mark.once
 def test_a_disk_that_fills_up_keeps_what_arrived(
     operator: Client, survey_id: int, clip: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -6,22 +6,24 @@ import json
 import subprocess
 import sys
 from collections.abc import Iterator
+from contextlib import contextmanager
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from sqlalchemy import update
+from sqlalchemy import text, update
 
 from sightline.cli import main
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.database.engine import DatabaseAway, migrate
 from sightline.infra.database.types import now
 from sightline.infra.services import Services, open_services
+from sightline.linescan.parts import Rig
 from sightline.scans.live import keeping
 from sightline.scans.live.keeping import SurveyKeeper
-from sightline.scans.live.records import LiveStream, LiveVehicle
+from sightline.scans.live.records import LiveStream, LiveVehicle, SegmentFacts
 from sightline.scans.live.service import flow_of, live_streams
 from sightline.scans.live.state import live_state
 from sightline.scans.live.tables import scan_live
@@ -144,6 +146,53 @@ def test_what_a_busy_database_does_not_take_is_stored_with_the_next_second(
         assert len(list_scan_vehicles(session, scan.id)) == 3
         assert verify_records(session).ok
     assert scan.state == "ready" and scan.run is not None and scan.run.found == 3
+
+
+def test_what_was_stored_though_its_answer_was_lost_is_not_stored_again(
+    services: Services, lines: bytes, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The first commit of a recording, of a vehicle and of the end goes through, and nobody hears of it."""
+    begun, lost = Services.writing, set[str]()
+
+    @contextmanager
+    def writing(self: Services, *given: Any, **named: Any) -> Iterator[Any]:
+        with begun(self, *given, **named) as session:
+            yield session
+            last = session.execute(text("SELECT action, entity FROM audit_events ORDER BY id DESC"))
+            what = " ".join(last.first() or ())
+        if what not in lost:
+            lost.add(what)
+            raise DatabaseAway("database-no-answer")
+
+    monkeypatch.setattr(keeping, "AGAIN_S", 0.0)
+    path = tmp_path / "lines.raw"
+    path.write_bytes(lines)
+    where = ("--survey", "Hill", "--data-dir", str(tmp_path / "data"))
+    with monkeypatch.context() as patched:
+        patched.setattr(Services, "writing", writing)
+        assert main([*STREAM, *where, "--follow", str(path), "--until-idle", "0.3"]) == 0
+    assert len(lost) >= 3
+    run_jobs(services)
+    with services.reading() as session:
+        (scan,) = list_scans(session, 1)
+        assert len(list_scan_vehicles(session, scan.id)) == 3
+        kinds = [event.action for event in events_of(session, 1)]
+        assert verify_records(session).ok
+    assert scan.state == "ready" and scan.run is not None and scan.run.found == 3
+    assert kinds.count("recorded") == kinds.count("run") == 1
+
+
+def test_a_stream_taken_up_at_its_very_beginning_has_a_recording_of_its_own(services: Services) -> None:
+    """Both segments have the stream's sign and the same moment; each is stored once."""
+    at, ids = datetime(2026, 5, 3, 12, 0, tzinfo=UTC), list[int | None]()
+    keeper = SurveyKeeper(services, 1, Rig(SITE.baseline_m, SITE.line_rate_hz), "direct", lambda _: None)
+    keeper.begin(SegmentFacts(1, "sign", "lines.raw", at), ids.append)
+    left = keeper._recording
+    keeper.begin(SegmentFacts(2, "sign", "lines.raw", at), ids.append)
+    assert left is not None and ids == [None, 1, None, 2]
+    again = SurveyKeeper(services, 1, Rig(SITE.baseline_m, SITE.line_rate_hz), "direct", lambda _: None)
+    again.take_up(SegmentFacts(2, "sign", "lines.raw", at), None)  # killed before its journal had the number
+    assert again._recording is not None and again._store(again._recording) == 2
 
 
 def test_a_killed_stream_of_a_survey_is_taken_up(

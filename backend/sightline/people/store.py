@@ -147,8 +147,11 @@ def create_sign_in_link(
     """Make a one-time sign-in link and return its token; only the token's hash is stored.
 
     Older ones end, now or (`beside_others`) as soon as one of them all is used.
+    Raises Conflict for an account that is switched off: the link would hold once it is switched on again.
     """
     person = get_person(session, person_id)
+    if not person.active:
+        raise Conflict("people-link-switched-off", person=person.name)
     token, moment = secrets.token_urlsafe(32), now()
     if not beside_others:
         _end_links(session, person_id)

@@ -205,7 +205,7 @@ def thumbnail(services: Services, recording_id: int, n: int) -> bytes:
     recording = stills_of(services).open(recording_id).recording
     if n not in recording.thumbs:
         raise NotFound("recordings-no-thumbnail", n=n, name=recording.name)
-    with zipfile.ZipFile(services.media.local_path(thumbnails_key(recording))) as archive:
+    with zipfile.ZipFile(services.media.local_path(thumbnails_key(recording), replaced=True)) as archive:
         return archive.read(f"{n}.jpg")
 
 

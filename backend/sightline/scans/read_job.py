@@ -51,8 +51,9 @@ def read_scan(context: JobContext) -> Finish:
         facts = _stored(context, services, scan, Path(folder))
 
     def finish(session: Session) -> Mapping[str, Any]:
-        # Nobody deletes a file while the lock is held.
-        if not all(services.media.exists(key) for key in (facts.first_key, facts.second_key)):
+        # Nobody deletes a file while the lock is held, and everybody waits for it.
+        keys = (facts.first_key, facts.second_key)
+        if not all(services.media.exists(key, at_once=True) for key in keys):
             raise Away("scans-strips-taken-along")
         note_scan_read(session, scan_id, facts, actor=context.actor)
         place: dict[str, Any] = {"survey_id": scan.survey_id, "actor": context.actor}

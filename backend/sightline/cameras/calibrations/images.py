@@ -53,19 +53,20 @@ def add_image(
     gray = services.frames.image(content, name)
     found = look(gray, board)
     height, width = gray.shape
-    put_bytes(services, content, suffix_of(name))  # takes its time; below it is there
+    key = put_bytes(services, content, suffix_of(name))
     with services.writing() as session:
-        return add_calibration_image(
+        made = add_calibration_image(
             session,
             camera_id,
             name=name,
-            # under the lock under which files go, so that none goes between
-            media_key=put_bytes(services, content, suffix_of(name)),
+            media_key=key,
             width_px=int(width),
             height_px=int(height),
             detection=found,
             actor=actor,
         )
+    put_bytes(services, content, suffix_of(name))  # a twin may have taken it along before
+    return made
 
 
 def detect_again(

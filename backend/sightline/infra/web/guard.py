@@ -1,5 +1,7 @@
 """In front of every route: requests from other sites are refused, answers carry security headers."""
 
+import re
+from collections.abc import Collection
 from urllib.parse import urlsplit
 
 from starlette.datastructures import Headers, MutableHeaders
@@ -68,12 +70,21 @@ def cross_site_refusal(headers: Headers) -> CrossSite | None:
     return None
 
 
-def most_bytes(headers: Headers, path: str) -> int | None:
-    """How large a body of this kind may be; None where the route counts by itself (an upload's pieces)."""
-    kind = headers.get("content-type", "").partition(";")[0].strip().lower()
+#: A method, and the paths on which it takes a form.
+FormRoute = tuple[str, re.Pattern[str]]
+
+
+def most_bytes(kind: str, method: str, path: str, forms: Collection[FormRoute]) -> int | None:
+    """How large a body of this kind may be; None where the route counts by itself (an upload's pieces).
+
+    A form to any other route than those that take one would be read whole into memory, like JSON.
+    """
     if kind == UPLOADED and path.startswith("/api/uploads/"):
         return None
-    return MOST_FORM_BYTES if kind == "multipart/form-data" else MOST_JSON_BYTES
+    takes_form = kind == "multipart/form-data" and any(
+        method == its and pattern.match(path) for its, pattern in forms
+    )
+    return MOST_FORM_BYTES if takes_form else MOST_JSON_BYTES
 
 
 def counted(receive: Receive, most: int) -> Receive:
@@ -94,8 +105,8 @@ def counted(receive: Receive, most: int) -> Receive:
 class Guard:
     """Refuses cross-site writes and huge bodies before anything reads them; adds security headers."""
 
-    def __init__(self, app: ASGIApp) -> None:
-        self.app = app
+    def __init__(self, app: ASGIApp, forms: Collection[FormRoute]) -> None:
+        self.app, self._forms = app, forms
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         if scope["type"] != "http":
@@ -117,7 +128,8 @@ class Guard:
             if refusal is not None:
                 await answer(refusal)(scope, receive, send_with_headers)
                 return
-            most = most_bytes(headers, scope["path"])
+            kind = headers.get("content-type", "").partition(";")[0].strip().lower()
+            most = most_bytes(kind, scope["method"], scope["path"], self._forms)
             if most is not None:
                 receive = counted(receive, most)
         await self.app(scope, receive, send_with_headers)

@@ -30,13 +30,17 @@ class MediaStore(Protocol):
         and no room are needed, but the given file must never be changed in place (deleting it is fine).
         """
 
-    def local_path(self, key: str) -> Path:
-        """A local file with the content, for reading only. Raises NotFound, NoRoom."""
+    def local_path(self, key: str, *, replaced: bool = False) -> Path:
+        """A local file with the content, for reading only. Raises NotFound, NoRoom.
 
-    def exists(self, key: str) -> bool: ...
+        `replaced`: the key does not tell the content, and another machine may have put other content there.
+        """
+
+    def exists(self, key: str, *, at_once: bool = False) -> bool:
+        """Whether the file is there; `at_once`: others wait to write, so it takes seconds, or raises Away."""
 
     def delete(self, key: str) -> None:
-        """Remove the file; nothing happens if it is not there."""
+        """Remove the file, if it is there; others wait to write, so this takes seconds, or raises Away."""
 
     def open(self, key: str) -> BinaryIO:
         """The content from its start, for reading; the caller closes it. Raises NotFound."""
@@ -79,14 +83,14 @@ def sha256_of(path: Path) -> str:
 
 def check_room(folder: Path, size: int, what: str = "this file") -> None:
     """Raise NoRoom, before anything is written, if `size` more bytes would use up the disk's reserve."""
-    free = shutil.disk_usage(folder).free
-    if size + RESERVE_BYTES > free:
-        raise NoRoom(
-            "store-no-room",
-            what=what,
-            needed=_mb(size),
-            free=_mb(max(0, free - RESERVE_BYTES)),
-        )
+    free = free_bytes(folder)
+    if size > free:
+        raise NoRoom("store-no-room", what=what, needed=in_mb(size), free=in_mb(max(0, free)))
+
+
+def free_bytes(folder: Path) -> int:
+    """How many bytes a folder's disk still takes before its reserve."""
+    return shutil.disk_usage(folder).free - RESERVE_BYTES
 
 
 @contextmanager
@@ -100,7 +104,8 @@ def no_room_told(what: str = "this file") -> Iterator[None]:
         raise NoRoom("store-disk-full", what=what) from error
 
 
-def _mb(size: int) -> str:
+def in_mb(size: int) -> str:
+    """A number of bytes for people."""
     return f"{size / 1e6:.0f} MB" if size >= 10e6 else f"{size / 1e6:.1f} MB"
 
 
@@ -119,13 +124,13 @@ class LocalStore:
         with no_room_told():
             copy_whole(path, target)
 
-    def local_path(self, key: str) -> Path:
+    def local_path(self, key: str, *, replaced: bool = False) -> Path:
         path = self._path(key)
         if not path.is_file():
             raise NotFound("store-file-lost", key=key)
         return path
 
-    def exists(self, key: str) -> bool:
+    def exists(self, key: str, *, at_once: bool = False) -> bool:
         return self._path(key).is_file()
 
     def delete(self, key: str) -> None:

@@ -2,10 +2,12 @@
 
 import io
 import os
+import re
 import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from stat import S_ISREG
 from typing import Any, BinaryIO
@@ -15,6 +17,7 @@ from weakref import WeakValueDictionary
 import boto3
 from botocore.config import Config
 from botocore.exceptions import BotoCoreError, ClientError
+from cachetools import TTLCache
 from urllib3.exceptions import HTTPError
 
 from sightline.errors import Away, BadInput, NotFound
@@ -23,6 +26,10 @@ from sightline.media.store.local import check_room, no_room_told, safe_path
 
 #: tries of one request, and seconds of silence until one has failed
 ATTEMPTS, CONNECT_S, READ_S = 3, 5.0, 20.0
+#: the same of what is asked while others wait to write: over before PostgreSQL ends a writer (SHORT_IDLE_S)
+AT_ONCE_ATTEMPTS, AT_ONCE_CONNECT_S, AT_ONCE_READ_S = 2, 1.0, 2.0
+#: how long it is believed which content a key has that may be replaced
+BELIEVED_S = 2.0
 #: nothing was written to a part for so long: who fetched it is gone
 SILENT_S = 3600.0
 _PIECE_BYTES = 1 << 20
@@ -34,11 +41,24 @@ class StorageAway(Away):
     kind = "storage_away"
 
 
+class _ReplacedMeanwhile(Exception):
+    """What was fetched is not what the key had."""
+
+
+@dataclass(frozen=True)
+class _Object:
+    """What is under a key: how many bytes, and the entity tag, which is another for other content."""
+
+    size: int
+    tag: str
+
+
 class S3Store:
     """s3://bucket/prefix?endpoint=https://host:port&region=name; the bucket is made if it is not there.
 
     Uploads above 8 MB go in parts; S3 shows an object whole or not at all. `local_path` fetches into
-    `cache_dir`, from which the least recently used files go when the bound is passed.
+    `cache_dir`, from which the least recently used files go when the bound is passed. What may be replaced
+    lies there by its key and entity tag, so another content is another file.
     """
 
     def __init__(self, url: str, cache_dir: Path, cache_bytes: int) -> None:
@@ -50,18 +70,19 @@ class S3Store:
         self._prefix = parts.path.strip("/")
         self._cache = cache_dir
         self._cache_bytes = cache_bytes
-        self._lock = threading.Lock()  # of the two below and of what is in the cache; held for moments
+        self._lock = threading.Lock()  # of the three below and of what is in the cache; held for moments
         #: of whose turn it is to fetch one file; gone when nobody waits for it
-        self._fetching: WeakValueDictionary[str, threading.Lock] = WeakValueDictionary()
+        self._fetching: WeakValueDictionary[Path, threading.Lock] = WeakValueDictionary()
+        self._believed: TTLCache[str, _Object] = TTLCache(1024, BELIEVED_S)
         self._coming_bytes = 0
         cache_dir.mkdir(parents=True, exist_ok=True)
-        config = Config(retries={"max_attempts": ATTEMPTS}, connect_timeout=CONNECT_S, read_timeout=READ_S)
-        self._client: Any = boto3.client(
-            "s3",
-            endpoint_url=query.get("endpoint", [None])[0],
-            region_name=query.get("region", [os.environ.get("AWS_DEFAULT_REGION", "us-east-1")])[0],
-            config=config,
-        )
+        place = {
+            "endpoint_url": query.get("endpoint", [None])[0],
+            "region_name": query.get("region", [os.environ.get("AWS_DEFAULT_REGION", "us-east-1")])[0],
+        }
+        self._client = _client(place, {"max_attempts": ATTEMPTS}, CONNECT_S, READ_S)
+        tries = {"total_max_attempts": AT_ONCE_ATTEMPTS}
+        self._client_at_once = _client(place, tries, AT_ONCE_CONNECT_S, AT_ONCE_READ_S)
         self._make_bucket()
 
     def put_file(self, key: str, path: Path, *, link: bool = False, replace: bool = False) -> None:
@@ -69,23 +90,51 @@ class S3Store:
             return
         with _told(key):
             self._client.upload_file(str(path), self._bucket, self._name(key))
-        if replace:
-            safe_path(self._cache, key).unlink(missing_ok=True)
+        self._forget(key)
 
-    def local_path(self, key: str) -> Path:
+    def local_path(self, key: str, *, replaced: bool = False) -> Path:
+        while True:
+            try:
+                return self._local_path(key, self._now(key) if replaced else None)
+            except _ReplacedMeanwhile:
+                self._forget(key)
+
+    def _local_path(self, key: str, now: _Object | None) -> Path:
+        """The file, fetched if it is not here; of what may be replaced, as it is `now`."""
         path = safe_path(self._cache, key)
+        if now is not None:
+            path = path.with_stem(f"{path.stem}.{now.tag}")
         with self._lock:
-            turn = self._fetching.setdefault(key, threading.Lock())
+            turn = self._fetching.setdefault(path, threading.Lock())
         with turn:  # who wants the same file waits for it, who wants another does not
             if path.is_file():
                 os.utime(path)
                 return path
-            size = self._size(key)
-            if size is None:
-                raise NotFound("store-file-lost", key=key)
-            with self._room_for(size, key), _told(key), no_room_told(f"a local copy of {key}"):
-                self._fetch(key, path)
+            found = now or self._found(key)
+            with (
+                self._room_for(found.size, key),
+                _told(key),
+                no_room_told(f"a local copy of {key}"),
+                atomic_file(path, lasting=False) as part,
+            ):
+                self._fetch(key, part)
+                if now is not None and self._found(key) != now:
+                    raise _ReplacedMeanwhile
             return path
+
+    def _now(self, key: str) -> _Object:
+        """What is under a key that may be replaced, as seen a moment ago."""
+        with self._lock:
+            known = self._believed.get(key)
+        if known is None:
+            known = self._found(key)
+            with self._lock:
+                self._believed[key] = known
+        return known
+
+    def _forget(self, key: str) -> None:
+        with self._lock:
+            self._believed.pop(key, None)
 
     @contextmanager
     def _room_for(self, size: int, key: str) -> Iterator[None]:
@@ -100,13 +149,14 @@ class S3Store:
             with self._lock:
                 self._coming_bytes -= size
 
-    def exists(self, key: str) -> bool:
-        return self._size(key) is not None
+    def exists(self, key: str, *, at_once: bool = False) -> bool:
+        return self._head(key, self._client_at_once if at_once else self._client) is not None
 
     def delete(self, key: str) -> None:
         safe_path(self._cache, key).unlink(missing_ok=True)
         with _told(key):
-            self._client.delete_object(Bucket=self._bucket, Key=self._name(key))
+            self._client_at_once.delete_object(Bucket=self._bucket, Key=self._name(key))
+        self._forget(key)
 
     def open(self, key: str) -> BinaryIO:
         try:
@@ -143,19 +193,24 @@ class S3Store:
                     why = _code(refused)
                     raise BadInput("store-bucket-missing", bucket=self._bucket, why=why) from refused
 
-    def _size(self, key: str) -> int | None:
+    def _found(self, key: str) -> _Object:
+        found = self._head(key, self._client)
+        if found is None:
+            raise NotFound("store-file-lost", key=key)
+        return found
+
+    def _head(self, key: str, client: Any) -> _Object | None:
         with _told(key):
             try:
-                head = self._client.head_object(Bucket=self._bucket, Key=self._name(key))
+                head = client.head_object(Bucket=self._bucket, Key=self._name(key))
             except ClientError as error:
                 if _code(error) in ("404", "NoSuchKey"):
                     return None
                 raise
-            return int(head["ContentLength"])
+            return _Object(int(head["ContentLength"]), re.sub(r"[^A-Za-z0-9-]", "", head["ETag"]))
 
     def _fetch(self, key: str, path: Path) -> None:
-        with atomic_file(path, lasting=False) as part:
-            self._client.download_file(self._bucket, self._name(key), str(part))
+        self._client.download_file(self._bucket, self._name(key), str(path))
 
     def _evict(self, keep_free: int) -> None:
         files = [one for path in self._cache.rglob("*") if (one := _may_go(path)) is not None]
@@ -165,6 +220,11 @@ class S3Store:
                 break
             path.unlink(missing_ok=True)
             held -= size
+
+
+def _client(place: dict[str, Any], retries: dict[str, int], connect_s: float, read_s: float) -> Any:
+    config = Config(retries=retries, connect_timeout=connect_s, read_timeout=read_s)
+    return boto3.client("s3", config=config, **place)
 
 
 def _may_go(path: Path) -> tuple[float, int, Path] | None:

@@ -133,15 +133,15 @@ class Stills:
     def _read(self, recording_id: int, known: OpenRecording | None) -> OpenRecording:
         with reading(self._sessions) as session:
             recording = get_ready_recording(session, recording_id)
-            if known is not None and _same_frames(known.recording, recording):
-                # A distant store may have dropped its local copy; asking for the path brings it back.
-                self._store.local_path(file_key(recording))
+            # A distant store may have dropped its local copy; asking for the path brings it back.
+            path = self._store.local_path(file_key(recording), replaced="working_copy" in recording.report)
+            same = known is not None and path == known.media.path and _same_frames(known.recording, recording)
+            if known is not None and same:
                 return OpenRecording(recording, known.media, known.time_s, self._timer())
             table = get_frame_table(session, recording_id)
         if len(table) != recording.frame_count:
             raise Damaged("recordings-frame-table-incomplete", name=recording.name)
-        path, report = self._store.local_path(file_key(recording)), recording.report
-        stream = None if "working_copy" in report else recording.stream_number
+        stream = None if "working_copy" in recording.report else recording.stream_number
         media = RecordingMedia(path, table.pts, table.crc32, table.key, stream)
         return OpenRecording(recording, media, table.time_s, self._timer())
 

@@ -12,13 +12,13 @@ from pathlib import Path
 from typing import TypeVar
 
 from sightline.enums import UploadPurpose
-from sightline.errors import Conflict, NotFound, SightlineError, TooMany
+from sightline.errors import Conflict, NoRoom, NotFound, SightlineError, TooMany
 from sightline.infra.database import Session
 from sightline.infra.database.types import now
 from sightline.infra.services import Services
 from sightline.infra.stored_bytes import require_media, suffix_of
 from sightline.media.store import upload_parts
-from sightline.media.store.local import key_of
+from sightline.media.store.local import free_bytes, in_mb, key_of
 from sightline.recordings.ingest_job import queue_ingest
 from sightline.recordings.records import Recording
 from sightline.recordings.store import create_recording, get_recording
@@ -59,13 +59,13 @@ def begin_upload(
     purpose: UploadPurpose = "video",
 ) -> Upload:
     """Announce a file. Raises, before any byte is sent: NotFound, BadInput (empty), NoRoom, TooMany."""
-    with services.reading() as session:
-        is_full = len(unfinished_uploads(session, maker=actor)) >= MOST_ANNOUNCED
-    if is_full:
+    try:
+        with services.reading() as session:
+            _require_room_beside(services, session, size_bytes, actor)
+    except (NoRoom, TooMany):
         give_up_uploads(services, maker=actor)
     with services.writing() as session:
-        if len(unfinished_uploads(session, maker=actor)) >= MOST_ANNOUNCED:
-            raise TooMany("recordings-too-many-uploads", most=MOST_ANNOUNCED)
+        _require_room_beside(services, session, size_bytes, actor)
         upload = create_upload(
             session,
             survey_id,
@@ -80,6 +80,28 @@ def begin_upload(
         # Inside the transaction: no room for the part, no row either.
         upload_parts.create(upload_folder(services), part_name(upload.id), size_bytes)
     return upload
+
+
+def _require_room_beside(services: Services, session: Session, size_bytes: int, actor: int) -> None:
+    """Raise NoRoom or TooMany where a file has no room beside what the person has announced and not sent.
+
+    Of others nothing counts: whoever announces much shuts out nobody else.
+    """
+    announced = unfinished_uploads(session, maker=actor)
+    if len(announced) >= MOST_ANNOUNCED:
+        raise TooMany("recordings-too-many-uploads", most=MOST_ANNOUNCED)
+    to_come = sum(one.size_bytes - _bytes_here(services, one) for one in announced)
+    if not to_come:
+        return  # whether it fits by itself is asked where its part is made
+    upload_folder(services).mkdir(parents=True, exist_ok=True)
+    free = free_bytes(upload_folder(services))
+    if size_bytes + to_come > free:
+        raise NoRoom(
+            "recordings-uploads-no-room",
+            needed=in_mb(size_bytes),
+            to_come=in_mb(to_come),
+            free=in_mb(max(0, free)),
+        )
 
 
 def upload_arrived(services: Services, upload: Upload) -> int:

@@ -6,6 +6,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from weakref import WeakValueDictionary
 
 from sightline.enums import ScanMethod
 from sightline.errors import Away, NoRoom, NotFound, SightlineError
@@ -15,7 +16,13 @@ from sightline.linescan.parts import Motion, Rig
 from sightline.media.store.local import key_of, sha256_of
 from sightline.messages.said import Said
 from sightline.scans.live.records import Keeper, LiveHealth, LiveVehicle, SegmentFacts
-from sightline.scans.live.store import add_live_scan, end_live_scan, hear_live_scan
+from sightline.scans.live.store import (
+    add_live_scan,
+    end_live_scan,
+    hear_live_scan,
+    live_scans_of,
+    passings_stored,
+)
 from sightline.scans.records import LiveSource, StripSource
 from sightline.scans.service import queue_reading
 from sightline.scans.store import create_scan, get_scan, note_reading_failed, note_scan_recorded
@@ -50,8 +57,9 @@ class SurveyKeeper(Keeper):
     """Stores vehicles as they come, with the store functions of the search and their audit events.
 
     A database that cannot be written delays the storing, never the stream: what waits is stored with the next
-    second. Strips are moved to the media store beside the stream, in a thread of their own, which tries again
-    until what is away or full takes them.
+    second. A commit whose answer is lost may have been one: what is there already is not stored again.
+    Strips are moved to the media store beside the stream, in a thread of their own, which tries again until
+    what is away or full takes them.
     """
 
     keeps = True
@@ -62,6 +70,7 @@ class SurveyKeeper(Keeper):
         self._services, self._survey_id, self._rig, self._method = services, survey_id, rig, method
         self._say = say
         self._recording: _Recording | None = None
+        self._recording_of: WeakValueDictionary[int, _Recording] = WeakValueDictionary()
         self._troubled = False
         self._mover = ThreadPoolExecutor(1)
         self._moves: list[Future[None]] = []
@@ -72,7 +81,9 @@ class SurveyKeeper(Keeper):
         self._try(recording, lambda: self._store(recording))
 
     def take_up(self, segment: SegmentFacts | None, scan_id: int | None) -> None:
-        self._recording = None if segment is None else _Recording(segment, scan_id=scan_id)
+        recording = self._recording = None if segment is None else _Recording(segment, scan_id=scan_id)
+        if recording is not None and scan_id is not None:
+            self._recording_of[scan_id] = recording
 
     def add(self, vehicle: LiveVehicle) -> None:
         if (recording := self._recording) is not None and not recording.deleted:
@@ -138,6 +149,8 @@ class SurveyKeeper(Keeper):
                 return  # stored by one that was killed before it had said so
         source = None if paths is None else (self._strip(paths[0]), self._strip(paths[1]))
         with self._writing() as session:
+            if get_scan(session, scan_id).state != "live":
+                return  # by the try before this one
             run = run_values(self._method, self._rig, recording.motions, len(recording.motions), notes)
             add_scan_run(session, scan_id, run, actor=None)
             end_live_scan(session, scan_id)
@@ -166,22 +179,31 @@ class SurveyKeeper(Keeper):
 
     def _store_begin(self, recording: _Recording) -> None:
         with self._writing() as session:
-            made = create_scan(
-                session,
-                self._survey_id,
-                name=recording.name,
-                source=LiveSource(),
-                time_axis="height",
-                rig=self._rig,
-                actor=None,
-            )
-            add_live_scan(session, self._survey_id, made.id, recording.segment)
-        recording.scan_id = made.id
+            same = live_scans_of(session, self._survey_id, recording.segment)
+            # there already, by a commit that nobody heard of; not another segment's
+            own = (one for one in same if self._recording_of.get(one, recording) is recording)
+            if (scan_id := next(own, None)) is None:
+                scan_id = create_scan(
+                    session,
+                    self._survey_id,
+                    name=recording.name,
+                    source=LiveSource(),
+                    time_axis="height",
+                    rig=self._rig,
+                    actor=None,
+                ).id
+                add_live_scan(session, self._survey_id, scan_id, recording.segment)
+            self._recording_of[scan_id] = recording
+        recording.scan_id = scan_id
         if recording.belongs_to is not None:
-            recording.belongs_to(made.id)
+            recording.belongs_to(scan_id)
 
     def _store_in(self, session: Session, scan_id: int, vehicles: list[LiveVehicle]) -> None:
-        values = [values_of(one.vehicle.motion, self._rig, "found") for one in vehicles]
+        told = [values_of(one.vehicle.motion, self._rig, "found") for one in vehicles]
+        stored = passings_stored(session, scan_id, [one.front_line_1 for one in told])
+        values = [one for one in told if (one.front_line_1, one.rear_line_1) not in stored]
+        if not values:
+            return
         made = create_scan_vehicles(session, scan_id, len(values), origin="found", actor=None)
         append_scan_measurements(session, scan_id, list(zip(made, values, strict=True)), actor=None)
 

@@ -21,6 +21,29 @@ def add_live_scan(session: Session, survey_id: int, scan_id: int, segment: Segme
     add_row(session, scan_live, {**place, "began_at": segment.began_at, "heard_at": now()})
 
 
+def live_scans_of(session: Session, survey_id: int, segment: SegmentFacts) -> Sequence[int]:
+    """The recordings that have not ended of a segment's stream and moment, newest first: its own, and that of
+    one that was taken up at its very beginning.
+    """
+    its = (scan_live.c.stream == segment.stream, scan_live.c.began_at == segment.began_at)
+    query = select(scan_live.c.scan_id).where(scan_live.c.survey_id == survey_id, *its)
+    return (
+        session.execute(query.where(scan_live.c.ended_at.is_(None)).order_by(scan_live.c.id.desc()))
+        .scalars()
+        .all()
+    )
+
+
+def passings_stored(session: Session, scan_id: int, front_lines: Sequence[float]) -> set[tuple[float, float]]:
+    """(front line, rear line at camera 1, as first measured) of a recording's vehicles with such fronts,
+    deleted ones too.
+    """
+    of = scan_measurements.c
+    query = select(of.front_line_1, of.rear_line_1).where(of.scan_id == scan_id, of.revision == 1)
+    rows = session.execute(query.where(of.front_line_1.in_(front_lines)))
+    return {(row.front_line_1, row.rear_line_1) for row in rows}
+
+
 def hear_live_scan(session: Session, scan_id: int, health: LiveHealth) -> None:
     """How its stream is now."""
     values = {"heard_at": now(), "health": asdict(health)}
