@@ -269,10 +269,10 @@ def test_storage_that_does_not_answer_stops_an_export(
         film = get_recording(session, worked.recording_id).media_key
     local_path = LocalStore.local_path
 
-    def away(store: LocalStore, key: str) -> Path:
+    def away(store: LocalStore, key: str, *, replaced: bool = False) -> Path:
         if key == film:
             raise trouble
-        return local_path(store, key)
+        return local_path(store, key, replaced=replaced)
 
     stills_of(services).forget(worked.recording_id)
     monkeypatch.setattr(LocalStore, "local_path", away)

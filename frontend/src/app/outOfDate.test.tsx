@@ -43,7 +43,14 @@ async function measure(): Promise<ComponentChild> {
 }
 
 async function review(): Promise<ComponentChild> {
-  const judged = { blind: false, signs: [], error_m: null, U95_error_m: null };
+  const judged = {
+    blind: false,
+    signs: [],
+    error_m: null,
+    U95_error_m: null,
+    operator: null,
+    clicked_at: "2026-11-26T10:00:00Z",
+  };
   const item = { measurement: measured(), mine: false, vehicle: { number: 3 }, judged };
   server.on("GET", /\/review-queue/, () => [item]);
   server.on("GET", /\/review-plan$/, () => ({ blind_one_in: 0, version: 0 }));
