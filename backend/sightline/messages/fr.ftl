@@ -2630,6 +2630,10 @@ scan-axles-of = { $count ->
         [person] aucun, corrigé à la main
        *[machine] aucune roue trouvée
     }
+    [one] { $count }, { $by ->
+        [person] corrigé à la main
+       *[machine] trouvé par Sightline
+    }
    *[other] { $count }, { $by ->
         [person] corrigés à la main
        *[machine] trouvés par Sightline

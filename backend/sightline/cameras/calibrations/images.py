@@ -1,5 +1,7 @@
 """Calibration images: looking for the board, keeping the file once, looking again for another board."""
 
+from contextlib import suppress
+
 import numpy as np
 import numpy.typing as npt
 
@@ -11,6 +13,7 @@ from sightline.cameras.store import (
     remove_calibration_image,
     set_detection,
 )
+from sightline.errors import Away
 from sightline.geometry.board import Board
 from sightline.geometry.corners import Corners, find_board
 from sightline.geometry.ruler import polyline
@@ -65,7 +68,9 @@ def add_image(
             detection=found,
             actor=actor,
         )
-    put_bytes(services, content, suffix_of(name))  # a twin may have taken it along before
+    with suppress(Away):  # it is stored, and the file there but for the rarest case
+        if not services.media.exists(key):
+            put_bytes(services, content, suffix_of(name))  # a twin took it along before
     return made
 
 
