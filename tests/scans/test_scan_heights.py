@@ -152,8 +152,8 @@ def test_where_the_driver_sits_is_not_for_who_said_it_to_review(
 ) -> None:
     heights = f"/scan-vehicles/{vehicle.vehicle_id}/heights"
     operator.put(f"/scans/{vehicle.scan_id}/line-pose", rod())
-    operator.made(heights, {**clicks(target="driver_eye", side="left"), "revision": 0})
-    other = reviewer.made(heights, {**clicks(target="driver_eye", side="right"), "revision": 1})
+    operator.made(heights, {**clicks(target="driver_eye", side="near"), "revision": 0})
+    other = reviewer.made(heights, {**clicks(target="driver_eye", side="far"), "revision": 1})
     assert accept(reviewer, other).status_code == 403
     assert accept(admin, other).status_code == 201
 
