@@ -144,6 +144,17 @@ def test_no_pass_is_followed_by_times_that_are_not_those_of_filming(
     assert of_one_frame["followed"] is None and of_one_frame["height_m"] is not None
 
 
+def test_a_second_tyre_is_not_for_who_clicked_it_to_review(
+    operator: Client, reviewer: Client, admin: Client, vehicle_id: int, followed: list[dict[str, Any]]
+) -> None:
+    path = f"/measurements/{store(operator, vehicle_id, follow={'second_contact': None})['id']}"
+    body = {**clicks(), "follow": {"second_contact": second()}, "revision": 1}
+    changed = reviewer.put(path, body)
+    assert changed.status_code == 200, changed.text
+    verdict = {"revision": 2, "verdict": "accepted"}
+    assert [who.post(f"{path}/reviews", verdict).status_code for who in (reviewer, admin)] == [403, 201]
+
+
 def test_what_is_stored_is_what_was_shown_with_all_its_points(
     operator: Client, ground: Ground, vehicle_id: int, followed: list[dict[str, Any]]
 ) -> None:

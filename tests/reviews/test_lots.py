@@ -184,6 +184,21 @@ def test_nobody_accepts_heights_of_their_own_and_a_draw_is_dissolved_before_it_i
     assert admin.post(f"/lots/{lot['lot']['id']}/accept").json()["state"] == "accepted"
 
 
+@pytest.mark.dialect
+def test_who_only_restored_heights_may_accept_their_lot(
+    reviewer: Client, ground: Ground, made: list[dict[str, Any]]
+) -> None:
+    for one in made:
+        path = f"/measurements/{one['id']}"
+        assert reviewer.delete(f"{path}?revision=1").status_code == 200
+        assert reviewer.post(f"{path}/restore", {"revision": 2}).status_code == 200
+    lot = draw(reviewer, ground.survey_id)
+    assert lot["progress"]["own"] == 0
+    for one in sample_of(reviewer, lot):
+        assert judge(reviewer, one).status_code == 201
+    assert reviewer.post(f"/lots/{lot['lot']['id']}/accept").json()["state"] == "accepted"
+
+
 @pytest.mark.parametrize(
     ("risks", "words"),
     [

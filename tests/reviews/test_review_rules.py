@@ -111,6 +111,33 @@ def test_what_somebody_entered_beside_anothers_points_is_not_theirs_to_review(
     assert judge(admin, back, "accepted").status_code == 201
 
 
+def test_each_thing_that_was_entered_stays_its_makers_when_another_enters_more(
+    operator: Client, reviewer: Client, admin: Client, ground: Ground
+) -> None:
+    """A second frame by one and then an inset by another: neither accepts what is partly theirs."""
+    vehicle = add_vehicle(operator, ground.recording_id)
+    path = f"/measurements/{measure(operator, vehicle['id'])['id']}"
+    points = {name: value for name, value in clicks().items() if name != "target"}
+    further = {"frame": 7, "contact": pixel(0.9, 0.0, 0.0), "target_point": pixel(1.3, 0.2, 1.3)}
+    of_two = {**points, "more_frames": [further]}
+    assert reviewer.put(path, {"revision": 1, **of_two}).status_code == 200
+    other = {**of_two, "inset_m": 0.3, "u_inset_m": 0.05}
+    changed = admin.put(path, {"revision": 2, **other})
+    assert changed.status_code == 200, changed.text
+    assert [judge(who, changed.json(), "accepted").status_code for who in (reviewer, admin)] == [403, 403]
+
+
+@pytest.mark.parametrize("given", [{"sigma_px": 0.3}, {"target": "headlight"}])
+def test_another_click_sigma_or_target_is_not_for_who_gave_it_to_review(
+    operator: Client, reviewer: Client, admin: Client, vehicle_id: int, given: dict[str, Any]
+) -> None:
+    made = measure(operator, vehicle_id)
+    changed = reviewer.put(f"/measurements/{made['id']}", {"revision": 1, **clicks(), **given})
+    assert changed.status_code == 200, changed.text
+    assert judge(reviewer, changed.json(), "accepted").status_code == 403
+    assert judge(admin, changed.json(), "accepted").status_code == 201
+
+
 def test_what_was_withdrawn_or_deleted_is_restored_before_it_is_changed(
     operator: Client, reviewer: Client, vehicle_id: int
 ) -> None:

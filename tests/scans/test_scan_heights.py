@@ -147,6 +147,17 @@ def test_a_height_is_reviewed_by_somebody_else(
     assert viewer.seen(asked)["heights"] == [] and viewer.seen(scan)["counts"]["heights"] == 0
 
 
+def test_where_the_driver_sits_is_not_for_who_said_it_to_review(
+    operator: Client, reviewer: Client, admin: Client, vehicle: ScanMeasurement
+) -> None:
+    heights = f"/scan-vehicles/{vehicle.vehicle_id}/heights"
+    operator.put(f"/scans/{vehicle.scan_id}/line-pose", rod())
+    operator.made(heights, {**clicks(target="driver_eye", side="near"), "revision": 0})
+    other = reviewer.made(heights, {**clicks(target="driver_eye", side="far"), "revision": 1})
+    assert accept(reviewer, other).status_code == 403
+    assert accept(admin, other).status_code == 201
+
+
 @pytest.mark.parametrize("verdict", ["accepted", "rejected"])
 def test_undo_brings_the_verdict_back_with_the_height(
     operator: Client,

@@ -16,6 +16,7 @@ from sightline.infra.database.people import people
 from sightline.infra.database.rows import who
 from sightline.measurements.derived_query import derived
 from sightline.measurements.records import (
+    GIVEN_BESIDE_POINTS,
     FoundHeight,
     FurtherFrame,
     Measurement,
@@ -65,7 +66,6 @@ verdict: ColumnElement[str] = func.coalesce(reviews.c.verdict, "to_review")
 waits: ColumnElement[bool] = verdict.in_(("to_review", "reopened"))
 
 _earlier = measurements.alias("earlier")
-_Given = Callable[[Any], list[ColumnElement[Any]]]
 
 
 def _clicked(of: Any) -> list[ColumnElement[Any]]:
@@ -73,15 +73,17 @@ def _clicked(of: Any) -> list[ColumnElement[Any]]:
     return [of[name] for name in ("frame", "contact_x_px", "contact_y_px", "target_x_px", "target_y_px")]
 
 
-def _entered(of: Any) -> list[ColumnElement[Any]]:
-    """All that a person gave: the points in every frame, and an inset of its own."""
-    inset = (case((of.inset_from == "own", of[name])) for name in ("inset_m", "u_inset_m"))
-    return [*_clicked(of), of.more_frames, *inset]
+def _given(of: Any, name: str) -> ColumnElement[Any]:
+    """What a person gave beside the points: of insets one of its own, of sides one in a line scan."""
+    if name in ("inset_m", "u_inset_m"):
+        return case((of.inset_from == "own", of[name]))
+    return case((of.line_pose_id.is_not(None), of.side)) if name == "side" else of[name]
 
 
-def _of_first(name: str, given: _Given) -> ColumnElement[Any]:
-    """A column of the first revision of the series in which the same was given."""
-    alike = zip(given(_earlier.c), given(measurements.c), strict=True)
+def _of_first(name: str, *beside: str) -> ColumnElement[Any]:
+    """A column of the first revision of the series with the same points, and the same beside them."""
+    both = ([*_clicked(of), *(_given(of, each) for each in beside)] for of in (_earlier.c, measurements.c))
+    alike = zip(*both, strict=True)
     first = (
         select(_earlier.c[name])
         .where(_earlier.c.series_id == measurements.c.series_id)
@@ -96,13 +98,14 @@ def _of_first(name: str, given: _Given) -> ColumnElement[Any]:
 
 #: Who clicked the points of a revision, and when: of the first that has them (`revision_of_clicks`). Who
 #: withdrew, restored or computed it again did not.
-operator_id: ColumnElement[int | None] = _of_first("created_by", _clicked)
-clicked_at: ColumnElement[datetime] = _of_first("created_at", _clicked)
+operator_id: ColumnElement[int | None] = _of_first("created_by")
+clicked_at: ColumnElement[datetime] = _of_first("created_at")
 
 
 def is_own(actor: int | None) -> ColumnElement[bool]:
-    """Whether a person is the operator of a revision, or gave its points in further frames or its inset."""
-    theirs = (operator_id, _of_first("created_by", _entered))
+    """Whether a person is the operator of a revision, or gave anything beside its points: each by itself."""
+    beside = (*GIVEN_BESIDE_POINTS, "inset_m", "u_inset_m", "side")
+    theirs = (operator_id, *(_of_first("created_by", each) for each in beside))
     return or_(*(one.is_not_distinct_from(actor) for one in theirs))
 
 

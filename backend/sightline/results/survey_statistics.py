@@ -88,7 +88,7 @@ _EPOCH = date(1970, 1, 1)
 
 @dataclass(frozen=True)
 class Filter(Selection):
-    """Which measurements count; None or empty: no limit. Days are of a measurement's making (UTC).
+    """Which measurements count; None or empty: no limit. Days are those of clicking (UTC).
 
     A vehicle counts if its class is one of `categories` or counts in one of `class_sets`.
 

@@ -16,6 +16,7 @@ from sightline.measurements.query import (
     clicked_at,
     is_current,
     is_first,
+    is_own,
     operator_id,
     verdict,
     waits,
@@ -211,15 +212,14 @@ def _heights(
     return found
 
 
-def clicked_by(session: Session, series: Sequence[int], person_id: int) -> set[int]:
-    """Of these, the ones of which a revision is this person's; some hundred at a time."""
-    found: set[int] = set()
-    for at in range(0, len(series), 500):
-        query = select(_m.series_id).where(
-            _m.series_id.in_(series[at : at + 500]), _m.created_by == person_id
-        )
-        found |= set(session.execute(query).scalars())
-    return found
+def own_items(session: Session, lot_id: int, person_id: int) -> set[int]:
+    """The items of a lot whose revision in it is this person's own."""
+    query = (
+        select(_item.series_id)
+        .join(measurements, and_(_m.series_id == _item.series_id, _m.revision == _item.revision))
+        .where(_item.lot_id == lot_id, is_own(person_id))
+    )
+    return set(session.execute(query).scalars())
 
 
 def standing_by_lot(session: Session, lot_id: int) -> Sequence[Any]:

@@ -77,7 +77,7 @@ def accept_lot(session: Session, lot_id: int, *, actor: int) -> Lot:
     if not progress.may_accept:
         raise Conflict("lots-too-many", count=progress.nonconforming, most=lot.acceptance_number)
     rest = [one for one in items if one.role == "rest"]
-    if query.clicked_by(session, [one.measurement_id for one in rest], actor):
+    if query.own_items(session, lot_id, actor) & {one.measurement_id for one in rest}:
         raise NotAllowed("lots-own-heights")
     store.add_decision(session, lot, "accepted", items, actor=actor)
     vehicle = query.vehicles_of(session, lot.id)
@@ -190,7 +190,7 @@ def places_in_open_lots(session: Session, survey_id: int) -> dict[int, LotPlace]
 
 
 def progress_of(lot: Lot, items: Sequence[LotItem], own: Collection[int] = ()) -> Progress:
-    """How far a lot is; `own`: measurements that the asker clicked."""
+    """How far a lot is; `own`: measurements that are the asker's own (`is_own`)."""
     sample = [one for one in items if one.role == "sample"]
     waiting = [one.measurement_id for one in sample if one.conforming is None]
     bad = sum(one.conforming is False for one in sample)
@@ -232,8 +232,7 @@ def _kept(lot: Lot) -> RiskPoints:
 def _progress(session: Session, lot: Lot, items: Sequence[LotItem], actor: int | None) -> Progress:
     decided = lot.decision
     if decided is None:
-        ids = [one.measurement_id for one in items if one.role == "sample"]
-        own = query.clicked_by(session, ids, actor) if actor is not None else ()
+        own = query.own_items(session, lot.id, actor) if actor is not None else ()
         return progress_of(lot, items, own)
     return filled_from(
         Progress,

@@ -81,4 +81,4 @@ class ScanHeightBody(ScanHeightValues, RevisionFacts):
     scan_id: int
     older: Annotated[bool, Field(description="Its calibration or inset was changed since.")]
     U95_distance_m: float | None
-    mine: Annotated[bool, Field(description="You clicked or computed it, so somebody else reviews it.")]
+    mine: Annotated[bool, Field(description="You clicked or gave some of it, so somebody else reviews it.")]

@@ -84,7 +84,7 @@ def is_of_line_scan(session: Session, height_id: int) -> bool:
 def revisions_of_own_clicks(
     session: Session, revision_ids: Collection[int], person_id: int
 ) -> frozenset[int]:
-    """Of these revisions, those whose clicks or figures this person made."""
+    """Of these revisions, those of which this person clicked or gave anything."""
     query = select(_m.id).where(_m.id.in_(revision_ids), is_own(person_id))
     return frozenset(session.execute(query).scalars())
 
