@@ -381,7 +381,7 @@ def test_a_killed_segment_whose_file_was_cut_or_replaced_is_handed_on_whole_once
     cut: bool,
 ) -> None:
     """A file that merely does not grow ends no segment: its lines may come later."""
-    ended: list[str | None] = []
+    ended, said = list[str | None](), list[object]()
 
     class Survey(Keeper):
         keeps = True
@@ -401,7 +401,8 @@ def test_a_killed_segment_whose_file_was_cut_or_replaced_is_handed_on_whole_once
         return FollowedLines(path, SITE.rows, ending, begin=begin if cut else 0, idle_s=0.1)
 
     def again() -> list[LiveVehicle]:
-        run, told = live_run(source, folder, can_go_back=True, keeper=Survey()), list[LiveVehicle]()
+        run = live_run(source, folder, can_go_back=True, keeper=Survey(), say=said.append)
+        told = list[LiveVehicle]()
         for one in run.vehicles():
             run.told(one)
             told.append(one)
@@ -415,7 +416,7 @@ def test_a_killed_segment_whose_file_was_cut_or_replaced_is_handed_on_whole_once
     kill(killed)
     path.write_bytes(b"")
     told = again()
-    ending.close()
+    assert not any("nothing is missing" in str(one) for one in said)
     if cut:
         third = clean[2].vehicle.motion.crossings.front_line_1
         assert told[0].vehicle.motion.crossings.front_line_1 == pytest.approx(third, abs=1)
@@ -423,6 +424,7 @@ def test_a_killed_segment_whose_file_was_cut_or_replaced_is_handed_on_whole_once
         assert again() == [] and ended == ["0001-camera-1.tif"]
     else:
         assert ended == []
+    ending.close()
 
 
 def test_strips_that_were_not_moved_when_a_stream_was_killed_are_moved_by_the_next(

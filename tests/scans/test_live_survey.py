@@ -335,6 +335,32 @@ def test_strips_are_deleted_only_where_a_person_deleted_their_recording(
         assert [one.state for one in list_scans(session, 1)] == (["live"] if there == "another" else [])
 
 
+def test_a_recording_deleted_while_its_strips_are_stored_leaves_none_in_the_store(
+    services: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    put, puts = type(services.media).put_file, list[str]()
+
+    def put_file(store: Any, key: str, *given: Any, **named: Any) -> Any:
+        done = put(store, key, *given, **named)
+        puts.append(key)
+        if len(puts) == 2:
+            with services.writing() as session:
+                remove_scan(session, 1, actor=None)
+        return done
+
+    monkeypatch.setattr(type(services.media), "put_file", put_file)
+    keeper = SurveyKeeper(services, 1, Rig(SITE.baseline_m, SITE.line_rate_hz), "direct", lambda _: None)
+    keeper.begin(SegmentFacts(1, "sign", "lines.raw", datetime(2026, 5, 3, tzinfo=UTC)), lambda _: None)
+    paths = (tmp_path / "0001-camera-1.tif", tmp_path / "0001-camera-2.tif")
+    for path in paths:
+        path.write_bytes(path.name.encode())
+    ended = list[bool]()
+    keeper.end(paths, [], lambda: ended.append(True))
+    keeper.close()
+    assert len(puts) == 2 and ended == [True]
+    assert not any(path.is_file() for path in paths) and not list(services.media.listing())
+
+
 @pytest.mark.parametrize(
     ("quiet_s", "ended", "state"),
     [(1, False, "running"), (30, False, "silent"), (121, False, "stopped"), (9999, True, "ended")],

@@ -1,7 +1,7 @@
 """A stream's vehicles on their way into a survey: a recording that grows, its strips once it has ended."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import AbstractContextManager, suppress
 from dataclasses import dataclass, field, replace
@@ -25,7 +25,7 @@ from sightline.scans.live.store import (
     passings_stored,
 )
 from sightline.scans.records import LiveSource, StripSource
-from sightline.scans.service import queue_reading
+from sightline.scans.service import delete_unneeded, queue_reading
 from sightline.scans.store import create_scan, get_scan, note_reading_failed, note_scan_recorded
 from sightline.scans.vehicles.find_job import run_values
 from sightline.scans.vehicles.measurement_store import append_scan_measurements
@@ -130,9 +130,12 @@ class SurveyKeeper(Keeper):
         moved: Callable[[], None],
     ) -> None:
         told = False
-        while not recording.gone:
+        while True:
             try:
-                self._store_end(recording, paths, notes)
+                if not recording.gone:
+                    self._store_end(recording, paths, notes)
+                elif recording.deleted:
+                    self._delete_stored(paths or ())
                 break
             except (Away, NoRoom) as error:
                 if not told:
@@ -167,6 +170,11 @@ class SurveyKeeper(Keeper):
             else:
                 note_scan_recorded(session, scan_id, source, actor=None)
                 queue_reading(session, get_scan(session, scan_id), None, None)
+
+    def _delete_stored(self, paths: Sequence[Path]) -> None:
+        """Strips that were put into the media store before their recording was deleted."""
+        files = [(key_of(sha256, _SUFFIX), sha256) for sha256 in map(sha256_of, paths)]
+        delete_unneeded(self._services, files)
 
     def _strip(self, path: Path) -> StripSource:
         sha256 = sha256_of(path)

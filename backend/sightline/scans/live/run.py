@@ -289,7 +289,6 @@ class LiveRun:
         self._lead = min(self._begin, round(LEAD_S * self.rig.line_rate_hz))
         self._resumed_at = left.began_at + timedelta(seconds=start / self.rig.line_rate_hz)
         self._left, self._rest = left, rest
-        self._say(Said("stream-resumed", begin=left.begin + int(after), name=self._name))
 
     def _numbered(self, vehicles: Iterator[LiveVehicle]) -> Iterator[LiveVehicle]:
         for one in vehicles:
@@ -314,6 +313,7 @@ class LiveRun:
         if all(path.is_file() for path in paths) and not trimmed(paths, stop):
             for path in paths:
                 path.unlink()
+        self._say(Said("stream-resumed", begin=left.begin + int(left.before.settled), name=self._name))
         self._append(left.number, {"closed": []})
         self._hand_on(left)
 
