@@ -366,7 +366,13 @@ def test_times_of_a_stream_have_no_u_for_that_of_its_start_is_not_known(
     path.write_text("\n".join(map(json.dumps, cars)))
     told = json.loads(flow(capsys, path, "--interval", "5", "--json"))
     assert {one["u_front_at_s"] for one in told["vehicles"]} == {None}
-    assert {one["near_edge"] for one in told["intervals"] if one["measured"]} == {None}
+    assert {one["near_edge"] for one in told["intervals"] if one["vehicles"]} == {None}
+    refused = {"status": "not_measurable", "reason": "", **dict.fromkeys(("speed_mps", "u_speed_mps"))}
+    refused |= dict.fromkeys(("length_m", "u_length_m"))
+    path.write_text("\n".join(json.dumps({**one, **refused}) for one in cars))
+    alone = json.loads(flow(capsys, path, "--interval", "5", "--json"))["intervals"]
+    assert any(one["refused"] for one in alone) and not any(one["measured"] for one in alone)
+    assert {one["near_edge"] for one in alone if one["vehicles"]} == {None}
     assert any(note.startswith("The uncertainties of the times of stream.jsonl") for note in told["notes"])
 
 

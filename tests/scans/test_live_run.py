@@ -372,6 +372,61 @@ def test_a_disk_that_is_full_where_a_killed_stream_is_taken_up_ends_no_stream(
     assert any("No space left" in one for one in said)
 
 
+@pytest.mark.parametrize("cut", [False, True])
+def test_a_killed_segment_whose_file_was_cut_or_replaced_is_handed_on_whole_once(
+    pair: tuple[Pixels, Pixels],
+    clean: list[LiveVehicle],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    cut: bool,
+) -> None:
+    """A file that merely does not grow ends no segment: its lines may come later."""
+    ended, said = list[str | None](), list[object]()
+
+    class Survey(Keeper):
+        keeps = True
+
+        def begin(self, segment: SegmentFacts, belongs_to: Callable[[int | None], None]) -> None:
+            belongs_to(7)
+
+        def end(self, paths: tuple[Path, Path] | None, notes: list[Said], moved: Callable[[], None]) -> None:
+            ended.append(paths and paths[0].name)
+            moved()
+
+    folder, path, ending = tmp_path / "spool", tmp_path / "lines.raw", Ending()
+    folder.mkdir()
+    monkeypatch.setattr("sightline.scans.live.run.LEAD_S", 0.3)
+
+    def source(begin: int) -> LineSource:
+        return FollowedLines(path, SITE.rows, ending, begin=begin if cut else 0, idle_s=0.1)
+
+    def again() -> list[LiveVehicle]:
+        run = live_run(source, folder, can_go_back=True, keeper=Survey(), say=said.append)
+        told = list[LiveVehicle]()
+        for one in run.vehicles():
+            run.told(one)
+            told.append(one)
+        return told
+
+    killed = live_run(lambda _: Played(pair), folder, can_go_back=True, keeper=Survey())
+    found = killed.vehicles()
+    for _ in range(2):
+        killed.told(next(found))
+    next(found)  # the third is complete, and not told
+    kill(killed)
+    path.write_bytes(b"")
+    told = again()
+    assert not any("nothing is missing" in str(one) for one in said)
+    if cut:
+        third = clean[2].vehicle.motion.crossings.front_line_1
+        assert told[0].vehicle.motion.crossings.front_line_1 == pytest.approx(third, abs=1)
+        assert ended == ["0001-camera-1.tif"]
+        assert again() == [] and ended == ["0001-camera-1.tif"]
+    else:
+        assert ended == []
+    ending.close()
+
+
 def test_strips_that_were_not_moved_when_a_stream_was_killed_are_moved_by_the_next(
     pair: tuple[Pixels, Pixels], tmp_path: Path
 ) -> None:

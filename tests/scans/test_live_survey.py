@@ -7,6 +7,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
@@ -299,6 +300,65 @@ def test_strips_of_a_stream_that_was_killed_while_its_end_waited_are_moved_by_th
         assert [event.action for event in events_of(session, 1)].count("recorded") == 1
         assert verify_records(session).ok
     assert scan.state == "ready"
+
+
+@pytest.mark.parametrize("there", ["nothing", "another", "deleted"])
+def test_strips_are_deleted_only_where_a_person_deleted_their_recording(
+    services: Services, tmp_path: Path, there: str
+) -> None:
+    """A database restored from before the recording, another database, and one where it was deleted."""
+    at, said = datetime(2026, 5, 3, 12, 0, tzinfo=UTC), list[str]()
+    rig, segment = Rig(SITE.baseline_m, SITE.line_rate_hz), SegmentFacts(1, "sign", "lines.raw", at)
+
+    def keeper() -> SurveyKeeper:
+        return SurveyKeeper(services, 1, rig, "direct", lambda one: said.append(one.sentence()))
+
+    if there != "nothing":
+        other = segment if there == "deleted" else replace(segment, stream="other")
+        keeper().begin(other, lambda _: None)
+    if there == "deleted":
+        with services.writing() as session:
+            remove_scan(session, 1, actor=None)
+    paths = (tmp_path / "0001-camera-1.tif", tmp_path / "0001-camera-2.tif")
+    for path in paths:
+        path.write_bytes(path.name.encode())
+    ended, again = list[bool](), keeper()
+    again.take_up(segment, 1)
+    again.end(paths, [], lambda: ended.append(True))
+    again.close()
+    deleted = there == "deleted"
+    assert [path.is_file() for path in paths] == [not deleted] * 2 and bool(ended) == deleted
+    assert any("was deleted while" in one for one in said) == deleted
+    assert any(str(paths[0]) in one and str(paths[1]) in one for one in said) != deleted
+    assert not list(services.media.listing())
+    with services.reading() as session:
+        assert [one.state for one in list_scans(session, 1)] == (["live"] if there == "another" else [])
+
+
+def test_a_recording_deleted_while_its_strips_are_stored_leaves_none_in_the_store(
+    services: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    put, puts = type(services.media).put_file, list[str]()
+
+    def put_file(store: Any, key: str, *given: Any, **named: Any) -> Any:
+        done = put(store, key, *given, **named)
+        puts.append(key)
+        if len(puts) == 2:
+            with services.writing() as session:
+                remove_scan(session, 1, actor=None)
+        return done
+
+    monkeypatch.setattr(type(services.media), "put_file", put_file)
+    keeper = SurveyKeeper(services, 1, Rig(SITE.baseline_m, SITE.line_rate_hz), "direct", lambda _: None)
+    keeper.begin(SegmentFacts(1, "sign", "lines.raw", datetime(2026, 5, 3, tzinfo=UTC)), lambda _: None)
+    paths = (tmp_path / "0001-camera-1.tif", tmp_path / "0001-camera-2.tif")
+    for path in paths:
+        path.write_bytes(path.name.encode())
+    ended = list[bool]()
+    keeper.end(paths, [], lambda: ended.append(True))
+    keeper.close()
+    assert len(puts) == 2 and ended == [True]
+    assert not any(path.is_file() for path in paths) and not list(services.media.listing())
 
 
 @pytest.mark.parametrize(

@@ -190,13 +190,14 @@ def intervals(
     stood_before: bool = False,
     strayed: Sequence[Passed] = (),
     strays_s: Sequence[float] = (),
+    u_start_told: bool = True,
 ) -> tuple[Interval, ...]:
     """The intervals of `minutes` that a recording of `watched_s` touches, in order.
 
     `passed`: rising by `since_s`. `into_hour_s`: what clocks of the place show beyond an hour, so many
     seconds after line 0. `limits_m`: rising. `stood_before`: one stood when the recording just before ended.
     `strayed`: those of unknown lane whose rear nobody saw, who may have stood in this one; `strays_s`:
-    see `headways_s`.
+    see `headways_s`. `u_start_told`: False where nobody's time of day has a u.
     Who is still in view at the end counts until then. Raises ValueError for minutes that do not divide an
     hour.
     """
@@ -229,6 +230,7 @@ def intervals(
                 of_clock,
                 stop_s - begin_s < long_s,
                 limits_m,
+                u_start_told,
             )
         )
     return tuple(out)
@@ -266,6 +268,7 @@ def _interval(
     edges: tuple[float, float],
     partial: bool,
     limits_m: Sequence[float],
+    u_start_told: bool,
 ) -> Interval:
     watched_s, standing = span[1] - span[0], [*before, *inside]
     inside = [one for one in inside if not one.told_before]
@@ -289,7 +292,7 @@ def _interval(
         partial=partial,
         vehicles=len(inside),
         near_edge=None
-        if any(one.u_since_s is None for one in moving)
+        if any(one.u_since_s is None for one in moving) or (inside and not u_start_told)
         else sum(_near_edge(one, edges) for one in inside),
         refused=sum(one.refused for one in inside),
         measured=len(moving),

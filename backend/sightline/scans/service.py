@@ -3,6 +3,8 @@
 Finding and measuring their vehicles is in `vehicles.find_job` and `vehicles.measure`.
 """
 
+from collections.abc import Sequence
+
 from sightline.enums import Lighting, ScanMethod, TimeAxis
 from sightline.errors import BadInput, Conflict
 from sightline.infra.backup.state import needed_media
@@ -185,11 +187,15 @@ def tidy(services: Services, scan: Scan) -> None:
         (scan.second_source_key, scan.second_source_sha256),
     )
     tiled = ((scan.first_key, scan.first_sha256), (scan.second_key, scan.second_sha256))
+    files = [(key, sha256) for key, sha256 in (*sources, *tiled) if key is not None and sha256 is not None]
+    delete_unneeded(services, files)
+
+
+def delete_unneeded(services: Services, files: Sequence[tuple[str, str]]) -> None:
+    """Delete those of stored files (key, SHA-256) that nothing needs. Raises Away."""
     # Nobody can begin to need a file while the lock is held.
     with services.writing() as session:
-        for key, sha256 in (*sources, *tiled):
-            if key is None or sha256 is None:
-                continue
+        for key, sha256 in files:
             needed = store.scan_source_in_use(session, key) or needed_media(session, key)
             if not needed and not upload_content_waits(session, sha256):
                 services.media.delete(key)

@@ -1,9 +1,9 @@
 """A stream's vehicles on their way into a survey: a recording that grows, its strips once it has ended."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
-from contextlib import AbstractContextManager
+from contextlib import AbstractContextManager, suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from weakref import WeakValueDictionary
@@ -20,11 +20,12 @@ from sightline.scans.live.store import (
     add_live_scan,
     end_live_scan,
     hear_live_scan,
+    live_scan_deleted,
     live_scans_of,
     passings_stored,
 )
 from sightline.scans.records import LiveSource, StripSource
-from sightline.scans.service import queue_reading
+from sightline.scans.service import delete_unneeded, queue_reading
 from sightline.scans.store import create_scan, get_scan, note_reading_failed, note_scan_recorded
 from sightline.scans.vehicles.find_job import run_values
 from sightline.scans.vehicles.measurement_store import append_scan_measurements
@@ -39,13 +40,17 @@ AGAIN_S = 1.0
 
 @dataclass
 class _Recording:
-    """What is to be stored of one segment; `scan_id`: its row, once it is there; `deleted`: by a person."""
+    """What is to be stored of one segment; `scan_id`: its row, once it is there; `known`: as its own;
+    `gone`: nothing more is stored; `deleted`: by a person.
+    """
 
     segment: SegmentFacts
     belongs_to: Callable[[int | None], None] | None = None
     scan_id: int | None = None
     waiting: list[LiveVehicle] = field(default_factory=list)
     motions: list[Motion] = field(default_factory=list)
+    known: bool = False
+    gone: bool = False
     deleted: bool = False
 
     @property
@@ -86,13 +91,13 @@ class SurveyKeeper(Keeper):
             self._recording_of[scan_id] = recording
 
     def add(self, vehicle: LiveVehicle) -> None:
-        if (recording := self._recording) is not None and not recording.deleted:
+        if (recording := self._recording) is not None and not recording.gone:
             recording.waiting.append(vehicle)
             recording.motions.append(replace(vehicle.vehicle.motion, profile=None))
             self._try(recording, lambda: self._store(recording))
 
     def hear(self, health: LiveHealth) -> None:
-        if (recording := self._recording) is None or recording.deleted:
+        if (recording := self._recording) is None or recording.gone:
             return
 
         def heard() -> None:
@@ -125,9 +130,12 @@ class SurveyKeeper(Keeper):
         moved: Callable[[], None],
     ) -> None:
         told = False
-        while not recording.deleted:
+        while True:
             try:
-                self._store_end(recording, paths, notes)
+                if not recording.gone:
+                    self._store_end(recording, paths, notes)
+                elif recording.deleted:
+                    self._delete_stored(paths or ())
                 break
             except (Away, NoRoom) as error:
                 if not told:
@@ -138,8 +146,11 @@ class SurveyKeeper(Keeper):
                 time.sleep(AGAIN_S)
             except NotFound:
                 self._forget(recording)
+        if paths and recording.gone and not recording.deleted:
+            self._say(Said("stream-strips-kept", recording=recording.name, first=paths[0], second=paths[1]))
+            return
         for path in paths or ():
-            path.unlink()  # the media store has it, or nobody wants it
+            path.unlink()  # the media store has it, or a person deleted it
         moved()
 
     def _store_end(self, recording: _Recording, paths: tuple[Path, Path] | None, notes: list[Said]) -> None:
@@ -160,6 +171,11 @@ class SurveyKeeper(Keeper):
                 note_scan_recorded(session, scan_id, source, actor=None)
                 queue_reading(session, get_scan(session, scan_id), None, None)
 
+    def _delete_stored(self, paths: Sequence[Path]) -> None:
+        """Strips that were put into the media store before their recording was deleted."""
+        files = [(key_of(sha256, _SUFFIX), sha256) for sha256 in map(sha256_of, paths)]
+        delete_unneeded(self._services, files)
+
     def _strip(self, path: Path) -> StripSource:
         sha256 = sha256_of(path)
         key = key_of(sha256, _SUFFIX)
@@ -171,6 +187,12 @@ class SurveyKeeper(Keeper):
         if recording.scan_id is None:
             self._store_begin(recording)
         assert recording.scan_id is not None
+        if not recording.known:
+            # a journal may tell the number of another database's recording, or of an older state's
+            with self._services.reading() as session:
+                if live_scan_deleted(session, self._survey_id, recording.scan_id, recording.segment) is None:
+                    raise NotFound("stream-recording-not-there", recording=recording.name)
+            recording.known = True
         if recording.waiting:
             with self._writing() as session:
                 self._store_in(session, recording.scan_id, recording.waiting)
@@ -211,9 +233,14 @@ class SurveyKeeper(Keeper):
         return self._services.writing(self._survey_id)
 
     def _forget(self, recording: _Recording) -> None:
-        """It was deleted while it was streamed: nothing more of it is stored."""
-        recording.deleted, recording.waiting, recording.motions = True, [], []
-        self._say(Said("stream-recording-deleted", recording=recording.name))
+        """Its row is deleted or not there: nothing more of it is stored. In doubt nobody deleted it."""
+        recording.gone, recording.waiting, recording.motions = True, [], []
+        if (scan_id := recording.scan_id) is not None:
+            with suppress(SightlineError), self._services.reading() as session:
+                deleted = live_scan_deleted(session, self._survey_id, scan_id, recording.segment)
+                recording.deleted = deleted is True
+        code = "stream-recording-deleted" if recording.deleted else "stream-recording-not-there"
+        self._say(Said(code, recording=recording.name))
 
     def _try(self, recording: _Recording, work: Callable[[], object]) -> None:
         """Whatever the database does, the stream goes on: said once, tried again with the next second."""

@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime, timedelta
 from functools import partial
-from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -86,6 +85,7 @@ class LiveRun:
         self._begin, self._lead, self._before, self._first_id = 0, 0, Before(), 1
         self._resumed_at: datetime | None = None
         self._left: Told | None = None
+        self._rest: Remainder | None = None
         self._behind: Behind = ((), ())
         self._ticked = self._clock.steady()
         self._apart = self._clock.wall() - self._ticked
@@ -108,6 +108,9 @@ class LiveRun:
             if self._segment is not None and self._is_over(self._segment):
                 yield from self._next_segment(self._segment)
         yield from self._end()
+        if self._left is not None and self.source.broken:
+            # its file was cut or replaced, so its lines never go on; who stood is told by now
+            yield from self._end_whole(self._left, self._rest)
         for sentence in self.source.notes:
             self._say(sentence)
 
@@ -137,6 +140,7 @@ class LiveRun:
         assert self.source is not None
         if self._left is not None:
             self._end_left(self._left)
+            self._left = None
         came = len(piece.first) + self.source.waiting_bytes // (2 * self.rows)
         now, last_at = self._clock.now(), self.source.last_at
         # another machine's clock may be ahead, but no line comes after now
@@ -269,25 +273,33 @@ class LiveRun:
         paths, facts = spool_paths(self.folder, left.number), _facts_of(left)
         self._keeper.take_up(facts if left.kept else None, left.scan_id)
         again, kept = self._go_back and left.source == self._name, all(path.is_file() for path in paths)
-        lines = 0
+        rest = None
         if kept or not again:
             rest = Remainder(
                 paths, facts, self.rig, self.method, left.before, self._first_id, left.begin, left.stand
             )
-            lines, self._behind = rest.lines, rest.behind
-            for one in chain(rest.stood(), () if again else rest.vehicles()):
-                self._first_id = one.vehicle.number + 1
-                yield one
-        if again:
-            # as where a segment ends: another begins just before what is not yet told
-            start = max(0, int(after) - 2 * Finder(self.rows, self.rig).margin)
-            self._begin, self._before = left.begin + start, left.before.since(start)
-            self._lead = min(self._begin, round(LEAD_S * self.rig.line_rate_hz))
-            self._resumed_at = left.began_at + timedelta(seconds=start / self.rig.line_rate_hz)
-            self._left = left
-            self._say(Said("stream-resumed", begin=left.begin + int(after), name=self._name))
+            self._behind = rest.behind
+            yield from self._numbered(rest.stood())
+        if not again:
+            yield from self._end_whole(left, rest)
             return
-        self._say(self._missing(left, lines))
+        # as where a segment ends: another begins just before what is not yet told
+        start = max(0, int(after) - 2 * Finder(self.rows, self.rig).margin)
+        self._begin, self._before = left.begin + start, left.before.since(start)
+        self._lead = min(self._begin, round(LEAD_S * self.rig.line_rate_hz))
+        self._resumed_at = left.began_at + timedelta(seconds=start / self.rig.line_rate_hz)
+        self._left, self._rest = left, rest
+
+    def _numbered(self, vehicles: Iterator[LiveVehicle]) -> Iterator[LiveVehicle]:
+        for one in vehicles:
+            self._first_id = one.vehicle.number + 1
+            yield one
+
+    def _end_whole(self, left: Told, rest: Remainder | None) -> Iterator[LiveVehicle]:
+        """None of its lines come again: who was in view is told, and the strips are handed on as they are."""
+        if rest is not None:
+            yield from self._numbered(rest.vehicles())
+        self._say(self._missing(left, 0 if rest is None else rest.lines))
         self._append(left.number, {"closed": []})
         self._hand_on(left)
 
@@ -301,6 +313,7 @@ class LiveRun:
         if all(path.is_file() for path in paths) and not trimmed(paths, stop):
             for path in paths:
                 path.unlink()
+        self._say(Said("stream-resumed", begin=left.begin + int(left.before.settled), name=self._name))
         self._append(left.number, {"closed": []})
         self._hand_on(left)
 

@@ -34,6 +34,15 @@ def live_scans_of(session: Session, survey_id: int, segment: SegmentFacts) -> Se
     )
 
 
+def live_scan_deleted(session: Session, survey_id: int, scan_id: int, segment: SegmentFacts) -> bool | None:
+    """Whether a segment's recording was deleted; None: there is no such recording, or it is not its own."""
+    query = select(scans.c.deleted_at).join(scan_live, scan_live.c.scan_id == scans.c.id)
+    its = (scan_live.c.stream == segment.stream, scan_live.c.began_at == segment.began_at)
+    query = query.where(scans.c.id == scan_id, scan_live.c.survey_id == survey_id, *its)
+    row = session.execute(query).first()
+    return None if row is None else row.deleted_at is not None
+
+
 def passings_stored(session: Session, scan_id: int, front_lines: Sequence[float]) -> set[tuple[float, float]]:
     """(front line, rear line at camera 1, as first measured) of a recording's vehicles with such fronts,
     deleted ones too.

@@ -36,7 +36,8 @@ class Clock(Protocol):
 @dataclass(frozen=True)
 class Watched:
     """A line scan as traffic sees it: its clock (None: the start is not confirmed), how long it is by its
-    line rate (None: lines are not counted), and at which of several places.
+    line rate (None: lines are not counted), at which of several places, and whether the u of its start is
+    known.
     """
 
     scan_id: int
@@ -45,6 +46,7 @@ class Watched:
     watched_s: float | None
     line_rate_hz: float | None = None
     site: str = ""
+    u_start_told: bool = True
 
     @property
     def span_s(self) -> tuple[float, float] | None:
@@ -196,6 +198,7 @@ def _traffic(
             stood_before=stood_before,
             strayed=[_passed(one, accepted_only) for one in unseen],
             strays_s=since_s,
+            u_start_told=scan.u_start_told,
         ),
         unplaced=len(found) - len(passed),
         reason=reason,
