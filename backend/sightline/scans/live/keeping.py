@@ -239,8 +239,10 @@ class SurveyKeeper(Keeper):
             with suppress(SightlineError), self._services.reading() as session:
                 deleted = live_scan_deleted(session, self._survey_id, scan_id, recording.segment)
                 recording.deleted = deleted is True
-        code = "stream-recording-deleted" if recording.deleted else "stream-recording-not-there"
-        self._say(Said(code, recording=recording.name))
+        if recording.deleted:
+            self._say(Said("stream-recording-deleted", recording=recording.name))
+        else:
+            self._say(Said("stream-recording-not-there", recording=recording.name))
 
     def _try(self, recording: _Recording, work: Callable[[], object]) -> None:
         """Whatever the database does, the stream goes on: said once, tried again with the next second."""
