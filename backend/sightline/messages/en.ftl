@@ -441,6 +441,8 @@ system-lead = Current state of this installation. Prometheus reads the same figu
 system-loading = the state of the system
 system-program = Software and server
 system-version = Version
+system-answered = This server
+system-answered-by = { $host }, process { $process }
 system-database = Database
 system-database-of = { $kind ->
     [sqlite] SQLite

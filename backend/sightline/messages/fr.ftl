@@ -439,6 +439,8 @@ system-lead = L’état actuel de cette installation. Prometheus lit les mêmes 
 system-loading = état du système
 system-program = Logiciel et serveur
 system-version = Version
+system-answered = Ce serveur
+system-answered-by = { $host }, processus { $process }
 system-database = Base de données
 system-database-of = { $kind ->
     [sqlite] SQLite

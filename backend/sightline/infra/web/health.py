@@ -1,6 +1,8 @@
 """Whether the server is there, whether it can work, and how it is doing."""
 
+import os
 import shutil
+import socket
 from collections.abc import Callable
 
 import anyio
@@ -52,6 +54,8 @@ class SystemState(Out):
     """What an administrator wants to know of a running installation: of this one of its app processes."""
 
     version: str
+    host: str = Field(description="Name of the machine of this process.")
+    process: int
     database: str = Field(description="sqlite or postgresql")
     database_connections: int = Field(description="In use just now, by this process.")
     media: str = Field(description="Where videos are kept, without any password.")
@@ -101,6 +105,8 @@ def system(who: Admin, services: Wired, request: Request) -> SystemState:
     pool = services.engine.pool
     return SystemState(
         version=code_version(),
+        host=socket.gethostname(),
+        process=os.getpid(),
         database=services.engine.dialect.name,
         database_connections=int(getattr(pool, "checkedout", int)()),
         media=services.settings.media_url.partition("?")[0],
