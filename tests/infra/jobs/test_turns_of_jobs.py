@@ -10,8 +10,8 @@ from sightline import job_handlers
 from sightline.infra.database.engine import SessionFactory, reading, writing
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.one_machine import OneMachine
+from sightline.infra.jobs.process import WorkerProcess
 from sightline.infra.jobs.store import claim_job
-from sightline.infra.jobs.workers import WorkerProcess
 from tests.infra.jobs import handlers
 
 LONG, SHORT = "test_long", "test_make_survey"

@@ -32,7 +32,6 @@ from sightline.infra.database.engine import (
     explained,
     lift_limits,
     migrate,
-    newest_revision,
     reading,
     session_factory,
     sqlite_file,
@@ -40,6 +39,7 @@ from sightline.infra.database.engine import (
 )
 from sightline.infra.database.migrations import upgrade
 from sightline.infra.database.pages import require_whole_pages
+from sightline.infra.database.revisions import newest_revision
 from sightline.infra.jobs.recovery import deliver_anew
 from sightline.media.store.local import MediaStore, check_room, copy_whole, open_store
 from sightline.settings import Settings, sqlite_url

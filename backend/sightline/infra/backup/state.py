@@ -8,7 +8,7 @@ from sqlalchemy.orm import Session
 from sightline.errors import BadInput
 from sightline.infra.audit import trail
 from sightline.infra.audit.tables import audit_events
-from sightline.infra.database.engine import newest_revision, stored_revision
+from sightline.infra.database.revisions import newest_revision, stored_revision
 from sightline.infra.database.types import metadata
 from sightline.infra.slices import load_tables
 

@@ -20,7 +20,7 @@ from sqlalchemy.orm import Session
 from sightline.enums import JsonObject
 from sightline.errors import Away, BadInput, Conflict, NoRoom
 from sightline.infra.database.engine import explained
-from sightline.infra.jobs.engine import engine_of_session
+from sightline.infra.jobs.delivery import deliver
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.store import create_job, request_job_cancel
 from sightline.messages.said import Said
@@ -166,5 +166,5 @@ def enqueue(
 ) -> Job:
     """A job in the caller's transaction, of a recording_id, scan_id or study_id; begun once that commits."""
     job = create_job(session, kind, payload, survey_id=survey_id, actor=actor, **of)
-    engine_of_session(session).deliver(session, job.id)
+    deliver(session, job.id, long=is_long(kind))
     return job
