@@ -109,7 +109,9 @@ def test_a_stream_becomes_a_recording_whose_vehicles_are_those_of_the_search(
         twice = {"line_rate_hz": 2 * SITE.line_rate_hz}
         update_scan(session, scan.id, twice, version=scan.version, actor=None)
     (later,) = streams_of(services)
-    assert (later.vehicles, later.line_rate_hz) == (stream.vehicles, 2 * SITE.line_rate_hz)
+    # a rate that is corrected later changes no time at which lines came
+    assert (later.vehicles, later.until, later.flow) == (stream.vehicles, stream.until, stream.flow)
+    assert later.line_rate_hz == SITE.line_rate_hz
 
 
 @pytest.mark.parametrize(("at_begin", "at_end"), [(2, 2), (9, 1)])
@@ -229,6 +231,7 @@ def test_a_killed_stream_of_a_survey_is_taken_up(
         numbers = [len(list_scan_vehicles(session, one.id)) for one in scans]
         assert verify_records(session).ok
     assert [one.state for one in scans] == ["ready", "ready"] and sum(numbers) == 3
+    assert [one.run and one.run.found for one in scans] == numbers  # before the kill and after it
     assert [scan_body(one).stream_state for one in scans] == [None, None]
     (stream,) = streams_of(services)
     assert [one.scan_id for one in stream.earlier] == [scans[0].id]
@@ -255,7 +258,7 @@ def test_a_recording_that_is_deleted_while_it_is_streamed_is_said_and_leaves_not
                 remove_scan(session, scan.id, actor=None)
         elif len(keepers) > after:
             assert keeper._recording is not None
-            assert not keeper._recording.waiting and not keeper._recording.motions
+            assert not keeper._recording.waiting
 
     monkeypatch.setattr(SurveyKeeper, "add", added)
     path = tmp_path / "lines.raw"

@@ -4,7 +4,8 @@ import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import AbstractContextManager, suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
+from enum import Enum, auto
 from pathlib import Path
 from weakref import WeakValueDictionary
 
@@ -12,7 +13,7 @@ from sightline.enums import ScanMethod
 from sightline.errors import Away, NoRoom, NotFound, SightlineError
 from sightline.infra.database import Session
 from sightline.infra.services import Services
-from sightline.linescan.parts import Motion, Rig
+from sightline.linescan.parts import Rig
 from sightline.media.store.local import key_of, sha256_of
 from sightline.messages.said import Said
 from sightline.scans.live.records import Keeper, LiveHealth, LiveVehicle, SegmentFacts
@@ -29,33 +30,51 @@ from sightline.scans.service import delete_unneeded, queue_reading
 from sightline.scans.store import create_scan, get_scan, note_reading_failed, note_scan_recorded
 from sightline.scans.vehicles.find_job import run_values
 from sightline.scans.vehicles.measurement_store import append_scan_measurements
-from sightline.scans.vehicles.motion import values_of
+from sightline.scans.vehicles.motion import motion_of, values_of
 from sightline.scans.vehicles.run_store import add_scan_run
-from sightline.scans.vehicles.store import create_scan_vehicles
+from sightline.scans.vehicles.store import create_scan_vehicles, list_scan_vehicles
 
 NOT_KEPT = Said("scans-lines-not-stored")
 _SUFFIX = ".spool.tif"
 AGAIN_S = 1.0
 
 
+class _Row(Enum):
+    """Whether a recording's row is its own; where it is gone, or a person deleted it, no more is stored."""
+
+    UNASKED = auto()
+    OWN = auto()
+    GONE = auto()
+    DELETED = auto()
+
+
 @dataclass
 class _Recording:
-    """What is to be stored of one segment; `scan_id`: its row, once it is there; `known`: as its own;
-    `gone`: nothing more is stored; `deleted`: by a person.
+    """What is to be stored of one segment; `scan_id`: its row, once it is there; `strips`: as the media store
+    names them.
     """
 
     segment: SegmentFacts
     belongs_to: Callable[[int | None], None] | None = None
     scan_id: int | None = None
     waiting: list[LiveVehicle] = field(default_factory=list)
-    motions: list[Motion] = field(default_factory=list)
-    known: bool = False
-    gone: bool = False
-    deleted: bool = False
+    row: _Row = _Row.UNASKED
+    strips: list[StripSource] = field(default_factory=list)
 
     @property
     def name(self) -> str:
         return f"Live {self.segment.began_at:%Y-%m-%d %H:%M:%S} UTC"
+
+    @property
+    def gone(self) -> bool:
+        return self.row in (_Row.GONE, _Row.DELETED)
+
+    def strips_of(self, paths: Sequence[Path]) -> list[StripSource]:
+        """Its strips, hashed once."""
+        if not self.strips:
+            hashes = [(path.name, sha256_of(path)) for path in paths]
+            self.strips = [StripSource(name, key_of(sha256, _SUFFIX), sha256) for name, sha256 in hashes]
+        return self.strips
 
 
 class SurveyKeeper(Keeper):
@@ -93,7 +112,6 @@ class SurveyKeeper(Keeper):
     def add(self, vehicle: LiveVehicle) -> None:
         if (recording := self._recording) is not None and not recording.gone:
             recording.waiting.append(vehicle)
-            recording.motions.append(replace(vehicle.vehicle.motion, profile=None))
             self._try(recording, lambda: self._store(recording))
 
     def hear(self, health: LiveHealth) -> None:
@@ -134,8 +152,10 @@ class SurveyKeeper(Keeper):
             try:
                 if not recording.gone:
                     self._store_end(recording, paths, notes)
-                elif recording.deleted:
-                    self._delete_stored(paths or ())
+                elif recording.row is _Row.DELETED:
+                    # strips that were put into the media store before
+                    files = [(one.media_key, one.sha256) for one in recording.strips_of(paths or ())]
+                    delete_unneeded(self._services, files)
                 break
             except (Away, NoRoom) as error:
                 if not told:
@@ -146,7 +166,7 @@ class SurveyKeeper(Keeper):
                 time.sleep(AGAIN_S)
             except NotFound:
                 self._forget(recording)
-        if paths and recording.gone and not recording.deleted:
+        if paths and recording.row is _Row.GONE:
             self._say(Said("stream-strips-kept", recording=recording.name, first=paths[0], second=paths[1]))
             return
         for path in paths or ():
@@ -158,41 +178,38 @@ class SurveyKeeper(Keeper):
         with self._services.reading() as session:
             if get_scan(session, scan_id).state != "live":
                 return  # stored by one that was killed before it had said so
-        source = None if paths is None else (self._strip(paths[0]), self._strip(paths[1]))
+        for path, one in zip(paths or (), recording.strips_of(paths or ()), strict=True):
+            self._services.media.put_file(one.media_key, path, link=True)
         with self._writing() as session:
             if get_scan(session, scan_id).state != "live":
                 return  # by the try before this one
-            run = run_values(self._method, self._rig, recording.motions, len(recording.motions), notes)
+            # those too that were stored before a kill
+            stored = list_scan_vehicles(session, scan_id, deleted=True)
+            motions = [
+                motion_of(one.measurement.values)
+                for one in stored
+                if one.origin == "found" and one.measurement is not None
+            ]
+            run = run_values(self._method, self._rig, motions, len(motions), notes)
             add_scan_run(session, scan_id, run, actor=None)
             end_live_scan(session, scan_id)
-            if source is None:
+            if paths is None:
                 note_reading_failed(session, scan_id, NOT_KEPT, actor=None)
             else:
-                note_scan_recorded(session, scan_id, source, actor=None)
+                note_scan_recorded(session, scan_id, (recording.strips[0], recording.strips[1]), actor=None)
                 queue_reading(session, get_scan(session, scan_id), None, None)
-
-    def _delete_stored(self, paths: Sequence[Path]) -> None:
-        """Strips that were put into the media store before their recording was deleted."""
-        files = [(key_of(sha256, _SUFFIX), sha256) for sha256 in map(sha256_of, paths)]
-        delete_unneeded(self._services, files)
-
-    def _strip(self, path: Path) -> StripSource:
-        sha256 = sha256_of(path)
-        key = key_of(sha256, _SUFFIX)
-        self._services.media.put_file(key, path, link=True)
-        return StripSource(path.name, key, sha256)
 
     def _store(self, recording: _Recording) -> int:
         """The recording and those of its vehicles that wait; its number."""
         if recording.scan_id is None:
             self._store_begin(recording)
         assert recording.scan_id is not None
-        if not recording.known:
+        if recording.row is _Row.UNASKED:
             # a journal may tell the number of another database's recording, or of an older state's
             with self._services.reading() as session:
                 if live_scan_deleted(session, self._survey_id, recording.scan_id, recording.segment) is None:
                     raise NotFound("stream-recording-not-there", recording=recording.name)
-            recording.known = True
+            recording.row = _Row.OWN
         if recording.waiting:
             with self._writing() as session:
                 self._store_in(session, recording.scan_id, recording.waiting)
@@ -214,7 +231,7 @@ class SurveyKeeper(Keeper):
                     rig=self._rig,
                     actor=None,
                 ).id
-                add_live_scan(session, self._survey_id, scan_id, recording.segment)
+                add_live_scan(session, self._survey_id, scan_id, recording.segment, self._rig.line_rate_hz)
             self._recording_of[scan_id] = recording
         recording.scan_id = scan_id
         if recording.belongs_to is not None:
@@ -234,12 +251,12 @@ class SurveyKeeper(Keeper):
 
     def _forget(self, recording: _Recording) -> None:
         """Its row is deleted or not there: nothing more of it is stored. In doubt nobody deleted it."""
-        recording.gone, recording.waiting, recording.motions = True, [], []
+        recording.row, recording.waiting = _Row.GONE, []
         if (scan_id := recording.scan_id) is not None:
             with suppress(SightlineError), self._services.reading() as session:
-                deleted = live_scan_deleted(session, self._survey_id, scan_id, recording.segment)
-                recording.deleted = deleted is True
-        if recording.deleted:
+                if live_scan_deleted(session, self._survey_id, scan_id, recording.segment):
+                    recording.row = _Row.DELETED
+        if recording.row is _Row.DELETED:
             self._say(Said("stream-recording-deleted", recording=recording.name))
         else:
             self._say(Said("stream-recording-not-there", recording=recording.name))

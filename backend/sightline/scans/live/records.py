@@ -82,7 +82,9 @@ class Keeper:
 
 @dataclass(frozen=True, slots=True)
 class LiveScan:
-    """A recording that a stream makes or made; `ready`: its picture can be looked at."""
+    """A recording that a stream makes or made; `ready`: its picture can be looked at; `line_rate_hz`: by
+    which its lines were counted, whatever is said of its cameras later.
+    """
 
     scan_id: int
     name: str

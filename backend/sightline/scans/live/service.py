@@ -67,8 +67,8 @@ def _stream(session: Session, scans: list[LiveScan]) -> LiveStream:
     begun = {one.scan_id: one for one in recent}
     # in view where a later recording begins, one was told of the recording before
     fronts = [
-        _time(begun[scan_id], line, rate_hz)
-        for scan_id, line, rate_hz in fronts_of(session, list(begun))
+        _time(begun[scan_id], line)
+        for scan_id, line in fronts_of(session, list(begun))
         if line > 0 or scan_id == scans[-1].scan_id
     ]
     flow = flow_of(fronts, [(one.began_at, _until(one)) for one in recent])
@@ -87,7 +87,7 @@ def _stream(session: Session, scans: list[LiveScan]) -> LiveStream:
 
 
 def _until(scan: LiveScan) -> datetime:
-    return _time(scan, scan.health.lines if scan.health else 0, scan.line_rate_hz)
+    return _time(scan, scan.health.lines if scan.health else 0)
 
 
 def _passing(scan: LiveScan, one: ShownVehicle) -> LivePassing:
@@ -100,7 +100,7 @@ def _passing(scan: LiveScan, one: ShownVehicle) -> LivePassing:
         values,
         id=vehicle.id,
         number=vehicle.number,
-        front_at=_time(scan, values.front_line_1, values.rig["line_rate_hz"]),
+        front_at=_time(scan, values.front_line_1),
         axles=values.axles,
         U95_speed_mps=expanded(values.u_speed_mps),
         U95_length_m=expanded(values.u_length_m),
@@ -108,5 +108,5 @@ def _passing(scan: LiveScan, one: ShownVehicle) -> LivePassing:
     )
 
 
-def _time(scan: LiveScan, line: float, line_rate_hz: float) -> datetime:
-    return scan.began_at + timedelta(seconds=line / line_rate_hz)
+def _time(scan: LiveScan, line: float) -> datetime:
+    return scan.began_at + timedelta(seconds=line / scan.line_rate_hz)

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import asdict, fields
 
-from sqlalchemy import select, update
+from sqlalchemy import ColumnElement, select, update
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
@@ -15,32 +15,33 @@ from sightline.scans.live.tables import scan_live
 from sightline.scans.tables import scan_measurements, scan_vehicles, scans
 
 
-def add_live_scan(session: Session, survey_id: int, scan_id: int, segment: SegmentFacts) -> None:
+def add_live_scan(
+    session: Session, survey_id: int, scan_id: int, segment: SegmentFacts, line_rate_hz: float
+) -> None:
     """A recording that a stream has begun."""
     place = {"survey_id": survey_id, "scan_id": scan_id, "stream": segment.stream, "source": segment.source}
-    add_row(session, scan_live, {**place, "began_at": segment.began_at, "heard_at": now()})
+    times = {"line_rate_hz": line_rate_hz, "began_at": segment.began_at, "heard_at": now()}
+    add_row(session, scan_live, place | times)
 
 
 def live_scans_of(session: Session, survey_id: int, segment: SegmentFacts) -> Sequence[int]:
     """The recordings that have not ended of a segment's stream and moment, newest first: its own, and that of
     one that was taken up at its very beginning.
     """
-    its = (scan_live.c.stream == segment.stream, scan_live.c.began_at == segment.began_at)
-    query = select(scan_live.c.scan_id).where(scan_live.c.survey_id == survey_id, *its)
-    return (
-        session.execute(query.where(scan_live.c.ended_at.is_(None)).order_by(scan_live.c.id.desc()))
-        .scalars()
-        .all()
-    )
+    query = select(scan_live.c.scan_id).where(*_of(survey_id, segment), scan_live.c.ended_at.is_(None))
+    return session.execute(query.order_by(scan_live.c.id.desc())).scalars().all()
 
 
 def live_scan_deleted(session: Session, survey_id: int, scan_id: int, segment: SegmentFacts) -> bool | None:
     """Whether a segment's recording was deleted; None: there is no such recording, or it is not its own."""
     query = select(scans.c.deleted_at).join(scan_live, scan_live.c.scan_id == scans.c.id)
-    its = (scan_live.c.stream == segment.stream, scan_live.c.began_at == segment.began_at)
-    query = query.where(scans.c.id == scan_id, scan_live.c.survey_id == survey_id, *its)
-    row = session.execute(query).first()
+    row = session.execute(query.where(scans.c.id == scan_id, *_of(survey_id, segment))).first()
     return None if row is None else row.deleted_at is not None
+
+
+def _of(survey_id: int, segment: SegmentFacts) -> tuple[ColumnElement[bool], ...]:
+    of = scan_live.c
+    return of.survey_id == survey_id, of.stream == segment.stream, of.began_at == segment.began_at
 
 
 def passings_stored(session: Session, scan_id: int, front_lines: Sequence[float]) -> set[tuple[float, float]]:
@@ -68,7 +69,7 @@ def end_live_scan(session: Session, scan_id: int) -> None:
 def list_live_scans(session: Session, survey_id: int) -> tuple[LiveScan, ...]:
     """The recordings of streams of a survey, newest first."""
     query = (
-        select(scan_live, scans.c.name, scans.c.state, scans.c.line_rate_hz)
+        select(scan_live, scans.c.name, scans.c.state)
         .join(scans, scans.c.id == scan_live.c.scan_id)
         .where(scan_live.c.survey_id == survey_id, scans.c.deleted_at.is_(None))
         .order_by(scan_live.c.id.desc())
@@ -76,10 +77,10 @@ def list_live_scans(session: Session, survey_id: int) -> tuple[LiveScan, ...]:
     return tuple(_live_scan(dict(row)) for row in session.execute(query).mappings())
 
 
-def fronts_of(session: Session, scan_ids: Sequence[int]) -> list[tuple[int, float, float]]:
-    """(scan, front line at camera 1, line rate, Hz), as first measured, of the vehicles that stand."""
+def fronts_of(session: Session, scan_ids: Sequence[int]) -> list[tuple[int, float]]:
+    """(scan, front line at camera 1), as first measured, of the vehicles that stand."""
     query = (
-        select(scan_measurements.c.scan_id, scan_measurements.c.front_line_1, scan_measurements.c.rig)
+        select(scan_measurements.c.scan_id, scan_measurements.c.front_line_1)
         .join(scan_vehicles, scan_vehicles.c.id == scan_measurements.c.vehicle_id)
         .where(
             scan_measurements.c.scan_id.in_(scan_ids),
@@ -87,7 +88,7 @@ def fronts_of(session: Session, scan_ids: Sequence[int]) -> list[tuple[int, floa
             scan_vehicles.c.deleted_at.is_(None),
         )
     )
-    return [(row.scan_id, row.front_line_1, row.rig["line_rate_hz"]) for row in session.execute(query)]
+    return [(row.scan_id, row.front_line_1) for row in session.execute(query)]
 
 
 def _live_scan(row: JsonObject) -> LiveScan:

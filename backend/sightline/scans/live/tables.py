@@ -1,6 +1,6 @@
 """The table of live streams: how each recording's stream is, written every second like a job's progress."""
 
-from sqlalchemy import Column, ForeignKey, String, Text, UniqueConstraint
+from sqlalchemy import Column, Float, ForeignKey, String, Text, UniqueConstraint
 
 from sightline.infra.database.types import CanonicalJson, UtcDateTime, numbered
 
@@ -12,6 +12,8 @@ scan_live = numbered(
     # the recordings of one stream have the same sign
     Column("stream", String(40), nullable=False),
     Column("source", Text, nullable=False),
+    # by which its lines were counted; the scan's may be corrected later
+    Column("line_rate_hz", Float, nullable=False),
     # when line 0 was taken, by the computer's clock
     Column("began_at", UtcDateTime, nullable=False),
     Column("heard_at", UtcDateTime, nullable=False),
