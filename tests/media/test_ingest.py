@@ -157,5 +157,5 @@ def test_a_full_disk_is_told_and_leaves_no_working_copy(
     with pytest.raises(NoRoom, match="working copy"):
         ingest(clip(Spec("a.ts")), lambda _: None, lambda: False, tmp_path / "t", work_dir=tmp_path / "w")
     assert list((tmp_path / "w").iterdir()) == []
-    with pytest.raises(NoRoom, match=r"not enough space for the thumbnails of cfr\.mp4"):
+    with pytest.raises(NoRoom, match="not enough space"):
         ingest(clip(Spec("cfr.mp4")), lambda _: None, lambda: False, tmp_path / "t")

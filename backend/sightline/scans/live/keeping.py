@@ -12,6 +12,7 @@ from sightline.enums import ScanMethod
 from sightline.errors import Away, NoRoom, NotFound, SightlineError
 from sightline.infra.database import Session
 from sightline.infra.services import Services
+from sightline.infra.stored_bytes import let_go
 from sightline.linescan.parts import Motion, Rig
 from sightline.media.store.local import key_of, sha256_of
 from sightline.messages.said import Said
@@ -25,7 +26,7 @@ from sightline.scans.live.store import (
     passings_stored,
 )
 from sightline.scans.records import LiveSource, StripSource
-from sightline.scans.service import delete_unneeded, queue_reading
+from sightline.scans.service import queue_reading
 from sightline.scans.store import create_scan, get_scan, note_reading_failed, note_scan_recorded
 from sightline.scans.vehicles.find_job import run_values
 from sightline.scans.vehicles.measurement_store import append_scan_measurements
@@ -173,8 +174,9 @@ class SurveyKeeper(Keeper):
 
     def _delete_stored(self, paths: Sequence[Path]) -> None:
         """Strips that were put into the media store before their recording was deleted."""
-        files = [(key_of(sha256, _SUFFIX), sha256) for sha256 in map(sha256_of, paths)]
-        delete_unneeded(self._services, files)
+        keys = [key_of(sha256_of(path), _SUFFIX) for path in paths]
+        with self._writing() as session:
+            let_go(session, self._survey_id, keys, None)
 
     def _strip(self, path: Path) -> StripSource:
         sha256 = sha256_of(path)
