@@ -28,7 +28,7 @@ from sightline.media.store.local import (
 from tests.support.waiting import NEVER_S
 
 DATA = os.urandom(300_000)
-THUMBS = made_key_of("ab" * 32, "thumbs", None, ".zip")
+THUMBS = made_key_of("ab" * 32, local.THUMBS, None, ".zip")
 
 
 @pytest.fixture(scope="module")
@@ -89,8 +89,8 @@ def test_what_is_put_is_there_until_deleted(store: MediaStore, video: Path) -> N
 
 def test_a_key_says_whether_it_tells_its_content() -> None:
     content = "0f" * 32
-    assert made_of(made_key_of(content, "thumbs", None, ".zip")) == (content, None)
-    assert made_of(made_key_of(content, "work", 2, ".mkv")) == (content, 2)
+    assert made_of(made_key_of(content, local.THUMBS, None, ".zip")) == (content, None)
+    assert made_of(made_key_of(content, local.COPY, 2, ".mkv")) == (content, 2)
     for suffix in ("", ".mp4", "-strip.tif", ".spool.tif", "-setup.jpg", ".zip"):
         assert made_of(key_of(content, suffix)) is None
 

@@ -17,7 +17,7 @@ from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Finish, JobContext
 from sightline.infra.services import Services
 from sightline.infra.stored_bytes import let_go
-from sightline.media.store.local import MediaStore, made_key_of
+from sightline.media.store.local import COPY, THUMBS, MediaStore, made_key_of
 from sightline.media.video.decode import require_whole
 from sightline.media.video.ingest import Ingested, ingest
 from sightline.media.video.remux import COPY_SUFFIXES
@@ -162,7 +162,7 @@ def _keep_working_copy(store: MediaStore, recording: Recording, found: Ingested)
     """Store the working copy of a stream without an index and give its key; None where there is none."""
     if not found.is_working_copy:
         return None
-    key = made_key_of(recording.sha256, "work", _number(found), found.media_path.suffix)
+    key = made_key_of(recording.sha256, COPY, _number(found), found.media_path.suffix)
     store.put_file(key, found.media_path, link=True)
     return key
 
@@ -188,7 +188,7 @@ def thumbnails_key(recording: Recording) -> str:
 
 def thumbnails_key_of(sha256: str, stream_number: int | None = None) -> str:
     """Where the thumbnails of a video with this content are, or of one of its pictures."""
-    return made_key_of(sha256, "thumbs", stream_number, ".zip")
+    return made_key_of(sha256, THUMBS, stream_number, ".zip")
 
 
 def _number(found: Ingested) -> int | None:
@@ -281,7 +281,7 @@ def remove_recording(services: Services, recording_id: int, actor: int) -> None:
         recordings.remove_recording(session, recording_id, actor=actor)
         # a reading that failed may have left a working copy of which no row tells
         copies = (
-            made_key_of(recording.sha256, "work", recording.stream_number, suffix) for suffix in COPY_SUFFIXES
+            made_key_of(recording.sha256, COPY, recording.stream_number, suffix) for suffix in COPY_SUFFIXES
         )
         keys = (recording.media_key, thumbnails_key(recording), *copies)
         let_go(session, recording.survey_id, keys, actor)

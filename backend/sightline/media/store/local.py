@@ -8,7 +8,7 @@ import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import BinaryIO, Literal, Protocol
+from typing import BinaryIO, Protocol
 from urllib.parse import urlsplit
 from urllib.request import url2pathname
 
@@ -17,7 +17,8 @@ from sightline.media.atomic import atomic_file
 
 CHUNK_BYTES = 1 << 20
 RESERVE_BYTES = 64 << 20
-_MADE = re.compile(r"../../([0-9a-f]{64})\.(?:thumbs|work)(?:-(\d+))?\.\w+")
+THUMBS, COPY = "thumbs", "work"
+_MADE = re.compile(rf"../../([0-9a-f]{{64}})\.(?:{THUMBS}|{COPY})(?:-(\d+))?\.\w+")
 
 
 class MediaStore(Protocol):
@@ -75,8 +76,8 @@ def key_of(sha256: str, suffix: str = "") -> str:
     return f"{sha256[:2]}/{sha256[2:4]}/{sha256}{suffix}"
 
 
-def made_key_of(sha256: str, what: Literal["thumbs", "work"], picture: int | None, suffix: str) -> str:
-    """The key of what was made of content, or of one of its pictures: thumbnails or a working copy."""
+def made_key_of(sha256: str, what: str, picture: int | None, suffix: str) -> str:
+    """The key of what was made of content, or of one of its pictures: THUMBS or a working COPY."""
     number = "" if picture is None else f"-{picture}"
     return key_of(sha256, f".{what}{number}{suffix}")
 
