@@ -48,6 +48,8 @@ from sightline.infra.stored_bytes import put_bytes
 from sightline.measurements.records import MeasurementValues
 from sightline.measurements.store import add_measurement
 from sightline.measurements.tables import measurement_series
+from sightline.media.store.local import LocalStore
+from sightline.media.store.s3 import StorageAway
 from sightline.poses.tables import road_poses
 from sightline.settings import Settings
 from sightline.surveys.store import create_survey
@@ -598,12 +600,20 @@ def test_a_chain_that_does_not_hold_is_not_backed_up(
 def test_a_chain_that_does_not_hold_is_not_restored(
     filled: Services, tmp_path: Path, new_place: NewPlace, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """In a backup of a version that did not look."""
+    """In a backup of a version that did not look; where the store then goes away, the folder is empty too."""
     _forge(filled)
     monkeypatch.setattr(make, "verify_records", lambda _: Verification(True, 0, "", None))
     backed_up(filled, tmp_path / "backup")
     place = new_place("restored")
     with pytest.raises(Damaged, match="does not verify"):
+        restore_backup(tmp_path / "backup", place, silent)
+    assert not place.data_dir.exists()
+
+    def away(_store: LocalStore, key: str) -> None:
+        raise StorageAway("store-no-answer", key=key, name="Timeout")
+
+    monkeypatch.setattr(LocalStore, "delete", away)
+    with pytest.raises(StorageAway):
         restore_backup(tmp_path / "backup", place, silent)
     assert not place.data_dir.exists()
 

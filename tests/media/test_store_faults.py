@@ -96,7 +96,7 @@ def test_what_others_wait_for_is_not_waited_for_long(
     with pytest.raises(StorageAway):
         patient.delete("a/kept")
     with pytest.raises(StorageAway):
-        patient.exists("a/kept", at_once=True)
+        patient.exists("a/kept")
     assert faulty.asked == 2 * s3.AT_ONCE_ATTEMPTS
     faulty.begin("closed", 1)
     patient.delete("a/kept")

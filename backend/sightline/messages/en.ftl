@@ -509,7 +509,7 @@ jobs-kind = { $kind ->
     [export] Package
     [scan_read] Strip import
     [scan_find] Vehicle search in strips
-    [scan_tidy] Strip clean-up
+    [tidy] File clean-up
     [demonstration] Demonstration survey
     [demonstration_study] Demonstration study (simulated)
     [study] Study
@@ -5243,10 +5243,9 @@ media-unreadable = { $name } cannot be read ({ $strerror }); check the path.
 ## Errors: store
 
 store-address-form = { $media_url } is not a media address; use a folder, file:///folder or s3://bucket.
-store-no-room = There is not enough space for { $what } ({ $needed } needed, { $free } free); delete recordings that are no longer needed or add disk space, then try again.
+store-no-room = There is not enough space ({ NUMBER($needed_mb, maximumFractionDigits: 1) } MB needed, { NUMBER($free_mb, maximumFractionDigits: 1) } MB free); delete recordings that are no longer needed or add disk space, then try again.
 store-no-media-file = There is no media file { $key }.
 store-no-cache = Storage on S3 needs a local cache folder; name one beside the media address.
-store-disk-full = The disk is full and { $what } was not stored; delete recordings that are no longer needed or add disk space, then try again.
 store-file-lost = The media file { $key } is missing from the store; restore it from a backup.
 store-no-answer = The media storage did not answer for { $key } ({ $name }); check its address, its credentials and that it is running.
 store-no-bucket = { $url } names no bucket; write s3://bucket/prefix.
@@ -5488,7 +5487,7 @@ recordings-pose-image-size = The camera pose { $pose_id } is for images of { $po
 recordings-frames-differ = The frames found now are not those that were measured; upload the video as a new one.
 recordings-tus-version = Uploads use tus 1.0.0; send the header Tus-Resumable: 1.0.0.
 recordings-too-many-uploads = You have { $most } uploads that are not complete; finish or cancel some first.
-recordings-uploads-no-room = There is not enough space for this upload ({ $needed }) beside your uploads that are not complete ({ $to_come } still to come, { $free } free); finish or cancel some first.
+recordings-uploads-no-room = There is not enough space for this upload ({ NUMBER($needed_mb, maximumFractionDigits: 1) } MB) beside your uploads that are not complete ({ NUMBER($to_come_mb, maximumFractionDigits: 1) } MB still to come, { NUMBER($free_mb, maximumFractionDigits: 1) } MB free); finish or cancel some first.
 recordings-upload-without-length = The upload does not state the length of the file; send the header Upload-Length.
 recordings-upload-content-type = The bytes of an upload come as application/offset+octet-stream; send that Content-Type.
 recordings-upload-without-name = The upload does not name its file; send filename in the header Upload-Metadata.

@@ -507,7 +507,7 @@ jobs-kind = { $kind ->
     [export] Archive
     [scan_read] Import de bandes
     [scan_find] Détection de véhicules dans les bandes
-    [scan_tidy] Nettoyage des bandes
+    [tidy] Nettoyage des fichiers
     [demonstration] Relevé de démonstration
     [demonstration_study] Étude de démonstration (simulée)
     [study] Étude
@@ -5278,10 +5278,9 @@ media-unreadable = { $name } est illisible ({ $strerror }) ; vérifiez le chem
 ## Erreurs : stockage
 
 store-address-form = { $media_url } n’est pas une adresse de médias ; utilisez un dossier, file:///folder ou s3://bucket.
-store-no-room = Il n’y a pas de place pour { $what } ({ $needed } nécessaires, { $free } libres) ; supprimez des enregistrements devenus inutiles ou ajoutez de l’espace disque, puis réessayez.
+store-no-room = Il n’y a pas assez de place ({ NUMBER($needed_mb, maximumFractionDigits: 1) } Mo nécessaires, { NUMBER($free_mb, maximumFractionDigits: 1) } Mo libres) ; supprimez des enregistrements devenus inutiles ou ajoutez de l’espace disque, puis réessayez.
 store-no-media-file = Il n’y a pas de fichier média { $key }.
 store-no-cache = Le stockage sur S3 demande un dossier de cache local ; nommez-en un à côté de l’adresse des médias.
-store-disk-full = Le disque est plein, { $what } n’a pas été enregistré ; supprimez des enregistrements devenus inutiles ou ajoutez de l’espace disque, puis réessayez.
 store-file-lost = Le fichier média { $key } manque dans le stockage ; restaurez-le depuis une sauvegarde.
 store-no-answer = Le stockage des médias n’a pas répondu pour { $key } ({ $name }) ; vérifiez son adresse, ses identifiants et qu’il est en marche.
 store-no-bucket = { $url } ne nomme pas de compartiment ; écrivez s3://bucket/prefix.
@@ -5537,7 +5536,7 @@ recordings-pose-image-size = La pose { $pose_id } de la caméra vaut pour des im
 recordings-frames-differ = Les images trouvées maintenant ne sont pas celles qui ont été mesurées ; envoyez la vidéo comme nouvelle.
 recordings-tus-version = Les envois utilisent tus 1.0.0 ; envoyez l’en-tête Tus-Resumable: 1.0.0.
 recordings-too-many-uploads = Vous avez { $most } envois incomplets ; terminez ou annulez-en d’abord.
-recordings-uploads-no-room = Il n’y a pas de place pour cet envoi ({ $needed }) à côté de vos envois incomplets ({ $to_come } encore à venir, { $free } libres) ; terminez ou annulez-en d’abord.
+recordings-uploads-no-room = Il n’y a pas de place pour cet envoi ({ NUMBER($needed_mb, maximumFractionDigits: 1) } Mo) à côté de vos envois incomplets ({ NUMBER($to_come_mb, maximumFractionDigits: 1) } Mo encore à venir, { NUMBER($free_mb, maximumFractionDigits: 1) } Mo libres) ; terminez ou annulez-en d’abord.
 recordings-upload-without-length = L’envoi ne dit pas la longueur du fichier ; envoyez l’en-tête Upload-Length.
 recordings-upload-content-type = Les octets d’un envoi arrivent en application/offset+octet-stream ; envoyez ce Content-Type.
 recordings-upload-without-name = L’envoi ne nomme pas son fichier ; envoyez filename dans l’en-tête Upload-Metadata.

@@ -69,6 +69,6 @@ def test_deliveries_on_postgres(factory: SessionFactory) -> None:
 
 def test_what_goes_through_whole_videos_is_long() -> None:
     assert job_handlers.MODULES
-    short = ("ingest", "pose", "scan_read", "scan_tidy")
+    short = ("ingest", "pose", "scan_read", "tidy")
     long = ("passes", "proposals", "drift", "calibrate", "export", "scan_find")
     assert {kind for kind in (*short, *long) if registry.is_long(kind)} == set(long)

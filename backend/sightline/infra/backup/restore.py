@@ -66,7 +66,7 @@ def check_backup(folder: Path, tell: Tell) -> ReadBackup:
         tell(1.0, "read")
         return ReadBackup(manifest, None)
     with tempfile.TemporaryDirectory(prefix="sightline-check-") as scratch:
-        check_room(Path(scratch), (state / DATABASE).stat().st_size, "a copy of the database to check")
+        check_room(Path(scratch), (state / DATABASE).stat().st_size)
         audit = _sqlite_in(state / DATABASE, Path(scratch) / DATABASE, manifest)
     tell(1.0, "read")
     return ReadBackup(manifest, audit)
@@ -99,10 +99,10 @@ def restore_backup(folder: Path, settings: Settings, tell: Tell, *, earlier: boo
         else:
             audit = _into_sqlite(state, path, manifest, told)
     except BaseException:
+        _empty(data_dir, itself=not was_there)
         if store is not None:
             for key in manifest.media:
                 store.delete(key)
-        _empty(data_dir, itself=not was_there)
         raise
     tell(1.0, "restored")
     return ReadBackup(manifest, audit)
@@ -216,7 +216,7 @@ def _rows_for_postgresql(
         return
     with tempfile.TemporaryDirectory(prefix="sightline-crossing-") as made:
         scratch = Path(made)
-        check_room(scratch, 2 * (state / DATABASE).stat().st_size, "the rows on their way to PostgreSQL")
+        check_room(scratch, 2 * (state / DATABASE).stat().st_size)
         _sqlite_in(state / DATABASE, scratch / DATABASE, manifest)  # of the newest schema, and whole
         with (
             engine_at(sqlite_url(scratch / DATABASE)) as engine,

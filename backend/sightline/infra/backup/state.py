@@ -45,7 +45,7 @@ def needed_media(session: Session, key: str | None = None) -> set[str]:
     for table in metadata.sorted_tables:
         for column in table.columns:
             if "needs_media" in column.info:
-                query = select(column).where(column.is_not(None))
+                query = select(column).where(column.is_not(None), column.info["needs_media"](table.c))
                 if "deleted_at" in table.c:
                     query = query.where(table.c.deleted_at.is_(None))
                 if key is not None:

@@ -19,7 +19,6 @@ from sightline.infra.jobs.store import count_jobs
 from sightline.infra.licences import Library, libraries
 from sightline.infra.page_watch import PageWatch
 from sightline.infra.services import Services
-from sightline.infra.stored_bytes import require_media
 from sightline.infra.version import code_version
 from sightline.infra.web.ballast import try_to_write
 from sightline.infra.web.bodies import Out
@@ -155,7 +154,7 @@ def database_trouble(services: Services) -> str | None:
 
 def _media(services: Services) -> str | None:
     try:
-        require_media(services)
+        services.media.exists("00/00/nothing")
     except SightlineError as error:
         return error.message
     return None
