@@ -22,9 +22,9 @@ from sightline.media.store.local import (
     key_of,
     made_key_of,
     made_of,
-    open_store,
     sha256_of,
 )
+from sightline.media.store.opening import open_store
 from tests.support.waiting import NEVER_S
 
 DATA = os.urandom(300_000)

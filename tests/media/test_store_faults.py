@@ -10,7 +10,7 @@ import pytest
 
 from sightline.infra.database.engine import SHORT_IDLE_S
 from sightline.media.store import s3
-from sightline.media.store.local import open_store
+from sightline.media.store.opening import open_store
 from sightline.media.store.s3 import S3Store, StorageAway
 from tests.media.faulty_s3 import Fault, FaultyS3
 from tests.support.waiting import NEVER_S

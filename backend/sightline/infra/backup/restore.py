@@ -41,7 +41,8 @@ from sightline.infra.database.migrations import upgrade
 from sightline.infra.database.pages import require_whole_pages
 from sightline.infra.database.revisions import newest_revision
 from sightline.infra.jobs.recovery import deliver_anew
-from sightline.media.store.local import MediaStore, check_room, copy_whole, open_store
+from sightline.media.store.local import MediaStore, check_room, copy_whole
+from sightline.media.store.opening import open_store
 from sightline.settings import Settings, sqlite_url
 
 

@@ -9,10 +9,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import BinaryIO, Protocol
-from urllib.parse import urlsplit
-from urllib.request import url2pathname
 
-from sightline.errors import BadInput, NoRoom, NotFound
+from sightline.errors import NoRoom, NotFound
 from sightline.media.atomic import atomic_file
 
 CHUNK_BYTES = 1 << 20
@@ -48,27 +46,6 @@ class MediaStore(Protocol):
 
     def listing(self) -> Iterator[tuple[str, int]]:
         """Key and size in bytes of every file, in the order of keys."""
-
-
-def open_store(media_url: str, cache_dir: Path | None = None, cache_bytes: int = 20 << 30) -> MediaStore:
-    """The store that an address names: a folder (path or file:///path) or s3://bucket/prefix.
-
-    S3: `?endpoint=https://host:port&region=name` choose another server than Amazon's; credentials come from
-    the usual AWS_ variables or files. `cache_dir` is needed for S3 and holds at most `cache_bytes`.
-    Raises BadInput.
-    """
-    parts = urlsplit(media_url)
-    if parts.scheme == "s3":
-        from sightline.media.store.s3 import S3Store
-
-        if cache_dir is None:
-            raise BadInput("store-no-cache")
-        return S3Store(media_url, cache_dir, cache_bytes)
-    if parts.scheme == "file":
-        return LocalStore(Path(url2pathname(parts.path)))
-    if "://" in media_url or not media_url:
-        raise BadInput("store-address-form", media_url=repr(media_url))
-    return LocalStore(Path(media_url))
 
 
 def key_of(sha256: str, suffix: str = "") -> str:
