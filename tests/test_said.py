@@ -159,6 +159,6 @@ def test_a_number_has_the_form_that_its_language_wants(said: Said, english: str,
 def test_sayings_in_a_row_are_one_saying() -> None:
     expected = [Said("pose-expected-at", U95_height_m=0.015, distance_m=3)]
     expected.append(Said("pose-expected-at", U95_height_m=0.03, distance_m=5))
-    assert with_commas(expected).sentence("fr") == "±15 mm à 3 m, ±30 mm à 5 m"
+    assert with_commas(expected).sentence("fr") == "± 15 mm à 3 m, ± 30 mm à 5 m"
     assert str(listed([Said("said", sentence=one) for one in "abc"])) == "a, b and c"
     assert listed(expected[:1]) == with_commas(expected[:1]) == expected[0]

@@ -2646,7 +2646,7 @@ scan-step-lane = lane of vehicle { $vehicle }
 scan-step-axles = axles of vehicle { $vehicle }
 scan-passed = Passed
 scan-passed-at = { $day }, { $time }
-scan-passed-within = { $time } ± { $U95_s } s
+scan-passed-within = { $time } ± { $U95_s } s
 scan-passed-unknown = Time of day unknown: the start of the recording is not confirmed
 scan-lane = Lane
 scan-lane-unknown = lane not known
@@ -2946,6 +2946,7 @@ scan-rod-u-lean = u of the rod’s tilt
 scan-rod-at-least = Enter a number from { $least }.
 scan-rod-distance-first = Enter the rod distance first, then click its marks.
 scan-rod-stored = Calibration saved. Choose a vehicle and measure its heights.
+scan-rod-kept = The calibration is kept in this browser and will be sent when the connection is back.
 scan-rod-stored-older = Calibration saved. Existing heights keep the previous one until you compute them again.
 
 ## Line scan: steps that can be taken back, and what is kept until it is sent
@@ -7024,7 +7025,7 @@ pose-simulated = Simulated.
 pose-board-distance = The board was { NUMBER($distance_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m from the camera.
 pose-camera-height = The camera is { NUMBER($height_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m above the road.
 pose-expected-heights = Expected U95 of a height of 1.2 m, without the inset’s part, clicked with u = 1 px: { $figures }.
-pose-expected-at = ±{ SMALL($U95_height_m) } at { $distance_m } m
+pose-expected-at = ± { SMALL($U95_height_m) } at { $distance_m } m
 pose-no-road-at-distance = The image does not show the road at this distance.
 words-comma = { $first }, { $second }
 calibration-image-other-size = The image is { $width_px }x{ $height_px } px, most of the others are { $usual_width_px }x{ $usual_height_px } px.

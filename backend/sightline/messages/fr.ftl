@@ -2649,7 +2649,7 @@ scan-step-lane = voie du véhicule { $vehicle }
 scan-step-axles = essieux du véhicule { $vehicle }
 scan-passed = Passage
 scan-passed-at = { $day }, { $time }
-scan-passed-within = { $time } ± { $U95_s } s
+scan-passed-within = { $time } ± { $U95_s } s
 scan-passed-unknown = Heure inconnue : le début de l’enregistrement n’est pas confirmé
 scan-lane = Voie
 scan-lane-unknown = voie inconnue
@@ -2948,6 +2948,7 @@ scan-rod-u-lean = u de l’inclinaison du jalon
 scan-rod-at-least = Saisissez un nombre d’au moins { $least }.
 scan-rod-distance-first = Saisissez d’abord la distance du jalon, puis pointez ses repères.
 scan-rod-stored = Étalonnage enregistré. Choisissez un véhicule et mesurez ses hauteurs.
+scan-rod-kept = L’étalonnage est gardé dans ce navigateur et sera envoyé au retour de la connexion.
 scan-rod-stored-older = Étalonnage enregistré. Les hauteurs existantes gardent le précédent jusqu’au recalcul.
 
 ## Balayage : les étapes annulables, et ce qui est gardé jusqu’à l’envoi
@@ -3631,13 +3632,13 @@ planning-loading-rig = dispositif du relevé
 planning-loading = plan
 plan-board-square = Placez la mire perpendiculaire à la chaussée, et non à la verticale : avec un dévers de { $crossfall } %, une mire verticale fausse les hauteurs de { SMALL($here_m, digits: 0) } à { $distance_m } m et de { SMALL($further_m, digits: 0) } 1 m plus loin.
 plan-out-of-sight = La route ou la cible est hors de l’image pour : { $targets } ; reculez ou prenez un objectif de plus courte focale.
-plan-oblique = Une mire vue en biais détermine mieux l’orientation de la caméra qu’une mire vue de face, mais les pointés sont un peu moins précis : caméra tournée de 30 degrés le long de la route, la hauteur d’un œil est à ±{ SMALL($U95_turned_m, digits: 0) } au lieu de ±{ SMALL($U95_square_m, digits: 0) }.
-plan-second-frame = Pointez l’œil et le contact sur une deuxième image quand la vitesse le permet : avec { $travel_m } m parcourus, le retrait est calculé au lieu d’être supposé, et ±{ SMALL($U95_one_m, digits: 0) } deviennent ±{ SMALL($U95_two_m, digits: 0) }. À 50 km/h et 25 images/s, cela fait { $frames } images plus loin.
+plan-oblique = Une mire vue en biais détermine mieux l’orientation de la caméra qu’une mire vue de face, mais les pointés sont un peu moins précis : caméra tournée de 30 degrés le long de la route, la hauteur d’un œil est à ± { SMALL($U95_turned_m, digits: 0) } au lieu de ± { SMALL($U95_square_m, digits: 0) }.
+plan-second-frame = Pointez l’œil et le contact sur une deuxième image quand la vitesse le permet : avec { $travel_m } m parcourus, le retrait est calculé au lieu d’être supposé, et ± { SMALL($U95_one_m, digits: 0) } deviennent ± { SMALL($U95_two_m, digits: 0) }. À 50 km/h et 25 images/s, cela fait { $frames } images plus loin.
 plan-board-at-wheel-path = Placez la mire à la trace de roues, à { $distance_m } m, et non à { $board_m } m : les erreurs de pose, d’inclinaison et de focale s’annulent à la distance de la mire et croissent en s’en éloignant.
 plan-lane-close = La voie est très proche ; reculez à 2 m au moins.
 plan-board-unseen = L’image ne montrerait pas une mire à { $board_m } m dont la rangée du haut est à { $board_top_m } m au-dessus de la route ; placez-la à la trace de roues, reculez ou prenez un objectif de plus courte focale.
 plan-camera-at-eye = La caméra est à peu près à la hauteur de l’œil du conducteur ({ $height_m } m), où le retrait ne compte guère ; pour les toits ou les feux, placez-la à leur hauteur.
-plan-second-frame-no-gain = Une deuxième image { $travel_m } m plus loin ne réduit pas l’incertitude ici (±{ SMALL($U95_two_m, digits: 0) } pour un œil) ; prenez des images plus éloignées.
+plan-second-frame-no-gain = Une deuxième image { $travel_m } m plus loin ne réduit pas l’incertitude ici (± { SMALL($U95_two_m, digits: 0) } pour un œil) ; prenez des images plus éloignées.
 plan-camera-height = Placez la caméra à la hauteur à mesurer, où le retrait ne compte pas : { $height_m } m pour l’œil du conducteur. À { $camera_height_m } m, ignorer le retrait fausse la hauteur de { SMALL($near_m, digits: 0) } pour un conducteur côté proche et { SMALL($far_m, digits: 0) } côté éloigné.
 plan-target = { $target ->
     [driver_eye] œil du conducteur
@@ -7085,7 +7086,7 @@ pose-simulated = Simulée.
 pose-board-distance = La mire était à { NUMBER($distance_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m de la caméra.
 pose-camera-height = La caméra est à { NUMBER($height_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m au-dessus de la route.
 pose-expected-heights = U95 attendue d’une hauteur de 1,2 m, sans la part du retrait, pointée avec u = 1 px : { $figures }.
-pose-expected-at = ±{ SMALL($U95_height_m) } à { $distance_m } m
+pose-expected-at = ± { SMALL($U95_height_m) } à { $distance_m } m
 pose-no-road-at-distance = L’image ne montre pas la route à cette distance.
 words-comma = { $first }, { $second }
 calibration-image-other-size = La photo fait { $width_px }x{ $height_px } px, la plupart des autres { $usual_width_px }x{ $usual_height_px } px.
