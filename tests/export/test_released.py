@@ -100,6 +100,18 @@ def test_a_package_of_an_earlier_version_enters_a_study(released: Path, tmp_path
     assert accepted and counted + outside <= len(accepted) and counted > 0
 
 
+def test_packages_of_all_versions_enter_one_study(package: Path, tmp_path: Path) -> None:
+    """With columns that earlier ones lack, and that no figure is made of."""
+    places = [tmp_path / kept.name for kept in RELEASED]
+    for kept, place in zip(RELEASED, places, strict=True):
+        with tarfile.open(kept) as archive:
+            archive.extractall(place, filter="data")
+    found = studied([*places, package], lambda files: check_sealed(files, READ), tmp_path / "scratch")
+    with StudyTables(found) as tables:
+        counted, _ = tables.counted()
+    assert len(counted) == len(RELEASED) + 1 and all(counted > 0)
+
+
 def test_the_root_of_a_package_is_short(package: Path) -> None:
     """And what a reader opens first lies there."""
     root = {path.name for path in package.iterdir()}
