@@ -4679,7 +4679,7 @@ height-no-clicks = Contact and target give no height.
 height-pass-empty = No point was followed; confirm contact and target on one frame first.
 height-pass-not-finite = A followed point, its time or its uncertainty is not a finite number.
 height-pass-u-not-positive = The uncertainty of a followed point is not positive; state it in pixels.
-height-pass-statement-not-valid = An exposure, a row time or an uncertainty of the following is negative or not finite.
+height-pass-statement-not-valid = An exposure, a row time or an uncertainty of the following is negative or too large; correct it.
 height-pass-point-twice = A point is given twice on one frame; give each once.
 height-pass-few-frames = The { $point ->
         [contact] contact
@@ -4882,7 +4882,6 @@ commands-camera-or-size = Give either --camera, or --size and --field-of-view.
 commands-options-without-baseline = --speed, --speed-error, --line-rate and --u-baseline need --baseline.
 commands-plan-incomplete = Give --camera-height and --distance; or --baseline for a line scan.
 commands-plan-without-speed = A line scan’s plan needs --speed and --speed-error beside --baseline.
-commands-plan-not-finite = The numbers of a plan must be finite.
 commands-plan-without-camera = A line scan is planned without a camera and its position; leave those options out.
 commands-metrics-port-taken = Metrics cannot be served on port { $port } of { $host } ({ $why }); choose another with SIGHTLINE_METRICS_PORT.
 commands-folder-taken = Another server is using the folder { $folder }; stop it, or give this one its own folder with --data-dir.
@@ -4895,6 +4894,7 @@ commands-distance-or-speed = Give either --distance or --speed, not both.
 commands-grade-without-distance = --grade-difference needs a sight distance; give --distance or --speed too.
 commands-sag-needs-distance = --headlight needs a sight distance; give --distance or --speed too.
 commands-height-or-heights = Give either --{ $name }, with its u if known, or --{ $name }-heights with a file.
+commands-heights-several-targets = { $path } has heights of { $targets }; give a file with the heights of one target.
 commands-too-few-heights = { $path }: { $reason }. Measure more, or choose a percentile nearer to the median.
 commands-place-missing = { $place } does not exist; name a database, a data folder or the folder of a package.
 
@@ -4981,7 +4981,7 @@ geometry-file-too-large = { $file_name } is too large for a calibration file; ch
 geometry-opencv-xml = { $file_name } is OpenCV’s XML, which Sightline does not read; save it again from OpenCV under a name that ends in .yml (FileStorage then writes YAML).
 geometry-states-no-distortion = { $file_name } states no distortion of the lens; add distortion_coefficients, or five zeros if the lens has none.
 geometry-no-camera = { $file_name } contains no camera; give OpenCV YAML or JSON, ROS camera_info, a Kalibr camchain or a mrcal .cameramodel.
-geometry-values-not-finite = { $file_name }: { $what } contains values that are not finite; calibrate again.
+geometry-values-not-finite = { $file_name }: { $what } contains values that are not finite or too large; calibrate again.
 geometry-size-not-whole = { $file_name }: the image size must be two whole numbers of pixels.
 geometry-no-matrix = { $file_name } contains no camera matrix (camera_matrix or K); export the intrinsics with their distortion coefficients.
 geometry-matrix-form = { $file_name }: the camera matrix must be 3x3 with 0 0 1 as its last row.
@@ -5981,13 +5981,12 @@ sight-besides-note = The headlight beam rises by 1 degree. Heights of obstructio
 
 ## Sight distance: what cannot be computed
 sightdistance-heights = Eye heights must be above 0 and object heights 0 or more, all below 10 m; give them in metres.
-sightdistance-uncertainty = A standard uncertainty must be 0 or more, and 0 for an object on the road; correct it.
+sightdistance-uncertainty = A standard uncertainty must be 0 to 10 m, and 0 for an object on the road; correct it.
 sightdistance-distance = A sight distance must be above 0 and below 100 km, and a length 0 or more; give metres.
 sightdistance-difference = The grade difference must be above 0 and at most 100 percent; correct it.
 sightdistance-speed = { $speed_kmh } km/h is not a design speed; give more than 0 and at most 300 km/h.
 sightdistance-gradient = A vehicle cannot brake on a gradient of { $gradient_percent } %; give at most 25 %, and downhill less than the deceleration allows.
 sightdistance-reaction-deceleration = The reaction time must be 0 or more and the deceleration more than 0; correct them.
-sightdistance-manoeuvre-time = Manoeuvre { $manoeuvre } takes { $least } to { $most } s; give a time in this range.
 sightdistance-passing-speed = There is no passing sight distance at { $speed_kmh } km/h; the table runs from 30 to 130 km/h.
 sightdistance-headlight = The headlight’s height and its beam’s rise must not be negative, nor both 0; correct them.
 sightdistance-radius = The radius must be above 0, and the distance and the offset must fit on its curve; correct them.
@@ -6193,7 +6192,7 @@ traffic-no-day = { $option } { $text } is not a day; write it as 2026-05-04.
 traffic-days-turned = --to { $last } is before --from { $first }; swap them.
 traffic-no-such-site = The archive has no site { $site }; it has { $there }.
 commands-errors-several-targets = The heights are of { $targets }; use --by target to compare each with its references.
-commands-errors-unknown-target = Line { $line }: target is “{ $target }”; use one of { $known }.
+commands-errors-unknown-word = Line { $line }: { $column } is “{ $word }”; use one of { $known }.
 commands-compare-two-values = --compare { $text } needs --by and two different values of its column, as in --by year --compare 2020,2026.
 commands-compare-value-unknown = No row with a height has { $name } in { $by }; compare two of { $known }.
 
@@ -6831,8 +6830,8 @@ statistics-risk-cannot-be = A risk of { $risk } is out of range; give { $least }
 print-board-title = Checkerboard: { $columns } × { $rows } inner corners, squares of { $square_mm } mm
 print-board-title-charuco = ChArUco board: { $columns } × { $rows } inner corners, squares of { $square_mm } mm, markers { $dictionary } of { $marker_mm } mm
 print-board-check = Print on { $paper } at actual size (100 %), not fitted to the page. Then measure the bar above: it is { $bar_mm } mm long. If the print differs, measure a whole row of squares and enter the printed size of one square.
-geometry-board-over-paper = The board needs a sheet of { $width_mm } x { $height_mm } mm including its white margin, which is larger than A0; choose smaller squares, or name a roll of paper, such as 1200x900.
-geometry-board-off-paper = The board needs a sheet of { $width_mm } x { $height_mm } mm including its white margin and does not fit on { $paper }; choose a larger paper or smaller squares.
+geometry-board-over-paper = The board needs a sheet of { $width_mm } x { $height_mm } mm including its white margin, which is larger than A0; choose squares of at most { $square_mm } mm, or name a roll of paper, such as 1200x900.
+geometry-board-off-paper = The board needs a sheet of { $width_mm } x { $height_mm } mm including its white margin and does not fit on { $paper }; choose a larger paper, or squares of at most { $square_mm } mm.
 geometry-paper-not-known = Paper { $paper } is not known; use one of { $papers }, or its width and height in mm, such as 841x1500.
 
 # Reference values of scanned vehicles, said or imported
@@ -7136,7 +7135,7 @@ adjustment-global-test-failed = Global test failed: chi-square { $chi2 } with { 
 adjustment-few-vehicles = With { $count } vehicles, a wrong vehicle cannot be distinguished from a wrong pose.
 adjustment-pose-unchanged = No pass with a known length could be used, so the pose is unchanged.
 adjustment-point-not-finite = A point or its uncertainty is not a finite number.
-adjustment-point-no-u = The uncertainty of a point is not positive.
+adjustment-point-no-u = The uncertainty of a point is below 0.001 px.
 adjustment-point-twice = A point is given twice on one frame.
 adjustment-no-tyre = No tyre of this vehicle was measured, so it is not tied to the road.
 adjustment-no-known-length = No known length of this vehicle was measured.
