@@ -12,10 +12,12 @@ import cv2
 import numpy as np
 import pytest
 
+from sightline.cameras.camera_files import calibration_views
 from sightline.cli import main
 from sightline.commands.clicks import Assumed, assumed_inset
 from sightline.commands.geometry import expected_lines
 from sightline.coverage import expanded
+from sightline.geometry.board import Board
 from sightline.geometry.documents import camera_to_dict, pose_to_dict
 from sightline.geometry.height import measure_height
 from sightline.geometry.insets import USUAL_INSETS
@@ -426,6 +428,15 @@ def test_pose_refusals(camera_file, still, tmp_path, capsys) -> None:
         assert words in capsys.readouterr().err
     assert run("pose", still, "--camera", still, *BOARD, "--reference-height", 1.5, "-o", out) == 2
     assert not out.exists()
+
+
+def test_pictures_of_one_name_are_told_apart(still, tmp_path) -> None:
+    (tmp_path / "other").mkdir()
+    other = tmp_path / "other" / still.name
+    other.write_bytes(still.read_bytes())
+    seen = calibration_views([still, other, still], Board(6, 4, 0.1))
+    assert [name for name, _, _ in seen] == ["board.png", "board.png (2)", "board.png (3)"]
+    assert all(corners.found and size == (640, 480) for _, corners, size in seen)
 
 
 def test_an_imported_camera_of_our_own_keeps_its_covariance(tmp_path, camera_file, capsys) -> None:

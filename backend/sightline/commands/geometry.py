@@ -96,8 +96,7 @@ def _board(text: str, square_m: float, dictionary: str | None, marker_m: float |
 
 def parse_point(text: str, option: str) -> tuple[float, float]:
     """`X,Y` in pixels. Raises BadInput."""
-    numbers = [given_number(part) for part in text.split(",")]
-    match numbers:
+    match [given_number(part) for part in text.split(",")]:
         case [float(x), float(y)]:
             return x, y
     raise BadInput("commands-point-form", option=option, text=repr(text))

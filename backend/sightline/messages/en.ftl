@@ -7027,6 +7027,7 @@ pose-no-road-at-distance = The image does not show the road at this distance.
 words-comma = { $first }, { $second }
 calibration-image-other-size = The image is { $width_px }x{ $height_px } px, most of the others are { $usual_width_px }x{ $usual_height_px } px.
 calibration-image-blurred = The image is blurred (edges { NUMBER($edge_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px wide).
+calibration-image-twice = The image is the same as { $file }; take every view once.
 calibration-no-covariance = The file states no uncertainty of the lens, so that component is missing from the uncertainty of every height.
 calibration-made = { $used } of { $given } views used, residual { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px, focal length { NUMBER($focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px.
 calibration-made-u = { $used } of { $given } views used, residual { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px, focal length { NUMBER($focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (standard uncertainty { NUMBER($u_focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px).

@@ -7088,6 +7088,7 @@ pose-no-road-at-distance = L’image ne montre pas la route à cette distance.
 words-comma = { $first }, { $second }
 calibration-image-other-size = La photo fait { $width_px }x{ $height_px } px, la plupart des autres { $usual_width_px }x{ $usual_height_px } px.
 calibration-image-blurred = La photo est floue (bords larges de { NUMBER($edge_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px).
+calibration-image-twice = La photo est la même que { $file } ; prenez chaque vue une seule fois.
 calibration-no-covariance = Le fichier n’indique pas d’incertitude de l’objectif ; cette composante manque dans l’incertitude de chaque hauteur.
 calibration-made = { $used } vues utilisées sur { $given }, résidu { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px, focale { NUMBER($focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px.
 calibration-made-u = { $used } vues utilisées sur { $given }, résidu { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px, focale { NUMBER($focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (incertitude-type { NUMBER($u_focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px).
