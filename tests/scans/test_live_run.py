@@ -12,7 +12,7 @@ import pytest
 from sightline.linescan import finding
 from sightline.linescan.finding import Finder
 from sightline.linescan.parts import STOOD, STOPPED, Rig
-from sightline.linescan.passing import measured
+from sightline.linescan.passing import measure_passages
 from sightline.media.lines.followed import FollowedLines
 from sightline.media.lines.piped import PipedLines
 from sightline.media.lines.source import Ending, LineSource, Lost, Piece
@@ -113,7 +113,7 @@ def test_lost_lines_are_listed_in_the_files_and_spoil_only_whom_they_hit(
     for one, two in zip(files[0].chunks(), files[1].chunks(), strict=True):
         assert len(one) == len(two)
     passages = finder.push(*(np.concatenate(list(one.chunks())) for one in files)) + finder.finish()
-    again = list(measured(passages, RIG, "direct"))
+    again = list(measure_passages(passages, RIG, "direct"))
     for k in (0, 2, 3):
         assert again[k].motion.speed_mps == live[k].vehicle.motion.speed_mps
         assert again[k].motion.length_m == live[k].vehicle.motion.length_m
