@@ -187,8 +187,8 @@ def _join_spans(spans: Sequence[Span], size_px: Size) -> list[Span]:
     return out
 
 
-def _creeps(one: Span, two: Span, size_px: Size) -> bool:
+def _creeps(first: Span, second: Span, size_px: Size) -> bool:
     """Whether two moved spans differ by so little that they are told as one."""
-    return _difference_px(one.motion, two.motion, size_px) < 0.5 * min(
-        one.motion.moved_px, two.motion.moved_px
+    return _difference_px(first.motion, second.motion, size_px) < 0.5 * min(
+        first.motion.moved_px, second.motion.moved_px
     )

@@ -496,11 +496,11 @@ def append_computed_again(
         content_of = _contents(session, ids)
         events = [
             (
-                one.before.id,
-                _event_words(one.before),
-                _event_after(_made_again(one, row_id), content_of[row_id]),
+                recomputed.before.id,
+                _event_words(recomputed.before),
+                _event_after(_made_again(recomputed, row_id), content_of[row_id]),
             )
-            for one, row_id in zip(some, ids, strict=True)
+            for recomputed, row_id in zip(some, ids, strict=True)
         ]
         trail.record_many(session, actor, action, "measurement", survey_id, events)
 

@@ -198,12 +198,12 @@ def _draw_blind(
 ) -> set[int]:
     one_in = get_review_plan(session, survey_id).blind_one_in
     waiting = {
-        one.id
-        for one in found
-        if _queue_state(one.review.verdict) == "to_review"
-        and one.values.status == "ok"
-        and one.repeat_of is None
-        and is_drawn(one.id, one_in)
+        entry.id
+        for entry in found
+        if _queue_state(entry.review.verdict) == "to_review"
+        and entry.values.status == "ok"
+        and entry.repeat_of is None
+        and is_drawn(entry.id, one_in)
     }
     if not waiting:
         return waiting

@@ -68,25 +68,25 @@ def _item(item: ItemNow, role: LotRole, conforming: bool | None, why: LotLeaving
     )
 
 
-def _follow_verdicts(one: ItemNow) -> tuple[int, bool | None]:
+def _follow_verdicts(item: ItemNow) -> tuple[int, bool | None]:
     """The revision that the verdicts led to, and what they say of the lot's; a reopened one waits again."""
-    standing, conforming = one.revision, None
-    for judgement in one.said:
+    standing, conforming = item.revision, None
+    for judgement in item.said:
         if judgement.revision != standing:
             continue
         standing = judgement.result_revision
         if judgement.verdict == "reopened":
             conforming = None
         else:
-            conforming = judgement.verdict != "rejected" and not _has_moved(one, standing)
+            conforming = judgement.verdict != "rejected" and not _has_moved(item, standing)
     return standing, conforming
 
 
-def _has_moved(one: ItemNow, standing: int) -> bool:
+def _has_moved(item: ItemNow, standing: int) -> bool:
     """Whether the height that stands is another one than the lot's by more than the U95 that had."""
-    if standing == one.revision:
+    if standing == item.revision:
         return False
-    (then, U95), (now, _) = one.heights[one.revision], one.heights[standing]
+    (then, U95), (now, _) = item.heights[item.revision], item.heights[standing]
     return then is None or now is None or U95 is None or abs(now - then) > U95
 
 

@@ -143,10 +143,10 @@ def _pose(row: Row, rod: Rod, marks: list[Row]) -> LinePose:
     _compare_value(name, row, "camera_height_m", pose.camera_height_m)
     _compare_value(name, row, "u_camera_height_m", math.sqrt(pose.covariance[3, 3]))
     _compare_value(name, row, "rms_px", pose.rms_px)
-    for number, (mark, one) in enumerate(zip(rod.marks, marks, strict=True), 1):
+    for number, (mark, mark_row) in enumerate(zip(rod.marks, marks, strict=True), 1):
         model = float(pose.rows_of(mark.distance_m, mark.height_m))
         _compare_value(
-            f"{LINE_MARKS.key}: mark {number} of {row['id']}", one, "residual_px", model - mark.row_px
+            f"{LINE_MARKS.key}: mark {number} of {row['id']}", mark_row, "residual_px", model - mark.row_px
         )
     return pose
 

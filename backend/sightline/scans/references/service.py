@@ -31,10 +31,10 @@ def shown_reference(reference: StoredReference, ours: ScanValues | None) -> Show
     )
 
 
-def beside_ours(values: ScanValues | None, one: ReferenceValues) -> Agreement | None:
+def beside_ours(values: ScanValues | None, reference: ReferenceValues) -> Agreement | None:
     """Our own stored value against a reference; `values` is None where the vehicle was never measured."""
     return compare_with_reference(
-        None if values is None else {name: getattr(values, name) for name in LOOKED_AT}, one
+        None if values is None else {name: getattr(values, name) for name in LOOKED_AT}, reference
     )
 
 

@@ -295,10 +295,10 @@ def _references(chosen: Sequence[VehicleMotion]) -> Iterator[ReferenceGroup]:
     for quantity in get_args(ReferenceQuantity):
         agreements = [
             (given.source, apart)
-            for one in chosen
-            for given in one.references
+            for vehicle in chosen
+            for given in vehicle.references
             if given.quantity == quantity
-            and (apart := compare_with_reference(_compared(one), given)) is not None
+            and (apart := compare_with_reference(_compared(vehicle), given)) is not None
         ]
         for source in (*get_args(ReferenceSource), None):
             errors = reference_errors([apart for by, apart in agreements if source in (by, None)])

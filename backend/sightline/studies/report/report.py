@@ -71,11 +71,11 @@ def _values(stored: StoredStudy, found: Computed, sha256: str, as_of: datetime, 
         "code": study.surveys[0].made_with,
         "targets": [
             {
-                "found": one,
-                "figures": pictures.figures([one.target]) or [sentence_of_key("report-no-distribution")],
+                "found": target,
+                "figures": pictures.figures([target.target]) or [sentence_of_key("report-no-distribution")],
             }
-            for one in study.targets
-            if one.n
+            for target in study.targets
+            if target.n
         ],
         "rules": [rule_values(one.rule, of_chosen=False) for one in study.rules if one.rule.n],
         "consequence": consequence(study.rules, _UNIT),
