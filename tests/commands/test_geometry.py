@@ -15,7 +15,7 @@ import pytest
 from sightline.cameras.camera_files import calibration_views
 from sightline.cli import main
 from sightline.commands.clicks import Assumed, assumed_inset
-from sightline.commands.geometry import expected_lines
+from sightline.commands.pose import expected_lines
 from sightline.coverage import expanded
 from sightline.geometry.board import Board
 from sightline.geometry.documents import camera_to_dict, pose_to_dict

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from sightline.commands.geometry import calibrate as calibrate_command
+from sightline.commands.calibrate import calibrate as calibrate_command
 from sightline.errors import BadInput
 from sightline.geometry.arrays import freeze_array
 from sightline.geometry.board import Board

@@ -8,9 +8,10 @@ from sightline.adjustment.account import adjustment_to_dict
 from sightline.adjustment.adjust import Adjustment, LeftOut, adjust
 from sightline.adjustment.observed import DEFAULT_U_COMMON_M
 from sightline.commands.files import write_json
-from sightline.commands.geometry import expected_lines, problems_of, read_pose_file
+from sightline.commands.geometry_input import problems_of, read_pose_file
 from sightline.commands.options import FILE, json_option, number_option, output_option, tell
 from sightline.commands.passes_csv import read_passes
+from sightline.commands.pose import expected_lines
 from sightline.errors import BadInput
 from sightline.geometry.documents import LARGEST, pose_to_dict
 from sightline.geometry.pose import expected_u

@@ -5,7 +5,7 @@ from pathlib import Path
 import click
 
 from sightline.commands.files import write_whole
-from sightline.commands.geometry import board_options
+from sightline.commands.geometry_input import board_options
 from sightline.commands.options import output_option
 from sightline.geometry.board import Board
 

@@ -62,7 +62,8 @@ def follow_command(
     """
     from sightline.commands.clicks import assumed_inset
     from sightline.commands.files import csv_text, write_whole
-    from sightline.commands.geometry import parse_point, read_pose_file, tell_pass
+    from sightline.commands.geometry_input import parse_point, read_pose_file
+    from sightline.commands.height import tell_pass
     from sightline.commands.tracks_csv import COLUMNS, track_rows
     from sightline.geometry.follow_pass import follow_pass
     from sightline.geometry.followed_tracks import CONTACT, SECOND, TARGET

@@ -7,7 +7,8 @@ from typing import Any
 import click
 import numpy as np
 
-from sightline.commands.geometry import height_to_dict, parse_size, read_camera_file
+from sightline.commands.geometry_input import parse_size, read_camera_file
+from sightline.commands.height import height_to_dict
 from sightline.commands.options import FILE, json_option, number_option, tell
 from sightline.enums import PlannedQuantity
 from sightline.errors import BadInput

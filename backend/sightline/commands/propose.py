@@ -21,7 +21,7 @@ def propose_command(
     video: Path, pose_file: Path, stream_number: int | None, filmed_hz: float | None, as_json: bool
 ) -> None:
     """Suggest tyre contacts, roof, rear lamp and eye of each vehicle in a VIDEO, or state why not."""
-    from sightline.commands.geometry import read_pose_file
+    from sightline.commands.geometry_input import read_pose_file
     from sightline.media.video.passes import find_passes
     from sightline.media.video.proposals import propose_in_video
     from sightline.vehicles.passes.find_job import square_at
