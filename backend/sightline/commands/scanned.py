@@ -78,7 +78,7 @@ class Start:
         motion = vehicle.motion
         at = self.at + timedelta(milliseconds=round(1000 * vehicle.front_s))
         u_s = u_passing_s(
-            vehicle.front_s, self.u_s or 0.0, rig.u_line_rate_ratio, motion.speed_mps, motion.u_length_m
+            vehicle.front_s, self.u_s, rig.u_line_rate_ratio, motion.speed_mps, motion.u_length_m
         )
         return {"front_at": at.isoformat(timespec="milliseconds"), "u_front_at_s": u_s}
 
@@ -223,15 +223,17 @@ def object_of(vehicle: Vehicle) -> dict[str, Any]:
 
 def left_out(rig: Rig, measured: int, start: Start | None = None) -> list[str]:
     """What the uncertainties of `measured` vehicles do not hold, in words."""
-    missing = {
-        "baseline": ("--u-baseline", rig.u_baseline_m == 0),
-        "start": ("--u-start", start is not None and start.u_s is None),
-    }
-    return [
-        f"The uncertainty of the {name} is not included, because it was not given ({option})."
-        for name, (option, is_missing) in missing.items()
-        if measured and is_missing
-    ]
+    said = []
+    if measured and rig.u_baseline_m == 0:
+        said.append(
+            "The uncertainty of the baseline is not included, because it was not given (--u-baseline)."
+        )
+    if measured and start is not None and start.u_s is None:
+        said.append(
+            "The uncertainties of the times (u_front_at_s) are left out, because that of the start was not "
+            "given (--u-start)."
+        )
+    return said
 
 
 def about_rig(rig: Rig) -> dict[str, Any]:

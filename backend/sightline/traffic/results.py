@@ -85,8 +85,7 @@ class Results:
         self, number: int, clock: Clock, watched_s: float, by_s: float
     ) -> tuple[Watched, list[VehicleMotion]]:
         cars = [replace(one, scan_id=number, since_s=(one.since_s or 0.0) + by_s) for one in self.vehicles]
-        seen = Watched(number, self.name, clock, watched_s, site=self.site, u_start_told=self.u_start_told)
-        return seen, cars
+        return Watched(number, self.name, clock, watched_s, site=self.site), cars
 
 
 def traffic_of(results: Sequence[Results], minutes: int) -> tuple[ScanTraffic, ...]:
@@ -176,7 +175,8 @@ def _of_table(path: Path, table: GivenTable) -> Results:
         for line, row, _at in rows
     ]
     found = [replace(one, u_filmed_at_s=u_s) for one, u_s in zip(_motions(passings), given, strict=True)]
-    return Results(path.name, StatedClock(start), None, tuple(found))
+    told = any(u_s is not None for u_s in given)
+    return Results(path.name, StatedClock(start), None, tuple(found), u_start_told=told)
 
 
 def _occupying(path: Path, passings: Sequence[Passing]) -> list[Passing]:
