@@ -48,7 +48,7 @@ export default defineConfig({
   test: {
     environment: "happy-dom",
     include: ["src/**/*.test.{ts,tsx}"],
-    setupFiles: ["src/testing/window.ts"],
+    setupFiles: ["testing/window.ts"],
     restoreMocks: true,
     reporters: "minimal",
     testTimeout: 120_000,

@@ -23,13 +23,16 @@ from sightline.infra.database.engine import SessionFactory, make_engine, session
 from tests.support.kept import PostgresShelf, Shelf, SqliteShelf
 from tests.support.proofs import PROOFS
 
-pytest_plugins = ["tests.support.app", "tests.support.processor_time"]
+pytest_plugins = ["tests.support.app", "tests.support.drawn", "tests.support.processor_time"]
 
 # A busy machine is slow, not wrong. The same commit draws the same few examples every time; `make proofs`
 # draws new ones, and many.
 settings.register_profile("sightline", deadline=None, derandomize=True, max_examples=30)
 settings.register_profile("proofs", deadline=None, max_examples=500)
 settings.load_profile("proofs" if PROOFS else "sightline")
+
+# Nothing of what is imported goes away again; looking for that takes a quarter of the time.
+gc.disable()
 
 SERVER = os.environ.get("SIGHTLINE_TEST_DATABASE_URL", "")
 
@@ -54,12 +57,13 @@ def pytest_collection(session: pytest.Session) -> None:
             import_module(".".join(file.relative_to(root).with_suffix("").parts))
 
 
-@pytest.hookimpl(trylast=True)
-def pytest_collection_modifyitems() -> None:
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtestloop() -> None:
     """What is imported by now stays to the end: the collector need not go through it again and again."""
     gc.collect()
     gc.freeze()
     gc.set_threshold(20_000, 20, 20)
+    gc.enable()
 
 
 def pytest_unconfigure() -> None:
@@ -81,6 +85,22 @@ def sql_compiled_once() -> Iterator[None]:
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(engines, "create_engine", alike)
+        yield
+
+
+@pytest.fixture(scope="session", autouse=True)
+def nothing_waits_for_the_disk() -> Iterator[None]:
+    """No test cuts the power off, and what was written outlives a killed process all the same."""
+    prepare = engines._prepare_sqlite
+
+    def unsynced(connection: Any, record: Any) -> None:
+        prepare(connection, record)
+        connection.execute("PRAGMA synchronous=OFF")
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(engines, "_prepare_sqlite", unsynced)
+        for name in ("fsync", "fdatasync"):
+            patch.setattr(os, name, lambda _file: None)
         yield
 
 

@@ -6,9 +6,11 @@ import shutil
 import subprocess
 import sys
 import tomllib
+from graphlib import TopologicalSorter
 from pathlib import Path
 from typing import Any
 
+import grimp
 import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -101,3 +103,10 @@ def test_a_file_in_no_room_is_refused(package: Path) -> None:
 def test_the_package_itself_keeps_them(package: Path) -> None:
     """As `make check` says of the package in its place; that all but one hold of a copy, the test before."""
     assert " 0 broken" in linted(package)
+
+
+def test_no_module_imports_itself_by_others() -> None:
+    """Imports inside functions count; those for types alone do not."""
+    graph = grimp.build_graph("sightline", exclude_type_checking_imports=True)
+    imports = {module: graph.find_modules_directly_imported_by(module) for module in graph.modules}
+    TopologicalSorter(imports).prepare()  # raises CycleError, which names the modules

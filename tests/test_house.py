@@ -3,6 +3,7 @@
 import ast
 import re
 import subprocess
+from functools import cache
 from pathlib import Path
 from typing import get_args
 
@@ -22,6 +23,11 @@ def tracked(*patterns: str) -> list[Path]:
         check=True,
     )
     return [ROOT / name for name in listed.stdout.splitlines() if (ROOT / name).is_file()]
+
+
+@cache
+def parsed(path: Path) -> ast.Module:
+    return ast.parse(path.read_text("utf-8"))
 
 
 @pytest.mark.parametrize("lock", ["requirements.lock", "requirements-dev.lock", "frontend/package-lock.json"])
@@ -145,7 +151,7 @@ def test_no_record_is_filled_by_position() -> None:
     writes out at its top level are exempt: there the eye compares columns.
     """
     backend = ROOT / "backend"
-    trees = {path: ast.parse(path.read_text()) for path in tracked("backend/*.py")}
+    trees = {path: parsed(path) for path in tracked("backend/*.py")}
     records = {
         f"{_module(path, backend)}.{node.name}"
         for path, tree in trees.items()
@@ -186,24 +192,24 @@ def _words_of(node: ast.AST) -> frozenset[str]:
     return frozenset(words) if len(words) == len(parts) else frozenset()
 
 
-def retyped_lists(source: str) -> list[str]:
+def retyped_lists(tree: ast.Module) -> list[str]:
     """Where a module writes down one of the lists of `enums.py`, or a list of words as a type of its own.
 
     A dictionary that says whose keys it has (`dict[Target, ...]`) declares nothing: mypy holds its keys.
     """
     found = []
-    tree = ast.parse(source)
-    tables = {
-        node.value: ast.unparse(node.annotation) for node in ast.walk(tree) if isinstance(node, ast.AnnAssign)
-    }
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Subscript) and ast.unparse(node.value) == "Literal":
+    nodes = list(ast.walk(tree))
+    tables = {node.value: node.annotation for node in nodes if isinstance(node, ast.AnnAssign)}
+    for node in nodes:
+        if isinstance(node, ast.Subscript) and getattr(node.value, "id", None) == "Literal":
             words = _words_of(node.slice)
             if len(words) > 1 and any(word == word.lower() for word in words):  # capitals are PyAV's
                 found.append(f"{node.lineno} Literal")
         elif isinstance(node, ast.Tuple | ast.List | ast.Set | ast.Dict):
-            names = [name for name, words in WORD_LISTS.items() if words == _words_of(node)]
-            if names and not any(tables.get(node, "").startswith(f"dict[{name}, ") for name in names):
+            mine = _words_of(node)
+            names = [name for name, words in WORD_LISTS.items() if words == mine]
+            table = ast.unparse(tables[node]) if names and node in tables else ""
+            if names and not any(table.startswith(f"dict[{name}, ") for name in names):
                 found.append(f"{node.lineno} {names[0]}")
     return found
 
@@ -212,7 +218,7 @@ def test_lists_of_words_are_declared_in_enums_alone() -> None:
     assert len(WORD_LISTS) > 30
     modules = [path for path in tracked("backend/*.py") if path.name != "enums.py"]
     assert len(modules) > 300
-    assert [f"{path.name}:{line}" for path in modules for line in retyped_lists(path.read_text())] == []
+    assert [f"{path.name}:{line}" for path in modules for line in retyped_lists(parsed(path))] == []
 
 
 @pytest.mark.parametrize(
@@ -228,14 +234,13 @@ def test_lists_of_words_are_declared_in_enums_alone() -> None:
     ],
 )
 def test_a_planted_list_of_words_is_found(planted: str) -> None:
-    assert retyped_lists(planted)
+    assert retyped_lists(ast.parse(planted))
 
 
 def test_a_table_by_the_words_of_a_list_is_not_a_second_list() -> None:
-    assert (
-        retyped_lists('RANK: dict[Role, int] = {"viewer": 0, "operator": 1, "reviewer": 2, "admin": 3}') == []
-    )
-    assert retyped_lists('NEEDED: tuple[Target, ...] = ("roof", "taillight")') == []
+    table = 'RANK: dict[Role, int] = {"viewer": 0, "operator": 1, "reviewer": 2, "admin": 3}'
+    for planted in (table, 'NEEDED: tuple[Target, ...] = ("roof", "taillight")'):
+        assert retyped_lists(ast.parse(planted)) == []
 
 
 MOST_PLACES = 7

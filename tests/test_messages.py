@@ -55,10 +55,15 @@ class _Named(Visitor):  # type: ignore[misc]
 
 
 @cache
+def parsed(text: str) -> ftl.Resource:
+    return FluentParser().parse(text)
+
+
+@cache
 def named(text: str) -> dict[str, _Named]:
     """What each message names. Fails for what is no Fluent, and for a key that is there twice."""
     found: dict[str, _Named] = {}
-    for entry in FluentParser().parse(text).body:
+    for entry in parsed(text).body:
         assert not isinstance(entry, ftl.Junk), entry.content
         if isinstance(entry, ftl.Message):
             assert entry.id.name not in found, f"{entry.id.name} is there twice"
@@ -169,7 +174,7 @@ def marks(text: str) -> dict[str, set[str]]:
     """The marked parts of each message, as `<link>`."""
     return {
         one.id.name: set(re.findall(r"</?[a-z]+>", text[one.span.start : one.span.end]))
-        for one in FluentParser().parse(text).body
+        for one in parsed(text).body
         if isinstance(one, ftl.Message) and one.span
     }
 
@@ -237,7 +242,7 @@ class _Patterns(Visitor):  # type: ignore[misc]
 
 def not_expanded(text: str) -> list[str]:
     patterns = _Patterns()
-    patterns.visit(FluentParser().parse(text))
+    patterns.visit(parsed(text))
     return [name for one in patterns.all for name in after_plus_minus(one) if not name.startswith("U95")]
 
 

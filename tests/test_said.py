@@ -156,9 +156,17 @@ def test_a_number_has_the_form_that_its_language_wants(said: Said, english: str,
     assert english in str(said) and french in said.sentence("fr")
 
 
+def test_a_number_of_any_size_is_said() -> None:
+    """Babel refuses those of more than 13 digits before the point."""
+    sizes = {1e300: "1e+300", -1e13: "-1e+13", 9e12: "9000000000000", 10**20: "1" + 20 * "0"}
+    for square_m, written in sizes.items():
+        assert f"A square of {written} m is" in str(Said("geometry-square-implausible", square_m=square_m))
+        assert written in Said("geometry-square-implausible", square_m=square_m).sentence("fr")
+
+
 def test_sayings_in_a_row_are_one_saying() -> None:
     expected = [Said("pose-expected-at", U95_height_m=0.015, distance_m=3)]
     expected.append(Said("pose-expected-at", U95_height_m=0.03, distance_m=5))
-    assert with_commas(expected).sentence("fr") == "±15 mm à 3 m, ±30 mm à 5 m"
+    assert with_commas(expected).sentence("fr") == "± 15 mm à 3 m, ± 30 mm à 5 m"
     assert str(listed([Said("said", sentence=one) for one in "abc"])) == "a, b and c"
     assert listed(expected[:1]) == with_commas(expected[:1]) == expected[0]

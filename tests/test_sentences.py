@@ -62,7 +62,8 @@ def known() -> tuple[list[str], ...]:
     lines = [
         line.partition(" = ")[2] for line in SOURCE.read_text("utf-8").splitlines() if line.startswith(TOLD)
     ]
-    return tuple(re.split(r"\{ \$\w+ \}", line) for line in lines if re.search("[A-Za-z]{3}", line))
+    split = (re.split(r"\{ \$\w+ \}", line) for line in lines if re.search("[A-Za-z]{3}", line))
+    return tuple(one for one in split if any(re.search("[A-Za-z]{2} [A-Za-z]{2}", part) for part in one))
 
 
 def in_order(words: Sequence[str], text: str) -> bool:
@@ -82,7 +83,6 @@ def is_known(text: str) -> bool:
         in_order(words, "\0".join(one))
         or (text.startswith(one[0]) and text.endswith(one[-1]) and len(one) > 1 and in_order(one, text))
         for one in known()
-        if any(re.search("[A-Za-z]{2} [A-Za-z]{2}", part) for part in one)
     )
 
 

@@ -27,7 +27,7 @@ from sightline.infra.web.ballast import Ballast, RoomForDeleting
 from sightline.infra.web.bearer import Bearers
 from sightline.infra.web.bodies import ErrorBody
 from sightline.infra.web.cookie import SignIn
-from sightline.infra.web.guard import FormRoute, Guard
+from sightline.infra.web.guard import FormRoute, Guard, SignedInFirst
 from sightline.infra.web.idempotency import Idempotency
 from sightline.infra.web.metrics import InstallationMetrics
 from sightline.infra.web.nearest import Nearest
@@ -184,6 +184,7 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
     error_handlers.install(app)
     ballast = Ballast(settings.data_dir)
     pages.install(app, settings)
+    app.add_middleware(SignedInFirst, forms=form_routes())
     app.add_middleware(Idempotency, services=services, secret=secret)
     app.add_middleware(Spoken)
     app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)

@@ -187,7 +187,6 @@ CrestVerdict = Literal["alike", "shorter", "longer", "unknown"]
 CurveCase = Literal["S < L", "S > L", "none"]
 Manoeuvre = Literal["A", "B", "C", "D", "E"]
 Crossing = Literal["left_from_stop", "right_from_stop", "crossing", "left_from_major"]
-DesignVehicle = Literal["passenger_car", "single_unit_truck", "combination_truck"]
 
 # What a new survey asks for: eyes by day, when drivers can be seen; lamps in low light, when they are lit.
 USUALLY_ASKED: dict[Lighting, tuple[AskedTarget, ...]] = {

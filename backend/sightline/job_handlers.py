@@ -13,6 +13,7 @@ MODULES = tuple(
         "poses.pose_job",
         "quality.drift.drift_job",
         "recordings.ingest_job",
+        "recordings.tidy_job",
         "scans.read_job",
         "scans.vehicles.find_job",
         "studies.study_job",

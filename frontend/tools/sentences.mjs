@@ -24,7 +24,7 @@ function filesOf(folder) {
   return readdirSync(folder, { withFileTypes: true }).flatMap((one) => {
     const path = join(folder, one.name);
     if (one.isDirectory()) return filesOf(path);
-    return !path.includes("/testing/") && /\.tsx?$/.test(one.name) && !/\.test\.tsx?$/.test(one.name) ? [path] : [];
+    return /\.tsx?$/.test(one.name) && !/\.test\.tsx?$/.test(one.name) ? [path] : [];
   });
 }
 

@@ -162,7 +162,7 @@ def test_a_pass_that_cannot_be_used_says_why() -> None:
         replace(first, name="b", points_px=outside),
         replace(first, name="c", points_px=sky),
         replace(first, name="d", wheelbase=Known(-1.0, 0.01)),
-        replace(first, name="e", sigma_px=np.zeros(len(first.frame))),
+        replace(first, name="e", sigma_px=np.full(len(first.frame), 1e-300)),
         replace(first, name="f", frame=np.zeros(len(first.frame), dtype=np.int64)),
     ]
     found = adjust(pose, [*traffic, *odd])

@@ -1,15 +1,16 @@
-"""Random changes of a package, each with all sums made to fit: `bench_forgery.py PACKAGE [COUNT] [SEED]`.
+"""Random changes of a package, each with all sums made to fit: `bench_forgery.py [PACKAGE [COUNT [SEED]]]`.
 
-PACKAGE is a folder that `sightline export` wrote (COUNT 10,000, SEED 0 unless told). Each change is of one
-cell, line, column, key, byte or file, and `sightline verify` must find it: asked, 0 missed. Then, of 1 change
-in 20, what is found although the seal, the chain's last event, was written anew as well and signed with a key
-of the forger's own: that takes the installation's key, and what rows, drawings and other events give away
-without it is a second line only.
+PACKAGE is a folder that `sightline export` wrote, of a small demonstration unless told (COUNT 200, SEED 0).
+Each change is of one cell, line, column, key, byte or file, and `sightline verify` must find it: asked, 0
+missed. Then, of 1 change in 20, what is found although the seal, the chain's last event, was written anew as
+well and signed with a key of the forger's own: that takes the installation's key, and what rows, drawings and
+other events give away without it is a second line only.
 """
 
 from __future__ import annotations
 
 import sys
+import tempfile
 from collections import Counter
 from pathlib import Path
 from random import Random
@@ -17,6 +18,7 @@ from time import perf_counter
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
+from tests.load.hostile.run import package_in
 from tests.support.mutations import checked, load, mutated, with_sums
 
 _EVERY = 20
@@ -46,7 +48,6 @@ def main(place: Path, count: int, seed: int) -> int:
 
 
 if __name__ == "__main__":
-    given = sys.argv[1:]
-    if not given:
-        sys.exit(__doc__)
-    sys.exit(main(Path(given[0]), int(given[1]) if given[1:] else 10_000, int(given[2]) if given[2:] else 0))
+    place, count, seed = (*sys.argv[1:], *("", "200", "0")[len(sys.argv) - 1 :])
+    with tempfile.TemporaryDirectory() as folder:
+        sys.exit(main(Path(place) if place else package_in(Path(folder)), int(count), int(seed)))

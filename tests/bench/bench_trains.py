@@ -74,15 +74,12 @@ def strip(frames: np.ndarray, column: float) -> np.ndarray:
     return np.ascontiguousarray(np.clip(mean + 0.5, 0, 255).astype(np.uint8))
 
 
-def passage(train: Train, frames: np.ndarray, baseline_px: int, name: str) -> Passage:
+def passage(train: Train, frames: np.ndarray, baseline_px: int) -> Passage:
     """The train between the first and the last line that shows it; cut off where the video begins with it."""
     middle = frames.shape[2] / 2
     ahead, behind = middle - baseline_px / 2, middle + baseline_px / 2
     columns = (ahead, behind) if train.to_right else (behind, ahead)
     strips = [strip(frames, column) for column in columns]
-    OUT.mkdir(parents=True, exist_ok=True)
-    for number, picture in enumerate(strips, 1):
-        cv2.imwrite(str(OUT / f"{name}-{baseline_px}-{number}.png"), picture.T)
     roads = [picture[train.empty].mean(axis=0).astype(np.float32) for picture in strips]
     seen = [
         np.flatnonzero(np.abs(picture - road).mean(axis=1) > SEEN_DN)
@@ -105,7 +102,10 @@ def main() -> None:
         print(f"{train.file}: known {train.speed_px_s:.0f} px/s, {train.acceleration_px_s2:+.1f} px/s2; "
               f"whole pictures {speed:.1f} px/s in the middle, {acceleration:+.1f} px/s2")  # fmt: skip
         for baseline_px in BASELINES_PX:
-            cut = passage(train, frames, baseline_px, Path(train.file).stem)
+            cut = passage(train, frames, baseline_px)
+            OUT.mkdir(parents=True, exist_ok=True)
+            for number, picture in enumerate((cut.first, cut.second), 1):
+                cv2.imwrite(str(OUT / f"{Path(train.file).stem}-{baseline_px}-{number}.png"), picture.T)
             for method in (measure_paper, measure_direct):
                 told(method(cut, Rig(baseline_px / PX_PER_M, rate)), cut, baseline_px, rate)
             reason = MEASURE["direct"](cut, Rig(baseline_px / PX_PER_M, rate)).reason

@@ -29,7 +29,7 @@ def test_references_are_entered_imported_and_compared(page: Page, survey_id: int
     expect(dialog).to_have_count(0)
     counter = panel.get_by_test_id("scan-reference").filter(has_text="speedometer")
     expect(counter).to_contain_text(f"{shown:.1f} ± 2.0 km/h")
-    expect(counter).to_contain_text(re.compile("outside ± 1.9"))
+    expect(counter).to_contain_text(re.compile(r"outside ±\s1.9"))
     counter.get_by_role("button", name="Edit Speed, speedometer").click()
     dialog.get_by_label("Standard uncertainty").fill("8")
     dialog.get_by_role("button", name="Save").click()

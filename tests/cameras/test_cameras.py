@@ -99,33 +99,33 @@ def test_another_board_is_looked_for_again(operator: Client, camera_id: int) -> 
     assert "2x6" in error_of(wrong)
 
 
-def test_removing_an_image(operator: Client, camera_id: int) -> None:
+def test_removing_an_image(operator: Client, camera_id: int, work: Work) -> None:
     content = picture_bytes(view(POSES[0]))
     first, second = drop(operator, camera_id, content).json(), drop(operator, camera_id, content).json()
     assert operator.delete(f"/calibration-images/{first['id']}").status_code == 204
+    work()
     assert operator.http.get(first["url"]).status_code == 404
     # The same content was there twice and stored once: the other one keeps it.
     assert operator.http.get(second["url"]).status_code == 200
 
 
 def test_an_image_removed_while_its_twin_is_added_leaves_the_file(
-    operator: Client, camera_id: int, monkeypatch: pytest.MonkeyPatch
+    operator: Client, camera_id: int, work: Work, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     content = picture_bytes(view(POSES[0]))
     first, put = drop(operator, camera_id, content).json(), images.put_bytes
-    removing = list[threading.Thread]()
+    removed = list[bool]()
 
     def meanwhile(services: Services, content: bytes, suffix: str) -> str:
         key = put(services, content, suffix)
-        if not removing:
-            removing.append(threading.Thread(target=images.remove_image, args=(services, first["id"], None)))
-            removing[0].start()
-            removing[0].join(0.3)  # without the lock it is through by now
+        if not removed:
+            removed.append(True)
+            images.remove_image(services, first["id"], None)
+            assert [job.state for job in work()] == ["done"] and not services.media.exists(key)
         return key
 
     monkeypatch.setattr(images, "put_bytes", meanwhile)
     second = drop(operator, camera_id, content).json()
-    removing[0].join()
     assert operator.http.get(first["url"]).status_code == 404
     assert operator.http.get(second["url"]).status_code == 200
 

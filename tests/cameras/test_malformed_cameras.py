@@ -83,6 +83,9 @@ OTHERS: dict[str, tuple[bytes, tuple[int, tuple[str, ...]] | None]] = {
     "the page of a pickle": (b"PK\x03\x04" + bytes(range(256)), (2, ("not UTF-8 text",))),
     "50 MB of blanks": (b" " * 50_000_000, (2, ("too large",))),
     "a list in a list without end": (b"- " * 50_000, (2, ("not a readable camera file",))),
+    "a list as a key of mrcal's": (b"{'lensmodel': 'LENSMODEL_OPENCV5', []: 0}", (2, ("not a readable",))),
+    "a coefficient beyond all bounds": (
+        opencv(lens="[-0.1, 0.02, 1e30, 0.0, 0.0]").encode(), (2, ("distortion", "too large"))),
     "keys of something else": (b"".join(b"k%d: 0\n" % n for n in range(3000)), (2, ("no camera matrix",))),
 }  # fmt: skip
 

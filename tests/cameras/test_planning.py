@@ -90,7 +90,7 @@ def test_a_line_rate_is_planned_in_both_forms(viewer: Client) -> None:
         (f"{rig}&error=0.01&line_rate_hz=2000&{pixels}&exposure_us=501", "longer than one line"),
         (f"{rig}&error=0.01&{pixels.replace('=20', '=nan')}", "focal_mm"),
         (f"{rig}&error=1.5", "share between 0 and 1"),
-        (f"{rig}&error=0.01&line_rate_hz=0", "greater than 0"),
+        (f"{rig}&error=0.01&line_rate_hz=0", "give 10 to 1000000 Hz"),
         (f"{rig}&error=0.01&u_baseline_m=2", "less than the baseline"),
         ("speed_mps=nan&baseline_m=1&error=0.01", "speed_mps"),
     ):

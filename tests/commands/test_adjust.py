@@ -123,7 +123,7 @@ def test_a_table_that_cannot_be_read_is_bad_input(files, tmp_path, capsys, text,
 def test_options_that_cannot_be_are_refused(files, tmp_path, capsys) -> None:  # type: ignore[no-untyped-def]
     pose, table = files
     for option in ("--u-wheelbase-common", "--u-roof-common"):
-        for value in ("-0.1", "nan"):
+        for value in ("-0.1", "nan", "1e300"):
             status, _, err = run(
                 capsys, "adjust", "--pose", pose, "--passes", table, "-o", tmp_path / "a.json", option, value
             )

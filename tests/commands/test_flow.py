@@ -379,6 +379,21 @@ def test_times_of_a_stream_have_no_u_for_that_of_its_start_is_not_known(
     assert any(note.startswith("The uncertainties of the times of stream.jsonl") for note in told["notes"])
 
 
+def test_times_of_a_table_have_the_u_that_it_states_or_none(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = written(tmp_path / "vehicles.csv", ROWS)
+    said = "The uncertainties of the times of vehicles.csv"
+    assert not any(said in note for note in json.loads(flow(capsys, path, "--json"))["notes"])
+    written(path, [{**row, "u_front_at_s": ""} for row in ROWS])
+    told = json.loads(flow(capsys, path, "--json"))
+    assert any(said in note for note in told["notes"])
+    assert {one["near_edge"] for one in told["intervals"] if one["vehicles"]} == {None}
+    written(path, [{**row, "u_front_at_s": "-0.01"} for row in ROWS])
+    assert main(["flow", str(path)]) == 2
+    assert "line 2: u_front_at_s is “-0.01”; an uncertainty is not below 0" in capsys.readouterr().err
+
+
 def _without(row: Row, *names: str) -> Row:
     return {name: cell for name, cell in row.items() if name not in names}
 

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import re
 from contextlib import closing
 from fractions import Fraction
 from pathlib import Path
@@ -11,9 +12,12 @@ import cv2
 import numpy as np
 import pytest
 
+from sightline.cameras.camera_files import calibration_views
 from sightline.cli import main
+from sightline.commands.clicks import Assumed, assumed_inset
 from sightline.commands.geometry import expected_lines
 from sightline.coverage import expanded
+from sightline.geometry.board import Board
 from sightline.geometry.documents import camera_to_dict, pose_to_dict
 from sightline.geometry.height import measure_height
 from sightline.geometry.insets import USUAL_INSETS
@@ -115,6 +119,9 @@ def test_not_measurable_is_an_answer(pose_file, capsys) -> None:
         ("--contact", "1,2", "--target", "3,4", "--sigma", "-1"), ("--clicks", "none.csv", "-o", "x.csv"),
         ("--contact", "1,2", "--target", "3,4", "--sigma", "wide"),
         ("--clicks", "a.csv", "--contact", "1,2"), ("--contact", "1,2", "--target", "3,4", "--inset", "nan"),
+        ("--contact", "nan,2", "--target", "3,4"), ("--contact", "1,2", "--target", "1e400,4"),
+        ("--contact", "1_0,2", "--target", "3,4"),
+        ("--contact", "1,2", "--target", "3,4", "--sigma", "1e300"),
     ],
 )  # fmt: skip
 def test_malformed_arguments_are_bad_input(pose_file, arguments, capsys) -> None:
@@ -242,6 +249,19 @@ def test_a_kind_brings_its_usual_inset_and_an_eye_needs_its_side(pose_file, caps
     assert "uncertainty of the inset taken as 0" in told["flags"]
     roof = printed(capsys, pose_file, "--kind", "roof", "--u-inset", 0.2)
     assert (roof["inset_m"], roof["u_inset_m"]) == (0.30, 0.2) and "usual inset of roof" in roof["flags"]
+
+
+def test_the_usual_insets_are_those_of_the_documentation() -> None:
+    text = (Path(__file__).parents[2] / "docs" / "formats.md").read_text()
+    rows = re.findall(r"^\| (`\w+`[^|]*) \| ([\d.]+), ([\d.]+) \|", text, re.MULTILINE)
+    assert len(rows) == 5
+    for words, *told in rows:
+        first, *others = re.findall(r"`(\w+)`", words)
+        side = others[1] if others[:1] == ["side"] else ""
+        for target in (first, *([] if side else others)):
+            usual = assumed_inset(target, side)
+            assert isinstance(usual, Assumed)
+            assert [usual.inset_m, usual.u_inset_m] == [float(one) for one in told], target
 
 
 def test_rows_with_a_target_take_its_usual_inset(tmp_path, pose_file) -> None:
@@ -410,6 +430,25 @@ def test_pose_refusals(camera_file, still, tmp_path, capsys) -> None:
     assert not out.exists()
 
 
+def test_pictures_of_one_name_are_told_apart(still, tmp_path) -> None:
+    (tmp_path / "other").mkdir()
+    other = tmp_path / "other" / still.name
+    other.write_bytes(still.read_bytes())
+    seen = calibration_views([still, other, still], Board(6, 4, 0.1))
+    assert [name for name, _, _ in seen] == ["board.png", "board.png (2)", "board.png (3)"]
+    assert all(corners.found and size == (640, 480) for _, corners, size in seen)
+
+
+def test_an_imported_camera_of_our_own_keeps_its_covariance(tmp_path, camera_file, capsys) -> None:
+    lens = json.loads(camera_file.read_text())
+    for covariance, said in ((np.eye(9).tolist(), "with its covariance"), (None, "no covariance")):
+        given = {**lens, "covariance": covariance}
+        camera_file.write_text(json.dumps(given))
+        assert run("import-camera", camera_file, "-o", tmp_path / "out.json") == 0
+        assert said in capsys.readouterr().out
+        assert json.loads((tmp_path / "out.json").read_text())["covariance"] == covariance
+
+
 def test_import_and_plan(tmp_path, capsys) -> None:
     source, out = tmp_path / "cam.yaml", tmp_path / "cam.json"
     source.write_text(
@@ -449,6 +488,9 @@ def test_plan_of_a_line_scan(capsys) -> None:
         (*rig, "--camera-height", 1.5),
         ("--baseline", 1),
         (*rig, "--line-rate", "nan"),
+        (*rig, "--line-rate", "1e300"),
+        ("--baseline", "1e300", *rig[2:]),
+        ("--baseline", 1, "--speed", "1e300", "--speed-error", 0.01),
         ("--speed", 30),
         ("--camera-height", 1.5),
     ):

@@ -84,3 +84,10 @@ def test_options_without_effect_are_refused(pose_file, tracks_file, capsys) -> N
     ):
         assert run(*given, *more) != 0
         assert words in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("stated", [("--drift", "-1"), ("--u-time", "nan"), ("--exposure", "1e300")])
+def test_what_cannot_be_said_of_following_is_bad_input(pose_file, tracks_file, stated, capsys) -> None:
+    assert run("height", "--pose", pose_file, "--tracks", tracks_file, *stated) == 2
+    said = capsys.readouterr()
+    assert "negative or too large; correct it" in said.err and said.err.count("\n") == 1 and not said.out

@@ -163,8 +163,8 @@ def test_with_a_start_every_vehicle_has_its_time_of_day(
     assert "front_at" not in rows_of(said_by(capsys, *road.files, *RIG))[0]
     # without the start's u that of a time is not known: the front's own alone would look like it
     unsure = json.loads(said_by(capsys, *road.files, *RIG, *options[:2], "--json"))
-    assert {one["u_front_at_s"] for one in unsure["vehicles"]} == {None}
     assert any("--u-start" in note for note in unsure["notes"]) and said["notes"] == []
+    assert {one["u_front_at_s"] for one in unsure["vehicles"]} == {None}
 
 
 def test_swapped_strips_are_recognised(road: Road, capsys: pytest.CaptureFixture[str]) -> None:

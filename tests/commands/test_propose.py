@@ -1,12 +1,15 @@
 """sightline propose: what would be clicked, as proposals."""
 
 import json
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from sightline.cli import main
 from sightline.geometry.documents import pose_to_dict
+from sightline.media.video import passes, proposals
 from sightline.media.video.writer import write_mp4
 from tests.bench.surveys import pose_of
 from tests.simulation import day_scene, render_frame
@@ -22,8 +25,27 @@ def survey(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     return folder / "drive.mp4", folder / "pose.json"
 
 
-def test_points_and_reasons_are_told(survey: tuple[Path, Path], capsys: pytest.CaptureFixture[str]) -> None:
+def once(search: Callable[..., Any]) -> Callable[..., Any]:
+    """What it found the first time: searched once, told in two ways."""
+    found: list[Any] = []
+
+    def kept(*given: Any, **more: Any) -> Any:
+        if not found:
+            found.append(search(*given, **more))
+        return found[0]
+
+    return kept
+
+
+def test_points_and_reasons_are_told(
+    survey: tuple[Path, Path], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     video, pose = map(str, survey)
+    search, propose = passes.find_passes, proposals.propose_in_video
+    monkeypatch.setattr(passes, "find_passes", once(search))
+    monkeypatch.setattr(
+        proposals, "propose_in_video", once(lambda *given, **more: list(propose(*given, **more)))
+    )
     assert main(["propose", video, "--pose", pose, "--json"]) == 0
     told = json.loads(capsys.readouterr().out)
     (one,) = told["passes"]

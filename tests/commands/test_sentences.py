@@ -55,6 +55,10 @@ def test_help_lists_the_commands_of_the_contract(capsys: pytest.CaptureFixture[s
         (["verify", "broken.zip"], "broken.zip"),
         (["verify", "empty"], "SHA256SUMS"),
         (["verify", "mysql://somewhere/else"], "mysql"),
+        (["verify", "other.db", "--head", "0" * 64], "--head has no effect here"),
+        (["verify", "other.db", "--key", "0" * 64], "--key has no effect here"),
+        (["verify", "sqlite:///other.db", "--key", "0" * 64], "--key has no effect here"),
+        (["verify", "one.html", "--head", "0" * 64], "--head has no effect here"),
         (["worker", "--workers", "0"], "--workers"),
         (["sign-in-link"], "EMAIL"),
         (["sign-in-link", "ada@example.org", "--data-dir", "nowhere"], "nowhere"),
@@ -70,6 +74,7 @@ def test_bad_input_is_status_2_and_one_line(
     monkeypatch.chdir(tmp_path)
     Path("text.db").write_text("not a database, but long enough to have a header of a hundred bytes " * 3)
     Path("broken.zip").write_text("PK")
+    Path("one.html").write_text("not the file of a vehicle")
     Path("empty").mkdir()
     sqlite3.connect("other.db").execute("CREATE TABLE letters (x)").connection.close()
     status = main(arguments)

@@ -148,6 +148,24 @@ def test_a_files_percentile_has_an_interval_and_no_u(
     assert "constant_U95_low" in found and not {"u_constant", "u_crest_k_m"} & set(found)
 
 
+def test_a_file_of_several_targets_has_no_percentile_of_eyes(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    header, *rows = written(tmp_path).read_text("utf-8-sig").splitlines()
+    path = tmp_path / "mixed.csv"
+    cells = [f"{row},{'taillight' if i % 2 else 'driver_eye'}" for i, row in enumerate(rows)]
+    path.write_text("\n".join([header + ",target", *cells]))
+    assert main(["sightdistance", "--eye-heights", str(path), "--object", "0.6"]) == 2
+    assert "mixed.csv has heights of driver_eye, taillight; give a file" in capsys.readouterr().err
+    assert main(["distribution", str(path), "--json"]) == 0
+    mixed = json.loads(capsys.readouterr().out)
+    assert mixed["notes"] == [
+        "all mixes heights of driver_eye, taillight; --by target computes each separately."
+    ]
+    assert main(["distribution", str(path), "--by", "target", "--json"]) == 0
+    assert "notes" not in json.loads(capsys.readouterr().out)
+
+
 def test_in_words(capsys: pytest.CaptureFixture[str]) -> None:
     arguments = [
         "--eye",
@@ -182,9 +200,17 @@ def test_in_words(capsys: pytest.CaptureFixture[str]) -> None:
         ("--eye 1.08 --object 0.6 --distance -1", "sight distance"),
         ("--eye 1.08 --object 0.6 --speed 0", "design speed"),
         ("--eye 1.08 --object 0.6 --u-eye -0.1", "uncertainty"),
+        ("--eye 1.08 --object 0.6 --u-eye 1e300", "uncertainty"),
         ("--eye 1.08 --object 0.6 --grade-difference 5", "--distance"),
         ("--eye 1.08", "--object"),
         ("--eye 1.08 --object 0.6 --headlight 0.6", "--distance"),
+        (
+            "--eye 1.08 --object 0.6 --distance 185 --kind passing",
+            "--kind has no effect here; use it with --speed",
+        ),
+        ("--eye 1.08 --object 0.6 --u-headlight 0.1", "use it with --headlight"),
+        ("--eye 1.08 --object 0.6 --eye-percentile 5", "use it with --eye-heights"),
+        ("--eye 1.08 --object 0.6 --object-percentile 5", "use it with --object-heights"),
     ],
 )
 def test_bad_input_is_one_sentence(capsys: pytest.CaptureFixture[str], arguments: str, word: str) -> None:

@@ -9,7 +9,8 @@ from sightline.infra.audit.verification import verify_database
 from sightline.infra.backup.make import make_backup
 from sightline.infra.backup.manifest import read_manifest
 from sightline.infra.backup.restore import restore_backup
-from sightline.infra.database.engine import make_engine, newest_revision, stored_revision
+from sightline.infra.database.engine import make_engine
+from sightline.infra.database.revisions import newest_revision, stored_revision
 from sightline.infra.services import Services
 from sightline.settings import Settings
 from tests.conftest import SERVER

@@ -37,7 +37,7 @@ def test_room_is_looked_at_before_an_export(
 ) -> None:
     monkeypatch.setattr("sightline.media.store.local.shutil.disk_usage", lambda _: SimpleNamespace(free=10))
     (tmp_path / "out").mkdir()
-    with pytest.raises(NoRoom, match="not enough space for this export"):
+    with pytest.raises(NoRoom, match="not enough space"):
         written(services, survey_id, tmp_path / "out" / "package")
     assert list((tmp_path / "out").iterdir()) == []
 
@@ -256,7 +256,7 @@ def test_nothing_in_a_cell_runs(package: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "trouble", [StorageAway("store-no-answer", key="k", name="Timeout"), NoRoom("store-disk-full", what="x")]
+    "trouble", [StorageAway("store-no-answer", key="k", name="Timeout"), NoRoom("database-disk-full")]
 )
 def test_storage_that_does_not_answer_stops_an_export(
     trouble: SightlineError,
@@ -269,10 +269,10 @@ def test_storage_that_does_not_answer_stops_an_export(
         film = get_recording(session, worked.recording_id).media_key
     local_path = LocalStore.local_path
 
-    def away(store: LocalStore, key: str, *, replaced: bool = False) -> Path:
+    def away(store: LocalStore, key: str) -> Path:
         if key == film:
             raise trouble
-        return local_path(store, key, replaced=replaced)
+        return local_path(store, key)
 
     stills_of(services).forget(worked.recording_id)
     monkeypatch.setattr(LocalStore, "local_path", away)

@@ -84,8 +84,8 @@ def counted(place: Path) -> set[str]:
 
 
 CHOICES = (
-    ({"lighting": "daytime"}, {0, 1, 3, 5}, "daytime"),
-    ({"class_sets": ["passenger_cars"]}, {0, 1, 2}, "passenger cars"),
+    pytest.param({"lighting": "daytime"}, {0, 1, 3, 5}, "daytime", marks=pytest.mark.proof),
+    pytest.param({"class_sets": ["passenger_cars"]}, {0, 1, 2}, "passenger cars", marks=pytest.mark.proof),
     (
         {"lighting": "low_light", "class_sets": ["heavy"], "categories": ["suv"]},
         {2, 4},

@@ -43,6 +43,13 @@ from tests.support.packages import (
 __all__ = ["ground", "package", "worked"]
 
 RELEASED = sorted(KEPT.glob("*.tar.xz"))
+#: What is said of each beyond that it verifies: here of one, in `make proofs` of all.
+ONE_RELEASED = pytest.mark.parametrize(
+    "released",
+    [RELEASED[0], *(pytest.param(one, marks=pytest.mark.proof) for one in RELEASED[1:])],
+    ids=lambda place: place.name.removesuffix(".tar.xz"),
+    indirect=True,
+)
 
 
 def check(place: Path, head: str | None = None) -> PackageCheck:
@@ -100,6 +107,18 @@ def test_a_package_of_an_earlier_version_enters_a_study(released: Path, tmp_path
     assert accepted and counted + outside <= len(accepted) and counted > 0
 
 
+def test_packages_of_all_versions_enter_one_study(package: Path, tmp_path: Path) -> None:
+    """With columns that earlier ones lack, and that no figure is made of."""
+    places = [tmp_path / kept.name for kept in RELEASED]
+    for kept, place in zip(RELEASED, places, strict=True):
+        with tarfile.open(kept) as archive:
+            archive.extractall(place, filter="data")
+    found = studied([*places, package], lambda files: check_sealed(files, READ), tmp_path / "scratch")
+    with StudyTables(found) as tables:
+        counted, _ = tables.counted()
+    assert len(counted) == len(RELEASED) + 1 and all(counted > 0)
+
+
 def test_the_root_of_a_package_is_short(package: Path) -> None:
     """And what a reader opens first lies there."""
     root = {path.name for path in package.iterdir()}
@@ -125,6 +144,7 @@ def test_a_table_in_two_places_is_refused(package: Path, later: Callable[..., No
         later()
 
 
+@ONE_RELEASED
 @pytest.mark.parametrize("name", ["height_m", "u_height_m", "target_y_px", "code_version"])
 def test_a_forged_height_of_an_earlier_version_is_found(released: Path, name: str) -> None:
     """All sums, the seal and a signature fit; the height's own event does not.
@@ -243,6 +263,7 @@ def test_statistics_and_drawings_of_a_changed_module_are_sealed_and_not_wrong(
     assert "is not what the package’s seal" in str(check(package).problem)
 
 
+@ONE_RELEASED
 def test_later_tables_and_columns_break_no_package(
     package: Path, released: Path, later: Callable[..., None], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -99,6 +99,16 @@ def test_odd_views_are_left_out_by_name() -> None:
     assert result.residuals_px["0.png"].shape == (6, 9, 2)
 
 
+def test_a_picture_given_twice_counts_once() -> None:
+    """Twice as many views that say the same would make the lens look better known by the root of two."""
+    given = views(Lens(), 8, seed=3)
+    copies = [(f"copy of {name}", corners, size) for name, corners, size in given]
+    once, twice = calibrate(given, BOARD), calibrate([*given, *copies], BOARD)
+    assert (twice.camera.covariance == once.camera.covariance).all()
+    reasons = [one.reason for one in twice.camera.views if not one.used]
+    assert reasons == [Said("calibration-image-twice", file=f"{i}.png") for i in range(8)]
+
+
 def test_fewer_than_three_views_are_bad_input() -> None:
     with pytest.raises(BadInput, match="at least 3"):
         calibrate(views(Lens(), 2, 5), BOARD)

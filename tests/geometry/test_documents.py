@@ -81,6 +81,8 @@ def test_null_covariance_and_board_are_accepted() -> None:
         (("camera", "covariance"), [[1, 2], [3, 4]], "covariance"),
         (("camera", "covariance"), (-np.eye(9)).tolist(), "covariance"),
         (("camera", "parameters"), ["fx_px", "q"], "parameters"),
+        (("camera", "parameters"), ["fx_px", "fx_px"], "parameters"),
+        (("parameters",), [[], {}], "parameters"),
         (("camera", "views"), 3, "views"),
         (("cam_from_road", "rotation"), np.diag([1, 1, -1]).tolist(), "rotation"),
         (("cam_from_road", "rotation"), [[1, 0], [0, 1]], "rotation"),

@@ -71,6 +71,11 @@ def test_all_ink_lies_on_the_sheet_or_the_size_that_is_needed_is_said(
         printed = printed_board(Board(columns, rows, 0.001 * square_mm), paper)
     except BadInput as error:
         assert "larger" in error.message or "not fit on" in error.message
+        largest_mm = float(error.values["square_mm"])
+        assert largest_mm < square_mm and f"squares of at most {largest_mm:g} mm" in error.message
+        printed_board(Board(columns, rows, 0.001 * largest_mm), paper)
+        with pytest.raises(BadInput):
+            printed_board(Board(columns, rows, 0.001 * (largest_mm + 0.1)), paper)
         return
     far = printed.black[:, :2] + printed.black[:, 2:]
     assert printed.black[:, :2].min() >= 0.0099 and (far <= np.array(printed.size_m) - 0.0099).all()

@@ -19,6 +19,7 @@ from sightline.messages.said import Said
 from tests.geometry.passing import CONTACT, FAR, FPS, NEAR, TARGET, Drawn, bound, covariance, frames_of, look
 from tests.geometry.scenes import LENSES, pose_of
 from tests.geometry.simulate import Scene
+from tests.support.proofs import PROOFS
 
 ALONE = Following(confirmed_px=0.0)
 
@@ -75,7 +76,7 @@ def test_an_inset_that_no_vehicle_has_gives_no_height_and_says_what_two_frames_s
     assert f"inset of {inset:.2f} m is not plausible" in str(found.height.reason)
 
 
-@settings(max_examples=25)
+@settings(max_examples=500 if PROOFS else 12)
 @given(
     st.floats(0.2, 3.5),
     st.floats(-0.02, 0.02),

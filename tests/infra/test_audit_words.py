@@ -11,12 +11,21 @@ ENGLISH = SOURCE / "messages" / "en.ftl"
 FOR_OTHERS = ("written_once", "_note", "_write")
 
 
+def _name(function: ast.expr) -> str:
+    match function:
+        case ast.Name(id=name):
+            return name
+        case ast.Attribute(value=ast.Name(id=of), attr=name):
+            return f"{of}.{name}"
+    return ""
+
+
 def _written() -> set[str]:
     """Keys of actions and entities that stand as plain text in a call of the trail, or of what calls it."""
     keys: set[str] = set()
     for path in SOURCE.rglob("*.py"):
         for node in (one for one in ast.walk(ast.parse(path.read_text())) if isinstance(one, ast.Call)):
-            called, said = ast.unparse(node.func), list[tuple[str, ast.expr]]()
+            called, said = _name(node.func), list[tuple[str, ast.expr]]()
             if called in ("trail.record", "trail.record_many"):
                 said = list(zip(("action", "entity"), node.args[2:4], strict=True))
             elif called in FOR_OTHERS and len(node.args) > 3:

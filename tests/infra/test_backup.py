@@ -48,6 +48,8 @@ from sightline.infra.stored_bytes import put_bytes
 from sightline.measurements.records import MeasurementValues
 from sightline.measurements.store import add_measurement
 from sightline.measurements.tables import measurement_series
+from sightline.media.store.local import LocalStore
+from sightline.media.store.s3 import StorageAway
 from sightline.poses.tables import road_poses
 from sightline.settings import Settings
 from sightline.surveys.store import create_survey
@@ -290,11 +292,12 @@ sys.exit(main(sys.argv[3:]))
 """
 
 
-def test_a_killed_backup_goes_on(filled: Services, tmp_path: Path, new_place: NewPlace) -> None:
+@pytest.mark.parametrize("files", [50, pytest.param(120, marks=pytest.mark.proof)])
+def test_a_killed_backup_goes_on(filled: Services, tmp_path: Path, new_place: NewPlace, files: int) -> None:
     """SIGKILL before a file, when it is written, and when it is in its place but not noted: what was copied
     is not copied again, and nothing looks whole before it is.
     """
-    for number in range(120):
+    for number in range(files):
         put_bytes(filled, bytes([number % 251]) * 20_000 + str(number).encode(), ".jpg")
     folder, settings = tmp_path / "backup", filled.settings
     asked = ["backup", str(folder), "--data-dir", str(settings.data_dir)]
@@ -310,7 +313,7 @@ def test_a_killed_backup_goes_on(filled: Services, tmp_path: Path, new_place: Ne
         with pytest.raises(BadInput, match="no complete backup"):
             check_backup(folder, silent)
     made = backed_up(filled, folder)
-    assert (made.fresh + copied, len(made.manifest.media)) == (122, 122)
+    assert (made.fresh + copied, len(made.manifest.media)) == (files + 2, files + 2)
     assert list(folder.rglob("*.part")) == []
     assert restore_backup(folder, new_place("restored"), silent).audit is not None
 
@@ -598,12 +601,20 @@ def test_a_chain_that_does_not_hold_is_not_backed_up(
 def test_a_chain_that_does_not_hold_is_not_restored(
     filled: Services, tmp_path: Path, new_place: NewPlace, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """In a backup of a version that did not look."""
+    """In a backup of a version that did not look; where the store then goes away, the folder is empty too."""
     _forge(filled)
     monkeypatch.setattr(make, "verify_records", lambda _: Verification(True, 0, "", None))
     backed_up(filled, tmp_path / "backup")
     place = new_place("restored")
     with pytest.raises(Damaged, match="does not verify"):
+        restore_backup(tmp_path / "backup", place, silent)
+    assert not place.data_dir.exists()
+
+    def away(_store: LocalStore, key: str) -> None:
+        raise StorageAway("store-no-answer", key=key, name="Timeout")
+
+    monkeypatch.setattr(LocalStore, "delete", away)
+    with pytest.raises(StorageAway):
         restore_backup(tmp_path / "backup", place, silent)
     assert not place.data_dir.exists()
 

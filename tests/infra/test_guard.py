@@ -1,12 +1,15 @@
 """What holds for every request: cross-site protection, headers, one shape of errors, bounds, pages."""
 
 import asyncio
+import json
 from pathlib import Path
 
 import httpx2
 import pytest
 from fastapi import FastAPI
+from starlette.types import Message
 
+from sightline import messages
 from sightline.errors import NoRoom
 from sightline.infra.services import Services
 from sightline.infra.web.cookie import COOKIE
@@ -112,6 +115,32 @@ def test_a_huge_form_is_refused_where_no_file_is_taken(nobody: Client) -> None:
         error_of(answer)
     taken = nobody.http.post("/api/surveys/1/photographs", files=files, headers={"X-Sightline": "1"})
     assert taken.status_code == 401
+
+
+@pytest.mark.parametrize("stranger", [(), ((b"authorization", b"Bearer sightline_wrong"),)])
+def test_the_form_of_a_stranger_is_not_read(app: FastAPI, stranger: tuple[tuple[bytes, bytes], ...]) -> None:
+    told = list[Message]()
+
+    async def receive() -> Message:
+        pytest.fail("the body was asked for")
+
+    async def send(message: Message) -> None:
+        told.append(message)
+
+    french = (b"accept-language", b"fr")
+    headers = [
+        (b"x-sightline", b"1"),
+        (b"content-type", b"multipart/form-data; boundary=x"),
+        french,
+        *stranger,
+    ]
+    scope = {"type": "http", "method": "POST", "path": "/api/surveys/1/photographs", "headers": headers}
+    scope |= {"query_string": b"", "client": ("127.0.0.1", 1), "server": ("testserver", 80), "scheme": "http"}
+    scope |= {"asgi": {"version": "3.0"}, "http_version": "1.1", "root_path": ""}
+    asyncio.run(app(scope, receive, send))
+    assert told[0]["status"] == 401
+    code = "web-token-invalid" if stranger else "web-not-signed-in"
+    assert json.loads(told[1]["body"])["error"]["message"] == messages.say(code, {}, "fr")
 
 
 def test_an_unexpected_failure_is_a_sentence(app: FastAPI, nobody: Client) -> None:

@@ -12,8 +12,9 @@ from sqlalchemy import CheckConstraint, Engine, inspect, text
 
 import sightline.app
 from sightline.errors import BadInput
-from sightline.infra.database.engine import migrate, newest_revision
+from sightline.infra.database.engine import migrate
 from sightline.infra.database.migrations import alembic_config
+from sightline.infra.database.revisions import newest_revision
 from sightline.infra.database.types import metadata
 
 pytestmark = pytest.mark.dialect

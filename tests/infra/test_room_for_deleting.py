@@ -2,20 +2,29 @@
 
 import errno
 import os
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
+from sqlalchemy import update
+from sqlalchemy.orm import Session
 
 from sightline.errors import NoRoom
+from sightline.infra.backup.state import needed_media
+from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.tables import jobs
 from sightline.infra.services import Services
 from sightline.infra.web import ballast
 from sightline.infra.web.ballast import Ballast, try_to_write
 from sightline.media.store.local import LocalStore
 from sightline.media.store.s3 import StorageAway
+from sightline.recordings import tidy_job
 from tests.support.app import TUS, Client
 from tests.support.boards import picture_bytes
 from tests.support.scanning_ground import RIG, upload_strip, uploads
+
+Work = Callable[[], list[Job]]
 
 
 @pytest.fixture
@@ -56,11 +65,12 @@ def test_a_deletion_gives_the_room_up_before_it_writes(
     assert not kept.path.exists()
 
 
-def test_nothing_is_deleted_while_the_store_of_its_files_is_away(
+def test_what_is_deleted_while_the_store_is_away_loses_its_files_when_it_is_back(
     operator: Client,
     survey_id: int,
     recording_id: int,
     services: Services,
+    work: Work,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -82,13 +92,24 @@ def test_nothing_is_deleted_while_the_store_of_its_files_is_away(
     def away(_store: LocalStore, key: str) -> bool:
         raise StorageAway("store-no-answer", key=key, name="Timeout")
 
-    stored = sorted(services.media.listing())
+    stored, asked = sorted(services.media.listing()), list[Session]()
+
+    def noted(session: Session, key: str) -> set[str]:
+        asked.append(session)
+        return needed_media(session, key)
+
     with monkeypatch.context() as outage:
         outage.setattr(LocalStore, "exists", away)
         outage.setattr(LocalStore, "delete", away)
-        assert [operator.delete(path, headers=TUS).status_code for path in paths] == [503] * 4
+        assert [operator.delete(path, headers=TUS).status_code for path in paths] == [204] * 4
+        assert [job.state for job in work()] == ["queued"] * 4
     assert sorted(services.media.listing()) == stored
-    assert [operator.delete(path, headers=TUS).status_code for path in paths] == [204] * 4
+    with services.writing() as session:  # its pause is over
+        session.execute(update(jobs).values(not_before=None))
+    monkeypatch.setattr(tidy_job, "needed_media", noted)
+    assert [job.state for job in work()] == ["done"] * 4
+    assert not list(services.media.listing())
+    assert len({id(one) for one in asked}) == len(asked) == 5  # nobody waits for more than one to be deleted
 
 
 def test_ready_tries_to_write(nobody: Client, services: Services, monkeypatch: pytest.MonkeyPatch) -> None:

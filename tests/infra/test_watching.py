@@ -2,6 +2,8 @@
 
 import json
 import logging
+import os
+import socket
 import sys
 import threading
 import urllib.request
@@ -119,6 +121,7 @@ def test_a_change_that_hangs_is_told(viewer: Client, monkeypatch: pytest.MonkeyP
 def test_administrators_see_the_state_of_the_system(admin: Client, viewer: Client) -> None:
     state = admin.seen("/system")
     assert state["free_bytes"] > 0 and state["jobs"]["queued"] >= 0 and state["version"]
+    assert (state["host"], state["process"]) == (socket.gethostname(), os.getpid())
     assert viewer.get("/system").status_code == 403
 
 

@@ -89,9 +89,7 @@ def test_boundaries_at_wrong_places_give_no_number(passage: Passage) -> None:
 
 @pytest.mark.once
 @pytest.mark.parametrize("method", ["direct", "paper"])
-@pytest.mark.parametrize(
-    "seed", [1, 2, 3, *(pytest.param(n, marks=pytest.mark.proof) for n in (0, *range(4, 12)))]
-)
+@pytest.mark.parametrize("seed", [1, *(pytest.param(n, marks=pytest.mark.proof) for n in (0, *range(2, 12)))])
 def test_no_nonsense_has_the_status_ok(method: ScanMethod, seed: int) -> None:
     """Whatever noise, line rate, speed and boundaries are: either a motion within physics that agrees with
     the truth within its own U95 times three, or a refusal in words. Boundaries move as by a careless hand.

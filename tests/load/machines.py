@@ -4,7 +4,9 @@ Two apps and two workers on one PostgreSQL and one S3, with people who click at 
 other: an app that drops off the net in mid-write, connections that freeze, a database that stands still,
 connections that end, a storage that is gone and one that stands still, a killed worker, clocks apart. Prints
 for each how many writes were acknowledged, how many of them are stored, and how many seconds went by until
-the next write, by app; ends with status 1 where that took more than fifteen, or anything was lost.
+the next write and the next sign-in, by app; ends with status 1 where that took more than fifteen, or anything
+was lost. A package is asked for before the database stands still, the storage goes and workers are killed:
+its job goes on, and an outage uses up none of its attempts.
 """
 
 from __future__ import annotations
@@ -36,6 +38,8 @@ from tests.support.relay import Relay
 from tests.support.waiting import until
 
 MOST_S, CALM_S, APART_S = 15.0, 2.0, 180
+HEADERS = {"X-Sightline": "1"}
+PERSON = {"email": "reviewer@example.org", "password": "a long enough password"}
 KEYS = {"AWS_ACCESS_KEY_ID": "key", "AWS_SECRET_ACCESS_KEY": "secret", "AWS_DEFAULT_REGION": "us-east-1"}
 #: read when a process starts: its clock, as far as sessions and what is stored go
 CLOCK = """
@@ -80,19 +84,34 @@ class Machines:
         world = self.worlds[name]
         Person(world).made(f"/api/recordings/{world.recording['id']}/vehicles", first_frame=1, last_frame=9)
 
+    def signed_in(self, name: str) -> None:
+        """Returns when somebody who begins to sign in now, by name and password, is let in by this app."""
+        while True:
+            try:
+                answer = httpx2.post(
+                    f"{self.apps[name].url}/api/session", json=PERSON, headers=HEADERS, timeout=60
+                )
+            except httpx2.TransportError:
+                continue
+            if answer.status_code == 200:
+                return
+            assert answer.status_code == 503, answer.text
+            time.sleep(0.2)
+
     def until_written(self) -> dict[str, float]:
-        """Seconds until each app that runs acknowledged a write that began now."""
+        """Seconds until each app that runs acknowledged a write, and a sign-in, that began now."""
         took: dict[str, float] = {}
         begun = time.monotonic()
 
-        def ask(name: str) -> None:
-            self.written(name)
-            took[name] = time.monotonic() - begun
+        def ask(what: str, act: Callable[[str], None], name: str) -> None:
+            act(name)
+            took[what] = time.monotonic() - begun
 
         threads = [
-            threading.Thread(target=ask, args=(name,))
+            threading.Thread(target=ask, args=(what, act, name))
             for name, app in self.apps.items()
             if app.process.poll() is None
+            for what, act in ((name, self.written), (f"sign-in {name}", self.signed_in))
         ]
         for thread in threads:
             thread.start()
@@ -125,17 +144,40 @@ def frozen(all_: Machines) -> dict[str, float]:
     return all_.until_written()
 
 
+@contextmanager
+def an_export(all_: Machines, attempts: int) -> Iterator[None]:
+    """A package is being made before, and is there after so many attempts."""
+    me = Person(all_.worlds["B"])
+
+    def state_of(job: int) -> str:
+        return str(me.seen(f"/api/jobs/{job}")["state"])
+
+    def begun() -> int | None:
+        """The job, seen while it runs; None where it was quicker than the look at it."""
+        job = int(me.made(f"/api/surveys/{me.world.survey}/exports?crops=false")["id"])
+        until(lambda: state_of(job) != "queued")
+        return job if state_of(job) == "running" else None
+
+    job = until(begun)
+    yield
+    until(lambda: state_of(job) not in ("queued", "running"))
+    with all_.engine.connect() as connection:
+        found = connection.execute(text("SELECT state, attempts FROM jobs WHERE id = :id"), {"id": job}).one()
+    assert tuple(found) == ("done", attempts), found
+
+
 def paused(all_: Machines) -> dict[str, float]:
     """Nothing answers for twenty seconds; what is away is said within three."""
-    for relay in all_.relays.values():
-        relay.held = True
-    for name in all_.apps:
-        said = all_.ready(name)
-        assert said["database"] and float(str(said["took_s"])) < 3, said
-    time.sleep(20)
-    for relay in all_.relays.values():
-        relay.held = False
-    return all_.until_written()
+    with an_export(all_, attempts=1):
+        for relay in all_.relays.values():
+            relay.held = True
+        for name in all_.apps:
+            said = all_.ready(name)
+            assert said["database"] and float(str(said["took_s"])) < 3, said
+        time.sleep(20)
+        for relay in all_.relays.values():
+            relay.held = False
+        return all_.until_written()
 
 
 def ended(all_: Machines) -> dict[str, float]:
@@ -145,20 +187,8 @@ def ended(all_: Machines) -> dict[str, float]:
     return all_.until_written()
 
 
-@contextmanager
-def an_export(all_: Machines) -> Iterator[int]:
-    """A package is asked for before, and there after; none of its attempts is used up."""
-    me = Person(all_.worlds["B"])
-    job = int(me.made(f"/api/surveys/{me.world.survey}/exports?crops=false")["id"])
-    until(lambda: me.seen(f"/api/jobs/{job}")["state"] != "queued")
-    yield job
-    until(lambda: me.seen(f"/api/jobs/{job}")["state"] not in ("queued", "running"))
-    found = me.seen(f"/api/jobs/{job}")
-    assert found["state"] == "done", found
-
-
 def storage_gone(all_: Machines) -> dict[str, float]:
-    with an_export(all_):
+    with an_export(all_, attempts=1):
         all_.storage.shut = True
         said = all_.ready("A")
         assert said["media"], said
@@ -178,12 +208,12 @@ def storage_paused(all_: Machines) -> dict[str, float]:
 
 
 def killed_worker(all_: Machines) -> dict[str, float]:
-    """The supervisor that may have the job, with all that it started; the other one goes on."""
-    with an_export(all_):
-        all_.workers[0].process.send_signal(signal.SIGKILL)
-        took = all_.until_written()
-    all_.workers[0] = all_.begin("worker", "W")
-    return took
+    """Both supervisors and all that they started, one of which has the job; a new one goes on."""
+    with an_export(all_, attempts=2):
+        for worker in all_.workers:
+            worker.process.send_signal(signal.SIGKILL)
+        all_.workers = [all_.begin("worker", "W", SIGHTLINE_WORKERS="1") for _ in range(2)]
+        return all_.until_written()
 
 
 def clocks_apart(all_: Machines) -> dict[str, float]:
@@ -237,7 +267,7 @@ def main() -> None:
         stack.callback(lambda: [one.stop() for one in (*all_.apps.values(), *all_.workers)])
         threads = [watched(world, clicking) for world in all_.worlds.values() for _ in range(2)]
         good = True
-        print("what            acknowledged  stored  seconds until the next write", flush=True)
+        print("what            acknowledged  stored  seconds until the next write and sign-in", flush=True)
         try:
             for play in PLAYED:
                 if only != [""] and play.__name__ not in only:
@@ -298,8 +328,13 @@ def built(here: Path, stack: ExitStack) -> Machines:
         app.wait()
     all_.workers = [all_.begin("worker", "W", SIGHTLINE_WORKERS="1") for _ in range(2)]
     cookies, survey = signed_in(all_.apps["A"])
-    with httpx2.Client(base_url=all_.apps["A"].url, cookies=cookies, timeout=120) as http:
+    with httpx2.Client(base_url=all_.apps["A"].url, cookies=cookies, headers=HEADERS, timeout=120) as http:
         recording = http.get(f"/api/surveys/{survey}/recordings").json()[0]
+        who = {"name": "A reviewer", "email": PERSON["email"], "role": "reviewer"}
+        link = http.post("/api/people", json=who).raise_for_status().json()["link"]
+    with httpx2.Client(base_url=all_.apps["A"].url, headers=HEADERS, timeout=120) as http:
+        http.post("/api/session/link", json={"token": link.partition("token=")[2]}).raise_for_status()
+        http.put("/api/session/password", json={"new": PERSON["password"]}).raise_for_status()
     first = World(all_.apps["A"].url, cookies, survey, recording, Path())
     all_.worlds = {"A": first, "B": replace(first, url=all_.apps["B"].url)}
     return all_

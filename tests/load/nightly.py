@@ -1,7 +1,8 @@
 """Everything that takes a night, one after the other, with one seed: `make nightly`
 (python -m tests.load.nightly [--seed N] [--share S] [--only NAME,NAME]).
 
-Kills on both databases, hostile files and requests, forged packages, clicks under load. Each has a limit of
+Kills on both databases, several machines with parts away, hostile files and requests, forged packages, clicks
+under load. Each has a limit of
 hours; what it printed and how it ended stand in the report (.build/nightly.md), which is written anew after
 each. Ends with status 1 where one failed. `--share 0.01` does a hundredth of each.
 """
@@ -47,6 +48,7 @@ def commands(seed: int, share: float, package: Path) -> Mapping[str, Sequence[st
     return {
         "faults on SQLite": faults,
         "faults on PostgreSQL": [*faults, "--postgresql"],
+        "several machines": ["-m", "tests.load.machines"],
         "hostile input": hostile,
         "forged packages": ["tests/bench/bench_forgery.py", str(package), times(10_000), str(seed)],
         "clicks under load": ["-m", "tests.load.soak", "--seconds", times(3600)],

@@ -47,4 +47,5 @@ def test_each_part_is_told_with_its_end(tmp_path: Path, monkeypatch: pytest.Monk
 def test_a_night_asks_for_what_was_promised(tmp_path: Path) -> None:
     asked = nightly.commands(7, 1.0, tmp_path)
     assert "1000" in asked["faults on SQLite"] and "--postgresql" in asked["faults on PostgreSQL"]
+    assert asked["several machines"][-1] == "tests.load.machines"
     assert asked["forged packages"][-2:] == ["10000", "7"] and "1000" in asked["hostile input"]

@@ -28,9 +28,9 @@ def _note(path: Path, words: str) -> None:
 
 
 def _take_long(path: Path, n: int, wanted: Callable[[], bool]) -> bool:
-    """Two seconds, or ("endless") until it is no longer wanted; whether it still is."""
+    """A second, or ("endless") until it is no longer wanted; whether it still is."""
     _note(path, f"{n} begun by {os.getpid()}")
-    left = 20
+    left = 10
     while left or path.name.startswith("endless"):
         time.sleep(0.1)
         left = max(0, left - 1)
@@ -85,7 +85,7 @@ def main() -> None:
 
     seeker.Seeker.find = faulty  # type: ignore[method-assign]
     window.Window.image = faulty_image  # type: ignore[method-assign]
-    decode_child.TICK_S = 0.2
+    decode_child.TICK_S = 0.1
     decode_child.main()
 
 

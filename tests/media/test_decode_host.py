@@ -101,8 +101,8 @@ def test_checksums_are_verified_in_the_child(plain: RecordingMedia, served: Fram
     [
         ("crash", "crashed"),
         ("killed", "was killed again and again"),
-        ("hang", "no progress for 2 s"),
-        ("stuck", "no progress for 2 s"),
+        ("hang", "no progress for 1 s"),
+        ("stuck", "no progress for 1 s"),
         ("greedy", "0.5 GB of memory"),
     ],
 )
@@ -120,7 +120,7 @@ def test_a_fault_costs_the_child_and_one_sentence(
     before = host.process_id
     assert before is not None
     if fault in ("hang", "stuck"):
-        limits.silence_s = 2.0
+        limits.silence_s = 1.0
     with pytest.raises(CannotDecode) as refused:
         served.still(hostile, AT)
     limits.silence_s = NEVER_S

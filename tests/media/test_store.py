@@ -12,13 +12,23 @@ from pathlib import Path
 import pytest
 from s3transfer.utils import OSUtils
 
+from sightline import messages
 from sightline.errors import BadInput, NoRoom, NotFound, SightlineError
 from sightline.media.atomic import atomic_file
 from sightline.media.store import local, s3
-from sightline.media.store.local import LocalStore, MediaStore, key_of, open_store, sha256_of
+from sightline.media.store.local import (
+    LocalStore,
+    MediaStore,
+    key_of,
+    made_key_of,
+    made_of,
+    sha256_of,
+)
+from sightline.media.store.opening import open_store
 from tests.support.waiting import NEVER_S
 
 DATA = os.urandom(300_000)
+THUMBS = made_key_of("ab" * 32, local.THUMBS, None, ".zip")
 
 
 @pytest.fixture(scope="module")
@@ -77,19 +87,26 @@ def test_what_is_put_is_there_until_deleted(store: MediaStore, video: Path) -> N
     assert not store.exists(key)
 
 
+def test_a_key_says_whether_it_tells_its_content() -> None:
+    content = "0f" * 32
+    assert made_of(made_key_of(content, local.THUMBS, None, ".zip")) == (content, None)
+    assert made_of(made_key_of(content, local.COPY, 2, ".mkv")) == (content, 2)
+    for suffix in ("", ".mp4", "-strip.tif", ".spool.tif", "-setup.jpg", ".zip"):
+        assert made_of(key_of(content, suffix)) is None
+
+
 @pytest.mark.parametrize("link", [False, True])
-def test_what_replaces_another_is_there_at_once(
+def test_what_is_made_anew_is_there_at_once_and_content_stays(
     store: MediaStore, video: Path, tmp_path: Path, link: bool
 ) -> None:
     other = tmp_path / "other"
     other.write_bytes(b"made anew")
-    for _ in range(2):
-        store.put_file("a/b", video, link=link, replace=True)
-        assert store.local_path("a/b", replaced=True).read_bytes() == DATA
-    store.put_file("a/b", other, link=link)
-    assert store.local_path("a/b", replaced=True).read_bytes() == DATA
-    store.put_file("a/b", other, link=link, replace=True)
-    assert store.local_path("a/b", replaced=True).read_bytes() == b"made anew"
+    for key, then in ((THUMBS, b"made anew"), (key_of("ab" * 32, ".zip"), DATA)):
+        for _ in range(2):
+            store.put_file(key, video, link=link)
+            assert store.local_path(key).read_bytes() == DATA
+        store.put_file(key, other, link=link)
+        assert store.local_path(key).read_bytes() == then
 
 
 def test_linking_needs_no_room_and_outlives_the_given_file(
@@ -150,8 +167,10 @@ def test_a_full_disk_is_seen_before_writing(
     store = LocalStore(tmp_path / "media")
     usage = type("Usage", (), {"free": local.RESERVE_BYTES + 1000})
     monkeypatch.setattr(local.shutil, "disk_usage", lambda _: usage)
-    with pytest.raises(NoRoom, match="There is not enough space for this file"):
+    with pytest.raises(NoRoom, match="There is not enough space") as told:
         store.put_file("a/b", video)
+    french = messages.say(told.value.said.code, told.value.said.values, "fr")
+    assert french.startswith("Il n’y a pas assez de place (0,3 Mo nécessaires, 0 Mo libres)\u202f; supprimez")
     assert not any(p.is_file() for p in (tmp_path / "media").rglob("*"))
 
 
@@ -234,16 +253,16 @@ def test_what_one_machine_replaces_or_deletes_the_others_see(
     one, two = open_s3("one"), open_s3("two")
     other = tmp_path / "other"
     other.write_bytes(DATA[::-1])  # as long as what it replaces
-    one.put_file("a/b.zip", video, replace=True)
-    then = two.local_path("a/b.zip", replaced=True)
-    assert then.read_bytes() == DATA and two.local_path("a/b.zip", replaced=True) == then
-    one.put_file("a/b.zip", other, replace=True)
-    now = two.local_path("a/b.zip", replaced=True)
+    one.put_file(THUMBS, video)
+    then = two.local_path(THUMBS)
+    assert then.read_bytes() == DATA and two.local_path(THUMBS) == then
+    one.put_file(THUMBS, other)
+    now = two.local_path(THUMBS)
     assert now.read_bytes() == DATA[::-1]
     assert now != then and now.suffix == ".zip"  # who has the other one open does not take it for this one
-    one.delete("a/b.zip")
+    one.delete(THUMBS)
     with pytest.raises(NotFound):
-        two.local_path("a/b.zip", replaced=True)
+        two.local_path(THUMBS)
 
 
 def test_what_is_replaced_while_it_is_fetched_is_not_kept_under_the_former_tag(
@@ -253,18 +272,18 @@ def test_what_is_replaced_while_it_is_fetched_is_not_kept_under_the_former_tag(
     one, two = open_s3("one"), open_s3("two")
     other = tmp_path / "other"
     other.write_bytes(b"made anew")
-    one.put_file("a/b", video, replace=True)
+    one.put_file(THUMBS, video)
     fetch, meanwhile = two._fetch, [other]
 
     def overtaken(key: str, path: Path) -> None:
         if meanwhile:
-            one.put_file(key, meanwhile.pop(), replace=True)
+            one.put_file(key, meanwhile.pop())
         fetch(key, path)
 
     monkeypatch.setattr(two, "_fetch", overtaken)
-    assert two.local_path("a/b", replaced=True).read_bytes() == b"made anew"
-    one.put_file("a/b", video, replace=True)
-    assert two.local_path("a/b", replaced=True).read_bytes() == DATA
+    assert two.local_path(THUMBS).read_bytes() == b"made anew"
+    one.put_file(THUMBS, video)
+    assert two.local_path(THUMBS).read_bytes() == DATA
 
 
 def test_s3_that_does_not_answer_is_told_in_a_sentence(

@@ -227,6 +227,7 @@ def test_another_picture_of_a_file_becomes_a_recording(
     assert operator.delete(f"/recordings/{twin}").status_code == 204
     assert operator.post(f"{path}/pictures/3").json()["error"]["code"] == "video-no-such-stream"
     assert operator.delete(path).status_code == 204  # the file stays for the other
+    run_jobs(services)
     assert operator.get(f"/recordings/{second['id']}/frames/0.jpg").status_code == 200
 
 

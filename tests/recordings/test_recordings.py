@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from sqlalchemy import text
 
+from sightline.errors import NoRoom
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.recovery import take_back
 from sightline.infra.jobs.store import claim_job
@@ -220,16 +221,19 @@ def test_a_worker_killed_in_the_middle(
         assert session.execute(text("SELECT count(*) FROM frames")).scalar_one() == FRAMES
 
 
-def test_deleting_takes_files_along(operator: Client, recording_id: int, services: Services) -> None:
+def test_deleting_takes_files_along(
+    operator: Client, recording_id: int, services: Services, work: Work
+) -> None:
     media = services.settings.data_dir / "media"
     assert [path.suffix for path in media.rglob("*") if path.is_file()]
     assert operator.delete(f"/recordings/{recording_id}").status_code == 204
+    assert [job.state for job in work()] == ["done"]
     assert [path for path in media.rglob("*") if path.is_file()] == []
     assert operator.get(f"/recordings/{recording_id}").status_code == 404
 
 
 def test_a_stream_without_an_index_is_served_from_a_working_copy(
-    operator: Client, survey_id: int, tmp_path: Path, work: Work
+    operator: Client, survey_id: int, tmp_path: Path, work: Work, services: Services
 ) -> None:
     from tests.media.clips import Spec, write
 
@@ -240,6 +244,28 @@ def test_a_stream_without_an_index_is_served_from_a_working_copy(
         answer = operator.get(f"/recordings/{recording_id}/frames/{n}.jpg")
         assert number_of(answer.content) == n
     assert operator.delete(f"/recordings/{recording_id}").status_code == 204
+    assert [job.state for job in work()] == ["done"] and not list(services.media.listing())
+
+
+def test_a_reading_that_failed_behind_its_working_copy_leaves_none(
+    operator: Client,
+    survey_id: int,
+    tmp_path: Path,
+    work: Work,
+    services: Services,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    from tests.media.clips import Spec, write
+
+    def full(*_: object) -> None:
+        raise NoRoom("database-disk-full")
+
+    monkeypatch.setattr(ingest_job, "_keep_thumbnails", full)
+    recording_id = upload(operator, survey_id, write(tmp_path / "a.ts", Spec("a.ts", container="mpegts")))
+    assert [job.state for job in work()] == ["failed"]
+    assert any(".work" in key for key, _ in services.media.listing())
+    assert operator.delete(f"/recordings/{recording_id}").status_code == 204
+    assert [job.state for job in work()] == ["done"] and not list(services.media.listing())
 
 
 def test_a_working_copy_on_which_was_clicked_stays_where_it_would_be_another(

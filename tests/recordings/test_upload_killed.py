@@ -92,7 +92,7 @@ def test_a_silent_line_is_taken_over_and_what_is_cut_and_killed_is_resumed(
     tmp_path: Path, clip: Path
 ) -> None:
     content = longer(clip)
-    server = start("serve", tmp_path)
+    server = start("serve --workers 0", tmp_path)  # what is sent is read by the next one's
     try:
         client = signed_in(server)
         taken_over(client, announced(client, clip.name, len(content)), content)

@@ -13,6 +13,7 @@ from sightline.cli import main
 from sightline.export.report.crest import cases_of
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
+from sightline.messages.said import Said
 from sightline.results.survey_statistics import (
     Filter,
     height_sample,
@@ -136,3 +137,14 @@ def test_every_place_says_the_same_to_the_last_digit(
     told = json.loads(capsys.readouterr().out)
     for name, what in (("eye_m", "eye_car"), ("object_m", "object_stopping")):
         assert three(told, name, f"{name}_U95_low", f"{name}_U95_high") == figure[what]
+
+
+def test_known_heights_without_a_u_have_the_same_one_on_the_page_and_in_the_package(
+    services: Services, survey: int, viewer: Client
+) -> None:
+    page = viewer.seen(f"/statistics?survey={survey}")["errors"]["reference_part"]
+    with services.reading() as session:
+        found = survey_statistics(session, Filter(survey_ids=(survey,))).errors.reference_part
+    assert not isinstance(found, Said)
+    assert page["u_reference_m"] == found.u_reference_m
+    assert page["share_of_variance"] == found.share_of_variance

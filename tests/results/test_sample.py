@@ -233,7 +233,7 @@ def test_the_rule_is_held_against_the_chain(
     assert "sampling.csv" in str(verify_package(FolderFiles(place)).problem)
 
 
-@pytest.mark.parametrize("outside", [False, True])
+@pytest.mark.parametrize("outside", [False, pytest.param(True, marks=pytest.mark.proof)])
 def test_one_population_wherever_heights_are_counted(
     operator: Client,
     reviewer: Client,
@@ -288,7 +288,7 @@ def test_one_population_wherever_heights_are_counted(
     assert sorted(of_command.height_m) == sorted(here.heights("roof").height_m)
 
 
-@pytest.mark.parametrize("selected", [False, True])
+@pytest.mark.parametrize("selected", [pytest.param(False, marks=pytest.mark.proof), True])
 def test_commands_evaluate_the_clicks_that_the_report_evaluates(
     operator: Client,
     reviewer: Client,

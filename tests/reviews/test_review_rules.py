@@ -127,6 +127,29 @@ def test_each_thing_that_was_entered_stays_its_makers_when_another_enters_more(
     assert [judge(who, changed.json(), "accepted").status_code for who in (reviewer, admin)] == [403, 403]
 
 
+@pytest.mark.parametrize("given", ["further frame", "inset", "sigma_px"])
+def test_what_somebody_entered_stays_theirs_when_another_moves_the_points(
+    operator: Client, reviewer: Client, admin: Client, ground: Ground, given: str
+) -> None:
+    """The operator's points, the reviewer's second frame, then the admin's points with that frame."""
+    made = measure(operator, add_vehicle(operator, ground.recording_id)["id"], inset_m=None, u_inset_m=None)
+    points = {name: made[name] for name in ("frame", "contact", "target_point")}
+    further = {"frame": 7, "contact": pixel(0.9, 0.0, 0.0), "target_point": pixel(1.3, 0.2, 1.3)}
+    more: dict[str, Any] = {
+        "further frame": {"more_frames": [further]},
+        "inset": {"inset_m": 0.3, "u_inset_m": 0.05},
+        "sigma_px": {"sigma_px": 0.3},
+    }[given]
+    path = f"/measurements/{made['id']}"
+    assert reviewer.put(path, {"revision": 1, **points, **more}).status_code == 200
+    moved = {**points, "target_point": pixel(0.6, 0.0, 1.25)}
+    changed = admin.put(path, {"revision": 2, **moved, **more})
+    assert changed.status_code == 200, changed.text
+    queue = f"/surveys/{ground.survey_id}/review-queue"
+    assert [who.seen(queue)[0]["mine"] for who in (operator, reviewer, admin)] == [False, True, True]
+    assert [judge(who, changed.json(), "accepted").status_code for who in (reviewer, admin)] == [403, 403]
+
+
 @pytest.mark.parametrize("given", [{"sigma_px": 0.3}, {"target": "headlight"}])
 def test_another_click_sigma_or_target_is_not_for_who_gave_it_to_review(
     operator: Client, reviewer: Client, admin: Client, vehicle_id: int, given: dict[str, Any]
@@ -251,7 +274,7 @@ def test_the_queue_comes_in_pages_in_the_order_of_the_vehicles(
 def test_points_are_mine_whoever_restored_them(
     operator: Client, reviewer: Client, admin: Client, ground: Ground, vehicle_id: int
 ) -> None:
-    own = measure(reviewer, vehicle_id)
+    own = measure(reviewer, vehicle_id, inset_m=None, u_inset_m=None)
     assert operator.delete(f"/measurements/{own['id']}?revision=1").status_code == 200
     assert operator.post(f"/measurements/{own['id']}/restore", {"revision": 2}).status_code == 200
     path = f"/surveys/{ground.survey_id}/review-queue"

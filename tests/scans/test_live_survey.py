@@ -361,6 +361,7 @@ def test_a_recording_deleted_while_its_strips_are_stored_leaves_none_in_the_stor
     keeper.end(paths, [], lambda: ended.append(True))
     keeper.close()
     assert len(puts) == 2 and ended == [True]
+    assert [job.state for job in run_jobs(services)] == ["done"]
     assert not any(path.is_file() for path in paths) and not list(services.media.listing())
 
 

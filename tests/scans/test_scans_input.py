@@ -58,6 +58,7 @@ def test_strips_that_cannot_be_are_refused_in_words(
     assert "could not be imported" in error_of(operator.get(f"/scans/{uneven['id']}/tiles/1/0/0"))
     for made in (uneven, no_strip):
         assert operator.delete(f"/scans/{made['id']}").status_code == 204
+    assert [job.state for job in work()] == ["done", "done"]
     # the twin of what was read is gone with both, and so is everything else
     assert not [path for path in (services.settings.data_dir / "media").rglob("*") if path.is_file()]
     with services.reading() as session:

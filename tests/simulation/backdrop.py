@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 
 from tests.simulation.camera import Array, DemoCamera, Floats, slope_maps
+from tests.simulation.light import Light
 from tests.simulation.paint import around
 from tests.simulation.scene import Scene
 from tests.simulation.scenery import sky_colours, street_plates
@@ -131,24 +132,27 @@ def _finish(picture: Floats, low: bool) -> Floats:
     return np.asarray(np.clip(out, 0, 252), np.float32)
 
 
-@lru_cache(maxsize=4)
 def backdrop(scene: Scene) -> Floats:
     """The empty road (480, 640, 3) float32 BGR, without sensor effects."""
-    camera, low = scene.camera, scene.light.low
+    out = empty_road(scene.camera, scene.light, scene.seed)
+    out.flags.writeable = False
+    return out
+
+
+@lru_cache(maxsize=4)
+def empty_road(camera: DemoCamera, light: Light, seed: int) -> Floats:
+    """The same whatever drives on it: some seconds to draw (`tests/support/drawn.py`)."""
+    low = light.low
     a, b = slope_maps(camera, 2)
-    ground, mask = ground_colour(camera, scene.seed, low, a, b)
+    ground, mask = ground_colour(camera, seed, low, a, b)
     if low:
         ground *= lamp_pool(camera, a, b)
-    picture: Floats = np.where(mask[..., None], ground, sky_colours(scene.light, scene.seed, a, b)).astype(
-        np.float32
-    )
-    for plate, y_m in street_plates(scene.light, scene.seed):
+    picture: Floats = np.where(mask[..., None], ground, sky_colours(light, seed, a, b)).astype(np.float32)
+    for plate, y_m in street_plates(light, seed):
         away = np.float32(y_m - camera.centre_m[1])
         u = (camera.centre_m[0] + away * a - plate.left_m) * np.float32(plate.ppm) - np.float32(0.5)
         v = (plate.top_m - camera.centre_m[2] - away * b) * np.float32(plate.ppm) - np.float32(0.5)
         rgba = cv2.remap(plate.rgba, u, v, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=0)
         picture = picture * (1 - rgba[..., 3:] / 255) + rgba[..., :3]
     small = cv2.resize(picture, (camera.width_px, camera.height_px), interpolation=cv2.INTER_AREA)
-    out = _finish(np.asarray(small, np.float32), low)
-    out.flags.writeable = False
-    return out
+    return _finish(np.asarray(small, np.float32), low)

@@ -213,5 +213,14 @@ def strips(
     rods: tuple[HeldRod, ...] = (),
 ) -> tuple[Image, Image]:
     """Both strips whole (lines, rows): for short recordings."""
-    first, second = zip(*recording(site, vehicles, seconds, rods), strict=True)
-    return np.concatenate(first), np.concatenate(second)
+    first, second = whole_strips(site, vehicles, seconds, rods)
+    return first, second
+
+
+def whole_strips(
+    site: ScanSite, vehicles: tuple[ScanVehicle, ...], seconds: float | None, rods: tuple[HeldRod, ...]
+) -> Image:
+    """(2, lines, rows); some seconds to draw (`tests/support/drawn.py`)."""
+    return np.stack(
+        [np.concatenate(one) for one in zip(*recording(site, vehicles, seconds, rods), strict=True)]
+    )

@@ -4,6 +4,7 @@ import json
 import statistics
 from decimal import ROUND_HALF_UP, Decimal
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -245,29 +246,54 @@ TARGETS_CSV = """id,target,lighting,category,height_m,reference_height_m,status,
 """
 
 
-def test_errors_by_target_with_check_targets_apart(tmp_path: Path) -> None:
+def test_errors_by_a_column_are_of_each_value_alone(tmp_path: Path) -> None:
+    """`{"groups": {VALUE: the object as without --by}}`, those of check targets apart."""
     path = str(heights_csv(tmp_path, TARGETS_CSV))
-    done = CliRunner().invoke(errors, [path, "--by", "target", "--json"])
-    assert done.exit_code == 0, done.output
-    told = json.loads(done.output)["targets"]
-    assert [(one["target"], one["check_target"]) for one in told] == [
-        ("roof", False),
-        ("taillight", False),
-        ("driver_eye", True),
-    ]
-    roofs = {one["group"]: one for one in told[0]["groups"]}
-    assert roofs["all"]["bias_m"] == pytest.approx(0.02) and roofs["all"]["n"] == 2
-    assert roofs["van"]["bias_m"] == pytest.approx(0.03) and roofs["daytime"]["bias_m"] == pytest.approx(0.01)
+
+    def told(*asked: str, of: str = path) -> dict[str, Any]:
+        done = CliRunner().invoke(errors, [of, "--json", "--round", "none", *asked])
+        assert done.exit_code == 0, done.output
+        found: dict[str, Any] = json.loads(done.output)
+        return found
+
+    groups = told("--by", "target")["groups"]
+    assert set(groups) == {"roof", "taillight", "driver_eye", "driver_eye, check targets"}
+    assert groups["roof"]["groups"]["overall"]["bias_m"] == pytest.approx(0.02)
+    assert groups["roof"]["groups"]["daytime"]["bias_m"] == pytest.approx(0.01)
+    assert groups["driver_eye, check targets"]["groups"]["overall"]["n"] == 1
+    assert [one["left_out"] for one in groups.values()] == [1, 0, 0, 1]
+    header, *lines = TARGETS_CSV.splitlines(keepends=True)
+    for category, one in told("--by", "category")["groups"].items():
+        if "check" in category:
+            continue
+        alone = (row for row in lines if row.split(",")[3] == category and ",true,false" not in row)
+        assert one == told(of=str(heights_csv(tmp_path, header + "".join(alone))))
+    path = str(heights_csv(tmp_path, TARGETS_CSV))
     words = CliRunner().invoke(errors, [path, "--by", "target"]).output
-    assert "driver eye, check targets" in words and "2 rows have no height" in words
-    assert json.loads(done.output)["left_out"] == 2
+    assert "target driver_eye, check targets\n" in words and "1 rows have no height" in words
     # without shared errors and sites no interval is total
     assert "in brackets 95 % intervals" in words and "total" not in words
     # the table alone is of roofs of the traffic, and says what it leaves out
-    plain = CliRunner().invoke(errors, [path, "--json", "--round", "none"])
-    assert json.loads(plain.output)["groups"]["overall"]["n"] == 2
-    assert json.loads(plain.output)["left_out"] == 2
+    plain = told()
+    assert plain["groups"]["overall"]["n"] == 2 and plain["left_out"] == 2
     assert "driver_eye, taillight; --by target" in CliRunner().invoke(errors, [path]).output
     eyes = heights_csv(tmp_path, TARGETS_CSV.replace(",roof,", ",headlight,"))
     refused = CliRunner().invoke(errors, [str(eyes)]).exception
     assert isinstance(refused, BadInput) and "use --by target" in refused.message
+
+
+@pytest.mark.parametrize(
+    ("asked", "old", "new", "said"),
+    [
+        ((), "roof,daytime", "roof,Daytime", "Line 2: lighting is “Daytime”; use one of daytime, low_light."),
+        ((), "roof,daytime", "Roof,daytime", "Line 2: target is “Roof”; use one of roof, driver_eye,"),
+        (("--by", "colour"), "", "", "no column colour"),
+    ],
+)
+def test_words_that_no_row_can_have_are_refused(
+    asked: tuple[str, ...], old: str, new: str, said: str, tmp_path: Path
+) -> None:
+    """A row of a lighting that nobody knows would count overall alone, and say nothing of it."""
+    path = str(heights_csv(tmp_path, TARGETS_CSV.replace(old, new, 1)))
+    refused = CliRunner().invoke(errors, [path, *asked]).exception
+    assert isinstance(refused, BadInput) and said in refused.message

@@ -1,16 +1,17 @@
 """`sightline study`: packages alone become figures with total intervals, and what does not fit is refused."""
 
+import hashlib
 import json
 from collections.abc import Callable
 from pathlib import Path
 
 import duckdb
 import numpy as np
+import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
 
 from sightline.cli import main
-from sightline.studies.query import READ
 from tests.export.test_export_package import ground, package, worked
 from tests.support.studies import CLASS_M, Invented, invent
 
@@ -72,12 +73,19 @@ def test_only_heights_in_the_sample_count_and_it_is_said(
     assert any("225 accepted heights are of vehicles outside" in note for note in told["notes"])
 
 
-def test_a_package_that_does_not_tell_its_sample_is_refused(
-    four: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+def test_packages_with_other_columns_beside_those_that_are_read_are_one_study(
+    four: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("sightline.studies.packages.columns_of", lambda place: {name: () for name in READ})
-    assert main(["study", *four, "--quick", "-o", str(tmp_path / "study")]) == 2
-    assert "does not state which of its vehicles count" in capsys.readouterr().err
+    """A version that tells more, or less, of what no figure is made of; a lacking column that one is."""
+    alike = studied(capsys, *four, "-o", str(tmp_path / "alike"))
+    for n, name in ((1, "operator_id"), (3, "clicked_at")):
+        changed(four[n], "measurements", lambda rows, name=name: rows.append_column(name, rows["id"]))
+    changed(four[2], "vehicles", lambda rows: rows.drop_columns(["discarded"]))
+    found = studied(capsys, *four, "-o", str(tmp_path / "study"))
+    assert (found["heights"], found["figures"]) == (1800, alike["figures"])
+    changed(four[2], "vehicles", lambda rows: rows.drop_columns(["counts"]))
+    assert main(["study", *four, "--quick", "-o", str(tmp_path / "other")]) == 2
+    assert "(version test) lacks the column counts of vehicles.csv" in capsys.readouterr().err
 
 
 def test_the_error_table_is_that_of_the_rows(
@@ -192,22 +200,17 @@ def invented(**facts: object) -> Callable[[Path, list[str]], list[str]]:
 
 
 def of_another_version(tmp_path: Path, four: list[str]) -> list[str]:
-    one = invent(tmp_path / "old", Invented("old", "elsewhere", 20, version="0.0.9"))
-    path = one / "parquet" / "measurements.parquet"
-    pq.write_table(pq.read_table(path).drop_columns(["u_inset_m"]), path)
-    invent_again(one)
-    return [*four, str(one)]
+    one = str(invent(tmp_path / "old", Invented("old", "elsewhere", 20, version="0.0.9")))
+    changed(one, "measurements", lambda rows: rows.drop_columns(["u_inset_m"]))
+    return [*four, one]
 
 
-def invent_again(place: Path) -> None:
-    """Seal a package's Parquet as it now is."""
-    lines = (place / "audit.csv").read_text().splitlines(keepends=True)
-    import hashlib
-
-    new = hashlib.sha256((place / "parquet" / "measurements.parquet").read_bytes()).hexdigest()
-    described = json.loads(lines[-1].split('"', 1)[1].rsplit('"', 1)[0].replace('""', '"'))
-    old = described["files"]["parquet/measurements.parquet"]
-    (place / "audit.csv").write_text("".join(lines).replace(old, new))
+def changed(place: str, table: str, change: Callable[[pa.Table], pa.Table]) -> None:
+    """Change a table of a package's Parquet and seal it as it then is."""
+    path, audit = Path(place) / "parquet" / f"{table}.parquet", Path(place) / "audit.csv"
+    old = hashlib.sha256(path.read_bytes()).hexdigest()
+    pq.write_table(change(pq.read_table(path)), path)
+    audit.write_text(audit.read_text().replace(old, hashlib.sha256(path.read_bytes()).hexdigest()))
 
 
 BAD: dict[str, tuple[Callable[[Path, list[str]], list[str]], str]] = {
@@ -234,9 +237,9 @@ BAD: dict[str, tuple[Callable[[Path, list[str]], list[str]], str]] = {
     "an empty fleet": (fleet("category,share\n"), "has no row"),
     "a survey without poses": (invented(poses=0), "another has no camera pose"),
     "the same package twice": (lambda _, four: [*four, four[1]], "packages of the same survey"),
-    "packages of two versions": (
+    "a package without a column that is read": (
         of_another_version,
-        "(version 0.0.9) have other columns in measurements.csv",
+        "(version 0.0.9) lacks the column u_inset_m of measurements.csv",
     ),
     "a fleet of nobody": (fleet("category,registrations\nsuv,0\n"), "category sums to 0 vehicles"),
     "shares and registrations": (

@@ -34,13 +34,13 @@ ASKED = os.environ.get("SIGHTLINE_STUDY_VEHICLES", "")
 STUDIES = (
     [tuple(int(one) for one in ASKED.split(","))]
     if ASKED
-    else [(14, 9), pytest.param((28, 18), marks=pytest.mark.proof)]
+    else [(8, 5), *(pytest.param(one, marks=pytest.mark.proof) for one in ((14, 9), (28, 18)))]
 )
 LIGHTS = ("daytime", "low_light")
 SECOND = {"daytime": "driver_eye", "low_light": "taillight"}
 STARTS = {"daytime": "2026-05-03T08:10:00", "low_light": "2026-05-03T21:05:00"}
 SIGMA_PX = 0.7
-HIDDEN_ONE_IN = 14
+HIDDEN_ONE_IN = 7
 # category: share, roof, eye, lower edge of the taillight, metres
 FLEET = {
     "hatchback": (0.45, 1.47, 1.16, 0.72),

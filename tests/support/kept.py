@@ -5,6 +5,7 @@ filled one is another file to copy. On PostgreSQL all tests of a process share a
 second schema beside it.
 """
 
+import os
 import shutil
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -12,6 +13,7 @@ from pathlib import Path
 from typing import TypeVar
 from uuid import uuid4
 
+import pytest
 from sqlalchemy import Connection, create_engine, inspect, make_url
 
 from sightline.infra.database.engine import make_engine, migrate, sqlite_file
@@ -19,6 +21,12 @@ from sightline.infra.database.engine import make_engine, migrate, sqlite_file
 T = TypeVar("T")
 #: Puts a filled database back, in the place of the empty one at this address that nobody has opened yet.
 PutBack = Callable[[str], None]
+
+
+def run_folder(factory: pytest.TempPathFactory) -> Path:
+    """A folder that the workers of a run share; what is put there comes whole, by renaming."""
+    own = factory.getbasetemp()
+    return own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
 
 
 class SqliteShelf:

@@ -7,6 +7,7 @@ import io
 import json
 import shutil
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -45,9 +46,9 @@ from sightline.vehicles.proposing.records import PointProposal
 from sightline.vehicles.proposing.store import replace_proposals
 from tests.support.app import Client
 from tests.support.ground import Ground, add_vehicle, clicks, lay_ground, measure, pixel
+from tests.support.kept import run_folder
 
 FORMULA = '=HYPERLINK("http://example.org","x")'
-_BUILT: dict[str, Path] = {}
 Rows = list[dict[str, str]]
 
 
@@ -179,12 +180,14 @@ def written(services: Services, survey_id: int, place: Path) -> Path:
 @pytest.fixture
 def package(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory, tmp_path: Path) -> Path:
     """A copy of that survey's package; it is built by the first test that asks."""
-    if "place" not in _BUILT:
+    place = run_folder(tmp_path_factory) / "package"
+    if not place.exists():
         ground: Ground = request.getfixturevalue("worked")
         services: Services = request.getfixturevalue("services")
-        place = tmp_path_factory.mktemp("package") / "export"
-        _BUILT["place"] = written(services, ground.survey_id, place)
-    return shutil.copytree(_BUILT["place"], tmp_path / "export")
+        made = written(services, ground.survey_id, tmp_path_factory.mktemp("package") / "export")
+        with suppress(OSError):  # another worker was quicker
+            made.rename(place)
+    return shutil.copytree(place, tmp_path / "export")
 
 
 def table_file(place: Path, name: str) -> Path:

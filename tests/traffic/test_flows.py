@@ -21,6 +21,7 @@ from sightline.traffic.archive import add_recorded
 from sightline.traffic.query import ALL, NO_LENGTH, ArchiveTables, classes_of, percentile_column
 from sightline.traffic.records import Asked, Passing, Recorded
 from sightline.traffic.results import results_in, traffic_of
+from tests.support.proofs import PROOFS
 from tests.traffic.samples import recorded
 from tests.traffic.test_archive import stood
 
@@ -334,7 +335,7 @@ def test_days_sites_and_lanes_are_kept_apart(folder: Path) -> None:
     )
 
 
-@settings(max_examples=15)
+@settings(max_examples=100 if PROOFS else 6)
 @given(
     st.sampled_from([1, 5, 15, 60, 720, 1440]),
     st.lists(st.floats(1.0, 20.0).map(lambda one: round(one, 2)), max_size=4, unique=True).map(sorted),

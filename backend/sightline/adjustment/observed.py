@@ -14,6 +14,7 @@ from sightline.messages.said import Said
 POINTS = ("rear_tyre", "front_tyre", "roof")
 REAR, FRONT, ROOF = range(3)
 LENGTHS = ("wheelbase", "roof", "roof_inset")
+_LEAST_SIGMA_PX = 0.001  # nobody tells a place finer, and the squares of much finer weights overflow
 DEFAULT_U_COMMON_M = 0.005  # all catalogue lengths, or all contacts against their axles, off alike (estimate)
 
 
@@ -68,7 +69,7 @@ def unusable(observed: ObservedPass) -> Said | None:
     """
     if not (np.isfinite(observed.points_px).all() and np.isfinite(observed.sigma_px).all()):
         return Said("adjustment-point-not-finite")
-    if (observed.sigma_px <= 0).any():
+    if (observed.sigma_px < _LEAST_SIGMA_PX).any():
         return Said("adjustment-point-no-u")
     for name, known in zip(LENGTHS, observed.lengths, strict=True):
         problem = None if known is None else _unusable_length(name, known)

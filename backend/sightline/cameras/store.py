@@ -133,7 +133,7 @@ def set_detection(
 
 
 def remove_calibration_image(session: Session, image_id: int, *, actor: int | None) -> CalibrationImage:
-    """Take an image out; the caller removes its file where `needed_media` does not name it."""
+    """Take an image out; the caller lets go of its file."""
     gone = get_calibration_image(session, image_id)
     camera = get_row(session, cameras, gone.camera_id, "camera")
     session.execute(delete(calibration_images).where(calibration_images.c.id == image_id))

@@ -1,6 +1,5 @@
 """The command adjust: a pose corrected by the known lengths and heights of the traffic (docs/formats.md)."""
 
-import math
 from pathlib import Path
 
 import click
@@ -13,7 +12,7 @@ from sightline.commands.geometry import expected_lines, problems_of, read_pose_f
 from sightline.commands.options import FILE, json_option, number_option, output_option, tell
 from sightline.commands.passes_csv import read_passes
 from sightline.errors import BadInput
-from sightline.geometry.documents import pose_to_dict
+from sightline.geometry.documents import LARGEST, pose_to_dict
 from sightline.geometry.pose import expected_u
 
 
@@ -44,7 +43,7 @@ def adjust_command(
 ) -> None:
     """Adjust a camera pose to the traffic: vehicles of known wheelbase or height, seen on several frames."""
     for name, u in (("--u-wheelbase-common", u_wheelbase_common), ("--u-roof-common", u_roof_common)):
-        if not math.isfinite(u) or u < 0:
+        if not 0.0 <= u <= LARGEST:
             raise BadInput("commands-option-not-negative", option=name)
     pose = read_pose_file(pose_file)
     passes, unread = read_passes(passes_file)

@@ -33,6 +33,7 @@ class Rows:
     shared_group: list[str] = field(default_factory=list)
     u_shared_m: list[float] = field(default_factory=list)
     site: list[str] = field(default_factory=list)
+    targets: set[str] = field(default_factory=set)
 
 
 @click.command()
@@ -65,9 +66,14 @@ def distribution(heights: Path, by: str | None, percents: str, compare: str | No
     groups, left_out = read_groups(heights, by)
     pair = None if compare is None else _pair(compare, by, groups)
     found = {name: TotalUncertainty(sample_of(rows)) for name, rows in groups.items()}
+    notes = [
+        f"{name} mixes heights of {', '.join(sorted(rows.targets))}; --by target computes each separately."
+        for name, rows in groups.items()
+        if len(rows.targets) > 1
+    ]
     if as_json:
         told: dict[str, Any] = {"groups": {name: _json(one, wanted) for name, one in found.items()}}
-        told["left_out"] = left_out
+        told |= {"left_out": left_out} | ({"notes": notes} if notes else {})
         if pair is not None:
             told["comparison"] = _compared_json(pair, found, wanted)
         print_json(told)
@@ -75,6 +81,8 @@ def distribution(heights: Path, by: str | None, percents: str, compare: str | No
     click.echo("\n\n".join(_text(name, one, wanted) for name, one in found.items()))
     if pair is not None:
         click.echo("\n" + _compared_text(pair, found, wanted))
+    for note in notes:
+        click.echo(f"\n{note}")
     if left_out:
         click.echo(f"\n{left_out} rows are excluded: no height, or counts is false.")
 
@@ -129,6 +137,8 @@ def _add(rows: Rows, table: GivenTable, line: int, row: Mapping[str, str]) -> No
     rows.u_shared_m.append(shared_m)
     if "site" in row:
         rows.site.append(row["site"])
+    if row.get("target"):
+        rows.targets.add(row["target"])
 
 
 def length_in(table: GivenTable, line: int, row: Mapping[str, str], name: str) -> float:

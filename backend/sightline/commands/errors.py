@@ -7,12 +7,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, cast, get_args
 
 import click
-import numpy as np
 
 from sightline.commands.distribution import Rows, length_in, sample_of
 from sightline.commands.files import read_csv
 from sightline.commands.options import FILE, choice_option, json_option, print_json
-from sightline.enums import Rounding, Target
+from sightline.enums import Lighting, Rounding, Target
 from sightline.errors import BadInput
 
 if TYPE_CHECKING:
@@ -21,6 +20,7 @@ if TYPE_CHECKING:
 
 NEEDED = ("height_m", "reference_height_m", "status")
 FEET = 1 / 0.3048
+_ALL = "all"
 Key = tuple[Target, bool]
 _ROOFS: Key = ("roof", False)
 
@@ -34,11 +34,7 @@ _ROOFS: Key = ("roof", False)
     default="cm",
     help="Rounding of both heights: whole centimetres, as Dupuis et al., or none.",
 )
-@click.option(
-    "--by",
-    type=click.Choice(["target"]),
-    help="Each target alone, by lighting and class, not rounded; check targets have their own rows.",
-)
+@click.option("--by", metavar="COLUMN", help="Each value of this column alone; check targets apart.")
 @json_option
 def errors(heights: Path, rounding: Rounding, by: str | None, as_json: bool) -> None:
     """Compute the error table of HEIGHTS (heights.csv) against its reference heights, by lighting and
@@ -48,79 +44,15 @@ def errors(heights: Path, rounding: Rounding, by: str | None, as_json: bool) -> 
     are total if these columns are present: shared_group and u_shared_m (error common to all rows of a group),
     site (a cluster). Without them they include sampling and the errors of each height.
     """
-    from sightline.statistics.errors import error_table
-
-    found, left_out = read_heights(heights)
-    if by is not None:
-        _by_target(found, left_out, as_json)
-        return
-    traffic = [key for key in found if not key[1]]
-    key = _ROOFS if _ROOFS in found else next(iter(traffic)) if len(traffic) == 1 else None
-    if key is None and found:
-        raise BadInput("commands-errors-several-targets", targets=", ".join(target for target, _ in found))
-    rows = found[key] if key is not None else _Rows()
-    table = error_table(rows.height_m, rows.reference_m, rows.lighting, rounding, _parts(rows))
+    found = read_heights(heights, by)
     if as_json:
-        groups = {name: group_json(group) for name, group in table.items()}
-        print_json({"rounding": rounding, "groups": groups, "left_out": left_out})
+        told = {name: _json(group, rounding) for name, group in found.items()}
+        print_json(told[_ALL] if by is None else {"groups": told})
         return
-    click.echo(as_text(table, rounding))
-    _tell_left_out(left_out)
-    others = sorted({target for target, _ in found if target != (key or ("",))[0]})
-    if others:
-        click.echo(f"Not in the table: {', '.join(others)}; --by target covers each.")
-
-
-def _tell_left_out(left_out: int) -> None:
-    if left_out:
-        click.echo(
-            f"{left_out} rows have no height or no reference height, or do not count: not in the table."
-        )
-
-
-def _by_target(found: dict[Key, _Rows], left_out: int, as_json: bool) -> None:
-    from sightline.statistics.known_errors import COMPARED, Compared, known_errors, shown_groups
-
-    told = []
-    for target, check in sorted(found, key=lambda key: (key[1], COMPARED.index(key[0]))):
-        rows = found[target, check]
-        unknown = np.full(len(rows.height_m), np.nan)
-        compared = Compared(
-            measured=_parts(rows),
-            u_measured_m=unknown,
-            known_m=np.array(rows.reference_m),
-            u_known_m=unknown,
-            lighting=rows.lighting,
-            category=rows.category,
-        )
-        told.append(known_errors(target, check, compared))
-    if as_json:
-        listed = [
-            {
-                "target": one.target,
-                "check_target": one.check_target,
-                "groups": [
-                    {"grouping": part.grouping, "group": part.group, **group_json(part.errors)}
-                    for part in one.groups
-                ],
-            }
-            for one in told
-        ]
-        print_json({"rounding": "none", "targets": listed, "left_out": left_out})
-        return
-    heads = {"bias_m": "bias", "mae_m": "MAE", "rmse_m": "RMSE", "sd_m": "SD"}
-    lines = [f"{'':34}{'n':>6}" + "".join(f"{head:>42}" for head in heads.values())]
-    for one in told:
-        for part in shown_groups(one.groups):
-            name = one.target + (", check targets" if one.check_target else "")
-            name = name if part.grouping == "all" else f"  {part.group}"
-            cells = "".join(f"{cell(part.errors, figure):>42}" for figure in heads)
-            lines.append(f"{name.replace('_', ' '):34}{part.errors.n:>6}{cells}")
-    lines.append("Errors are measured minus known, not rounded; in brackets 95 % intervals.")
-    if words := next((one.overall.words for one in told if one.overall.words), None):
-        lines.append(f"Intervals include {words}.")
-    click.echo("\n".join(lines))
-    _tell_left_out(left_out)
+    for name, group in found.items():
+        if by is not None:
+            click.echo(f"{by} {name}".strip())
+        _tell(group, rounding)
 
 
 @dataclass
@@ -129,41 +61,87 @@ class _Rows(Rows):
 
     reference_m: list[float] = field(default_factory=list)
     lighting: list[str] = field(default_factory=list)
-    category: list[str] = field(default_factory=list)
 
 
-def read_heights(path: Path) -> tuple[dict[Key, _Rows], int]:
-    """The rows that have both heights and count, by target (a roof where none is named) and whether of check
-    targets, and how many others there are. Raises BadInput, naming the row.
+@dataclass
+class _Group:
+    """Rows that have both heights and count, by target and whether they are beside the traffic; how many
+    others there are.
     """
-    table = read_csv(path, NEEDED)
+
+    rows: dict[Key, _Rows] = field(default_factory=dict)
+    left_out: int = 0
+
+
+def _table(group: _Group, rounding: Rounding) -> tuple[dict[str, ErrorGroup], set[Target]]:
+    """The error table of a group's roofs or only target, and which targets it leaves out. Raises BadInput."""
+    from sightline.statistics.errors import error_table
+
+    traffic = [key for key in group.rows if not key[1]]
+    key = _ROOFS if _ROOFS in group.rows else next(iter(traffic)) if len(traffic) == 1 else None
+    if key is None and group.rows:
+        targets = ", ".join(target for target, _ in group.rows)
+        raise BadInput("commands-errors-several-targets", targets=targets)
+    rows = group.rows[key] if key is not None else _Rows()
+    table = error_table(rows.height_m, rows.reference_m, rows.lighting, rounding, _parts(rows))
+    return table, {target for target, _ in group.rows if target != (key or ("",))[0]}
+
+
+def _json(group: _Group, rounding: Rounding) -> dict[str, object]:
+    table, _ = _table(group, rounding)
+    groups = {name: group_json(one) for name, one in table.items()}
+    return {"rounding": rounding, "groups": groups, "left_out": group.left_out}
+
+
+def _tell(group: _Group, rounding: Rounding) -> None:
+    table, others = _table(group, rounding)
+    click.echo(as_text(table, rounding))
+    if group.left_out:
+        click.echo(
+            f"{group.left_out} rows have no height or no reference height, or do not count: not in the table."
+        )
+    if others:
+        click.echo(f"Not in the table: {', '.join(sorted(others))}; --by target covers each.")
+
+
+def read_heights(path: Path, by: str | None) -> dict[str, _Group]:
+    """The rows by the value of a column, those of check targets under a name of their own; all as one group
+    without. Raises BadInput, naming the row.
+    """
+    table = read_csv(path, (*NEEDED, *([] if by is None else [by])))
     if {"shared_group", "u_shared_m"} & set(table.header):
         table.require("shared_group", "u_shared_m")
-    found_of: dict[Key, _Rows] = {}
-    left_out = 0
+    groups = {_ALL: _Group()} if by is None else {}
     for line, row in table.sound_rows():
-        has_both = row["height_m"] and row["reference_height_m"]
         check = row.get("check_target") == "true"
+        name = _ALL if by is None else row[by] + (", check targets" if check else "")
+        group = groups.setdefault(name, _Group())
+        has_both = row["height_m"] and row["reference_height_m"]
         counts = row.get("error_counts", "true" if check else row.get("counts"))
         if row["status"] != "ok" or counts == "false" or not has_both:
-            left_out += 1
+            group.left_out += 1
             continue
         target = row.get("target") or "roof"
-        if target not in get_args(Target):
-            known = ", ".join(get_args(Target))
-            raise BadInput("commands-errors-unknown-target", line=line, target=target, known=known)
-        found = found_of.setdefault((cast(Target, target), check), _Rows())
+        lighting = row.get("lighting", "")
+        _require_word(line, "target", target, get_args(Target))
+        _require_word(line, "lighting", lighting, ("", *get_args(Lighting)))
+        found = group.rows.setdefault((cast(Target, target), check and by is None), _Rows())
         found.height_m.append(length_in(table, line, row, "height_m"))
         found.u_random_m.append(0.0)
         found.reference_m.append(length_in(table, line, row, "reference_height_m"))
-        found.lighting.append(row.get("lighting", ""))
-        found.category.append(row.get("category", ""))
-        group = row.get("shared_group", "")
-        found.shared_group.append(group)
-        found.u_shared_m.append(length_in(table, line, row, "u_shared_m") if group else 0.0)
+        found.lighting.append(lighting)
+        shared = row.get("shared_group", "")
+        found.shared_group.append(shared)
+        found.u_shared_m.append(length_in(table, line, row, "u_shared_m") if shared else 0.0)
         if "site" in row:
             found.site.append(row["site"])
-    return found_of, left_out
+    return groups
+
+
+def _require_word(line: int, column: str, word: str, known: tuple[str, ...]) -> None:
+    if word not in known:
+        said = ", ".join(filter(None, known))
+        raise BadInput("commands-errors-unknown-word", line=line, column=column, word=word, known=said)
 
 
 def _parts(rows: _Rows) -> HeightSample:

@@ -10,7 +10,6 @@ from typing import Any
 
 import click
 import numpy as np
-from click.core import ParameterSource
 
 from sightline.commands.clicks import OF_HEIGHT, Assumed, assumed_inset, heights_csv
 from sightline.commands.files import read_json, read_text, write_json, write_whole
@@ -20,6 +19,7 @@ from sightline.commands.options import (
     json_option,
     number_option,
     output_option,
+    refuse_ignored,
     stream_option,
     tell,
 )
@@ -32,7 +32,13 @@ from sightline.geometry.calibration_checks import CheckedCalibration, calibrate_
 from sightline.geometry.camera import Camera
 from sightline.geometry.charuco import charuco_of
 from sightline.geometry.crossvalidation import CrossValidation
-from sightline.geometry.documents import camera_from_dict, camera_to_dict, pose_from_dict, pose_to_dict
+from sightline.geometry.documents import (
+    LARGEST,
+    camera_from_dict,
+    camera_to_dict,
+    pose_from_dict,
+    pose_to_dict,
+)
 from sightline.geometry.followed_tracks import Following
 from sightline.geometry.height import Height, measure_height, not_measurable
 from sightline.geometry.imports import read_camera
@@ -46,6 +52,7 @@ from sightline.geometry.road_pose import (
 )
 from sightline.geometry.verdict import require_plausible
 from sightline.geometry.whole_pass import WholePass, measure_pass
+from sightline.infra.given_csv import given_number
 from sightline.messages.said import Said
 
 Command = Callable[..., None]
@@ -89,11 +96,10 @@ def _board(text: str, square_m: float, dictionary: str | None, marker_m: float |
 
 def parse_point(text: str, option: str) -> tuple[float, float]:
     """`X,Y` in pixels. Raises BadInput."""
-    try:
-        x, y = (float(part) for part in text.split(","))
-    except ValueError:
-        raise BadInput("commands-point-form", option=option, text=repr(text)) from None
-    return x, y
+    match [given_number(part) for part in text.split(",")]:
+        case [float(x), float(y)]:
+            return x, y
+    raise BadInput("commands-point-form", option=option, text=repr(text))
 
 
 @contextmanager
@@ -204,7 +210,8 @@ def import_camera(
         click.echo(str(note), err=True)
     camera = imported.camera
     size = f"{camera.width_px}x{camera.height_px}"
-    tell(as_json, document, f"{output}: {camera.model} camera, {size} px, no covariance")
+    covariance = "no covariance" if camera.covariance is None else "with its covariance"
+    tell(as_json, document, f"{output}: {camera.model} camera, {size} px, {covariance}")
 
 
 def parse_size(text: str | None) -> tuple[int, int] | None:
@@ -352,20 +359,23 @@ def height(
         one_or_many = (contact, target, clicks)
         if any(given is not None for given in one_or_many):
             raise BadInput("commands-tracks-alone")
-        _refuse_ignored(("sigma",), "the CSV's column sigma_px")
-        _refuse_ignored(("inset", "u_inset", "kind", "side"), "nothing: a whole pass is solved for its inset")
-        _refuse_ignored(("output",), "--json and a redirection")
-        tell_pass(measure_pass(solved, read_tracks(tracks), Following(**followed)), as_json)
+        refuse_ignored(("sigma",), "the CSV's column sigma_px")
+        refuse_ignored(("inset", "u_inset", "kind", "side"), "nothing: a whole pass is solved for its inset")
+        refuse_ignored(("output",), "--json and a redirection")
+        following = Following(**followed)
+        if not following.can_be:
+            raise BadInput("height-pass-statement-not-valid")
+        tell_pass(measure_pass(solved, read_tracks(tracks), following), as_json)
         return
-    _refuse_ignored(tuple(followed), "--tracks with a CSV file")
+    refuse_ignored(tuple(followed), "--tracks with a CSV file")
     if clicks is not None:
         if contact is not None or target is not None:
             raise BadInput("commands-points-or-clicks")
         columns = "the CSV's columns sigma_px, inset_m, u_inset_m, target, side"
-        _refuse_ignored(("sigma", "inset", "u_inset", "kind", "side"), columns)
+        refuse_ignored(("sigma", "inset", "u_inset", "kind", "side"), columns)
         _many(solved, clicks, output, as_json)
         return
-    _refuse_ignored(("output",), "--json and a redirection, or --clicks with a CSV file")
+    refuse_ignored(("output",), "--json and a redirection, or --clicks with a CSV file")
     if contact is None or target is None:
         raise BadInput("commands-points-missing")
     points = parse_point(contact, "--contact"), parse_point(target, "--target")
@@ -400,22 +410,12 @@ def _one(
 ) -> Height:
     """One height with the flags of its inset. Raises BadInput for a number that cannot be used."""
     numbers = (sigma, 0.0, 0.0) if isinstance(inset, Said) else (sigma, inset.inset_m, inset.u_inset_m)
-    if not np.isfinite(numbers).all() or sigma < 0 or numbers[2] < 0:
+    if not (np.abs(numbers) <= LARGEST).all() or sigma < 0 or numbers[2] < 0:
         raise BadInput("commands-sigmas-not-finite")
     if isinstance(inset, Said):
         return not_measurable(inset)
     measured = measure_height(solved, contact, target, *numbers)
     return replace(measured, flags=(*inset.flags, *measured.flags)) if measured.status == "ok" else measured
-
-
-def _refuse_ignored(names: tuple[str, ...], instead: str) -> None:
-    """Raise BadInput for an option without effect: no number may rest on other inputs than those given."""
-    context = click.get_current_context()
-    for option in context.command.params:
-        given = context.get_parameter_source(option.name or "") is ParameterSource.COMMANDLINE
-        if given and option.name in names:
-            name = max(option.opts, key=len).removeprefix("--")
-            raise BadInput("commands-option-without-effect", name=name, instead=instead)
 
 
 def _many(solved: RoadPose, clicks: Path, output: Path | None, as_json: bool) -> None:

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar, get_args
 
 import click
+from click.core import ParameterSource
 
 from sightline.enums import FILMED_HZ
 from sightline.errors import BadInput
@@ -114,6 +115,16 @@ def opened_services(data_dir: Path | None) -> Iterator[Services]:
         yield services
     finally:
         services.close()
+
+
+def refuse_ignored(names: tuple[str, ...], instead: str) -> None:
+    """Raise BadInput for an option without effect: no number may rest on other inputs than those given."""
+    context = click.get_current_context()
+    for option in context.command.params:
+        given = context.get_parameter_source(option.name or "") is ParameterSource.COMMANDLINE
+        if given and option.name in names:
+            name = max(option.opts, key=len).removeprefix("--")
+            raise BadInput("commands-option-without-effect", name=name, instead=instead)
 
 
 def in_words(value: object) -> str:

@@ -58,7 +58,9 @@ def plan(
     if baseline_m is not None:
         if any(one is not None for one in (camera_file, size_text, field_of_view, *named)):
             raise BadInput("commands-plan-without-camera")
-        lines = _lines({**of_lines, "baseline_m": baseline_m})
+        if not {"speed_mps", "error"} <= of_lines.keys():
+            raise BadInput("commands-plan-without-speed")
+        lines = plan_lines(**of_lines, baseline_m=baseline_m)
         tell(as_json, _lines_to_dict(lines), _lines_text(lines))
         return
     if of_lines:
@@ -69,17 +71,6 @@ def plan(
     site: dict[str, Any] = {**given, "direction_rad": float(np.deg2rad(direction))}
     planned = plan_site(camera, Site(**site))
     tell(as_json, _plan_to_dict(planned), _plan_text(planned))
-
-
-def _lines(given: dict[str, float]) -> LinePlan:
-    if "speed_mps" not in given or "error" not in given:
-        raise BadInput("commands-plan-without-speed")
-    if not np.all(np.isfinite(list(given.values()))):
-        raise BadInput("commands-plan-not-finite")
-    try:
-        return plan_lines(**given)
-    except (ValueError, OverflowError) as error_:
-        raise BadInput("said", sentence=error_) from error_
 
 
 def _lines_to_dict(plan: LinePlan) -> dict[str, Any]:

@@ -223,17 +223,14 @@ def object_of(vehicle: Vehicle) -> dict[str, Any]:
 
 def left_out(rig: Rig, measured: int, start: Start | None = None) -> list[str]:
     """What the uncertainties of `measured` vehicles do not hold, in words."""
-    said = []
+    out = []
     if measured and rig.u_baseline_m == 0:
-        said.append(
+        out.append(
             "The uncertainty of the baseline is not included, because it was not given (--u-baseline)."
         )
     if measured and start is not None and start.u_s is None:
-        said.append(
-            "The uncertainties of the times (u_front_at_s) are left out, because that of the start was not "
-            "given (--u-start)."
-        )
-    return said
+        out.append("Times of day have no uncertainty, because that of the start was not given (--u-start).")
+    return out
 
 
 def about_rig(rig: Rig) -> dict[str, Any]:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sightline.commands.options import FILE, choice_option, json_option, number_option, tell
+from sightline.commands.options import FILE, choice_option, json_option, number_option, refuse_ignored, tell
 from sightline.enums import CurveCase, SightKind
 from sightline.errors import BadInput
 
@@ -68,6 +68,14 @@ def sightdistance(
 
     if distance_m is not None and speed_kmh is not None:
         raise BadInput("commands-distance-or-speed")
+    for option, other, value in (
+        ("kind", "--speed", speed_kmh),
+        ("u_headlight_m", "--headlight", headlight_m),
+        ("eye_percentile", "--eye-heights", eye_heights),
+        ("object_percentile", "--object-heights", object_heights),
+    ):
+        if value is None:
+            refuse_ignored((option,), f"it with {other}")
     groups: dict[str, int] = {}
     eye, of_eye = _height("eye", eye_m, u_eye_m, eye_heights, eye_percentile, groups)
     thing, of_thing = _height("object", object_m, u_object_m, object_heights, object_percentile, groups)
@@ -111,6 +119,9 @@ def _height(
     assert heights is not None
     ((_, asked),) = percents_of(format(percent, "g"))
     (rows,) = read_groups(heights, None)[0].values()
+    if len(rows.targets) > 1:
+        targets = ", ".join(sorted(rows.targets))
+        raise BadInput("commands-heights-several-targets", path=heights, targets=targets)
     whole = TotalUncertainty(sample_of(rows, groups))
     found = whole.percentile(asked)
     if found.value is None:

@@ -40,21 +40,26 @@ def verify(place: str, head: str | None, key: str | None, as_json: bool) -> None
 
 
 def check(place: str, head: str | None = None, key: str | None = None) -> dict[str, Any]:
-    """What was checked, with `ok` and `problem`. Raises BadInput for a place that is neither."""
-    if "://" in place:
-        return check_database(place)
-    path = Path(place)
-    if not path.exists():
+    """What was checked, with `ok` and `problem`. Raises BadInput for a place that is none of them, and for
+    an anchor that it is not held against.
+    """
+    path, is_url = Path(place), "://" in place
+    if not is_url and not path.exists():
         raise BadInput("commands-place-missing", place=place)
-    if path.is_dir() and (path / DATABASE).is_file():
+    if (path / DATABASE).is_file():
         path = path / DATABASE
-    if path.is_dir() and (path / BACKUP).is_file():
-        return check_backup_folder(path)
-    if path.suffix.lower() in (".html", ".htm") and path.is_file():
-        return check_evidence(path, key)
-    if path.is_dir() or path.suffix == ".zip":
+    is_backup = (path / BACKUP).is_file()
+    if not is_backup and (path.is_dir() or path.suffix.lower() == ".zip"):
         return check_export(path, head, key)
-    return check_database(sqlite_url(path.absolute()), str(path))
+    is_evidence = path.suffix.lower() in (".html", ".htm") and path.is_file()
+    for name, kept in (("head", head), ("key", None if is_evidence else key)):
+        if kept is not None:
+            raise BadInput("commands-option-without-effect", name=name, instead="it with a package")
+    if is_evidence:
+        return check_evidence(path, key)
+    if is_backup:
+        return check_backup_folder(path)
+    return check_database(place) if is_url else check_database(sqlite_url(path.absolute()), str(path))
 
 
 def check_export(path: Path, head: str | None = None, key: str | None = None) -> dict[str, Any]:

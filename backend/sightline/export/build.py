@@ -68,7 +68,7 @@ def build(
     survey = get_survey(session, survey_id)
     count = count_measurements(session, survey_id)
     needed = count * (_ROW_BYTES + (_CROP_BYTES if crops else 0))
-    check_room(staging.folder, needed, "this export")
+    check_room(staging.folder, needed)
     most = most_frames(session, survey_id)
     filling = Filling(
         staging=staging,

@@ -118,7 +118,7 @@ def _package(
             **asked,
             actor=context.actor,
         )
-    check_room(folder, 2 * sum(one.size for one in staging.written.values()), "this export")
+    check_room(folder, 2 * sum(one.size for one in staging.written.values()))
     package = folder / "package.zip"
     zip_folder(
         staging, package, lambda part: tell(1.0 + part * (_ZIPPED / _BUILT - 1.0), Said("job-export-packing"))

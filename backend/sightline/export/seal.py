@@ -8,7 +8,7 @@ checkpoint that the installation signs (`checkpoint.json`), which comes after th
 import csv
 import hashlib
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -94,7 +94,7 @@ def _told_first(path: str) -> tuple[bool, bool, bool, bool, str]:
     return path == DESCRIPTION, path == PAGE, path.startswith(PARQUET), not path.startswith(TABLES), path
 
 
-def check_sealed(files: Files, tables: Sequence[str]) -> str | None:
+def check_sealed(files: Files, tables: Collection[str]) -> str | None:
     """Whether some tables, by key, and their Parquet are the files that the package's seal names, in one
     sentence what is wrong, None when all is well. Nothing is computed again: the package is to have been
     verified before.

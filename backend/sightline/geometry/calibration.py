@@ -1,8 +1,9 @@
 """Intrinsics from checkerboard views, with their full covariance and a verdict in words."""
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain, count
 from typing import Any
 
 import cv2
@@ -99,7 +100,7 @@ def calibrate(
     -------
     CalibrationResult
         The camera with its covariance, the pictures' residuals, and warnings. Pictures of another size than
-        most, without a board or blurred come back as unused views with their reason.
+        most, without a board, blurred or given twice come back as unused views with their reason.
 
     Raises
     ------
@@ -195,12 +196,22 @@ def _known(fit: _Fit) -> Camera:
     )
 
 
+def told_apart(names: Iterable[str]) -> list[str]:
+    """The names; one that was there before gets a number: results are told apart by name."""
+    taken = dict[str, None]()
+    for name in names:
+        numbers = (f"{name} ({number})" for number in count(2))
+        taken[next(one for one in chain([name], numbers) if one not in taken)] = None
+    return list(taken)
+
+
 def usable_views(views: Sequence[NamedCorners]) -> tuple[list[NamedCorners], dict[str, View]]:
-    """The views to use, and those left out with their reason."""
+    """The views to use, and those left out with their reason; names are told apart."""
     sizes = Counter(size for _, c, size in views if c.found) or Counter(size for _, _, size in views)
     usual = sizes.most_common(1)[0][0] if sizes else (0, 0)
     used: list[NamedCorners] = []
     skipped: dict[str, View] = {}
+    seen: dict[bytes, str] = {}
     for name, corners, size in views:
         reason = None
         if size != usual:
@@ -215,6 +226,9 @@ def usable_views(views: Sequence[NamedCorners]) -> tuple[list[NamedCorners], dic
             reason = corners.reason or Said("board-not-found")
         elif corners.sharpness > _BLURRED * spacing_px(corners.points_px):
             reason = Said("calibration-image-blurred", edge_px=round(corners.sharpness, 1))
+        elif (first := seen.setdefault(corners.points_px.tobytes(), name)) != name:
+            # counted as another view it would make the lens look better known than it is
+            reason = Said("calibration-image-twice", file=first)
         if reason is None:
             used.append((name, corners, size))
         else:

@@ -203,7 +203,7 @@ def _covariance(read: _Reader, known: tuple[str, ...]) -> Floats | None:
     if read.data.get("covariance") is None:
         return None
     names = read.data.get("parameters")
-    if not isinstance(names, list) or len(set(map(str, names))) != len(names) or not set(names) <= set(known):
+    if not isinstance(names, list) or any(name not in known or names.count(name) > 1 for name in names):
         raise read.fail("parameters", f"a list of names out of {' '.join(known)}")
     matrix = read.array("covariance", (len(names), len(names)))
     if not is_covariance(matrix):

@@ -44,7 +44,7 @@ def reach_px(gray: Gray) -> float:
     return 14.0 * 2.0 ** (_levels(gray) - _LEVELS)
 
 
-def textured(gray: Gray, box_px: tuple[float, float, float, float], least_gap_px: float = 5.0) -> Floats:
+def textured(gray: Gray, box_px: tuple[float, float, float, float]) -> Floats:
     """Spots (N, 2), pixels, of `gray` (H, W) that are worth following in a box (left, top, right, bottom); N
     may be 0.
 
@@ -55,7 +55,7 @@ def textured(gray: Gray, box_px: tuple[float, float, float, float], least_gap_px
     part = gray[top : min(int(box_px[3]) + 1, height), left : min(int(box_px[2]) + 1, width)]
     if min(part.shape) < 3:
         return np.empty((0, 2))
-    found = cv2.goodFeaturesToTrack(part, _MOST_SPOTS, 0.02, least_gap_px)
+    found = cv2.goodFeaturesToTrack(part, _MOST_SPOTS, 0.02, 5.0)
     if found is None:
         return np.empty((0, 2))
     return np.asarray(np.asarray(found).reshape(-1, 2) + np.array([left, top]), dtype=np.float64)

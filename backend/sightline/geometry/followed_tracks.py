@@ -20,6 +20,7 @@ from sightline.enums import FollowedPoint
 
 CONTACT, SECOND, TARGET = 0, 1, 2
 EXACT_PX = 0.02  # of a point on the frame that it was confirmed on, beside the click: rounding, the lens
+_MOST = 1e6  # of what is stated of following, px and s; squares of much larger numbers overflow
 POINT_NAMES: tuple[FollowedPoint, ...] = get_args(FollowedPoint)
 
 
@@ -66,6 +67,13 @@ class Following:
     u_depth_share: float = 0.0
     view_px: float = 0.0
     matched: bool = False
+
+    @property
+    def can_be(self) -> bool:
+        """Whether it is stated in numbers that can be: none but the row time lies below 0."""
+        stated = (self.confirmed_px, self.drift_px, self.u_time_s, self.u_row_time_s, self.exposure_s,
+                  self.u_depth_share, self.view_px)  # fmt: skip
+        return all(0.0 <= one <= _MOST for one in stated) and abs(self.row_time_s) <= _MOST
 
 
 def noise_parts(tracks: Tracks, following: Following, speed_px_s: Floats) -> dict[str, Floats]:

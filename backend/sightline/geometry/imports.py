@@ -21,6 +21,7 @@ from sightline.errors import BadInput
 from sightline.geometry.camera import Camera
 from sightline.geometry.documents import (
     CAMERA_FORMAT,
+    LARGEST,
     WrittenTwice,
     camera_from_dict,
     require_single,
@@ -202,7 +203,7 @@ def _parsed(text: str, file_name: str) -> list[dict[str, Any]]:
             documents = [one for one in yaml.load_all("\n".join(body), _Loader) if one is not None]
     except WrittenTwice as twice:
         raise BadInput("geometry-key-written-twice", file_name=file_name, key=str(twice)) from None
-    except (ValueError, SyntaxError, yaml.YAMLError, RecursionError, MemoryError):
+    except (TypeError, ValueError, SyntaxError, yaml.YAMLError, RecursionError, MemoryError):
         raise BadInput("geometry-camera-unreadable", file_name=file_name) from None
     if not documents or not all(isinstance(one, dict) and one for one in documents):
         raise BadInput("geometry-no-camera", file_name=file_name)
@@ -304,7 +305,7 @@ def _numbers(value: Any, what: str, file_name: str) -> Floats:
         out = np.array(value, dtype=np.float64).ravel()
     except (TypeError, ValueError, OverflowError):
         raise BadInput("geometry-not-numbers", file_name=file_name, what=what) from None
-    if not np.isfinite(out).all():
+    if not (np.abs(out) <= LARGEST).all():
         raise BadInput("geometry-values-not-finite", file_name=file_name, what=what)
     rows, columns = shape
     if isinstance(rows, int) and isinstance(columns, int) and rows * columns != len(out):

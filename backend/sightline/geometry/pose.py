@@ -11,6 +11,7 @@ from sightline.geometry.board import Board, board_points, require_board, road_po
 from sightline.geometry.board_errors import bow_profiles, bow_response
 from sightline.geometry.camera import Camera, project, undistort
 from sightline.geometry.corners import Corners, spacing_px
+from sightline.geometry.documents import LARGEST
 from sightline.geometry.height import measure_height
 from sightline.geometry.planar import PlanarPose, linearise, planar_roots
 from sightline.geometry.road_pose import DEFAULT_U_SQUARE, BoardOnRoad, Reference, RoadPose
@@ -111,7 +112,7 @@ def _why_none(frames: Sequence[Corners]) -> Said:
 
 def _require_reference(reference: Reference) -> None:
     doubts = (reference.u_height_m, reference.u_lean_rad, reference.u_square_m or 0.0, reference.u_bow_m)
-    if not np.isfinite((reference.height_m, *doubts)).all() or min(doubts) < 0:
+    if not (np.abs((reference.height_m, *doubts)) <= LARGEST).all() or min(doubts) < 0:
         raise BadInput("geometry-heights-not-numbers")
     if not 0.0 <= reference.height_m <= 20.0:
         raise BadInput("geometry-row-height-implausible", height_m=reference.height_m, side=reference.side)
@@ -253,18 +254,15 @@ def joint_covariance(camera: Camera, at: PlanarPose, sigma_px: float) -> Floats:
 
 
 def expected_u(
-    pose: RoadPose,
-    distances_m: Sequence[float] = (2.0, 3.0, 5.0),
-    height_m: float = 1.2,
-    sigma_px: float = 1.0,
+    pose: RoadPose, distances_m: Sequence[float] = (2.0, 3.0, 5.0)
 ) -> tuple[tuple[float, float | None], ...]:
     """What a height will be worth: (distance, u_height_m) per distance across the road, for a target at
-    `height_m` in the middle of the picture; None where the picture shows no contact point at that distance.
+    1.2 m in the middle of the picture; None where the picture shows no contact point at that distance.
     """
     out: list[tuple[float, float | None]] = []
     for distance in distances_m:
-        clicks = _clicks_at(pose, distance, height_m)
-        height = None if clicks is None else measure_height(pose, clicks[0], clicks[1], sigma_px)
+        clicks = _clicks_at(pose, distance, 1.2)
+        height = None if clicks is None else measure_height(pose, clicks[0], clicks[1])
         out.append((distance, None if height is None else height.u_height_m))
     return tuple(out)
 

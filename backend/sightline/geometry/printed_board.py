@@ -1,5 +1,6 @@
 """A board as it is printed: rectangles of ink, in the order in which a person sees its corners."""
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -23,6 +24,7 @@ PAPERS = {
 }
 _ISO = ("A4", "A3", "A2", "A1", "A0")
 _EDGE_M = 0.010  # what printers leave white
+_EDGE_SQUARES = 0.4  # white about the board, at least
 _CAPTION_M = 0.015
 _BARS_M = (1.0, 0.5, 0.2, 0.1, 0.05)
 
@@ -49,9 +51,9 @@ def printed_board(board: Board, paper: str | None = None) -> PrintedBoard:
     """
     require_board(board)
     across, down = (board.columns + 1) * board.square_m, (board.rows + 1) * board.square_m
-    edge = max(_EDGE_M, 0.4 * board.square_m)
+    edge = max(_EDGE_M, _EDGE_SQUARES * board.square_m)
     needed = across + 2.0 * edge, down + 2.0 * edge + _CAPTION_M
-    name, size = _sheet(needed, paper)
+    name, size = _sheet(board, needed, paper)
     left, top = 0.5 * (size[0] - across), 0.5 * (size[1] - _CAPTION_M - down)
     black, white = _ink(board)
     place = np.array([left, top, 0.0, 0.0])
@@ -60,16 +62,30 @@ def printed_board(board: Board, paper: str | None = None) -> PrintedBoard:
     return PrintedBoard(name, size, black + place, white + place, (left, below, length))
 
 
-def _sheet(needed: tuple[float, float], paper: str | None) -> tuple[str, tuple[float, float]]:
-    for name in _ISO if paper is None else (paper,):
+def _sheet(board: Board, needed: tuple[float, float], paper: str | None) -> tuple[str, tuple[float, float]]:
+    names = _ISO if paper is None else (paper,)
+    for name in names:
         short, long = _size_of(name)
         for size in ((short, long), (long, short)):
             if needed[0] <= size[0] + 1e-9 and needed[1] <= size[1] + 1e-9:
                 return name, size
-    width_mm, height_mm = (round(1000.0 * side) for side in needed)
+    wide, high = (round(1000.0 * side) for side in needed)
+    most = math.floor(1e4 * _largest_square_m(board, _size_of(names[-1])) + 1e-7) / 10.0
     if paper is None:
-        raise BadInput("geometry-board-over-paper", width_mm=width_mm, height_mm=height_mm)
-    raise BadInput("geometry-board-off-paper", paper=paper, width_mm=width_mm, height_mm=height_mm)
+        raise BadInput("geometry-board-over-paper", width_mm=wide, height_mm=high, square_mm=most)
+    raise BadInput("geometry-board-off-paper", paper=paper, width_mm=wide, height_mm=high, square_mm=most)
+
+
+def _largest_square_m(board: Board, sheet: tuple[float, float]) -> float:
+    """The side of the largest squares with which such a board goes on a sheet, lying or standing."""
+
+    def along(squares: int, room_m: float) -> float:
+        return min((room_m - 2.0 * _EDGE_M) / squares, room_m / (squares + 2.0 * _EDGE_SQUARES))
+
+    return max(
+        min(along(board.columns + 1, width), along(board.rows + 1, height - _CAPTION_M))
+        for width, height in (sheet, sheet[::-1])
+    )
 
 
 def _size_of(paper: str) -> tuple[float, float]:

@@ -22,6 +22,9 @@ from sightline.messages.said import Said
 
 _SAMPLES = 193
 _CLIP_ROUNDS = 12
+_THINNED_PX = 0.05
+_LADDER_STEPS, _LADDER_STEP_M, _RUNG_HALF_M = 30, 0.1, 0.4
+_GRID_STEP_M, _GRID_FAR_M, _LEVEL_HALF_M = 1.0, 12.0, 10.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,8 +109,8 @@ def visible_polyline(pose: RoadPose, start_m: ArrayLike, end_m: ArrayLike, sampl
     return _thinned(np.concatenate(line))
 
 
-def _thinned(line: Floats, tolerance_px: float = 0.05) -> Floats:
-    """Drop points within `tolerance_px` of the line between their kept neighbours (Douglas-Peucker)."""
+def _thinned(line: Floats) -> Floats:
+    """Drop points within _THINNED_PX of the line between their kept neighbours (Douglas-Peucker)."""
     keep = np.zeros(len(line), dtype=bool)
     keep[[0, -1]] = True
     stack = [(0, len(line) - 1)]
@@ -120,7 +123,7 @@ def _thinned(line: Floats, tolerance_px: float = 0.05) -> Floats:
         away = np.abs(chord[0] * offset[:, 1] - chord[1] * offset[:, 0]) / length if length > 0 else None
         away = np.hypot(offset[:, 0], offset[:, 1]) if away is None else away
         worst = int(np.argmax(away))
-        if away[worst] > tolerance_px:
+        if away[worst] > _THINNED_PX:
             keep[a + 1 + worst] = True
             stack += [(a, a + 1 + worst), (a + 1 + worst, b)]
     return line[keep]
@@ -147,14 +150,7 @@ def axes_at_contact(
     )
 
 
-def ladder_at_contact(
-    pose: RoadPose,
-    contact_px: ArrayLike,
-    inset_m: float = 0.0,
-    up_to_m: float = 3.0,
-    step_m: float = 0.1,
-    half_width_m: float = 0.4,
-) -> tuple[Rung, ...] | Said:
+def ladder_at_contact(pose: RoadPose, contact_px: ArrayLike, inset_m: float = 0.0) -> tuple[Rung, ...] | Said:
     """Rungs of equal height over a contact click, `contact_px` (2,), in the plane `inset_m` behind its side
     plane, or a reason. Drawn with Dupuis et al. 2019, eq. (3), corrected.
     """
@@ -163,10 +159,10 @@ def ladder_at_contact(
         return at
     at = at + np.array([0.0, inset_m, 0.0])
     rungs = []
-    for index in range(1, round(up_to_m / step_m) + 1):
-        height = round(index * step_m, 9)
+    for index in range(1, _LADDER_STEPS + 1):
+        height = round(index * _LADDER_STEP_M, 9)
         label = abs(height * 2 - round(height * 2)) < 1e-6
-        half = np.array([half_width_m if label else 0.5 * half_width_m, 0.0, 0.0])
+        half = np.array([_RUNG_HALF_M if label else 0.5 * _RUNG_HALF_M, 0.0, 0.0])
         level = at + np.array([0.0, 0.0, height])
         line = visible_polyline(pose, level - half, level + half, 17)
         if len(line):
@@ -174,17 +170,13 @@ def ladder_at_contact(
     return tuple(rungs)
 
 
-def road_grid(
-    pose: RoadPose, step_m: float = 1.0, half_length_m: float = 8.0, near_m: float = 0.0, far_m: float = 12.0
-) -> tuple[Floats, ...]:
+def road_grid(pose: RoadPose, half_length_m: float = 8.0) -> tuple[Floats, ...]:
     """Lines, (n, 2) pixels each, of a square grid on the road, round the point of the road nearest to what
     the camera looks at. Drawn with Dupuis et al. 2019, eq. (3), corrected.
-
-    near_m, far_m: how far from the camera, across the road, the grid begins and ends.
     """
-    x0, y0 = _grid_origin(pose, step_m)
-    across = np.arange(np.ceil(near_m / step_m), far_m / step_m + 1e-9) * step_m
-    along = np.arange(-half_length_m, half_length_m + 1e-9, step_m)
+    x0, y0 = _grid_origin(pose, _GRID_STEP_M)
+    across = np.arange(0.0, _GRID_FAR_M + 1e-9, _GRID_STEP_M)
+    along = np.arange(-half_length_m, half_length_m + 1e-9, _GRID_STEP_M)
     lines = [
         visible_polyline(pose, (x0 - half_length_m, y0 + y, 0.0), (x0 + half_length_m, y0 + y, 0.0))
         for y in across
@@ -204,16 +196,12 @@ def _grid_origin(pose: RoadPose, step_m: float) -> tuple[float, float]:
 
 
 def iso_heights(
-    pose: RoadPose,
-    distance_m: float,
-    heights_m: Sequence[float] = (0.5, 1.0, 1.5, 2.0),
-    half_length_m: float = 10.0,
+    pose: RoadPose, distance_m: float, heights_m: Sequence[float] = (0.5, 1.0, 1.5, 2.0)
 ) -> tuple[tuple[float, Floats], ...]:
     """Lines of equal height above the road, (n, 2) pixels each, on the vertical plane `distance_m` across
     from the camera. Drawn with Dupuis et al. 2019, eq. (3), corrected.
     """
     x, y = _grid_origin(pose, 0.01)[0], float(pose.centre_m[1]) + distance_m
-    lines = (
-        (h, visible_polyline(pose, (x - half_length_m, y, h), (x + half_length_m, y, h))) for h in heights_m
-    )
+    ends = x - _LEVEL_HALF_M, x + _LEVEL_HALF_M
+    lines = ((h, visible_polyline(pose, (ends[0], y, h), (ends[1], y, h))) for h in heights_m)
     return tuple((h, line) for h, line in lines if len(line) > 1)

@@ -30,18 +30,18 @@ class Still:
     moved_px: float
 
 
-def find_still(frames_px: Floats, limit_px: float = STILL_PX) -> Still:
+def find_still(frames_px: Floats) -> Still:
     """Pick the frames that show one and the same board position; frames_px (F, N, 2) in time order, pixels.
 
-    A frame belongs to the still ones when its corners lie, as a whole, within `limit_px` of a position that
+    A frame belongs to the still ones when its corners lie, as a whole, within STILL_PX of a position that
     most frames share: the root mean square over the corners of its smooth displacement (shift, turn, scale),
     which noise hardly moves. Of the frames, the one that most others agree with gives that position. Own
     method: `displacements_px` from each of some frames. Effective number of the F still ones: F (1 - r) / (1
     + r), r their lag-1 correlation (Bayley and Hammersley 1946; CONVENTIONS.md, Pose).
     """
     near = [displacements_px(frames_px - probe, probe) for probe in frames_px[_probes(frames_px)]]
-    away = max(near, key=lambda d: (int((d <= limit_px).sum()), -float(np.median(d))))
-    kept = np.flatnonzero(away <= limit_px)
+    away = max(near, key=lambda d: (int((d <= STILL_PX).sum()), -float(np.median(d))))
+    kept = np.flatnonzero(away <= STILL_PX)
     chosen = frames_px[kept]
     mean = chosen.mean(axis=0)
     temporal, effective = _temporal(chosen - mean)

@@ -200,9 +200,7 @@ def _unreadable(tracks: Tracks, following: Following, pose: RoadPose) -> Said | 
         return Said("height-pass-not-finite")
     if not (tracks.sigma_px > 0).all():
         return Said("height-pass-u-not-positive")
-    stated = (following.confirmed_px, following.drift_px, following.u_time_s, following.u_row_time_s,
-              following.exposure_s, following.u_depth_share, following.view_px)  # fmt: skip
-    if not (np.isfinite([*stated, following.row_time_s]).all() and min(stated) >= 0):
+    if not following.can_be:
         return Said("height-pass-statement-not-valid")
     if len(np.unique(np.stack([tracks.frame, tracks.point]), axis=1).T) < len(tracks.frame):
         return Said("height-pass-point-twice")

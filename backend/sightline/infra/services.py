@@ -25,7 +25,8 @@ from sightline.infra.database.engine import (
     writing,
 )
 from sightline.infra.scratch import Scratch, sweep
-from sightline.media.store.local import MediaStore, open_store
+from sightline.media.store.local import MediaStore
+from sightline.media.store.opening import open_store
 from sightline.media.video.decode_host import DecodeHost
 from sightline.media.video.frames import FrameServer
 from sightline.settings import Settings

@@ -1,12 +1,16 @@
-"""Bytes into the media store, and the ending of the key that they get."""
+"""Bytes into the media store, the ending of the key that they get, and files that may go."""
 
 import re
 import tempfile
+from collections.abc import Iterable
 from pathlib import Path, PurePosixPath
 
+from sightline.infra.database import Session
+from sightline.infra.jobs import registry
 from sightline.infra.services import Services
 from sightline.media.store.local import key_of, sha256_of
 
+TIDY = "tidy"
 _SUFFIX = re.compile(r"\.[A-Za-z0-9]{1,8}$")
 
 
@@ -20,11 +24,14 @@ def put_bytes(services: Services, content: bytes, suffix: str) -> str:
     return key
 
 
-def require_media(services: Services) -> None:
-    """Raises Away where the store does not answer: what is deleted then would leave its files there for ever,
-    and who asks it under the lock under which files go keeps everybody waiting.
+def let_go(session: Session, survey_id: int, keys: Iterable[str | None], actor: int | None) -> None:
+    """What named these files is gone: a job of the caller's transaction deletes those that nothing needs.
+
+    Whatever happens to a process or to the store meanwhile, none stays there for ever.
     """
-    services.media.exists("00/00/nothing")
+    payload = {"keys": [key for key in keys if key]}
+    if payload["keys"]:
+        registry.enqueue(session, TIDY, payload, survey_id=survey_id, actor=actor)
 
 
 def suffix_of(filename: str) -> str:

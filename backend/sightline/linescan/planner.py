@@ -18,6 +18,7 @@ from sightline.linescan.boundaries import U_LINE_LINES
 from sightline.linescan.budget import U_EDGE_M
 from sightline.linescan.direct import MOST_MOVED
 from sightline.linescan.fineness import GOOD_LINE_M
+from sightline.linescan.rig import BASELINE_M, LIMITS, Limits
 from sightline.messages.said import Said
 
 # By how much registering both strips errs along the road, standard u: so much whatever the lines, and a share
@@ -30,6 +31,7 @@ COARSE_LINE_M = 0.020
 # fewer lines from camera to camera cannot be told from a speed that the pictures deny (direct.py)
 _FEW_LINES = 2 / MOST_MOVED
 USUAL_LENGTH_M, USUAL_TIME_GAP_S = 4.5, 1.5
+_SPEED_MPS = Limits("A speed", 0.1, 1000.0, "m/s")
 
 
 @dataclass(frozen=True)
@@ -152,6 +154,10 @@ def plan_lines(
     """
     if not (0 < length_m <= 100 and 0 < time_gap_s <= 3600):
         raise BadInput("plan-lines-vehicle")
+    BASELINE_M.require(baseline_m)
+    _SPEED_MPS.require(speed_mps)
+    if line_rate_hz is not None:
+        LIMITS["line_rate_hz"].require(line_rate_hz)
     if not 0 <= u_baseline_m < baseline_m:
         raise BadInput("plan-lines-u-baseline")
     wanted = line_rate_for(error, speed_mps, baseline_m)

@@ -6,7 +6,7 @@ from datetime import datetime
 from operator import itemgetter
 from typing import Any, Generic, TypeVar
 
-from sqlalchemy import ColumnElement, Row, Select, case, exists, func, null, or_, select
+from sqlalchemy import ColumnElement, Row, Select, and_, case, exists, func, null, or_, select
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
@@ -16,7 +16,6 @@ from sightline.infra.database.people import people
 from sightline.infra.database.rows import who
 from sightline.measurements.derived_query import derived
 from sightline.measurements.records import (
-    GIVEN_BESIDE_POINTS,
     FoundHeight,
     FurtherFrame,
     Measurement,
@@ -66,28 +65,22 @@ verdict: ColumnElement[str] = func.coalesce(reviews.c.verdict, "to_review")
 waits: ColumnElement[bool] = verdict.in_(("to_review", "reopened"))
 
 _earlier = measurements.alias("earlier")
+_before = measurements.alias("before")
+#: The first frame's points, as `first_clicks` tells them.
+_CLICKED = ("frame", "contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
 
 
-def _clicked(of: Any) -> list[ColumnElement[Any]]:
-    """The first frame's points, as `first_clicks` tells them."""
-    return [of[name] for name in ("frame", "contact_x_px", "contact_y_px", "target_x_px", "target_y_px")]
+def _alike(of: Any, *names: str) -> ColumnElement[bool]:
+    """Whether a revision of the series has these columns as the one that is read."""
+    alike = (of[name].is_not_distinct_from(measurements.c[name]) for name in names)
+    return and_(of.series_id == measurements.c.series_id, *alike)
 
 
-def _given(of: Any, name: str) -> ColumnElement[Any]:
-    """What a person gave beside the points: of insets one of its own, of sides one in a line scan."""
-    if name in ("inset_m", "u_inset_m"):
-        return case((of.inset_from == "own", of[name]))
-    return case((of.line_pose_id.is_not(None), of.side)) if name == "side" else of[name]
-
-
-def _of_first(name: str, *beside: str) -> ColumnElement[Any]:
-    """A column of the first revision of the series with the same points, and the same beside them."""
-    both = ([*_clicked(of), *(_given(of, each) for each in beside)] for of in (_earlier.c, measurements.c))
-    alike = zip(*both, strict=True)
+def _of_first(name: str) -> ColumnElement[Any]:
+    """A column of the first revision of the series with the same points."""
     first = (
         select(_earlier.c[name])
-        .where(_earlier.c.series_id == measurements.c.series_id)
-        .where(*(theirs.is_not_distinct_from(here) for theirs, here in alike))
+        .where(_alike(_earlier.c, *_CLICKED))
         .order_by(_earlier.c.revision)
         .limit(1)
         .correlate(measurements)
@@ -103,10 +96,29 @@ clicked_at: ColumnElement[datetime] = _of_first("created_at")
 
 
 def is_own(actor: int | None) -> ColumnElement[bool]:
-    """Whether a person is the operator of a revision, or gave anything beside its points: each by itself."""
-    beside = (*GIVEN_BESIDE_POINTS, "inset_m", "u_inset_m", "side")
-    theirs = (operator_id, *(_of_first("created_by", each) for each in beside))
-    return or_(*(one.is_not_distinct_from(actor) for one in theirs))
+    """Whether a person is the operator of a revision, or was the first to give what stands beside its points,
+    each by itself, also where another moved the points since. A target, a click sigma and a side in a line
+    scan come with every first click: they are given by who changes them.
+    """
+    m, theirs = measurements.c, _earlier.c
+
+    def first(*names: str) -> ColumnElement[bool]:
+        before = exists().where(_alike(_before.c, *names), _before.c.revision < theirs.revision)
+        return and_(_alike(theirs, *names), ~before.correlate(measurements, _earlier))
+
+    gave = or_(
+        first(*_CLICKED),
+        and_(m.more_frames != [], first("more_frames")),
+        and_(m.followed.is_not(None), first("followed")),
+        *(and_(m.inset_from == "own", first("inset_from", name)) for name in ("inset_m", "u_inset_m")),
+        and_(theirs.revision > 1, or_(first("target"), first("sigma_px"))),
+        and_(m.line_pose_id.is_not(None), theirs.revision > 1, first("side")),
+    )
+    return (
+        exists()
+        .where(theirs.series_id == m.series_id, theirs.created_by.is_not_distinct_from(actor), gave)
+        .correlate(measurements)
+    )
 
 
 def with_verdict(*columns: Any) -> Select[Any]:

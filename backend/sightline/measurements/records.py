@@ -27,9 +27,6 @@ from sightline.infra.audit.records import Who
 from sightline.messages.said import Said
 from sightline.vehicles.records import Vehicle
 
-#: What a person gives beside the points of the first frame; of a line scan there are two of these.
-GIVEN_BESIDE_POINTS = ("target", "sigma_px", "more_frames", "followed")
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ClickedFrame:

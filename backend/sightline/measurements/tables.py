@@ -14,11 +14,10 @@ from sqlalchemy import (
     UniqueConstraint,
 )
 
-from sightline.enums import ComputingKind, LotChoice, ReviewVerdict, Target
+from sightline.enums import ComputingKind, ReviewVerdict, Target
 from sightline.infra.audit.vouched import WrittenOnceApart, table_written_once, vouched
 from sightline.infra.database.types import HOLDS, CanonicalJson, columns_for, enum_check, numbered
 from sightline.measurements.records import HeightOfClicks, Origin
-from sightline.statistics.acceptance import RiskPoints
 
 # What stays the same over all revisions of one measurement; append-only like them.
 measurement_series = numbered(
@@ -140,52 +139,6 @@ click_sigmas = table_written_once(
     Column("sigma_px", Float),
     Column("pairs", Integer, nullable=False),
     CheckConstraint("sigma_px > 0", name="sigma_positive"),
-)
-
-
-# Heights of a survey that are judged by a sample. The audit event names its items and binds the draw.
-lots = table_written_once(
-    "lots",
-    "lot",
-    Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
-    Column("number", Integer, nullable=False),
-    # what its heights have in common: {target, lighting, operator_id, day}, those that were asked for
-    Column("common", CanonicalJson, nullable=False),
-    Column("size", Integer, nullable=False),
-    Column("sample_size", Integer, nullable=False),
-    Column("acceptance_number", Integer, nullable=False),
-    *columns_for(RiskPoints),
-    Column("seed", String(64), nullable=False),
-    UniqueConstraint("survey_id", "number"),
-    CheckConstraint("acceptance_number < sample_size AND sample_size <= size", name="plan_fits"),
-)
-
-
-# `place`: when it is drawn, from 1.
-lot_items = numbered(
-    "lot_items",
-    Column("lot_id", ForeignKey("lots.id"), nullable=False),
-    Column("series_id", ForeignKey("measurement_series.id"), nullable=False, index=True),
-    Column("revision", Integer, nullable=False),
-    Column("place", Integer, nullable=False),
-    UniqueConstraint("lot_id", "place"),
-    UniqueConstraint("lot_id", "series_id"),
-    info=vouched(WrittenOnceApart("lot_items")),
-)
-
-
-# What became of a lot; the newest row counts. `sample`: series judged; `left_out`: reason by series.
-lot_decisions = table_written_once(
-    "lot_decisions",
-    "lot_decision",
-    Column("lot_id", ForeignKey("lots.id"), nullable=False, index=True),
-    Column("choice", String(20), nullable=False),
-    Column("judged", Integer, nullable=False),
-    Column("nonconforming", Integer, nullable=False),
-    Column("rest", Integer, nullable=False),
-    Column("sample", CanonicalJson, nullable=False),
-    Column("left_out", CanonicalJson, nullable=False),
-    enum_check("choice", LotChoice),
 )
 
 

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 Value = str | int | float
 SOURCE = "en"
 _MOST_DIGITS = 15
+_LARGEST = 1e13  # Babel writes no larger number with so many digits behind the point
 # An entry: from its key, which begins a line, up to the next line that begins with a key or a comment.
 _ENTRY = re.compile(r"^(-?[A-Za-z][\w-]*) *=.*(?:\n(?![-A-Za-z#]).*)*", re.MULTILINE)
 _BETWEEN = re.compile("[^a-z]+")
@@ -83,6 +84,8 @@ def _given(value: Value) -> Any:
 
     if isinstance(value, str):
         return value
+    if abs(value) >= _LARGEST:
+        return f"{value:g}" if isinstance(value, float) else str(value)
     return fluent_number(value, useGrouping=False, maximumFractionDigits=_MOST_DIGITS)
 
 

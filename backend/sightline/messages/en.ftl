@@ -441,6 +441,8 @@ system-lead = Current state of this installation. Prometheus reads the same figu
 system-loading = the state of the system
 system-program = Software and server
 system-version = Version
+system-answered = This server
+system-answered-by = { $host }, process { $process }
 system-database = Database
 system-database-of = { $kind ->
     [sqlite] SQLite
@@ -507,7 +509,7 @@ jobs-kind = { $kind ->
     [export] Package
     [scan_read] Strip import
     [scan_find] Vehicle search in strips
-    [scan_tidy] Strip clean-up
+    [tidy] File clean-up
     [demonstration] Demonstration survey
     [demonstration_study] Demonstration study (simulated)
     [study] Study
@@ -2644,7 +2646,7 @@ scan-step-lane = lane of vehicle { $vehicle }
 scan-step-axles = axles of vehicle { $vehicle }
 scan-passed = Passed
 scan-passed-at = { $day }, { $time }
-scan-passed-within = { $time } ± { $U95_s } s
+scan-passed-within = { $time } ± { $U95_s } s
 scan-passed-unknown = Time of day unknown: the start of the recording is not confirmed
 scan-lane = Lane
 scan-lane-unknown = lane not known
@@ -2944,6 +2946,7 @@ scan-rod-u-lean = u of the rod’s tilt
 scan-rod-at-least = Enter a number from { $least }.
 scan-rod-distance-first = Enter the rod distance first, then click its marks.
 scan-rod-stored = Calibration saved. Choose a vehicle and measure its heights.
+scan-rod-kept = The calibration is kept in this browser and will be sent when the connection is back.
 scan-rod-stored-older = Calibration saved. Existing heights keep the previous one until you compute them again.
 
 ## Line scan: steps that can be taken back, and what is kept until it is sent
@@ -4679,7 +4682,7 @@ height-no-clicks = Contact and target give no height.
 height-pass-empty = No point was followed; confirm contact and target on one frame first.
 height-pass-not-finite = A followed point, its time or its uncertainty is not a finite number.
 height-pass-u-not-positive = The uncertainty of a followed point is not positive; state it in pixels.
-height-pass-statement-not-valid = An exposure, a row time or an uncertainty of the following is negative or not finite.
+height-pass-statement-not-valid = An exposure, a row time or an uncertainty of the following is negative or too large; correct it.
 height-pass-point-twice = A point is given twice on one frame; give each once.
 height-pass-few-frames = The { $point ->
         [contact] contact
@@ -4882,7 +4885,6 @@ commands-camera-or-size = Give either --camera, or --size and --field-of-view.
 commands-options-without-baseline = --speed, --speed-error, --line-rate and --u-baseline need --baseline.
 commands-plan-incomplete = Give --camera-height and --distance; or --baseline for a line scan.
 commands-plan-without-speed = A line scan’s plan needs --speed and --speed-error beside --baseline.
-commands-plan-not-finite = The numbers of a plan must be finite.
 commands-plan-without-camera = A line scan is planned without a camera and its position; leave those options out.
 commands-metrics-port-taken = Metrics cannot be served on port { $port } of { $host } ({ $why }); choose another with SIGHTLINE_METRICS_PORT.
 commands-folder-taken = Another server is using the folder { $folder }; stop it, or give this one its own folder with --data-dir.
@@ -4895,6 +4897,7 @@ commands-distance-or-speed = Give either --distance or --speed, not both.
 commands-grade-without-distance = --grade-difference needs a sight distance; give --distance or --speed too.
 commands-sag-needs-distance = --headlight needs a sight distance; give --distance or --speed too.
 commands-height-or-heights = Give either --{ $name }, with its u if known, or --{ $name }-heights with a file.
+commands-heights-several-targets = { $path } has heights of { $targets }; give a file with the heights of one target.
 commands-too-few-heights = { $path }: { $reason }. Measure more, or choose a percentile nearer to the median.
 commands-place-missing = { $place } does not exist; name a database, a data folder or the folder of a package.
 
@@ -4981,7 +4984,7 @@ geometry-file-too-large = { $file_name } is too large for a calibration file; ch
 geometry-opencv-xml = { $file_name } is OpenCV’s XML, which Sightline does not read; save it again from OpenCV under a name that ends in .yml (FileStorage then writes YAML).
 geometry-states-no-distortion = { $file_name } states no distortion of the lens; add distortion_coefficients, or five zeros if the lens has none.
 geometry-no-camera = { $file_name } contains no camera; give OpenCV YAML or JSON, ROS camera_info, a Kalibr camchain or a mrcal .cameramodel.
-geometry-values-not-finite = { $file_name }: { $what } contains values that are not finite; calibrate again.
+geometry-values-not-finite = { $file_name }: { $what } contains values that are not finite or too large; calibrate again.
 geometry-size-not-whole = { $file_name }: the image size must be two whole numbers of pixels.
 geometry-no-matrix = { $file_name } contains no camera matrix (camera_matrix or K); export the intrinsics with their distortion coefficients.
 geometry-matrix-form = { $file_name }: the camera matrix must be 3x3 with 0 0 1 as its last row.
@@ -5241,10 +5244,9 @@ media-unreadable = { $name } cannot be read ({ $strerror }); check the path.
 ## Errors: store
 
 store-address-form = { $media_url } is not a media address; use a folder, file:///folder or s3://bucket.
-store-no-room = There is not enough space for { $what } ({ $needed } needed, { $free } free); delete recordings that are no longer needed or add disk space, then try again.
+store-no-room = There is not enough space ({ NUMBER($needed_mb, maximumFractionDigits: 1) } MB needed, { NUMBER($free_mb, maximumFractionDigits: 1) } MB free); delete recordings that are no longer needed or add disk space, then try again.
 store-no-media-file = There is no media file { $key }.
 store-no-cache = Storage on S3 needs a local cache folder; name one beside the media address.
-store-disk-full = The disk is full and { $what } was not stored; delete recordings that are no longer needed or add disk space, then try again.
 store-file-lost = The media file { $key } is missing from the store; restore it from a backup.
 store-no-answer = The media storage did not answer for { $key } ({ $name }); check its address, its credentials and that it is running.
 store-no-bucket = { $url } names no bucket; write s3://bucket/prefix.
@@ -5486,7 +5488,7 @@ recordings-pose-image-size = The camera pose { $pose_id } is for images of { $po
 recordings-frames-differ = The frames found now are not those that were measured; upload the video as a new one.
 recordings-tus-version = Uploads use tus 1.0.0; send the header Tus-Resumable: 1.0.0.
 recordings-too-many-uploads = You have { $most } uploads that are not complete; finish or cancel some first.
-recordings-uploads-no-room = There is not enough space for this upload ({ $needed }) beside your uploads that are not complete ({ $to_come } still to come, { $free } free); finish or cancel some first.
+recordings-uploads-no-room = There is not enough space for this upload ({ NUMBER($needed_mb, maximumFractionDigits: 1) } MB) beside your uploads that are not complete ({ NUMBER($to_come_mb, maximumFractionDigits: 1) } MB still to come, { NUMBER($free_mb, maximumFractionDigits: 1) } MB free); finish or cancel some first.
 recordings-upload-without-length = The upload does not state the length of the file; send the header Upload-Length.
 recordings-upload-content-type = The bytes of an upload come as application/offset+octet-stream; send that Content-Type.
 recordings-upload-without-name = The upload does not name its file; send filename in the header Upload-Metadata.
@@ -5981,13 +5983,12 @@ sight-besides-note = The headlight beam rises by 1 degree. Heights of obstructio
 
 ## Sight distance: what cannot be computed
 sightdistance-heights = Eye heights must be above 0 and object heights 0 or more, all below 10 m; give them in metres.
-sightdistance-uncertainty = A standard uncertainty must be 0 or more, and 0 for an object on the road; correct it.
+sightdistance-uncertainty = A standard uncertainty must be 0 to 10 m, and 0 for an object on the road; correct it.
 sightdistance-distance = A sight distance must be above 0 and below 100 km, and a length 0 or more; give metres.
 sightdistance-difference = The grade difference must be above 0 and at most 100 percent; correct it.
 sightdistance-speed = { $speed_kmh } km/h is not a design speed; give more than 0 and at most 300 km/h.
 sightdistance-gradient = A vehicle cannot brake on a gradient of { $gradient_percent } %; give at most 25 %, and downhill less than the deceleration allows.
 sightdistance-reaction-deceleration = The reaction time must be 0 or more and the deceleration more than 0; correct them.
-sightdistance-manoeuvre-time = Manoeuvre { $manoeuvre } takes { $least } to { $most } s; give a time in this range.
 sightdistance-passing-speed = There is no passing sight distance at { $speed_kmh } km/h; the table runs from 30 to 130 km/h.
 sightdistance-headlight = The headlight’s height and its beam’s rise must not be negative, nor both 0; correct them.
 sightdistance-radius = The radius must be above 0, and the distance and the offset must fit on its curve; correct them.
@@ -6122,11 +6123,10 @@ studies-not-a-count = { $path }, row { $row }: { $name } is { $cell }, not a who
 studies-not-an-amount = { $path }, row { $row }: { $name } is { $cell }, not a number from 0; correct it.
 studies-no-package-there = { $place } is not a package and contains none; name packages (folders or ZIPs), or a folder of them.
 studies-package-unverified = { $place } does not verify, so it cannot be used in a study: { $problem }
-studies-package-without-sample = { $place } does not state which of its vehicles count because it was made by an earlier version; export its survey again.
+studies-package-lacks-column = { $place } (version { $version }) lacks the column { $column } of { $table }, which a study needs; export its survey again.
 studies-package-without-parquet = { $place } was made by an earlier version, without Parquet; export its survey again.
 studies-survey-without-poses = { $place } has no camera pose and therefore no heights; leave it out, or compute the poses of its recordings (and export a package again).
 studies-same-survey-twice = { $first } and { $second } are packages of the same survey; keep the later one.
-studies-versions-differ = { $first } (version { $first_version }) and { $second } (version { $second_version }) have other columns in { $table }; export both with one version.
 studies-no-height-counts = None of the surveys has an accepted height that counts; review measurements (and export a package again).
 studies-class-unknown = The fleet has { $variable } { $name }, which Sightline does not know; use { $known }.
 studies-class-never-seen = The fleet has { $variable } { $name }, which no survey contains; leave it out and let the other shares sum to 1, or measure some.
@@ -6193,7 +6193,7 @@ traffic-no-day = { $option } { $text } is not a day; write it as 2026-05-04.
 traffic-days-turned = --to { $last } is before --from { $first }; swap them.
 traffic-no-such-site = The archive has no site { $site }; it has { $there }.
 commands-errors-several-targets = The heights are of { $targets }; use --by target to compare each with its references.
-commands-errors-unknown-target = Line { $line }: target is “{ $target }”; use one of { $known }.
+commands-errors-unknown-word = Line { $line }: { $column } is “{ $word }”; use one of { $known }.
 commands-compare-two-values = --compare { $text } needs --by and two different values of its column, as in --by year --compare 2020,2026.
 commands-compare-value-unknown = No row with a height has { $name } in { $by }; compare two of { $known }.
 
@@ -6831,8 +6831,8 @@ statistics-risk-cannot-be = A risk of { $risk } is out of range; give { $least }
 print-board-title = Checkerboard: { $columns } × { $rows } inner corners, squares of { $square_mm } mm
 print-board-title-charuco = ChArUco board: { $columns } × { $rows } inner corners, squares of { $square_mm } mm, markers { $dictionary } of { $marker_mm } mm
 print-board-check = Print on { $paper } at actual size (100 %), not fitted to the page. Then measure the bar above: it is { $bar_mm } mm long. If the print differs, measure a whole row of squares and enter the printed size of one square.
-geometry-board-over-paper = The board needs a sheet of { $width_mm } x { $height_mm } mm including its white margin, which is larger than A0; choose smaller squares, or name a roll of paper, such as 1200x900.
-geometry-board-off-paper = The board needs a sheet of { $width_mm } x { $height_mm } mm including its white margin and does not fit on { $paper }; choose a larger paper or smaller squares.
+geometry-board-over-paper = The board needs a sheet of { $width_mm } x { $height_mm } mm including its white margin, which is larger than A0; choose squares of at most { $square_mm } mm, or name a roll of paper, such as 1200x900.
+geometry-board-off-paper = The board needs a sheet of { $width_mm } x { $height_mm } mm including its white margin and does not fit on { $paper }; choose a larger paper, or squares of at most { $square_mm } mm.
 geometry-paper-not-known = Paper { $paper } is not known; use one of { $papers }, or its width and height in mm, such as 841x1500.
 
 # Reference values of scanned vehicles, said or imported
@@ -7023,11 +7023,12 @@ pose-simulated = Simulated.
 pose-board-distance = The board was { NUMBER($distance_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m from the camera.
 pose-camera-height = The camera is { NUMBER($height_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m above the road.
 pose-expected-heights = Expected U95 of a height of 1.2 m, without the inset’s part, clicked with u = 1 px: { $figures }.
-pose-expected-at = ±{ SMALL($U95_height_m) } at { $distance_m } m
+pose-expected-at = ± { SMALL($U95_height_m) } at { $distance_m } m
 pose-no-road-at-distance = The image does not show the road at this distance.
 words-comma = { $first }, { $second }
 calibration-image-other-size = The image is { $width_px }x{ $height_px } px, most of the others are { $usual_width_px }x{ $usual_height_px } px.
 calibration-image-blurred = The image is blurred (edges { NUMBER($edge_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px wide).
+calibration-image-twice = The image is the same as { $file }; take every view once.
 calibration-no-covariance = The file states no uncertainty of the lens, so that component is missing from the uncertainty of every height.
 calibration-made = { $used } of { $given } views used, residual { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px, focal length { NUMBER($focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px.
 calibration-made-u = { $used } of { $given } views used, residual { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px, focal length { NUMBER($focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (standard uncertainty { NUMBER($u_focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px).
@@ -7136,7 +7137,7 @@ adjustment-global-test-failed = Global test failed: chi-square { $chi2 } with { 
 adjustment-few-vehicles = With { $count } vehicles, a wrong vehicle cannot be distinguished from a wrong pose.
 adjustment-pose-unchanged = No pass with a known length could be used, so the pose is unchanged.
 adjustment-point-not-finite = A point or its uncertainty is not a finite number.
-adjustment-point-no-u = The uncertainty of a point is not positive.
+adjustment-point-no-u = The uncertainty of a point is below 0.001 px.
 adjustment-point-twice = A point is given twice on one frame.
 adjustment-no-tyre = No tyre of this vehicle was measured, so it is not tied to the road.
 adjustment-no-known-length = No known length of this vehicle was measured.

@@ -439,6 +439,8 @@ system-lead = L’état actuel de cette installation. Prometheus lit les mêmes 
 system-loading = état du système
 system-program = Logiciel et serveur
 system-version = Version
+system-answered = Ce serveur
+system-answered-by = { $host }, processus { $process }
 system-database = Base de données
 system-database-of = { $kind ->
     [sqlite] SQLite
@@ -505,7 +507,7 @@ jobs-kind = { $kind ->
     [export] Archive
     [scan_read] Import de bandes
     [scan_find] Détection de véhicules dans les bandes
-    [scan_tidy] Nettoyage des bandes
+    [tidy] Nettoyage des fichiers
     [demonstration] Relevé de démonstration
     [demonstration_study] Étude de démonstration (simulée)
     [study] Étude
@@ -2647,7 +2649,7 @@ scan-step-lane = voie du véhicule { $vehicle }
 scan-step-axles = essieux du véhicule { $vehicle }
 scan-passed = Passage
 scan-passed-at = { $day }, { $time }
-scan-passed-within = { $time } ± { $U95_s } s
+scan-passed-within = { $time } ± { $U95_s } s
 scan-passed-unknown = Heure inconnue : le début de l’enregistrement n’est pas confirmé
 scan-lane = Voie
 scan-lane-unknown = voie inconnue
@@ -2946,6 +2948,7 @@ scan-rod-u-lean = u de l’inclinaison du jalon
 scan-rod-at-least = Saisissez un nombre d’au moins { $least }.
 scan-rod-distance-first = Saisissez d’abord la distance du jalon, puis pointez ses repères.
 scan-rod-stored = Étalonnage enregistré. Choisissez un véhicule et mesurez ses hauteurs.
+scan-rod-kept = L’étalonnage est gardé dans ce navigateur et sera envoyé au retour de la connexion.
 scan-rod-stored-older = Étalonnage enregistré. Les hauteurs existantes gardent le précédent jusqu’au recalcul.
 
 ## Balayage : les étapes annulables, et ce qui est gardé jusqu’à l’envoi
@@ -3629,13 +3632,13 @@ planning-loading-rig = dispositif du relevé
 planning-loading = plan
 plan-board-square = Placez la mire perpendiculaire à la chaussée, et non à la verticale : avec un dévers de { $crossfall } %, une mire verticale fausse les hauteurs de { SMALL($here_m, digits: 0) } à { $distance_m } m et de { SMALL($further_m, digits: 0) } 1 m plus loin.
 plan-out-of-sight = La route ou la cible est hors de l’image pour : { $targets } ; reculez ou prenez un objectif de plus courte focale.
-plan-oblique = Une mire vue en biais détermine mieux l’orientation de la caméra qu’une mire vue de face, mais les pointés sont un peu moins précis : caméra tournée de 30 degrés le long de la route, la hauteur d’un œil est à ±{ SMALL($U95_turned_m, digits: 0) } au lieu de ±{ SMALL($U95_square_m, digits: 0) }.
-plan-second-frame = Pointez l’œil et le contact sur une deuxième image quand la vitesse le permet : avec { $travel_m } m parcourus, le retrait est calculé au lieu d’être supposé, et ±{ SMALL($U95_one_m, digits: 0) } deviennent ±{ SMALL($U95_two_m, digits: 0) }. À 50 km/h et 25 images/s, cela fait { $frames } images plus loin.
+plan-oblique = Une mire vue en biais détermine mieux l’orientation de la caméra qu’une mire vue de face, mais les pointés sont un peu moins précis : caméra tournée de 30 degrés le long de la route, la hauteur d’un œil est à ± { SMALL($U95_turned_m, digits: 0) } au lieu de ± { SMALL($U95_square_m, digits: 0) }.
+plan-second-frame = Pointez l’œil et le contact sur une deuxième image quand la vitesse le permet : avec { $travel_m } m parcourus, le retrait est calculé au lieu d’être supposé, et ± { SMALL($U95_one_m, digits: 0) } deviennent ± { SMALL($U95_two_m, digits: 0) }. À 50 km/h et 25 images/s, cela fait { $frames } images plus loin.
 plan-board-at-wheel-path = Placez la mire à la trace de roues, à { $distance_m } m, et non à { $board_m } m : les erreurs de pose, d’inclinaison et de focale s’annulent à la distance de la mire et croissent en s’en éloignant.
 plan-lane-close = La voie est très proche ; reculez à 2 m au moins.
 plan-board-unseen = L’image ne montrerait pas une mire à { $board_m } m dont la rangée du haut est à { $board_top_m } m au-dessus de la route ; placez-la à la trace de roues, reculez ou prenez un objectif de plus courte focale.
 plan-camera-at-eye = La caméra est à peu près à la hauteur de l’œil du conducteur ({ $height_m } m), où le retrait ne compte guère ; pour les toits ou les feux, placez-la à leur hauteur.
-plan-second-frame-no-gain = Une deuxième image { $travel_m } m plus loin ne réduit pas l’incertitude ici (±{ SMALL($U95_two_m, digits: 0) } pour un œil) ; prenez des images plus éloignées.
+plan-second-frame-no-gain = Une deuxième image { $travel_m } m plus loin ne réduit pas l’incertitude ici (± { SMALL($U95_two_m, digits: 0) } pour un œil) ; prenez des images plus éloignées.
 plan-camera-height = Placez la caméra à la hauteur à mesurer, où le retrait ne compte pas : { $height_m } m pour l’œil du conducteur. À { $camera_height_m } m, ignorer le retrait fausse la hauteur de { SMALL($near_m, digits: 0) } pour un conducteur côté proche et { SMALL($far_m, digits: 0) } côté éloigné.
 plan-target = { $target ->
     [driver_eye] œil du conducteur
@@ -4675,7 +4678,7 @@ height-no-clicks = Contact et cible ne donnent pas de hauteur.
 height-pass-empty = Aucun point n’a été suivi ; confirmez d’abord contact et cible sur une image.
 height-pass-not-finite = Un point suivi, son instant ou son incertitude n’est pas un nombre fini.
 height-pass-u-not-positive = L’incertitude d’un point suivi n’est pas positive ; indiquez-la en pixels.
-height-pass-statement-not-valid = Un temps de pose, une durée de ligne ou une incertitude du suivi est négatif ou n’est pas fini.
+height-pass-statement-not-valid = Un temps de pose, une durée de ligne ou une incertitude du suivi est négatif ou trop grand ; corrigez-le.
 height-pass-point-twice = Un point est donné deux fois sur une image ; donnez chacun une seule fois.
 height-pass-few-frames = Suivi { $point ->
         [contact] du contact
@@ -4876,7 +4879,6 @@ commands-camera-or-size = Indiquez soit --camera, soit --size et --field-of-view
 commands-options-without-baseline = --speed, --speed-error, --line-rate et --u-baseline demandent --baseline.
 commands-plan-incomplete = Indiquez --camera-height et --distance ; ou --baseline pour un balayage linéaire.
 commands-plan-without-speed = Le plan d’un balayage linéaire demande --speed et --speed-error en plus de --baseline.
-commands-plan-not-finite = Les nombres d’un plan doivent être finis.
 commands-plan-without-camera = Un balayage linéaire se planifie sans caméra ni emplacement ; omettez ces options.
 commands-metrics-port-taken = Les métriques ne peuvent pas être servies sur le port { $port } de { $host } ({ $why }) ; choisissez-en un autre avec SIGHTLINE_METRICS_PORT.
 commands-folder-taken = Un autre serveur utilise le dossier { $folder } ; arrêtez-le, ou donnez à celui-ci son propre dossier avec --data-dir.
@@ -4889,6 +4891,7 @@ commands-distance-or-speed = Indiquez soit --distance, soit --speed, pas les deu
 commands-grade-without-distance = --grade-difference demande une distance de visibilité ; indiquez aussi --distance ou --speed.
 commands-sag-needs-distance = --headlight demande une distance de visibilité ; indiquez aussi --distance ou --speed.
 commands-height-or-heights = Indiquez soit --{ $name }, avec son incertitude u si elle est connue, soit --{ $name }-heights avec un fichier.
+commands-heights-several-targets = { $path } contient des hauteurs de { $targets } ; indiquez un fichier avec les hauteurs d’une seule cible.
 commands-too-few-heights = { $path } : { $reason }. Mesurez-en davantage, ou choisissez un centile plus proche de la médiane.
 commands-place-missing = { $place } n’existe pas ; nommez une base de données, un dossier de données ou un dossier exporté.
 
@@ -4978,7 +4981,7 @@ geometry-file-too-large = { $file_name } est trop volumineux pour un fichier d�
 geometry-opencv-xml = { $file_name } est du XML d’OpenCV, que Sightline ne lit pas ; enregistrez-le à nouveau depuis OpenCV sous un nom finissant par .yml (FileStorage écrit alors du YAML).
 geometry-states-no-distortion = { $file_name } n’indique pas la distorsion de l’objectif ; ajoutez distortion_coefficients, ou cinq zéros si l’objectif n’en a pas.
 geometry-no-camera = { $file_name } ne contient pas de caméra ; indiquez un YAML ou JSON OpenCV, un camera_info ROS, un camchain Kalibr ou un .cameramodel mrcal.
-geometry-values-not-finite = { $file_name } : { $what } contient des valeurs non finies ; refaites l’étalonnage.
+geometry-values-not-finite = { $file_name } : { $what } contient des valeurs non finies ou trop grandes ; refaites l’étalonnage.
 geometry-size-not-whole = { $file_name } : la taille d’image doit comporter deux nombres entiers de pixels.
 geometry-no-matrix = { $file_name } ne contient pas de matrice de caméra (camera_matrix ou K) ; exportez les paramètres intrinsèques avec leurs coefficients de distorsion.
 geometry-matrix-form = { $file_name } : la matrice de caméra doit être de 3x3, avec 0 0 1 comme dernière ligne.
@@ -5276,10 +5279,9 @@ media-unreadable = { $name } est illisible ({ $strerror }) ; vérifiez le chem
 ## Erreurs : stockage
 
 store-address-form = { $media_url } n’est pas une adresse de médias ; utilisez un dossier, file:///folder ou s3://bucket.
-store-no-room = Il n’y a pas de place pour { $what } ({ $needed } nécessaires, { $free } libres) ; supprimez des enregistrements devenus inutiles ou ajoutez de l’espace disque, puis réessayez.
+store-no-room = Il n’y a pas assez de place ({ NUMBER($needed_mb, maximumFractionDigits: 1) } Mo nécessaires, { NUMBER($free_mb, maximumFractionDigits: 1) } Mo libres) ; supprimez des enregistrements devenus inutiles ou ajoutez de l’espace disque, puis réessayez.
 store-no-media-file = Il n’y a pas de fichier média { $key }.
 store-no-cache = Le stockage sur S3 demande un dossier de cache local ; nommez-en un à côté de l’adresse des médias.
-store-disk-full = Le disque est plein, { $what } n’a pas été enregistré ; supprimez des enregistrements devenus inutiles ou ajoutez de l’espace disque, puis réessayez.
 store-file-lost = Le fichier média { $key } manque dans le stockage ; restaurez-le depuis une sauvegarde.
 store-no-answer = Le stockage des médias n’a pas répondu pour { $key } ({ $name }) ; vérifiez son adresse, ses identifiants et qu’il est en marche.
 store-no-bucket = { $url } ne nomme pas de compartiment ; écrivez s3://bucket/prefix.
@@ -5535,7 +5537,7 @@ recordings-pose-image-size = La pose { $pose_id } de la caméra vaut pour des im
 recordings-frames-differ = Les images trouvées maintenant ne sont pas celles qui ont été mesurées ; envoyez la vidéo comme nouvelle.
 recordings-tus-version = Les envois utilisent tus 1.0.0 ; envoyez l’en-tête Tus-Resumable: 1.0.0.
 recordings-too-many-uploads = Vous avez { $most } envois incomplets ; terminez ou annulez-en d’abord.
-recordings-uploads-no-room = Il n’y a pas de place pour cet envoi ({ $needed }) à côté de vos envois incomplets ({ $to_come } encore à venir, { $free } libres) ; terminez ou annulez-en d’abord.
+recordings-uploads-no-room = Il n’y a pas de place pour cet envoi ({ NUMBER($needed_mb, maximumFractionDigits: 1) } Mo) à côté de vos envois incomplets ({ NUMBER($to_come_mb, maximumFractionDigits: 1) } Mo encore à venir, { NUMBER($free_mb, maximumFractionDigits: 1) } Mo libres) ; terminez ou annulez-en d’abord.
 recordings-upload-without-length = L’envoi ne dit pas la longueur du fichier ; envoyez l’en-tête Upload-Length.
 recordings-upload-content-type = Les octets d’un envoi arrivent en application/offset+octet-stream ; envoyez ce Content-Type.
 recordings-upload-without-name = L’envoi ne nomme pas son fichier ; envoyez filename dans l’en-tête Upload-Metadata.
@@ -6036,13 +6038,12 @@ sight-besides-note = Le faisceau d’un projecteur monte de 1 degré. La hauteur
 
 ## Distance de visibilité : ce qui ne peut pas être calculé
 sightdistance-heights = Les hauteurs des yeux doivent être supérieures à 0, celles des obstacles d’au moins 0, toutes inférieures à 10 m ; indiquez-les en mètres.
-sightdistance-uncertainty = Une incertitude-type doit être de 0 ou plus, et de 0 pour un obstacle sur la chaussée ; corrigez-la.
+sightdistance-uncertainty = Une incertitude-type doit être de 0 à 10 m, et de 0 pour un obstacle sur la chaussée ; corrigez-la.
 sightdistance-distance = Une distance de visibilité doit être supérieure à 0 et inférieure à 100 km, et une longueur d’au moins 0 ; indiquez des mètres.
 sightdistance-difference = La différence des deux déclivités doit être supérieure à 0 et d’au plus 100 pour cent ; corrigez-la.
 sightdistance-speed = { $speed_kmh } km/h n’est pas une vitesse de référence ; indiquez plus de 0 et au plus 300 km/h.
 sightdistance-gradient = Un véhicule ne peut pas freiner sur une déclivité de { $gradient_percent } % ; indiquez au plus 25 %, et en descente moins que ne le permet la décélération.
 sightdistance-reaction-deceleration = Le temps de réaction doit être de 0 ou plus et la décélération supérieure à 0 ; corrigez-les.
-sightdistance-manoeuvre-time = La manœuvre { $manoeuvre } prend { $least } à { $most } s ; indiquez un temps compris entre les deux.
 sightdistance-passing-speed = Il n’y a pas de distance de visibilité de dépassement à { $speed_kmh } km/h ; la table va de 30 à 130 km/h.
 sightdistance-headlight = La hauteur du projecteur et la montée de son faisceau ne doivent être ni négatives, ni toutes deux nulles ; corrigez-les.
 sightdistance-radius = Le rayon doit être supérieur à 0, et son virage contenir la distance et le dégagement ; corrigez-les.
@@ -6177,11 +6178,10 @@ studies-not-a-count = { $path }, ligne { $row } : { $name } vaut { $cell }, qui
 studies-not-an-amount = { $path }, ligne { $row } : { $name } vaut { $cell }, qui n’est pas un nombre de 0 ou plus ; corrigez-le.
 studies-no-package-there = { $place } n’est pas une archive et n’en contient pas ; nommez des dossiers ou ZIP exportés, ou un dossier qui en contient.
 studies-package-unverified = { $place } échoue au contrôle et ne peut pas servir à une étude : { $problem }
-studies-package-without-sample = { $place } ne dit pas lesquels de ses véhicules comptent, car faite par une version antérieure ; exportez à nouveau son relevé.
+studies-package-lacks-column = { $place } (version { $version }) n’a pas la colonne { $column } de { $table }, dont une étude a besoin ; exportez à nouveau son relevé.
 studies-package-without-parquet = { $place } a été faite par une version antérieure, sans Parquet ; exportez à nouveau son relevé.
 studies-survey-without-poses = { $place } n’a pas de pose de la caméra, donc pas de hauteur ; omettez-le, ou calculez la pose de ses enregistrements (et exportez à nouveau une archive).
 studies-same-survey-twice = { $first } et { $second } sont des archives du même relevé ; gardez la plus récente.
-studies-versions-differ = { $first } (version { $first_version }) et { $second } (version { $second_version }) ont d’autres colonnes dans { $table } ; exportez les deux avec une même version.
 studies-no-height-counts = Aucun des relevés n’a de hauteur validée qui compte ; vérifiez des mesures (et exportez à nouveau une archive).
 studies-class-unknown = Le parc a { $variable } { $name }, que Sightline ne connaît pas ; utilisez { $known }.
 studies-class-never-seen = Le parc a { $variable } { $name }, qu’aucun relevé ne contient ; omettez-le et faites totaliser 1 aux autres parts, ou mesurez-en.
@@ -6252,7 +6252,7 @@ traffic-no-day = { $option } { $text } n’est pas un jour ; écrivez-le 2026-
 traffic-days-turned = --to { $last } précède --from { $first } ; inversez-les.
 traffic-no-such-site = L’archive de trafic n’a pas de site { $site } ; elle a { $there }.
 commands-errors-several-targets = Les hauteurs sont de { $targets } ; utilisez --by target pour comparer chacune à ses références.
-commands-errors-unknown-target = Ligne { $line } : la cible est « { $target } » ; utilisez l’une de { $known }.
+commands-errors-unknown-word = Ligne { $line } : { $column } est « { $word } » ; utilisez l’un de ces mots : { $known }.
 commands-compare-two-values = --compare { $text } demande --by et deux valeurs différentes de sa colonne, comme --by year --compare 2020,2026.
 commands-compare-value-unknown = Aucune ligne avec une hauteur n’a { $name } dans { $by } ; comparez deux valeurs parmi { $known }.
 
@@ -6899,8 +6899,8 @@ statistics-risk-cannot-be = Un risque de { $risk } est hors plage ; indiquez-e
 print-board-title = Damier : { $columns } × { $rows } coins intérieurs, cases de { $square_mm } mm
 print-board-title-charuco = Mire ChArUco : { $columns } × { $rows } coins intérieurs, cases de { $square_mm } mm, marqueurs { $dictionary } de { $marker_mm } mm
 print-board-check = Imprimez sur { $paper } à taille réelle (100 %), sans ajustement à la page. Mesurez ensuite la barre ci-dessus : elle fait { $bar_mm } mm de long. Si l’impression diffère, mesurez une rangée entière de cases et indiquez la taille réelle d’une case.
-geometry-board-over-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm marge blanche comprise, plus grande que A0 ; choisissez des cases plus petites, ou nommez un rouleau de papier, par exemple 1200x900.
-geometry-board-off-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm marge blanche comprise et ne tient pas sur { $paper } ; choisissez un papier plus grand ou des cases plus petites.
+geometry-board-over-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm marge blanche comprise, plus grande que A0 ; choisissez des cases d’au plus { $square_mm } mm, ou nommez un rouleau de papier, par exemple 1200x900.
+geometry-board-off-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm marge blanche comprise et ne tient pas sur { $paper } ; choisissez un papier plus grand, ou des cases d’au plus { $square_mm } mm.
 geometry-paper-not-known = Il n’y a pas de papier { $paper } ; utilisez l’un de { $papers }, ou sa largeur et sa hauteur en mm, par exemple 841x1500.
 reference-value-cannot-be = Une référence ({ $quantity }) de { $value } { $unit } est hors plage ; indiquez une valeur supérieure à { $least } et d’au plus { $most } { $unit }.
 reference-u-cannot-be = Une incertitude de { $u } { $unit } pour { $quantity } de { $value } { $unit } est hors plage ; indiquez une incertitude-type supérieure à 0 et non supérieure à la valeur elle-même.
@@ -7084,11 +7084,12 @@ pose-simulated = Simulée.
 pose-board-distance = La mire était à { NUMBER($distance_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m de la caméra.
 pose-camera-height = La caméra est à { NUMBER($height_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m au-dessus de la route.
 pose-expected-heights = U95 attendue d’une hauteur de 1,2 m, sans la part du retrait, pointée avec u = 1 px : { $figures }.
-pose-expected-at = ±{ SMALL($U95_height_m) } à { $distance_m } m
+pose-expected-at = ± { SMALL($U95_height_m) } à { $distance_m } m
 pose-no-road-at-distance = L’image ne montre pas la route à cette distance.
 words-comma = { $first }, { $second }
 calibration-image-other-size = La photo fait { $width_px }x{ $height_px } px, la plupart des autres { $usual_width_px }x{ $usual_height_px } px.
 calibration-image-blurred = La photo est floue (bords larges de { NUMBER($edge_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px).
+calibration-image-twice = La photo est la même que { $file } ; prenez chaque vue une seule fois.
 calibration-no-covariance = Le fichier n’indique pas d’incertitude de l’objectif ; cette composante manque dans l’incertitude de chaque hauteur.
 calibration-made = { $used } vues utilisées sur { $given }, résidu { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px, focale { NUMBER($focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px.
 calibration-made-u = { $used } vues utilisées sur { $given }, résidu { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px, focale { NUMBER($focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (incertitude-type { NUMBER($u_focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px).
@@ -7197,7 +7198,7 @@ adjustment-global-test-failed = Le test global échoue : khi-deux { $chi2 } pou
 adjustment-few-vehicles = Avec { $count } véhicules, un véhicule erroné ne se distingue pas d’une pose erronée.
 adjustment-pose-unchanged = Aucun passage de longueur connue n’a pu servir ; la pose est inchangée.
 adjustment-point-not-finite = Un point ou son incertitude n’est pas un nombre fini.
-adjustment-point-no-u = L’incertitude d’un point n’est pas positive.
+adjustment-point-no-u = L’incertitude d’un point est inférieure à 0,001 px.
 adjustment-point-twice = Un point est donné deux fois sur une image.
 adjustment-no-tyre = Aucun pneu de ce véhicule n’est mesuré ; rien ne le rattache à la chaussée.
 adjustment-no-known-length = Aucune longueur connue de ce véhicule n’est mesurée.

@@ -144,9 +144,9 @@ def outline(corners: Corners) -> Polyline:
     return polyline(np.array([*ring, ring[0]]))
 
 
-def frames_to_try(first: int, last: int, most: int = MOST_FRAMES) -> list[int]:
+def frames_to_try(first: int, last: int) -> list[int]:
     """Frame numbers spread evenly over the span, both ends included."""
-    count = min(most, last - first + 1)
+    count = min(MOST_FRAMES, last - first + 1)
     return sorted({round(float(n)) for n in np.linspace(first, last, count)})
 
 

@@ -10,17 +10,17 @@ from typing import Any
 
 from sightline.enums import Lighting
 from sightline.errors import BadInput, Conflict, NotFound
-from sightline.infra.backup.state import needed_media
 from sightline.infra.database import Session
 from sightline.infra.database.types import now
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Finish, JobContext
 from sightline.infra.services import Services
-from sightline.infra.stored_bytes import require_media
-from sightline.media.store.local import MediaStore, key_of
+from sightline.infra.stored_bytes import let_go
+from sightline.media.store.local import COPY, THUMBS, MediaStore, made_key_of
 from sightline.media.video.decode import require_whole
 from sightline.media.video.ingest import Ingested, ingest
+from sightline.media.video.remux import COPY_SUFFIXES
 from sightline.messages.said import Said
 from sightline.recordings import store as recordings
 from sightline.recordings.frames.records import FrameTable, lasting_s
@@ -162,14 +162,14 @@ def _keep_working_copy(store: MediaStore, recording: Recording, found: Ingested)
     """Store the working copy of a stream without an index and give its key; None where there is none."""
     if not found.is_working_copy:
         return None
-    key = key_of(recording.sha256, f".work{_of_picture(_number(found))}{found.media_path.suffix}")
-    store.put_file(key, found.media_path, link=True, replace=True)
+    key = made_key_of(recording.sha256, COPY, _number(found), found.media_path.suffix)
+    store.put_file(key, found.media_path, link=True)
     return key
 
 
 def _keep_thumbnails(store: MediaStore, recording: Recording, folder: Path, found: Ingested) -> None:
     key = thumbnails_key_of(recording.sha256, _number(found))
-    store.put_file(key, pack_thumbnails(folder, found), link=True, replace=True)
+    store.put_file(key, pack_thumbnails(folder, found), link=True)
 
 
 def pack_thumbnails(folder: Path, found: Ingested) -> Path:
@@ -188,11 +188,7 @@ def thumbnails_key(recording: Recording) -> str:
 
 def thumbnails_key_of(sha256: str, stream_number: int | None = None) -> str:
     """Where the thumbnails of a video with this content are, or of one of its pictures."""
-    return key_of(sha256, f".thumbs{_of_picture(stream_number)}.zip")
-
-
-def _of_picture(stream_number: int | None) -> str:
-    return "" if stream_number is None else f"-{stream_number}"
+    return made_key_of(sha256, THUMBS, stream_number, ".zip")
 
 
 def _number(found: Ingested) -> int | None:
@@ -205,7 +201,7 @@ def thumbnail(services: Services, recording_id: int, n: int) -> bytes:
     recording = stills_of(services).open(recording_id).recording
     if n not in recording.thumbs:
         raise NotFound("recordings-no-thumbnail", n=n, name=recording.name)
-    with zipfile.ZipFile(services.media.local_path(thumbnails_key(recording), replaced=True)) as archive:
+    with zipfile.ZipFile(services.media.local_path(thumbnails_key(recording))) as archive:
         return archive.read(f"{n}.jpg")
 
 
@@ -276,20 +272,17 @@ def table_of(found: Ingested) -> FrameTable:
 def remove_recording(services: Services, recording_id: int, actor: int) -> None:
     """Delete a recording without measurements, and its files if nothing else has the same content.
 
-    Raises NotFound, Conflict (measurements, or an ingest is running), Away.
+    Raises NotFound, Conflict (measurements, or an ingest is running).
     """
-    require_media(services)
     with services.writing() as session:
         recording = recordings.get_recording(session, recording_id)
         if recording.job and recording.job.kind == KIND and recording.job.state in ("queued", "running"):
             raise Conflict("recordings-importing", name=recording.name)
         recordings.remove_recording(session, recording_id, actor=actor)
+        # a reading that failed may have left a working copy of which no row tells
+        copies = (
+            made_key_of(recording.sha256, COPY, recording.stream_number, suffix) for suffix in COPY_SUFFIXES
+        )
+        keys = (recording.media_key, thumbnails_key(recording), *copies)
+        let_go(session, recording.survey_id, keys, actor)
     stills_of(services).forget(recording_id)
-    # Nobody can record the same content while the lock is held; what was recorded since then keeps it.
-    with services.writing() as session:
-        if not needed_media(session, recording.media_key):
-            services.media.delete(recording.media_key)
-        if not recordings.recordings_of_content(session, recording.sha256, recording.stream_number):
-            copy = recording.report.get("working_copy")
-            for key in (thumbnails_key(recording), *([str(copy)] if copy else [])):
-                services.media.delete(key)

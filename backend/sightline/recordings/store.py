@@ -236,7 +236,7 @@ def remove_recording(session: Session, recording_id: int, *, actor: int | None) 
     """Delete (softly) a recording without measurements, with its passes; its frame table goes. Raises
     Conflict otherwise.
 
-    The caller removes the media file if `needed_media` does not name it any more.
+    The caller lets go of its files.
     """
     gone = get_recording(session, recording_id)
     if is_held(session, recordings, recording_id):

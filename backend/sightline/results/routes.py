@@ -63,7 +63,7 @@ def statistics_of_measurements(
     correction: Correction = "inset",
     u_reference_m: Annotated[
         Metres, Query(description="Of a reference height without a u of its own.")
-    ] = round(float(U_MANUFACTURER_M), 4),
+    ] = U_MANUFACTURER_M,
     eye_limit_m: Annotated[list[Metres], Query(description="Own limits beside the standards'.")] = [],  # noqa: B006
     object_limit_m: Annotated[list[Metres], Query(description="Own limits beside the standards'.")] = [],  # noqa: B006
 ) -> StatisticsBody:

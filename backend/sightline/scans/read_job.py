@@ -12,6 +12,7 @@ from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Finish, JobContext
 from sightline.infra.services import Services
+from sightline.infra.stored_bytes import let_go
 from sightline.media.store.local import key_of
 from sightline.media.strips.reader import Strip, check_pair, open_strip
 from sightline.media.strips.stored_writer import SUFFIX, StoredStrip, store_strip
@@ -19,10 +20,9 @@ from sightline.media.strips.video import cut_strips
 from sightline.messages.said import Said
 from sightline.recordings.frames.stills import stills_of
 from sightline.scans.records import Scan, StripFacts
-from sightline.scans.service import FIND, READ, tidy
+from sightline.scans.service import FIND, READ
 from sightline.scans.store import get_scan, note_reading_failed, note_scan_read
 
-TIDY = "scan_tidy"
 STOPPED = Said("scans-import-cancelled")
 MOST_SATURATED = 0.02
 _READING = Said("job-strips-reading")
@@ -53,31 +53,20 @@ def read_scan(context: JobContext) -> Finish:
     def finish(session: Session) -> Mapping[str, Any]:
         # Nobody deletes a file while the lock is held, and everybody waits for it.
         keys = (facts.first_key, facts.second_key)
-        if not all(services.media.exists(key, at_once=True) for key in keys):
+        if not all(services.media.exists(key) for key in keys):
             raise Away("scans-strips-taken-along")
         note_scan_read(session, scan_id, facts, actor=context.actor)
-        place: dict[str, Any] = {"survey_id": scan.survey_id, "actor": context.actor}
-        if scan.source != "video":
-            registry.enqueue(session, TIDY, {"scan_id": scan_id}, **place)
+        # the stored form has every pixel of what it was read from
+        let_go(session, scan.survey_id, (scan.first_source_key, scan.second_source_key), context.actor)
         method = context.payload.get("find")
         if method:
-            registry.enqueue(session, FIND, {"method": method, "search": True}, scan_id=scan_id, **place)
+            payload = {"method": method, "search": True}
+            registry.enqueue(
+                session, FIND, payload, survey_id=scan.survey_id, scan_id=scan_id, actor=context.actor
+            )
         return {"scan_id": scan_id, "lines": facts.lines, "rows_px": facts.rows_px}
 
     return finish
-
-
-@registry.handler(TIDY)
-def tidy_sources(context: JobContext) -> Mapping[str, Any]:
-    """Delete the files that a scan was read from: its stored form has every pixel of them."""
-    services = context.services
-    try:
-        with services.reading() as session:
-            scan = get_scan(session, int(context.payload["scan_id"]))
-    except NotFound:
-        return {}
-    tidy(services, scan)
-    return {"scan_id": scan.id}
 
 
 def _stored(context: JobContext, services: Services, scan: Scan, folder: Path) -> StripFacts:

@@ -3,23 +3,20 @@
 Finding and measuring their vehicles is in `vehicles.find_job` and `vehicles.measure`.
 """
 
-from collections.abc import Sequence
-
 from sightline.enums import Lighting, ScanMethod, TimeAxis
 from sightline.errors import BadInput, Conflict
-from sightline.infra.backup.state import needed_media
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.store import latest_jobs_of_scans
 from sightline.infra.services import Services
-from sightline.infra.stored_bytes import require_media
+from sightline.infra.stored_bytes import let_go
 from sightline.linescan.parts import Rig
 from sightline.media.strips.stored_reader import ReaderCache, StripReader
 from sightline.media.video.report import require_clock_of_filming
 from sightline.recordings.store import get_ready_recording
 from sightline.recordings.uploads.records import Upload
-from sightline.recordings.uploads.store import get_upload, upload_content_waits
+from sightline.recordings.uploads.store import get_upload
 from sightline.scans import store
 from sightline.scans.records import CutSource, Scan, StripSource
 
@@ -171,34 +168,13 @@ def require_idle(session: Session, scan: Scan) -> None:
 
 
 def remove_scan(services: Services, scan_id: int, actor: int) -> None:
-    """Delete a scan and the files of it alone. Raises NotFound, Conflict (worked on, a job runs), Away."""
-    require_media(services)
+    """Delete a scan and the files of it alone. Raises NotFound, Conflict (worked on, a job runs)."""
     with services.writing() as session:
         scan = store.get_scan(session, scan_id)
         require_idle(session, scan)
         store.remove_scan(session, scan_id, actor=actor)
-    tidy(services, scan)
-
-
-def tidy(services: Services, scan: Scan) -> None:
-    """Delete those files of a scan that nothing needs any more."""
-    sources = (
-        (scan.first_source_key, scan.first_source_sha256),
-        (scan.second_source_key, scan.second_source_sha256),
-    )
-    tiled = ((scan.first_key, scan.first_sha256), (scan.second_key, scan.second_sha256))
-    files = [(key, sha256) for key, sha256 in (*sources, *tiled) if key is not None and sha256 is not None]
-    delete_unneeded(services, files)
-
-
-def delete_unneeded(services: Services, files: Sequence[tuple[str, str]]) -> None:
-    """Delete those of stored files (key, SHA-256) that nothing needs. Raises Away."""
-    # Nobody can begin to need a file while the lock is held.
-    with services.writing() as session:
-        for key, sha256 in files:
-            needed = store.scan_source_in_use(session, key) or needed_media(session, key)
-            if not needed and not upload_content_waits(session, sha256):
-                services.media.delete(key)
+        keys = (scan.first_source_key, scan.second_source_key, scan.first_key, scan.second_key)
+        let_go(session, scan.survey_id, keys, actor)
 
 
 def _strip(session: Session, survey_id: int, upload_id: int, word: str) -> StripSource:

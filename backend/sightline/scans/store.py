@@ -6,7 +6,7 @@ from datetime import datetime
 from functools import partial
 from typing import Any, cast, get_args
 
-from sqlalchemy import ColumnElement, func, or_, select
+from sqlalchemy import ColumnElement, func, select
 from sqlalchemy import update as sql_update
 from sqlalchemy.orm import Session
 
@@ -183,22 +183,13 @@ def remove_scan(session: Session, scan_id: int, *, actor: int | None) -> Scan:
     """Delete (softly) a scan on which nobody worked yet; its vehicles leave all lists with it.
 
     Raises Conflict where a person placed boundaries, filled in facts, calibrated, measured a height or gave
-    a verdict. The caller removes the files that nothing needs.
+    a verdict. The caller lets go of its files.
     """
     gone = get_scan(session, scan_id)
     if scan_worked_on(session, scan_id):
         raise Conflict("scans-worked-on")
     take_out_row(session, scans, _row(session, scan_id), "name", actor=actor)
     return gone
-
-
-def scan_source_in_use(session: Session, media_key: str) -> bool:
-    """Whether a scan that was not deleted has yet to be read from this strip."""
-    used = _unread & or_(scans.c.first_source_key == media_key, scans.c.second_source_key == media_key)
-    return session.execute(select(scans.c.id).where(used, _ALIVE).limit(1)).first() is not None
-
-
-_unread: ColumnElement[bool] = scans.c.state != "ready"
 
 
 def _strip_columns(source: tuple[StripSource, StripSource]) -> dict[str, Any]:

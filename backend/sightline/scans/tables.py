@@ -22,12 +22,14 @@ from sightline.infra.database.types import (
     UtcDateTime,
     columns_for,
     enum_check,
+    needs_media,
 )
 from sightline.linescan.parts import Rig
 from sightline.scans.records import KnownOfScanned, ScanRunValues, ScanValues
 from sightline.scans.references.records import ReferenceValues
 
 _VERSION = {"code_version": 60}
+_TO_READ = needs_media(lambda its: its.state != "ready")
 
 # A pair of strips and the rig that took them. `first` is the camera that a vehicle reaches first.
 scans = table_changed_by_events(
@@ -45,8 +47,8 @@ scans = table_changed_by_events(
     Column("cut_2_px", Integer),
     Column("first_name", String(400)),
     Column("second_name", String(400)),
-    Column("first_source_key", String(400)),
-    Column("second_source_key", String(400)),
+    Column("first_source_key", String(400), info=_TO_READ),
+    Column("second_source_key", String(400), info=_TO_READ),
     Column("first_source_sha256", String(64)),
     Column("second_source_sha256", String(64)),
     Column("time_axis", String(20), nullable=False),

@@ -18,7 +18,7 @@ from sightline.errors import BadInput
 
 HEADLIGHT_M = 0.60
 BEAM_RAD = math.radians(1.0)
-_TALLEST_M = 10.0
+TALLEST_M = 10.0
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ def crest_constants_m(eye_m: ArrayLike, object_m: ArrayLike) -> Floats:
     = S^2 / C. Raises BadInput for heights that cannot be.
     """
     eye, target = np.asarray(eye_m, dtype=np.float64), np.asarray(object_m, dtype=np.float64)
-    if not (np.all((eye > 0.0) & (eye <= _TALLEST_M)) and np.all((target >= 0.0) & (target <= _TALLEST_M))):
+    if not (np.all((eye > 0.0) & (eye <= TALLEST_M)) and np.all((target >= 0.0) & (target <= TALLEST_M))):
         raise BadInput("sightdistance-heights")
     return np.asarray(200.0 * (np.sqrt(eye) + np.sqrt(target)) ** 2, dtype=np.float64)
 
@@ -91,7 +91,7 @@ def crest_constant(
         return CrestConstant(constant, None)
     parts = []
     for height, u in ((eye_m, u_eye_m or 0.0), (object_m, u_object_m or 0.0)):
-        if not (math.isfinite(u) and u >= 0.0) or (u > 0.0 and height <= 0.0):
+        if not 0.0 <= u <= TALLEST_M or (u > 0.0 and height <= 0.0):
             raise BadInput("sightdistance-uncertainty")
         parts.append(math.sqrt(200.0 * constant / height) * u if u else 0.0)
     return CrestConstant(constant, math.hypot(*parts))
@@ -194,7 +194,7 @@ def _length(distance_m: float, share: float, sharp_m: float) -> CurveLength:
 
 def _lit(distance_m: float, headlight_m: float, beam_rad: float) -> float:
     if not (
-        0.0 <= headlight_m <= _TALLEST_M and 0.0 <= beam_rad < 0.5 * math.pi and headlight_m + beam_rad > 0.0
+        0.0 <= headlight_m <= TALLEST_M and 0.0 <= beam_rad < 0.5 * math.pi and headlight_m + beam_rad > 0.0
     ):
         raise BadInput("sightdistance-headlight")
     return 200.0 * (headlight_m + distance_m * math.tan(beam_rad))

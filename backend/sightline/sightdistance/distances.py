@@ -9,11 +9,10 @@ names its formula. Speeds and lengths go in and out in SI.
 
 import math
 from dataclasses import dataclass
-from typing import get_args
 
 import numpy as np
 
-from sightline.enums import Crossing, DesignVehicle, Manoeuvre
+from sightline.enums import Crossing, Manoeuvre
 from sightline.errors import BadInput
 
 GREEN_BOOK = "AASHTO, A Policy on Geometric Design of Highways and Streets, 2018"
@@ -86,14 +85,14 @@ class SightDistance:
 
 REACTION_S = 2.5
 _STOPPING_AFTER_S: dict[Manoeuvre, float] = {"A": 3.0, "B": 9.1}
-# Before and during a change of speed, path or direction: the shortest and the longest.
-_CHANGING_S: dict[Manoeuvre, tuple[float, float]] = {"C": (10.2, 11.2), "D": (12.1, 12.9), "E": (14.0, 14.5)}
-# Of a passenger car, a single-unit truck, a combination truck.
-_GAP_S: dict[Crossing, tuple[float, float, float]] = {
-    "left_from_stop": (7.5, 9.5, 11.5),
-    "right_from_stop": (6.5, 8.5, 10.5),
-    "crossing": (6.5, 8.5, 10.5),
-    "left_from_major": (5.5, 6.5, 7.5),
+# Before and during a change of speed, path or direction, at the longest.
+_CHANGING_S: dict[Manoeuvre, float] = {"C": 11.2, "D": 12.9, "E": 14.5}
+# Of a passenger car.
+_GAP_S: dict[Crossing, float] = {
+    "left_from_stop": 7.5,
+    "right_from_stop": 6.5,
+    "crossing": 6.5,
+    "left_from_major": 5.5,
 }
 # No formula stands behind these: a car passes a slower one, or gives up.
 _PASSING_KMH = (30.0, 40.0, 50.0, 60.0, 70.0, 80.0, 90.0, 100.0, 110.0, 120.0, 130.0)
@@ -155,26 +154,19 @@ def stopping_distance(
     return _distance(travelled + stopped, units, units.gradient_formula, "stopping sight distance")
 
 
-def decision_distance(
-    speed_mps: float, manoeuvre: Manoeuvre, units: UnitSystem = METRIC, *, time_s: float | None = None
-) -> SightDistance:
+def decision_distance(speed_mps: float, manoeuvre: Manoeuvre, units: UnitSystem = METRIC) -> SightDistance:
     """Decision sight distance for an avoidance manoeuvre (AASHTO 2018).
 
     A, B: stopping on a rural, an urban road after 3.0, 9.1 s. C, D, E: a change of speed, path or direction
     on a rural, suburban, urban road; the Green Book names only the ends of the time that it takes
-    (10.2-11.2, 12.1-12.9, 14.0-14.5 s), so time_s None takes the longer one, and its own table lies up to
-    10 % below. Raises BadInput for a speed that cannot be, and for a time_s outside those ends.
+    (10.2-11.2, 12.1-12.9, 14.0-14.5 s), of which the longer one is taken; its own table lies up to 10 %
+    below. Raises BadInput for a speed that cannot be.
     """
     if manoeuvre in _STOPPING_AFTER_S:
         found = stopping_distance(speed_mps, units, reaction_s=_STOPPING_AFTER_S[manoeuvre])
         return _distance(found.distance_m / units.length_m, units, found.formula, "decision sight distance")
-    least, most = _CHANGING_S[manoeuvre]
-    time = most if time_s is None else time_s
-    if not least <= time <= most:
-        raise BadInput("sightdistance-manoeuvre-time", manoeuvre=manoeuvre, least=least, most=most)
-    return _distance(
-        units.travel * _speed(speed_mps, units) * time, units, units.time_formula, "decision sight distance"
-    )
+    travelled = units.travel * _speed(speed_mps, units) * _CHANGING_S[manoeuvre]
+    return _distance(travelled, units, units.time_formula, "decision sight distance")
 
 
 def passing_distance(speed_mps: float) -> SightDistance:
@@ -191,24 +183,14 @@ def passing_distance(speed_mps: float) -> SightDistance:
     return _distance(seen, METRIC, "table of design speeds", "passing sight distance")
 
 
-def intersection_distance(
-    speed_mps: float,
-    manoeuvre: Crossing = "left_from_stop",
-    vehicle: DesignVehicle = "passenger_car",
-    units: UnitSystem = METRIC,
-) -> SightDistance:
-    """Sight distance along the major road for a vehicle that enters or crosses it (AASHTO 2018).
+def intersection_distance(speed_mps: float, manoeuvre: Crossing, units: UnitSystem = METRIC) -> SightDistance:
+    """Sight distance along the major road for a passenger car that enters or crosses it (AASHTO 2018).
 
     The speed is the major road's; the time gaps are those of a two-lane major road and gradients up to 3 %
     (cases B1, B2, B3, F). Raises BadInput for a speed that cannot be.
     """
-    gap = _GAP_S[manoeuvre][get_args(DesignVehicle).index(vehicle)]
-    return _distance(
-        units.travel * _speed(speed_mps, units) * gap,
-        units,
-        units.time_formula,
-        "intersection sight distance",
-    )
+    travelled = units.travel * _speed(speed_mps, units) * _GAP_S[manoeuvre]
+    return _distance(travelled, units, units.time_formula, "intersection sight distance")
 
 
 def _speed(speed_mps: float, units: UnitSystem) -> float:

@@ -8,7 +8,13 @@ from sightline.coverage import COVERAGE_95, expanded
 from sightline.enums import CrestVerdict, Crossing, Manoeuvre, SightKind
 from sightline.errors import BadInput
 from sightline.messages.said import Said
-from sightline.sightdistance.curves import crest_constant, crest_distance_m, crest_k_m, crest_length
+from sightline.sightdistance.curves import (
+    TALLEST_M,
+    crest_constant,
+    crest_distance_m,
+    crest_k_m,
+    crest_length,
+)
 from sightline.sightdistance.distances import (
     METRIC,
     SightDistance,
@@ -85,14 +91,14 @@ def sight_distance(kind: SightKind, speed_mps: float, units: UnitSystem = METRIC
         return passing_distance(speed_mps)
     if kind in _MANOEUVRE:
         return decision_distance(speed_mps, _MANOEUVRE[kind], units)
-    return intersection_distance(speed_mps, _CROSSING[kind], units=units)
+    return intersection_distance(speed_mps, _CROSSING[kind], units)
 
 
 def with_u(value_m: float, u_m: float | None) -> Bounded:
-    """A height with the 95 % interval of its u, metres; exact without. Raises BadInput for one below 0."""
+    """A height with the 95 % interval of its u, metres; exact without. Raises BadInput for a u above all."""
     if u_m is None:
         return Bounded(value_m)
-    if not (math.isfinite(u_m) and u_m >= 0.0):
+    if not 0.0 <= u_m <= TALLEST_M:
         raise BadInput("sightdistance-uncertainty")
     return Bounded(value_m, value_m - expanded(u_m), value_m + expanded(u_m))
 

@@ -1,7 +1,6 @@
 """The packages of a study: found, verified, told apart, and refused in one sentence where they do not fit."""
 
 import json
-import re
 import shutil
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
@@ -12,12 +11,11 @@ from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.files import Files, open_package, read_rows
 from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, parquet_path
 from sightline.results.usual_standards import standards_in
-from sightline.studies.query import READ, columns_of
+from sightline.studies.query import READ, lacking_in
 from sightline.studies.records import StudiedPackage
 
 #: Checks a package; the sentence that says what is wrong, or None.
 Check = Callable[[Files], str | None]
-_OF_MORE_FRAMES = re.compile(r"(?:frame|contact|target)\d+")
 
 
 def found_places(named: Iterable[Path]) -> list[Path]:
@@ -45,11 +43,10 @@ def refuse_output(output: Path, places: Sequence[Path]) -> None:
 def studied(places: Sequence[Path], check: Check, scratch: Path) -> list[StudiedPackage]:
     """Every package, verified by `check`, its tables where DuckDB reads them (a ZIP's in `scratch`).
 
-    Raises BadInput for one that does not pass, of an earlier version, or given twice in whatever form.
+    Raises BadInput for one that does not pass, lacks what a study reads, or is given twice in whatever form.
     """
     packages = [_studied(place, check, scratch / str(n)) for n, place in enumerate(places)]
     _refuse_twice(packages)
-    _refuse_versions(packages)
     return packages
 
 
@@ -74,6 +71,11 @@ def _read(place: Path, files: Files, scratch: Path) -> StudiedPackage:
     row = next(read_rows(files, "survey.csv"))
     with files.open(DESCRIPTION) as file:
         made_with = str(json.load(file)["made_with"]["sightline"])
+    if lacking := lacking_in(tables):
+        table, column = lacking
+        raise BadInput(
+            "studies-package-lacks-column", place=place, version=made_with, table=table, column=column
+        )
     first = next(read_rows(files, "audit.csv"))
     seal = read_seal(files)
     return StudiedPackage(
@@ -104,29 +106,3 @@ def _refuse_twice(packages: Sequence[StudiedPackage]) -> None:
         if one.survey in known:
             raise BadInput("studies-same-survey-twice", first=known[one.survey].place, second=one.place)
         known[one.survey] = one
-
-
-def _refuse_versions(packages: Sequence[StudiedPackage]) -> None:
-    """Tables of one form: columns of further frames aside, which depend on how many were clicked."""
-    first = _form(packages[0])
-    if not {"counts bool", "check_target bool"} <= set(first["vehicles.csv"]):
-        raise BadInput("studies-package-without-sample", place=packages[0].place)
-    for one in packages[1:]:
-        form = _form(one)
-        for name in READ:
-            if form[name] != first[name]:
-                raise BadInput(
-                    "studies-versions-differ",
-                    first=packages[0].place,
-                    first_version=packages[0].made_with,
-                    second=one.place,
-                    second_version=one.made_with,
-                    table=name,
-                )
-
-
-def _form(package: StudiedPackage) -> dict[str, set[str]]:
-    return {
-        name: {column for column in columns if not _OF_MORE_FRAMES.match(column)}
-        for name, columns in columns_of(package.tables).items()
-    }

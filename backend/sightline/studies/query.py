@@ -18,8 +18,20 @@ from sightline.results.measured_columns_query import CATEGORIES, CLASS_SETS, LIG
 from sightline.studies.records import StudiedPackage
 from sightline.vehicles.records import BY_SIZE
 
-#: The tables that a study reads of a package.
-READ = ("survey.csv", "measurements.csv", "vehicles.csv", "recordings.csv", "classes.csv")
+#: The tables that a study reads of a package, with the columns that figures are made of; others may differ.
+READ: dict[str, tuple[str, ...]] = {
+    "survey.csv": (),
+    "measurements.csv": (
+        *("id", "vehicle_id", "target", "pose_id", "withdrawn", "verdict", "height_m"),
+        *UNCERTAINTY,
+    ),
+    "vehicles.csv": (
+        *("id", "recording_id", "category", "lighting", "model_chosen_by", "manufacturer_height_m"),
+        *("check_target", "counts"),
+    ),
+    "recordings.csv": ("id", "lighting"),
+    "classes.csv": ("category", "class_set"),
+}
 _MEMORY, _THREADS = "400MB", 2
 _COUNTED = "NOT m.withdrawn AND m.height_m IS NOT NULL AND m.verdict IN ('accepted', 'fixed')"
 
@@ -126,9 +138,8 @@ class StudyTables:
 
     def _of(self, table: str) -> str:
         """A table of all packages, with which of them each row is of."""
-        return (
-            f"(SELECT *, file_index FROM read_parquet(${table.removesuffix('.csv')}, union_by_name = true))"
-        )
+        rows = f"read_parquet(${table.removesuffix('.csv')}, union_by_name = true)"
+        return f"(SELECT {', '.join(READ[table])}, file_index FROM {rows})"
 
     def _places(self) -> dict[str, Any]:
         return {name.removesuffix(".csv"): files for name, files in self._files.items()}
@@ -139,15 +150,16 @@ class StudyTables:
         return found
 
 
-def columns_of(package: Path) -> dict[str, tuple[str, ...]]:
-    """The columns, with their types, of each table that a study reads."""
+def lacking_in(package: Path) -> tuple[str, str] | None:
+    """A table of a package and a column of it that a study reads and that is not there; None: all are."""
     import pyarrow.parquet as pq
 
-    found = {}
-    for name in READ:
-        schema = pq.read_schema(package / parquet_path(name))
-        found[name] = tuple(f"{field.name} {field.type}" for field in schema)
-    return found
+    for name, wanted in READ.items():
+        there = pq.read_schema(package / parquet_path(name)).names
+        for column in wanted:
+            if column not in there:
+                return name, column
+    return None
 
 
 def _in_order(rows: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:

@@ -171,7 +171,7 @@ def _of_table(path: Path, table: GivenTable) -> Results:
     passings = _occupying(path, [_passing(path, table, start, *one) for one in rows])
     check_passings(path, passings, MOST_S)
     given = [
-        table.number(line, "u_front_at_s", row["u_front_at_s"]) if row.get("u_front_at_s") else None
+        table.uncertainty(line, "u_front_at_s", row["u_front_at_s"]) if row.get("u_front_at_s") else None
         for line, row, _at in rows
     ]
     found = [replace(one, u_filmed_at_s=u_s) for one, u_s in zip(_motions(passings), given, strict=True)]

@@ -2,7 +2,6 @@
 
 import hashlib
 import json
-import math
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import fields
@@ -12,9 +11,11 @@ from typing import Any, TypeGuard, get_args
 
 from sightline.enums import ScanDirection
 from sightline.errors import BadInput
+from sightline.linescan.finding import LENGTHS_M
 from sightline.traffic.records import Passing, Recorded
 
 _LARGEST_BYTES = 2_000_000_000
+_LARGEST = 1e12
 _HEAD_BYTES = 100_000
 _NAMES = {"number": "id"}
 _WORDS = ("status", "reason", "lane", "direction")
@@ -166,11 +167,22 @@ def passing_of(path: Path, said: Any, at: int | str) -> Passing:
             held[name] = None
         elif name in _WORDS and isinstance(value, str) and value in _CLOSED.get(name, (value,)):
             held[name] = value
-        elif name not in _WORDS and is_number(value):
+        elif name not in _WORDS and is_number(value) and _can_be(name, value):
             held[name] = int(value) if name in _COUNTS else float(value)
         else:
             raise BadInput("traffic-vehicle-without", path=path, vehicle=at, column=_NAMES.get(name, name))
     return Passing(**held)
+
+
+def _can_be(name: str, value: float) -> bool:
+    """Whether a scanned vehicle may have this number: a count is whole, and no u lies below 0."""
+    if name in _COUNTS:
+        return value == int(value)
+    if name == "length_m":
+        return 0.0 < value <= LENGTHS_M[1]
+    if name == "speed_mps":
+        return value > 0.0
+    return value >= 0.0 or not name.startswith("u_")
 
 
 def check_passings(path: Path, passings: Sequence[Passing], duration_s: float) -> None:
@@ -199,5 +211,5 @@ def u_told(whole: Mapping[str, Any] | None, name: str) -> float:
 
 
 def is_number(value: object) -> TypeGuard[float]:
-    """A finite number of JSON."""
-    return type(value) in (int, float) and math.isfinite(value)  # type: ignore[arg-type]
+    """A number of JSON, of any size that seconds, lines and metres have."""
+    return type(value) in (int, float) and abs(value) <= _LARGEST  # type: ignore[arg-type]

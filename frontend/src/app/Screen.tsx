@@ -5,7 +5,6 @@ import { say } from "../core/messages";
 import { type Match, titleOf } from "../core/places";
 import { loadedScreen, loadScreen } from "./screens";
 
-/** Loads a screen's code when it is first shown. */
 export function Screen({ here }: { here: Match }) {
   const { place, surveyId } = here;
   const [failed, setFailed] = useState(false);

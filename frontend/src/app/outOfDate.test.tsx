@@ -1,7 +1,9 @@
 /** Wherever heights are shown stands how many are out of date, until they are computed again there. */
 import { type ComponentChild, render } from "preact";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { FakeServer, recording, vehicle } from "../../testing/server";
 import type { ReviewItem } from "../core/types";
+import { OutOfDateNotice } from "../parts/again/OutOfDateNotice";
 import ExportScreen from "../screens/export/ExportScreen";
 import { MeasureModel } from "../screens/measure/model";
 import { VehiclePanel } from "../screens/measure/VehiclePanel";
@@ -9,7 +11,6 @@ import { ReviewModel } from "../screens/review/model";
 import { VerdictPanel } from "../screens/review/VerdictPanel";
 import SightScreen from "../screens/sightdistance/SightScreen";
 import StatisticsScreen from "../screens/statistics/StatisticsScreen";
-import { FakeServer, recording, vehicle } from "../testing/server";
 
 const NONE = { heights: 0, in_line_scans: 0, waiting: 0, other_program: 0, causes: {}, measurements: {} };
 const STALE = { ...NONE, heights: 2, causes: { side: 2 }, measurements: { 1: ["side"], 9: ["side"] } };
@@ -112,4 +113,12 @@ describe.each(Object.keys(PAGES))("heights that are out of date, on the page %s"
     expect(server.writes).toContain("POST /surveys/5/computings");
     await vi.waitFor(() => expect(marks()).toBe(0));
   });
+});
+
+it("says where it cannot be told whether heights are out of date", async () => {
+  server.on("GET", /^\/surveys\/6\/computings$/, () => {
+    throw 400;
+  });
+  render(<OutOfDateNotice surveyId={6} />, box);
+  await vi.waitFor(() => expect(box.textContent).toContain("(status 400)"));
 });

@@ -1,12 +1,12 @@
 /** A package that lacks heights says so: at the step of the overview, and in its row of the list. */
 import { render } from "preact";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { FakeServer } from "../../testing/server";
 import { me } from "../core/session";
 import { survey } from "../core/survey";
 import type { Survey } from "../core/types";
 import ExportScreen from "../screens/export/ExportScreen";
 import SurveyScreen from "../screens/survey/SurveyScreen";
-import { FakeServer } from "../testing/server";
 
 const NOTHING = { heights: 0, reviews: 0, other: 0 };
 const SEVEN = { heights: 7, reviews: 0, other: 0 };

@@ -59,7 +59,6 @@ export function roomOf(name: PlaceName): string {
   return ROOMS[name] ?? name;
 }
 
-/** The screen of a place whose code is here. */
 export function loadedScreen(name: PlaceName): Screen | undefined {
   return loaded.value.get(name);
 }

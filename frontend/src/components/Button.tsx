@@ -4,7 +4,6 @@ import { Icon, type IconName } from "./Icon";
 
 export interface ButtonProps {
   children?: ComponentChildren;
-  /** The sentence on it, where it is one without values. */
   says?: PlainKey;
   kind?: "plain" | "primary" | "quiet";
   small?: boolean;

@@ -10,7 +10,6 @@ export interface ButtonCommand extends Command {
 
 interface Props extends Pick<ButtonProps, "kind" | "small"> {
   command: ButtonCommand;
-  /** Another title than its words and its key. */
   title?: string;
   /** The word on the button; without one it shows its icon. */
   children?: ComponentChildren;

@@ -35,6 +35,21 @@ it("is the value again with all its digits where it is typed back to what was sh
   expect(told).toHaveBeenCalledWith("1,6");
 });
 
+it("shows the usual again where it is emptied, whether it was in force or not", async () => {
+  render(<CommitField label="u" numeric value="17.3" usual="17.3" onCommit={told} />, document.body);
+  await rested();
+  await type("");
+  box().dispatchEvent(new Event("blur"));
+  await rested();
+  expect(box().value).toBe("17,3");
+  expect(told).not.toHaveBeenCalled();
+  render(<CommitField label="u" numeric value="20" usual="17.3" onCommit={told} />, document.body);
+  await rested();
+  await type("");
+  box().dispatchEvent(new Event("blur"));
+  expect(told).toHaveBeenCalledWith("17.3");
+});
+
 it("leaves what is being typed as it is typed", async () => {
   function Form() {
     const [text, setText] = useState("15");

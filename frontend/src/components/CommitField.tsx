@@ -10,25 +10,26 @@ import { TypingHold, useTyping } from "./typing";
 
 type CommitFieldProps = Named & {
   value: string;
+  /** What it is where it is emptied. */
+  usual?: string;
   numeric?: boolean;
   unit?: string;
   hint?: string;
   disabled?: boolean;
   /** More than one line; then Enter makes a new one. */
   rows?: number;
-  /** What is wrong with a text, or null. */
   check?(text: string): string | null;
   onCommit(text: string): void;
 };
 
 export function CommitField(props: CommitFieldProps) {
   const { unit, numeric, rows, disabled } = props;
-  const typing = useTyping(props.value);
+  const typing = useTyping(props.value, props.usual);
   const hold = useContext(TypingHold);
   const [problem, setProblem] = useState<string | null>(null);
   /** False where what is typed cannot be taken: the field stays as it is. */
   const commit = (): boolean => {
-    const wrong = (typing.open() && props.check?.(typing.text.trim())) || null;
+    const wrong = (typing.open() && props.check?.(typing.told)) || null;
     setProblem(wrong);
     if (wrong) return false;
     const text = typing.finish();
@@ -68,7 +69,6 @@ type LengthFieldProps = Named & {
   onCommit(metres: number | null): void;
 };
 
-/** A length in the unit that is shown. */
 export function LengthField({ metres, digits, check, onCommit, ...rest }: LengthFieldProps) {
   return (
     <CommitField

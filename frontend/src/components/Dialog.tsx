@@ -56,7 +56,6 @@ export function Dialog({ title, onClose, onEscape = onClose, children, actions, 
 interface Question {
   title: string;
   body: ComponentChildren;
-  /** The verb on the button: "Delete the recording". */
   action: string;
   answer: (yes: boolean) => void;
 }

@@ -3,7 +3,6 @@ import { useState } from "preact/hooks";
 import { Icon } from "./Icon";
 
 interface DropFilesProps {
-  /** The name of the file input: "Choose videos to upload". */
   label: string;
   title: string;
   hint: ComponentChildren;
@@ -12,7 +11,6 @@ interface DropFilesProps {
   add: (files: File[]) => void;
 }
 
-/** A place to drop files on; a click, or Enter, opens the file chooser. */
 export function DropFiles({ label, title, hint, accept, disabled, add }: DropFilesProps) {
   const [over, setOver] = useState(false);
   const take = (files: FileList | null | undefined) => {

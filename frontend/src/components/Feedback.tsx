@@ -19,7 +19,6 @@ export function Loading({ what }: { what: string }) {
 }
 
 type EmptyProps = Named & {
-  /** The sentence below it; more of it are its children. */
   why?: PlainKey;
   /** It stands for a whole panel. */
   panel?: boolean;
@@ -81,7 +80,6 @@ function isRefusal(error: unknown): boolean {
   return error instanceof ApiError && [400, 404, 422].includes(error.status);
 }
 
-/** An error in words, with a way to try again. */
 export function Problem({ error, again }: { error: unknown; again?: () => void }) {
   if (!error) return null;
   return (
@@ -113,7 +111,6 @@ export function Loaded({
 }
 
 interface ProgressProps {
-  /** 0 to 1 */
   value: number;
   label: string;
   /** Right of the bar's words: "41 %" unless given. */
@@ -155,7 +152,6 @@ interface JobProgressProps {
   named?: boolean;
 }
 
-/** A job's progress with its own words. */
 export function JobProgress({ job, onCancel, panel, named }: JobProgressProps) {
   const name = jobName(job.kind);
   const message = sentenceOf(job.message);

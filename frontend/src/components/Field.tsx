@@ -12,7 +12,6 @@ interface Wiring {
 
 type FieldProps = Named & {
   hint?: ComponentChildren;
-  /** One sentence on what is wrong with what was entered. */
   problem?: string | null;
   hideLabel?: boolean;
   children: (wiring: Wiring) => ComponentChildren;
@@ -243,7 +242,6 @@ export function Check({ checked, onInput, disabled, class: shape, title, ...name
 interface OptionalFieldProps<T extends string> extends Omit<SelectFieldProps<T>, "value" | "onInput"> {
   value: T | null;
   onInput: (value: T | null) => void;
-  /** What it is called to choose none. */
   none: string;
 }
 

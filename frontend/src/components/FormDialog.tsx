@@ -8,7 +8,6 @@ import { Problem } from "./Feedback";
 import { type Named, nameOf } from "./named";
 
 type FormDialogProps = Named<string> & {
-  /** The verb on the button. */
   action: string;
   onClose: () => void;
   /** Does it, and closes the dialog when it is done; what it throws is shown and the dialog stays, as it does where

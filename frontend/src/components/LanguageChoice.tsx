@@ -26,7 +26,6 @@ export function LanguageChoice({ class: look }: { class: string }) {
   );
 }
 
-/** "français": what a language calls itself. */
 export function nameOfLanguage(name: string): string {
   return new Intl.DisplayNames([name], { type: "language" }).of(name) ?? name;
 }

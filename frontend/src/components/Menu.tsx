@@ -2,7 +2,6 @@ import type { ComponentChildren } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 
 interface MenuProps {
-  /** What the button shows. */
   button: ComponentChildren;
   label: string;
   class?: string;

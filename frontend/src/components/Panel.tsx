@@ -6,7 +6,6 @@ import { type Named, nameOf } from "./named";
 type PageHeadProps = Named & {
   /** What the page is for, in a sentence or two. */
   lead?: ComponentChildren;
-  /** What stands below it. */
   more?: ComponentChildren;
   /** On the right: what can be done. */
   children?: ComponentChildren;
@@ -29,7 +28,6 @@ interface PanelProps extends Omit<HTMLAttributes<HTMLElement>, "label"> {
   /** In its head, beside the title: words, or what can be done. */
   note?: string;
   aside?: ComponentChildren;
-  /** The head may take more than one line. */
   wrap?: boolean;
   /** Within another part of the page: its title stands below that one's. */
   within?: boolean;

@@ -20,7 +20,6 @@ const USUAL: Record<string, Part> = {
   muted: (text) => <span class="muted">{text}</span>,
 };
 
-/** `<link>` leads there. */
 export function linkTo(href: string): { link: Part } {
   return { link: (text) => <a href={href}>{text}</a> };
 }

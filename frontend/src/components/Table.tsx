@@ -4,7 +4,6 @@ import { TableScroll } from "./TableScroll";
 
 interface HeadProps {
   head: ComponentChildren;
-  /** Figures stand on the right. */
   figures?: boolean;
   class?: string;
   title?: string;
@@ -13,7 +12,6 @@ type Head = ComponentChildren | HeadProps;
 
 type Cell<R> = (row: R, index: number) => ComponentChildren;
 
-/** The head of a column of figures. */
 export function num(head: ComponentChildren): HeadProps {
   return { head, figures: true };
 }
@@ -22,7 +20,6 @@ export interface Column<R> extends HeadProps {
   cell: Cell<R>;
   cellClass?: string;
   cellTitle?: (row: R) => string | undefined;
-  /** The row is known by it. */
   rowHead?: boolean;
 }
 
@@ -47,7 +44,6 @@ export class Columns<R> {
 interface Shell extends Omit<HTMLAttributes<HTMLTableElement>, "label" | "rows"> {
   /** Of the place in which a wide table scrolls; without it the table stands as it is. */
   label?: string;
-  /** A class of that place. */
   scroll?: string;
   caption?: ComponentChildren;
   "data-testid"?: string;

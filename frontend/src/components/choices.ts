@@ -1,4 +1,3 @@
-/** What a list offers: `{ value: "roof", label: "Roof" }`. */
 export interface Choice<T extends string> {
   value: T;
   label: string;
@@ -12,7 +11,6 @@ export function choices<T extends string>(
   return names.map((value) => ({ value, label: words[value] }));
 }
 
-/** Out of things that have a number and a name. */
 export function named(things: readonly { id: number; name: string }[]): Choice<string>[] {
   return things.map(({ id, name }) => ({ value: String(id), label: name }));
 }

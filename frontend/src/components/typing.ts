@@ -6,9 +6,7 @@ import { createContext } from "preact";
 import { useContext, useEffect, useRef, useState } from "preact/hooks";
 
 export interface Hold {
-  /** The first letter is typed. */
   start(): void;
-  /** The field is left. */
   end(): void;
 }
 
@@ -16,16 +14,18 @@ export const TypingHold = createContext<Hold | null>(null);
 
 export interface Typing {
   readonly text: string;
+  /** What it would be told as. */
+  readonly told: string;
   /** Something is typed and not yet told. */
   open(): boolean;
   type(text: string): void;
-  /** The field is left or Enter pressed: answers the trimmed text if it differs from the value, else null. */
+  /** The field is left or Enter pressed: answers what is told if it differs from the value, else null. */
   finish(): string | null;
-  /** Back to the value. */
   undo(): void;
 }
 
-export function useTyping(value: string): Typing {
+/** `usual` is the text that an emptied field stands for. */
+export function useTyping(value: string, usual = ""): Typing {
   const [text, setText] = useState(value);
   const started = useRef<string | null>(null);
   const hold = useContext(TypingHold);
@@ -36,8 +36,10 @@ export function useTyping(value: string): Typing {
     started.current = null;
     hold?.end();
   };
+  const told = text.trim() || usual;
   return {
     text,
+    told,
     open: () => started.current !== null,
     type(typed) {
       if (started.current === null) {
@@ -49,10 +51,10 @@ export function useTyping(value: string): Typing {
     finish() {
       const before = started.current;
       if (before === null) return null;
-      const changed = text.trim() !== before;
+      const changed = told !== before;
       if (!changed) setText(value);
       started.current = null;
-      return changed ? text.trim() : null;
+      return changed ? told : null;
     },
     undo() {
       setText(value);

@@ -79,7 +79,6 @@ function waitForConnection(abort?: AbortSignal): Promise<void> {
 
 const signedOutListeners = new Set<() => void>();
 
-/** Called when the server answers that nobody is signed in. */
 export function onSignedOut(listener: () => void): () => void {
   signedOutListeners.add(listener);
   return () => signedOutListeners.delete(listener);
@@ -114,7 +113,6 @@ export const PATIENCE_MS = 180_000;
 interface Answer {
   readonly status: number;
   readonly ok: boolean;
-  /** Null: not JSON. */
   readonly body: unknown;
   /** It is whole, and this program's server may have written it: a network's sign-in page answers 200 to everything. */
   readonly readable: boolean;

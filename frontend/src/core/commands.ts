@@ -105,7 +105,6 @@ export type ActionId = keyof typeof ACTIONS;
 export type Overrides = Partial<Record<ActionId, string[]>>;
 export type KeyMap = Record<ActionId, readonly string[]>;
 
-/** What a command is called. */
 export function commandName(id: ActionId): string {
   return say(`command-${id}`);
 }
@@ -163,7 +162,6 @@ function overlap(a: Scope, b: Scope): boolean {
   return !(pair.has("measure") && pair.has("review"));
 }
 
-/** Pairs of actions that answer to the same chord in the same place. */
 export function conflicts(map: KeyMap): { chord: string; actions: [ActionId, ActionId] }[] {
   const found: { chord: string; actions: [ActionId, ActionId] }[] = [];
   const ids = Object.keys(map) as ActionId[];
@@ -235,7 +233,6 @@ export function addCommands(commands: Layer): () => void {
   };
 }
 
-/** What a command is called here. */
 export function labelOf({ id, label }: Pick<Command, "id" | "label">): string {
   return label ?? commandName(id);
 }
@@ -267,7 +264,6 @@ function controlWants(target: EventTarget | null, chord: string): boolean {
   return false;
 }
 
-/** Runs the action of a key press. */
 function dispatch(event: KeyboardEvent, down: boolean): boolean {
   if (event.defaultPrevented || document.querySelector("dialog[open]")) return false;
   const chord = chordOf(event);

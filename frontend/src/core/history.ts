@@ -26,9 +26,7 @@ export interface Step {
 interface Touched {
   readonly ledger: unknown;
   readonly name: unknown;
-  /** True if the value now is the one before. */
   unchanged(): boolean;
-  /** Writes the value that was there before. */
   back(): Promise<void> | void;
   /** Notes the value that is there now, for `again`. */
   close(): void;
@@ -62,7 +60,6 @@ export class ChangeSet {
     });
   }
 
-  /** Notes the value and writes another. */
   write<K, V>(ledger: Ledger<K, V>, key: K, value: V): Promise<void> | void {
     this.touch(ledger, key);
     return ledger.write(key, value);
@@ -81,7 +78,6 @@ export class ChangeSet {
     return true;
   }
 
-  /** Puts everything back as it was: nothing has happened. */
   drop(): Promise<void> | void {
     return inOrder(this.touched.toReversed().map((one) => one.back));
   }

@@ -28,7 +28,6 @@ export async function followJob(
   }
 }
 
-/** What it said when it was done, or null. */
 export function lastWords({ result }: Job): string | null {
   const said = result?.["message"] as string | Said[] | undefined;
   if (said === undefined) return null;
@@ -59,7 +58,6 @@ interface Following {
   known?: number | null;
   /** Said where it fails without words of its own; left out: its failure is told elsewhere. */
   stopped?: string;
-  /** Called once when it ends, however it does. */
   over: (job: Job) => unknown;
 }
 

@@ -18,7 +18,6 @@ export class Latest<Wish, Answer> {
     if (!this.busy) void this.run();
   }
 
-  /** Forget the wish and whatever is still on its way. */
   cancel(): void {
     this.next = null;
     this.stamp += 1;

@@ -16,7 +16,6 @@ const EVERYWHERE = "everywhere";
 const OF_SERVER = "server";
 const LATE = "-late";
 
-/** The languages that there are, by their BCP 47 names. */
 export const LANGUAGES: readonly string[] = [SOURCE, ...Object.keys(words).filter((name) => name !== SOURCE)];
 
 export type MessageKey = keyof Messages;
@@ -54,7 +53,6 @@ export function preferredLanguage(wishes: readonly string[] = navigator.language
   return SOURCE;
 }
 
-/** Loads the words of screens, in the language spoken and in English. */
 export async function learn(...wanted: readonly string[]): Promise<void> {
   for (const room of wanted) rooms.add(room);
   const news = await Promise.all(bundles.value.map(complete));
@@ -75,7 +73,6 @@ export async function speak(name: string): Promise<void> {
   document.documentElement.lang = language.value;
 }
 
-/** Speaks another language from now on, in this browser. */
 export async function chooseLanguage(name: string): Promise<void> {
   rooms.add(OF_SERVER); // what the server has said already, it said in the language before
   await speak(name);
@@ -87,7 +84,6 @@ export function say<K extends MessageKey>(key: K, ...[values]: Values<K>): strin
   return sentence(key, values as Record<string, FluentVariable> | undefined);
 }
 
-/** A sentence without values in the language spoken, and in English. */
 export function sayInEach(key: PlainKey): string[] {
   const patterns = bundles.value.map((bundle) => [bundle, bundle.getMessage(key)?.value] as const);
   return patterns.flatMap(([bundle, pattern]) => (pattern ? [bundle.formatPattern(pattern)] : []));
@@ -156,7 +152,7 @@ export function sentence(key: string, values?: Record<string, FluentVariable>): 
 }
 
 const BEFORE_UNIT = / (?=(?:%|(?:px|[µmck]?m|[µm]?s|km\/h|m\/s²?|mph|mrad|Hz|ppm|[kMGT]?[Bo])(?!\p{L})))/u;
-const IN_A_FIGURE = new RegExp(`(?<=\\d)${BEFORE_UNIT.source}|(?<=\\bu) (?== )|(?<=\\bu =) `, "gu");
+const IN_A_FIGURE = new RegExp(`(?<=\\d)${BEFORE_UNIT.source}|(?<=\\bu) (?== )|(?<=\\bu =) |(?<=±) `, "gu");
 
 /** A number stays in the line of its unit, and of what it is the uncertainty. */
 function unbroken(text: string): string {
@@ -178,7 +174,6 @@ export function sentenceOf(said: Said | null | undefined): string | null {
   return said ? (sayCode(said) ?? unbroken(said.message ?? said.code)) : null;
 }
 
-/** Several of them one after the other, as in a paragraph. */
 export function sentencesOf(each: readonly Said[]): string {
   return each.map(sentenceOf).join(" ");
 }

@@ -36,7 +36,6 @@ export class Outbox {
     const lanes = new Set(all.filter(({ state }) => state === "saving").map(({ lane }) => lane));
     return { kept: all.length, queued: all.length - lanes.size, resting: every.length - all.length };
   });
-  /** Loads the kinds that no page has brought yet. */
   bringKinds: () => Promise<unknown> = async () => undefined;
   private readonly kinds = new Map<string, AnyKind>();
   private readonly listeners = new Map<string, Set<Listener>>();
@@ -44,7 +43,6 @@ export class Outbox {
   private readonly orders = new Map<string, number>();
   private readonly begun = new Map<string, Begun>();
   private readonly refusals = new Map<string, ApiError>();
-  /** What ends the sending of a wish that is taken back. */
   private readonly sending = new Map<string, AbortController>();
   private ended = new AbortController();
   private readonly keeping: Keeping;
@@ -53,7 +51,6 @@ export class Outbox {
     this.keeping = new Keeping(...storage);
   }
 
-  /** Tells how things of a kind are sent. */
   register<S, W, A>(name: string, kind: Kind<S, W, A>): void {
     this.kinds.set(name, kind);
   }
@@ -149,7 +146,6 @@ export class Outbox {
     }
   }
 
-  /** What is there instead, in words. */
   theirs({ kind, theirs }: Wish): string {
     try {
       return this.kinds.get(kind)?.words(theirs) ?? "";
@@ -340,5 +336,4 @@ function tellsWhetherStored({ status }: ApiError): boolean {
   return status >= 400 && status < 500 && ![401, 403, 429].includes(status);
 }
 
-/** The one queue of this page. */
 export const outbox = new Outbox();

@@ -47,10 +47,8 @@ export type PlaceName = keyof typeof TABLE;
 
 export interface Place {
   name: PlaceName;
-  /** "/surveys/:id/camera" */
   pattern: string;
   layout: Layout;
-  /** "operator#camera" */
   guide: string;
 }
 
@@ -59,13 +57,11 @@ export const PLACES: readonly Place[] = (Object.keys(TABLE) as PlaceName[]).map(
   return { name, pattern, layout, guide };
 });
 
-/** The address of a place in the guide, "page" or "page#section". */
 export function guideAddress(place: string): string {
   const [page, section] = place.split("#");
   return `/guide?page=${page}${section ? `&section=${section}` : ""}`;
 }
 
-/** What a page is called. */
 export function titleOf(name: PlaceName): string {
   return say(`page-${name}`);
 }
@@ -106,7 +102,6 @@ export function addressCalled(pathname: string): string | null {
   return id ? addressOf(place.name, id) : place.pattern;
 }
 
-/** The address of a page of a survey. */
 export function addressOf(name: PlaceName, surveyId: number | string): string {
   const [pattern] = TABLE[name];
   return RESULTS.includes(name) ? `${pattern}?survey=${surveyId}` : pattern.replace(":id", String(surveyId));

@@ -43,7 +43,6 @@ type Given<O, Where extends "path" | "query"> = O extends { parameters: { [W in 
     : NonNullable<P>
   : unknown;
 
-/** What stands in the braces of the path, and the query. */
 export type ParamsOf<R extends Route> = Given<OperationOf<R>, "path"> & Given<OperationOf<R>, "query">;
 
 /** The query as the address of a page holds it, which anybody may type: names are checked here, values by the server. */

@@ -1,5 +1,3 @@
-/** Whether two things say the same. */
-
 /** Less than this is the rounding of a nudge forth and back. */
 const ROUNDING = 1e-9;
 

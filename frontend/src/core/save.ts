@@ -2,7 +2,6 @@ import { signal } from "@preact/signals";
 
 /** What the top bar says about writes. `api.ts` keeps it; screens need do nothing. */
 export interface SaveState {
-  /** writes on their way to the server */
   pending: number;
   /** of these, the ones waiting for the connection to come back */
   waiting: number;

@@ -3,7 +3,6 @@ import { stored } from "./stored";
 
 export type ThemeChoice = "system" | "light" | "dark";
 
-/** What the person chose; "system" follows the machine. */
 export const themeChoice = stored<ThemeChoice>("theme", "system", (v) =>
   ["system", "light", "dark"].includes(v),
 );

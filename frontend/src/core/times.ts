@@ -83,10 +83,8 @@ export function placeTime(iso: string, zone: string): string | null {
   }
 }
 
-/** Every time zone that the browser knows, by its IANA name. */
 export const TIME_ZONES: readonly string[] = Intl.supportedValuesOf("timeZone");
 
-/** That of the browser. */
 export function ownZone(): string {
   return Intl.DateTimeFormat().resolvedOptions().timeZone;
 }

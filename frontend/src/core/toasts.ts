@@ -22,12 +22,10 @@ export function toast(text: string, options: Partial<Omit<Toast, "id" | "text">>
   if (made.kind === "info") setTimeout(() => dismiss(made.id), made.action ? 10_000 : 5_000);
 }
 
-/** Shows an error that nothing nearer to its cause shows. */
 export function toastProblem(error: unknown): void {
   toast(explain(error), { kind: "problem" });
 }
 
-/** Does the work; what goes wrong is told in the corner. */
 export function telling(work: () => Promise<void>): Promise<void> {
   return work().catch(toastProblem);
 }

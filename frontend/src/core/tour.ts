@@ -9,7 +9,6 @@ import { stored } from "./stored";
 import { toast } from "./toasts";
 import type { EntryName } from "./work";
 
-/** The pages that it shows, in the order of the work. */
 export const TOUR = [
   "survey",
   "recordings",
@@ -30,13 +29,11 @@ export const tour = signal<TourAt | null>(null);
 /** The people who took it or left it in this browser; several may share one. */
 const met = stored<number[]>("tour", [], (value) => Array.isArray(value));
 
-/** Whether it is still to be offered to the person who is signed in. */
 export function isTourNew(): boolean {
   const person = me.value?.person.id;
   return person !== undefined && !met.value.includes(person);
 }
 
-/** From its first page, on the demonstration's survey. */
 export async function beginTour(): Promise<void> {
   const demo = (await api.ask("GET /surveys", {})).find((survey) => survey.is_demo);
   if (demo) goTo({ surveyId: demo.id, step: 0 });

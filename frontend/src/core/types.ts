@@ -21,7 +21,6 @@ export type Category = NonNullable<Schemas["VehicleBody"]["category"]>;
 
 export const ROLE_NAMES = wordsOf("role-", "viewer", "operator", "reviewer", "admin");
 
-/** What a member of a survey is there. */
 export type SurveyRole = Schemas["Member"]["role"];
 export type Members = Schemas["MembersBody"];
 export type Member = Members["members"][number];
@@ -40,7 +39,6 @@ export type Survey = Schemas["SurveyBody"];
 export type Traffic = Survey["traffic"];
 /** Where its site lies and what road it is; null: nobody has said. */
 export type Place = Survey["place"];
-/** The targets that a survey asks for, by lighting. */
 export type Asked = Survey["asked"];
 export type AskedTarget = Asked["daytime"][number];
 /** What may be known of a vehicle beside the height of its roof. */
@@ -53,7 +51,6 @@ export type NotVisible = NonNullable<Schemas["VehicleBody"]["roof_not_visible"]>
 /** What a survey makes of a class of vehicles: its set, and what the EU and FHWA call it. */
 export type VehicleClass = Survey["classes"][number];
 export type ClassSet = NonNullable<VehicleClass["class_set"]>;
-/** Which passes a survey takes, and how many of each kind. */
 export type Sampling = Survey["sampling"];
 export type Quota = Sampling["quotas"][number];
 export type ModelChosenBy = NonNullable<Schemas["VehicleBody"]["model_chosen_by"]>;
@@ -102,6 +99,10 @@ export type RepeatDifference = Schemas["Difference"];
 export type ToClickAgain = Schemas["Blind"];
 
 export type Computings = Schemas["ComputingsBody"];
+
+/** What the curves of a figure are drawn from; lengths in metres. */
+export type Ecdf = Schemas["EcdfBody"];
+export type Density = Schemas["DensityBody"];
 
 export type Photograph = Schemas["PhotographBody"];
 export type ExportPackage = Schemas["ExportBody"];

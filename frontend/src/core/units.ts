@@ -158,13 +158,10 @@ export function formatBytes(bytes: number): string {
   return `${fixed(value, step === 0 || value >= 99.5 ? 0 : 1)}${NBSP}${prefixes[step]}${say("unit-byte")}`;
 }
 
-/* -- lengths in input fields, as a person would type them -- */
-
 export function lengthText(metres: number | null | undefined, unit = lengthUnit.value, decimals = 4): string {
   return metres === null || metres === undefined ? "" : typedNumber(convert(metres, unit), decimals);
 }
 
-/** A small length, without its unit. */
 export function smallText(metres: number | null | undefined, unit = lengthUnit.value, decimals = 3): string {
   return metres === null || metres === undefined ? "" : typedNumber(metres * smallScale(unit)[0], decimals);
 }
@@ -185,12 +182,10 @@ export function kept(
   return before != null && text === shown ? before : parse(text);
 }
 
-/** The same of a length, in metres. */
 export function keptLength(text: string, before: number | null | undefined): number | null {
   return kept(text, lengthText(before), before, parseLength);
 }
 
-/** The same of a small length. */
 export function keptSmall(text: string, before: number | null | undefined): number | null {
   return kept(text, smallText(before), before, parseSmall);
 }
@@ -208,8 +203,6 @@ export function lengthProblem(text: string, options: { empty: boolean }): string
     ? say("length-problem", { example: localNumber("1.624") })
     : null;
 }
-
-/* -- speeds and accelerations -- */
 
 /** "63.3 ± 0.1 km/h", or mph for those who read feet; a missing value is an en dash. */
 export function formatSpeed(mps: number | null, U95_mps: number | null = null, digits = 1): string {
@@ -238,8 +231,6 @@ function withInterval(
   return `${fixed(value * factor, digits)}${half}${NBSP}${unit}`;
 }
 
-/* -- numbers of a table, without the unit that the column's head names -- */
-
 export function plainSpeed(mps: number | null): string {
   return plain(mps, speedScale(), 1);
 }
@@ -248,7 +239,6 @@ export function plainAcceleration(mps2: number | null): string {
   return plain(mps2, accelerationScale(), 2);
 }
 
-/** A height of a table: "1.172". */
 export function plainHeight(metres: number | null): string {
   return plain(metres, lengthScale(), HEIGHT_DIGITS);
 }

@@ -17,22 +17,17 @@ export interface Wish<S = unknown, W = unknown, A = unknown> {
   readonly want: W;
   /** "held": kept, and sent when its owner says so. */
   readonly state: "held" | "saving" | "conflict" | "failed" | "saved" | "dropped";
-  /** Why it was not stored. */
   readonly problem: string | null;
-  /** In a conflict: what is there instead. */
   readonly theirs: S | null;
 }
 
-/** A wish as it is made. */
 export type Wanted<S, W, A> = Omit<Wish<S, W, A>, "state" | "problem" | "theirs">;
 
-/** How one write goes out: what ends it, and the key by which the server knows it when it comes again. */
 export interface Sending {
   readonly signal: AbortSignal;
   readonly idempotencyKey: string;
 }
 
-/** How things of one kind are brought to the server. */
 export interface Kind<S, W, A> {
   /** One write, which brings it nearer to what is wanted; answers what the server has then. */
   send(wish: Wish<S, W, A>, sending: Sending): Promise<S | null>;

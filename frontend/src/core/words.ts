@@ -50,22 +50,16 @@ export const LIGHTING_WORDS: Readonly<Record<Lighting, string>> = wordsOf(
   "low_light",
 );
 
-/** The same within a list. */
 export const LIGHTING_NOUNS: Readonly<Record<Lighting, string>> = wordsOf("lighting-noun-");
 
-/** How a live stream is. */
 export const LIVE_WORDS = wordsOf("live-state-");
 
-/** Why a target cannot be measured. */
 export const NOT_VISIBLE_WORDS: Readonly<Record<NotVisible, string>> = wordsOf("not-visible-");
 
-/** Why a pass is none of a vehicle to be measured. */
 export const DISCARDED_WORDS: Readonly<Record<Discarded, string>> = wordsOf("discarded-");
 
-/** Which way a pass goes in the picture. */
 export const DIRECTION_WORDS: Readonly<Record<Direction, string>> = wordsOf("direction-");
 
-/** On which side of a vehicle, as the camera sees it, its driver sits. */
 export const SIDE_WORDS: Readonly<Record<DriverSide, string>> = wordsOf("side-");
 
 /** What can be told apart by looking at a vehicle: the spot of a roof, the side of a driver. */
@@ -100,7 +94,6 @@ export function insetNote({ code, note }: Pick<Survey["insets"][InsetName], "cod
 
 export const CATEGORY_WORDS: Readonly<Record<Category, string>> = wordsOf("category-");
 
-/** What classes are counted together, as each survey says. */
 export const CLASS_SET_WORDS: Readonly<Record<ClassSet, string>> = wordsOf(
   "class-set-",
   ...(["passenger_cars", "light_trucks", "heavy"] as const),
@@ -125,7 +118,6 @@ export function heightWords(
     : STATE_WORDS.not_measurable;
 }
 
-/** A vehicle's number as lists show it: "03". */
 export function vehicleName(number: number): string {
   return String(number).padStart(2, "0");
 }

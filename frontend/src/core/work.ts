@@ -5,7 +5,6 @@ import type { StepKey, Survey } from "./types";
 export interface WorkEntry {
   name: PlaceName;
   step: StepKey | null;
-  /** Pages that are reached over the tabs of this one. */
   tabs?: readonly PlaceName[];
 }
 
@@ -56,12 +55,10 @@ export function groupsOf(survey: Survey | null, here: PlaceName) {
   }));
 }
 
-/** Whether a page is this entry's, or one of its tabs. */
 export function holds(entry: WorkEntry, page: PlaceName): boolean {
   return entry.name === page || (entry.tabs ?? []).includes(page);
 }
 
-/** Where a step of the survey is done. */
 export function entryOfStep(key: StepKey): WorkEntry {
   const entries = GROUPS.flatMap((group): readonly WorkEntry[] => group.entries);
   const found = entries.find((entry) => entry.step === key);

@@ -3,7 +3,6 @@ import type { Check } from "./verdict";
 
 interface Props {
   checks: readonly Check[];
-  /** Whether all of them are there. */
   ended: boolean;
   verdicts: Readonly<Record<Check["state"], string>>;
   /** What stands between verdict and checks. */

@@ -43,11 +43,9 @@ export function Grid({ heads, list, class: more, children }: GridProps) {
 
 interface FactsProps {
   rows: readonly (readonly [name: string, value: string])[];
-  /** Of the values. */
   class?: string;
 }
 
-/** Names and values, a pair a row. */
 export function Facts({ rows, class: shape }: FactsProps) {
   return (
     <table class="opened__rows">

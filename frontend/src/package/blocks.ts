@@ -15,7 +15,6 @@ declare global {
 
 const decoder = new TextDecoder("utf-8", { fatal: true, ignoreBOM: true });
 
-/** Every file that the page carries, by path. */
 export async function heldFiles(): Promise<Map<string, Held>> {
   const found = new Map<string, Held>();
   for (const block of document.querySelectorAll<HTMLScriptElement>("script[data-path]")) {

@@ -59,7 +59,6 @@ function follows(row: Row, number: number, before: string): boolean {
   );
 }
 
-/** Notes what an event says; false where what it carries is not what it hashed. */
 function gathered(event: Row, measurements: Map<string, Values>, poses: Map<string, string>): boolean {
   if (!event["after"] || (event["entity"] !== "measurement" && event["entity"] !== "pose")) return true;
   const after = JSON.parse(event["after"]) as Values;

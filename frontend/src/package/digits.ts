@@ -18,7 +18,6 @@ export function shown(path: string, name: string, row: Row): string {
   return decimal(Number(text).toFixed(digits(path, name, row)));
 }
 
-/** A height of measurements.csv. */
 export function shownHeight(metres: string | number): string {
   return decimal(Number(metres).toFixed(HEIGHT_DIGITS));
 }

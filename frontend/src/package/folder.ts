@@ -7,7 +7,6 @@ import { hex, sha256 } from "./sha256";
 export interface FolderCheck {
   readonly files: number;
   readonly bytes: number;
-  /** what is wrong, by path */
   readonly changed: readonly string[];
   readonly missing: readonly string[];
   readonly strange: readonly string[];

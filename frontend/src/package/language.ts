@@ -20,7 +20,6 @@ function spoken(): Spoken {
 
 const about = spoken();
 
-/** Speaks a language from now on. */
 export function speak(name: string): void {
   language.value = name;
   document.documentElement.lang = name;

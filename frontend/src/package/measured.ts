@@ -25,7 +25,6 @@ export interface Again {
 const NOTHING = Object.fromEntries(LENGTHS.map((name) => [name, null])) as Record<Length, null>;
 const number = (text: string | undefined) => (text ? Number(text) : null);
 
-/** The frames on which the points of a row were clicked, the first one first. */
 function framesOf(row: Row): Clicked[] {
   const frames: Clicked[] = [];
   for (let k = 1; ; k++) {

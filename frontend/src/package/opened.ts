@@ -12,7 +12,6 @@ import { type Part, partsOf, README } from "./readme";
 import { sha256 } from "./sha256";
 import { notVouched, posesNotVouched } from "./vouched";
 
-/** A table of a package, as `opened-table` says what it holds. */
 export type TableName = Messages["opened-table"]["table"];
 
 /** What the package says of itself for this page: sizes of its folders, figures, tables with their columns. */

@@ -3,7 +3,6 @@ import { type Entry, entriesOf } from "./zip";
 
 export type Piece = Entry;
 
-/** The files of a folder that somebody chose; paths within it. */
 export function ofChosen(chosen: readonly File[]): Piece[] {
   return chosen.map((file) => pieceOf(file, belowTop(file.webkitRelativePath) || file.name));
 }

@@ -82,7 +82,6 @@ interface Central {
   readonly packed: number;
   readonly at: number;
   readonly method: number;
-  /** of the entry itself */
   readonly length: number;
 }
 

@@ -11,11 +11,9 @@ interface Props<Choices, Plan, Done> {
   keep?: boolean;
   look: (file: File, taken: Choices) => Promise<Plan>;
   store: (file: File, taken: Choices) => Promise<Done>;
-  /** How many of its lines can be stored. */
   usable: (plan: Plan) => number;
   storeWords: (count: number) => string;
   doneWords: (done: Done) => string;
-  /** While no file is chosen. */
   before?: ComponentChildren;
   preview: (plan: Plan, taken: Choices, change: (part: Partial<Choices>) => void) => ComponentChildren;
   onClose: () => void;

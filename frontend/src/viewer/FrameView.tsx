@@ -14,7 +14,6 @@ import "./notes.css";
 export interface FrameViewProps {
   player: Player;
   stage: FrameStage;
-  /** Shapes above the picture; see Overlay. */
   children?: ComponentChildren;
   /** Plain elements above everything, placed by the caller. */
   above?: ComponentChildren;

@@ -29,7 +29,6 @@ export function Line({ points, kind }: { points: readonly Px[]; kind: LineKind }
   );
 }
 
-/** Everything drawn in image coordinates goes inside. */
 export function InImage({ stage, children }: { stage: FrameStage; children: preact.ComponentChildren }) {
   return <g transform={stage.view.value.svgTransform}>{children}</g>;
 }
@@ -53,7 +52,6 @@ export interface Rung {
   readonly words: string;
 }
 
-/** Lines of equal height on the side plane through the contact. */
 export function LadderLayer({ rungs, stage }: { rungs: readonly Rung[]; stage: FrameStage }) {
   return (
     <g data-testid="ladder">
@@ -72,7 +70,6 @@ export function LadderLayer({ rungs, stage }: { rungs: readonly Rung[]; stage: F
   );
 }
 
-/** A word beside an image point. */
 export function Word(props: {
   stage: FrameStage;
   at: ImagePoint | null;
@@ -100,7 +97,6 @@ export interface MarkProps {
   kind: "contact" | "point";
   selected?: boolean;
   faint?: boolean;
-  /** Words beside the mark: "roof". */
   text?: string;
 }
 

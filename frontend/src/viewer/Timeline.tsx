@@ -110,7 +110,6 @@ function describe(player: Player, index: number): string {
     : say("viewer-frame-at", { frame, time: formatFrameTime(time) });
 }
 
-/** As many thumbnails as fit, spread evenly over the recording. */
 function Thumbs({ recording, count }: { recording: Recording; count: number }) {
   const frames = recording.frame_count ?? 0;
   const thumbs = recording.thumbs;

@@ -1,6 +1,6 @@
 import { render } from "preact";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
-import { FakeServer, recording } from "../testing/server";
+import { FakeServer, recording } from "../../testing/server";
 import { Player } from "./player";
 import { FrameStage } from "./stage";
 import { frameCommands } from "./stageCommands";

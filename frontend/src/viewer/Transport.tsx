@@ -1,4 +1,3 @@
-/** Step buttons, play, the frame box, the time. */
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { Button, IconButton } from "../components";
 import { type ActionId, commandName, hint } from "../core/commands";

@@ -25,7 +25,6 @@ export function worthHaving(
   return [...near, ...far].slice(0, room);
 }
 
-/** A frame that will be looked at closely, and its neighbours. */
 export function around(frame: number): number[] {
   const found = [frame];
   for (let step = 1; step <= AROUND; step += 1) found.push(frame + step, frame - step);
@@ -62,7 +61,6 @@ export function neighbours(frame: number, direction: 1 | -1, count: number, ahea
   return wanted.filter((n) => n >= 0 && n < count);
 }
 
-/** Runs of consecutive frames, for the timeline. */
 export function runsOf(frames: readonly number[]): [number, number][] {
   const runs: [number, number][] = [];
   for (const frame of [...frames].sort((a, b) => a - b)) {

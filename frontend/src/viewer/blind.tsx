@@ -4,7 +4,7 @@ import { say } from "../core/messages";
 import { outbox } from "../core/outbox";
 import { newKey } from "../core/random";
 import { toast, toastProblem } from "../core/toasts";
-import type { Measurement, Target } from "../core/types";
+import type { Blind, Measurement } from "../core/types";
 import { linesShown } from "./display";
 import type { Geometry } from "./geometry";
 import { AxesLayer, PointMark } from "./Overlay";
@@ -14,14 +14,7 @@ import { type Repeat, repeatWish } from "./repeats";
 import type { FrameStage } from "./stage";
 import type { Tool } from "./tool";
 
-/** What is to be clicked again; its own points are not in it. */
-export interface Wanted {
-  readonly measurement_id: number;
-  readonly vehicle_id: number;
-  readonly recording_id: number;
-  readonly frame: number;
-  readonly target: Target;
-}
+export type Wanted = Readonly<Omit<Blind, "vehicle_number">>;
 
 /** A second click as it was made; `made` is null while the server does not have it. */
 export interface Again {
@@ -78,7 +71,6 @@ export class BlindClicks implements Tool<ImagePoint> {
     return true;
   }
 
-  /** The contact is taken back; false if there is none. */
   back(): boolean {
     if (!this.contact.value) return false;
     this.forget();

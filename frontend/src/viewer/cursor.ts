@@ -3,7 +3,6 @@ import { computed, type ReadonlySignal, type Signal, signal } from "@preact/sign
 import type { DragPhase, Handle, Tool } from "./tool";
 import type { View } from "./view";
 
-/** As much of a stage as its cursor needs. */
 interface Surface<P, V> {
   readonly view: Signal<V>;
   readonly pointer: ReadonlySignal<P | null>;
@@ -16,7 +15,6 @@ interface Surface<P, V> {
 
 /** A tool among the others, so that its place in the list says who has the arrows, Enter and Esc first. */
 export class KeyboardCursor<P, V extends View<P, V>> implements Tool<P> {
-  /** Null while it is off. */
   readonly at = signal<P | null>(null);
   /** A finger put it there: it can be dragged to its place, and a button confirms it. */
   readonly byFinger = signal(false);

@@ -19,7 +19,6 @@ export function toggleBright(): void {
   toggle(bright);
 }
 
-/** What is added to the address of a still or a crop. */
 export function displayQuery(isBright: boolean): string {
   return isBright ? "display=bright" : "";
 }

@@ -48,7 +48,6 @@ export interface Live {
   readonly problem: string | null;
 }
 
-/** A height with its uncertainty, or why there is none. */
 export function heightOrReason(answer: HeightAnswer): string {
   if (answer.status === "ok") return formatHeight(answer.height_m, answer.U95_height_m);
   return answer.reason ? sentenceOf(answer.reason) : STATE_WORDS.not_measurable;
@@ -109,7 +108,6 @@ export class Geometry {
     }
   }
 
-  /** Nothing is awaited any more. */
   private arrived(): void {
     clearTimeout(this.slow);
     this.awaited.value = null;

@@ -51,7 +51,6 @@ export class Gestures<P, V extends View<P, V>> {
 
   constructor(private readonly stage: PictureStage<P, V>) {}
 
-  /** True while a button is down. */
   get pressed(): boolean {
     return this.press !== null;
   }

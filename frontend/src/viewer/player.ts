@@ -109,7 +109,6 @@ export class Player {
     return this.checksums.get(frame);
   }
 
-  /** Goes to a frame that somebody chose. */
   go(frame: number): void {
     this.wishes += 1;
     this.turnTo(frame);
@@ -152,7 +151,6 @@ export class Player {
     this.go(now === null ? this.frame.value + Math.sign(seconds) * 25 : this.frameAt(now + seconds));
   }
 
-  /** The frame shown at a time. */
   frameAt(time_s: number): number {
     const last = (this.count.value ?? this.times.value.size) - 1;
     let low = 0;

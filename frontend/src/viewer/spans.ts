@@ -10,7 +10,6 @@ export interface Span {
   readonly kind: "todo" | "done" | "current" | "board" | "followed" | "dropped";
 }
 
-/** The least width that a span needs for its label. */
 const LABEL_PX = 24;
 /** Nearer than this two bars look like one. */
 const GAP_PX = 2;

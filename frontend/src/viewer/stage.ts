@@ -112,7 +112,6 @@ export class PictureStage<P, V extends View<P, V>> {
     if (!pressed) this.measure();
   }
 
-  /** A mouse event's place in the window of the picture. */
   fromClient(clientX: number, clientY: number): ScreenPoint {
     const box = this.element?.getBoundingClientRect();
     return screenPoint(clientX - (box?.left ?? 0), clientY - (box?.top ?? 0));
@@ -126,7 +125,6 @@ export class PictureStage<P, V extends View<P, V>> {
     this.element?.focus({ preventScroll: true });
   }
 
-  /** The window has this size now. */
   protected resize(screen: Size): void {
     this.view.value = this.view.value.resized(screen);
   }
@@ -153,7 +151,6 @@ const MOST_AIM = 4;
 
 const NOTHING: Size = { width: 1, height: 1 };
 
-/** The stage of a recording's frames. */
 export class FrameStage extends PictureStage<ImagePoint, Viewport> {
   /** The box of the transport in which a frame's number is typed, while it is shown. */
   frameBox: HTMLInputElement | null = null;
@@ -186,7 +183,6 @@ export class FrameStage extends PictureStage<ImagePoint, Viewport> {
     this.view.value = factor > 1 ? zoomed.pan(width / 2 - x, height / 2 - y) : fitted;
   }
 
-  /** The whole picture again, also when it comes later. */
   whole(): void {
     this.aimed = null;
     this.fit();

@@ -3,7 +3,6 @@ import type { ReadonlySignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import type { ScreenPoint } from "./points";
 
-/** A point that can be picked and dragged. */
 export interface Handle<P> {
   readonly id: string;
   readonly at: P;
@@ -19,7 +18,6 @@ export interface Tool<P> {
   /** True while a click places something: the cross-hair, and picking only by dragging. */
   readonly placing?: ReadonlySignal<boolean>;
   readonly handles?: ReadonlySignal<readonly Handle<P>[]>;
-  /** What it draws over the picture. */
   layers?(): ComponentChildren;
   /** A click, or Enter at the keyboard's cursor. */
   place?(at: P): boolean;

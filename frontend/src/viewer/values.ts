@@ -10,7 +10,6 @@ export interface Inset {
   readonly u_inset_m: number;
 }
 
-/** The two points on one frame. */
 export interface FramePoints {
   readonly frame: number;
   readonly contact: ImagePoint;
@@ -101,7 +100,6 @@ export function snappedFrom({ snapped, contact }: Values): { snapped_from?: [num
   return snapped && samePoint(snapped.to, contact) ? { snapped_from: pair(snapped.from) } : {};
 }
 
-/** Every frame of a measurement, the first one first. */
 export function framesOf(values: Values): readonly FramePoints[] {
   return [{ frame: values.frame, contact: values.contact, point: values.point }, ...values.more];
 }
@@ -117,7 +115,6 @@ export function ofFrames(frames: readonly FramePoints[]): Partial<Values> {
   return first ? { ...first, more } : {};
 }
 
-/** What changes when a point moves on one of the frames. */
 export function movedOn(values: Values, frame: number, change: Partial<FramePoints>): Partial<Values> {
   return ofFrames(framesOf(values).map((one) => (one.frame === frame ? { ...one, ...change } : one)));
 }
@@ -138,7 +135,6 @@ export function madeOf({ proposed, frame, contact, point }: Values): Exclude<Mad
 
 export type ClickBody = Omit<BodyOf<"PUT /measurements/{measurement_id}">, "revision"> & { target: Target };
 
-/** The body of a POST or PUT. */
 export function clickBody({
   target,
   inset,

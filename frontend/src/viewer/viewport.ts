@@ -14,7 +14,6 @@ export class Viewport implements View<ImagePoint, Viewport> {
   private constructor(
     readonly image: Size,
     readonly screen: Size,
-    /** Screen pixels per image pixel. */
     readonly scale: number,
     /** Screen position of the image's top-left CORNER. */
     readonly left: number,

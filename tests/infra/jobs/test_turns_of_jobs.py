@@ -10,8 +10,8 @@ from sightline import job_handlers
 from sightline.infra.database.engine import SessionFactory, reading, writing
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.one_machine import OneMachine
+from sightline.infra.jobs.process import WorkerProcess
 from sightline.infra.jobs.store import claim_job
-from sightline.infra.jobs.workers import WorkerProcess
 from tests.infra.jobs import handlers
 
 LONG, SHORT = "test_long", "test_make_survey"
@@ -69,6 +69,6 @@ def test_deliveries_on_postgres(factory: SessionFactory) -> None:
 
 def test_what_goes_through_whole_videos_is_long() -> None:
     assert job_handlers.MODULES
-    short = ("ingest", "pose", "scan_read", "scan_tidy")
+    short = ("ingest", "pose", "scan_read", "tidy")
     long = ("passes", "proposals", "drift", "calibrate", "export", "scan_find")
     assert {kind for kind in (*short, *long) if registry.is_long(kind)} == set(long)

@@ -12,7 +12,7 @@ from sightline.cameras.store import get_camera
 from sightline.enums import JsonObject, LensModel
 from sightline.errors import BadInput
 from sightline.geometry.board import Board
-from sightline.geometry.calibration import CalibrationResult
+from sightline.geometry.calibration import CalibrationResult, told_apart
 from sightline.geometry.calibration_checks import CheckedCalibration
 from sightline.geometry.camera import Camera
 from sightline.geometry.corners import Corners
@@ -110,17 +110,9 @@ def stored_corners(image: CalibrationImage, board: Board) -> Corners:
 
 
 def unique_names(seen: Sequence[DetectedView]) -> list[DetectedView]:
-    """The same pictures; a name that was there before gets a number: results are told apart by name."""
-    taken: set[str] = set()
-    named = []
-    for one in seen:
-        name, number = one.name, 1
-        while name in taken:
-            number += 1
-            name = f"{one.name} ({number})"
-        taken.add(name)
-        named.append(replace(one, name=name))
-    return named
+    """The same pictures, their names told apart."""
+    names = told_apart(one.name for one in seen)
+    return [replace(one, name=name) for one, name in zip(seen, names, strict=True)]
 
 
 def view_rows(seen: Sequence[DetectedView], result: CalibrationResult) -> list[JsonObject]:

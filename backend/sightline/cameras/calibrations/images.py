@@ -17,9 +17,8 @@ from sightline.errors import Away
 from sightline.geometry.board import Board
 from sightline.geometry.corners import Corners, find_board
 from sightline.geometry.ruler import polyline
-from sightline.infra.backup.state import needed_media
 from sightline.infra.services import Services
-from sightline.infra.stored_bytes import put_bytes, require_media, suffix_of
+from sightline.infra.stored_bytes import let_go, put_bytes, suffix_of
 from sightline.media.images import jpeg
 from sightline.messages.said import Said
 
@@ -103,10 +102,6 @@ def as_jpeg(services: Services, image: CalibrationImage) -> bytes:
 
 def remove_image(services: Services, image_id: int, actor: int) -> None:
     """Take an image out, and its file if nothing else has the same content."""
-    require_media(services)
     with services.writing() as session:
         gone = remove_calibration_image(session, image_id, actor=actor)
-    # Nobody can begin to need the file while the lock is held.
-    with services.writing() as session:
-        if not needed_media(session, gone.media_key):
-            services.media.delete(gone.media_key)
+        let_go(session, get_camera(session, gone.camera_id).survey_id, [gone.media_key], actor)

@@ -18,14 +18,9 @@ from sightline.infra.database.rows import change_row, get_row, the_one
 
 
 def add_calibration(
-    session: Session,
-    camera_id: int,
-    *,
-    make_current: bool = True,
-    actor: int | None,
-    **values: Unpack[NewCalibration],
+    session: Session, camera_id: int, *, actor: int | None, **values: Unpack[NewCalibration]
 ) -> Calibration:
-    """Store a calibration and (by default) make it the camera's current one. Raises NotFound, Conflict."""
+    """Store a calibration and make it the camera's current one. Raises NotFound, Conflict."""
     camera = get_row(session, cameras, camera_id, "camera")
     calibration_id = written_once(
         session,
@@ -33,12 +28,11 @@ def add_calibration(
         {"camera_id": camera_id, "recording_id": None, **values},
         "create",
         survey_id=camera["survey_id"],
-        also={"current": make_current, "images": _images(session, values["views"])},
+        also={"current": True, "images": _images(session, values["views"])},
         untold=("document", "warnings", "coverage", "views"),
         actor=actor,
     )
-    if make_current:
-        change_row(session, cameras, camera_id, {"current_calibration_id": calibration_id})
+    change_row(session, cameras, camera_id, {"current_calibration_id": calibration_id})
     return get_calibration(session, calibration_id)
 
 

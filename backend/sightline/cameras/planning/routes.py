@@ -123,12 +123,7 @@ def plan_line_rate(
     """What speed, length and gaps will be known to, equation (2) of the line-scan paper, and what pixels and
     exposure make of a vehicle; nothing is stored.
     """
-    try:
-        plan = plan_lines(
-            speed_mps, baseline_m, error, line_rate_hz, u_baseline_m, length_m=length_m, time_gap_s=time_gap_s
-        )
-    except (ValueError, OverflowError) as refused:
-        raise BadInput("said", sentence=refused) from refused
+    plan = plan_lines(speed_mps, baseline_m, error, line_rate_hz, u_baseline_m, length_m, time_gap_s)
     if pixel_width_um is None or pixel_height_um is None or focal_mm is None or distance_m is None:
         return line_plan_body(plan, None)
     camera = LineCamera(pixel_width_um, pixel_height_um, focal_mm, distance_m, exposure_us)

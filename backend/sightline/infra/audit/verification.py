@@ -33,12 +33,11 @@ from sightline.infra.audit.vouched import (
 from sightline.infra.database.engine import (
     engine_at,
     explained,
-    newest_revision,
     reading,
     session_factory,
-    stored_revision,
 )
 from sightline.infra.database.pages import require_whole_pages
+from sightline.infra.database.revisions import newest_revision, stored_revision
 from sightline.infra.database.rows import row_hash
 from sightline.infra.database.types import Saying
 

@@ -49,7 +49,7 @@ def copy_files_of_sqlite(
     found: dict[str, CopiedTable] = {}
     for number, table in enumerate(tables):
         told(number / len(tables))
-        with no_room_told("the restored rows"), (folder / f"{table.name}{ENDING}").open("wb") as file:
+        with no_room_told(), (folder / f"{table.name}{ENDING}").open("wb") as file:
             for row in connection.execute(select(*map(_plain, table.columns))).yield_per(_AT_ONCE):
                 file.write(("\t".join(map(_written, row)) + "\n").encode())
         columns = [column.name for column in table.columns]

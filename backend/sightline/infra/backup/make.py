@@ -154,7 +154,7 @@ def _copy_database(
     if path is None:
         with services.reading() as session:
             return _described(session, before, copy_out(session.connection(), place, told))
-    with no_room_told("the backup"):
+    with no_room_told():
         copy_sqlite(path, place / DATABASE, told)
     with (
         engine_at(sqlite_url(place / DATABASE)) as engine,

@@ -57,10 +57,10 @@ class MediaCopies:
         return path.is_file() and path.stat().st_size == held.size
 
     def _copy(self, store: MediaStore, key: str, size: int) -> StoredFile:
-        check_room(self._folder, size, "the backup")
+        check_room(self._folder, size)
         part = self._folder / f".{uuid4().hex}{PART}"
         try:
-            with store.open(key) as read, no_room_told("the backup"), part.open("xb") as write:
+            with store.open(key) as read, no_room_told(), part.open("xb") as write:
                 digest, length = hashlib.sha256(), 0
                 while piece := read.read(CHUNK_BYTES):
                     digest.update(piece)

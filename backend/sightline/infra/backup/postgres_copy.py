@@ -50,7 +50,7 @@ def copy_out(connection: Connection, folder: Path, told: Callable[[float], None]
         told(number / len(tables))
         copying = sql.SQL("COPY {} ({}) TO STDOUT").format(sql.Identifier(name), _listed(columns))
         with (
-            no_room_told("the backup"),
+            no_room_told(),
             (folder / f"{name}{ENDING}").open("wb") as file,
             _cursor(connection) as cursor,
             cursor.copy(copying) as rows,

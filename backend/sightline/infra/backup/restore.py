@@ -32,7 +32,6 @@ from sightline.infra.database.engine import (
     explained,
     lift_limits,
     migrate,
-    newest_revision,
     reading,
     session_factory,
     sqlite_file,
@@ -40,8 +39,10 @@ from sightline.infra.database.engine import (
 )
 from sightline.infra.database.migrations import upgrade
 from sightline.infra.database.pages import require_whole_pages
+from sightline.infra.database.revisions import newest_revision
 from sightline.infra.jobs.recovery import deliver_anew
-from sightline.media.store.local import MediaStore, check_room, copy_whole, open_store
+from sightline.media.store.local import MediaStore, check_room, copy_whole
+from sightline.media.store.opening import open_store
 from sightline.settings import Settings, sqlite_url
 
 
@@ -66,7 +67,7 @@ def check_backup(folder: Path, tell: Tell) -> ReadBackup:
         tell(1.0, "read")
         return ReadBackup(manifest, None)
     with tempfile.TemporaryDirectory(prefix="sightline-check-") as scratch:
-        check_room(Path(scratch), (state / DATABASE).stat().st_size, "a copy of the database to check")
+        check_room(Path(scratch), (state / DATABASE).stat().st_size)
         audit = _sqlite_in(state / DATABASE, Path(scratch) / DATABASE, manifest)
     tell(1.0, "read")
     return ReadBackup(manifest, audit)
@@ -99,10 +100,10 @@ def restore_backup(folder: Path, settings: Settings, tell: Tell, *, earlier: boo
         else:
             audit = _into_sqlite(state, path, manifest, told)
     except BaseException:
+        _empty(data_dir, itself=not was_there)
         if store is not None:
             for key in manifest.media:
                 store.delete(key)
-        _empty(data_dir, itself=not was_there)
         raise
     tell(1.0, "restored")
     return ReadBackup(manifest, audit)
@@ -216,7 +217,7 @@ def _rows_for_postgresql(
         return
     with tempfile.TemporaryDirectory(prefix="sightline-crossing-") as made:
         scratch = Path(made)
-        check_room(scratch, 2 * (state / DATABASE).stat().st_size, "the rows on their way to PostgreSQL")
+        check_room(scratch, 2 * (state / DATABASE).stat().st_size)
         _sqlite_in(state / DATABASE, scratch / DATABASE, manifest)  # of the newest schema, and whole
         with (
             engine_at(sqlite_url(scratch / DATABASE)) as engine,

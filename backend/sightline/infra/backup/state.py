@@ -8,7 +8,7 @@ from sqlalchemy.orm import Session
 from sightline.errors import BadInput
 from sightline.infra.audit import trail
 from sightline.infra.audit.tables import audit_events
-from sightline.infra.database.engine import newest_revision, stored_revision
+from sightline.infra.database.revisions import newest_revision, stored_revision
 from sightline.infra.database.types import metadata
 from sightline.infra.slices import load_tables
 
@@ -45,7 +45,7 @@ def needed_media(session: Session, key: str | None = None) -> set[str]:
     for table in metadata.sorted_tables:
         for column in table.columns:
             if "needs_media" in column.info:
-                query = select(column).where(column.is_not(None))
+                query = select(column).where(column.is_not(None), column.info["needs_media"](table.c))
                 if "deleted_at" in table.c:
                     query = query.where(table.c.deleted_at.is_(None))
                 if key is not None:

@@ -117,14 +117,14 @@ class Staging:
 
     def add(self, path: str, content: bytes) -> None:
         """One small file. Raises NoRoom."""
-        with no_room_told("this export"):
+        with no_room_told():
             self._place(path).write_bytes(content)
         self.written[path] = Written(sha256_hex(content), len(content))
 
     @contextmanager
     def file(self, path: str) -> Iterator[BinaryIO]:
         """A file that something else writes. Raises NoRoom."""
-        with no_room_told("this export"), self._place(path).open("wb", CHUNK_BYTES) as file:
+        with no_room_told(), self._place(path).open("wb", CHUNK_BYTES) as file:
             yield file
         self.written[path] = sum_of(self.files(), path)
 
@@ -132,7 +132,7 @@ class Staging:
     def table(self, table: Table[Made], path: str | None = None) -> Iterator[TableWriter[Made]]:
         """A CSV file to be filled row by row, at the table's path or at another. Raises NoRoom."""
         where = path or table.path
-        with no_room_told("this export"), self._place(where).open("wb", CHUNK_BYTES) as file:
+        with no_room_told(), self._place(where).open("wb", CHUNK_BYTES) as file:
             writer = TableWriter(file, table, named=self.named)
             yield writer
         self.written[where] = writer.written()
@@ -140,7 +140,7 @@ class Staging:
     @contextmanager
     def continued(self, table: Table[Made], before: TableWriter[Made]) -> Iterator[TableWriter[Made]]:
         """More rows at the end of a table that `before` has written. Raises NoRoom."""
-        with no_room_told("this export"), self._place(table.path).open("ab", CHUNK_BYTES) as file:
+        with no_room_told(), self._place(table.path).open("ab", CHUNK_BYTES) as file:
             writer = TableWriter(file, table, before)
             yield writer
         self.written[table.path] = writer.written()
@@ -178,7 +178,7 @@ def zip_folder(staging: Staging, target: Path, tick: Tick = no_tick) -> None:
     """
     total = max(sum(one.size for one in staging.written.values()), 1)
     done = 0
-    with no_room_told("this export"), zipfile.ZipFile(target, "w", allowZip64=True) as archive:
+    with no_room_told(), zipfile.ZipFile(target, "w", allowZip64=True) as archive:
         for path in [*sorted(set(staging.written) - {CHECKSUMS}), CHECKSUMS]:
             entry = zipfile.ZipInfo(path, date_time=(1980, 1, 1, 0, 0, 0))
             entry.compress_type = zipfile.ZIP_STORED if path.endswith(_PACKED) else zipfile.ZIP_DEFLATED

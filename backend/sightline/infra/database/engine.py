@@ -10,7 +10,6 @@ several, each whole, then share one wait for the disk, and nobody may be told of
 
 import errno
 import os
-import re
 import sqlite3
 import sys
 import threading
@@ -27,6 +26,7 @@ from sqlalchemy.exc import ArgumentError, DatabaseError, OperationalError
 from sqlalchemy.orm import Session, sessionmaker
 
 from sightline.errors import Away, BadInput, Damaged, NoRoom, SightlineError
+from sightline.infra.database.revisions import newest_revision, stored_revision
 
 # Advisory locks are the database's; an installation's are those of its schema.
 _TURN = "pg_advisory_xact_lock{kind}(hashtextextended(current_schema() || :turn, 7419))"
@@ -60,8 +60,7 @@ _DAMAGED = ("malformed", "Could not decode to UTF-8", "invalid page in block", "
 # PostgreSQL's codes: an account lacks a right; a writer that did nothing for too long was ended.
 _NO_RIGHT, _ENDED = "42501", "25P03"
 _sqlite_writer = threading.RLock()
-_REVISION = re.compile(r'^revision\b[^=\n]*= *"([^"]+)"', re.MULTILINE)
-_FOLLOWS = re.compile(r'^down_revision\b[^=\n]*= *"([^"]+)"', re.MULTILINE)
+
 
 SessionFactory = sessionmaker[Session]
 
@@ -167,35 +166,6 @@ def _begin_sqlite(connection: Any) -> None:
         connection.exec_driver_sql(f"PRAGMA synchronous={level}")
         connection.info["synchronous"] = level
     connection.exec_driver_sql("BEGIN IMMEDIATE")
-
-
-def migrations_folder() -> Path:
-    """Where the migrations are: SIGHTLINE_MIGRATIONS, else what a wheel holds, else the checkout's."""
-    named = os.environ.get("SIGHTLINE_MIGRATIONS")
-    if named:
-        return Path(named)
-    package = Path(__file__).resolve().parents[2]
-    held = package / "_migrations"
-    return held if held.is_dir() else package.parents[1] / "migrations"
-
-
-def newest_revision() -> str | None:
-    """The revision that no migration follows, read off the files; None unless there is just one.
-
-    A start with nothing to migrate needs no more than this: Alembic's import alone takes half as long as
-    the rest of the start.
-    """
-    files = [path.read_text() for path in sorted((migrations_folder() / "versions").glob("*.py"))]
-    made = {name for text_ in files for name in _REVISION.findall(text_)}
-    heads = made - {name for text_ in files for name in _FOLLOWS.findall(text_)}
-    return heads.pop() if len(heads) == 1 else None
-
-
-def stored_revision(connection: Connection) -> str | None:
-    """The revision that a database is at; None for an empty one."""
-    if not connection.dialect.has_table(connection, "alembic_version"):
-        return None
-    return connection.execute(text("SELECT version_num FROM alembic_version")).scalar_one_or_none()
 
 
 def migrate(engine: Engine) -> None:

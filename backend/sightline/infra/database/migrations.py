@@ -6,7 +6,7 @@ from alembic.script import ScriptDirectory
 from sqlalchemy import Connection
 
 from sightline.errors import BadInput
-from sightline.infra.database.engine import migrations_folder, stored_revision
+from sightline.infra.database.revisions import migrations_folder, stored_revision
 
 
 def alembic_config() -> Config:

@@ -1,7 +1,7 @@
 """Column kinds and the naming rule that every table uses, for SQLite and PostgreSQL alike."""
 
 import json
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from datetime import UTC, datetime
 from types import NoneType
 from typing import Any, Literal, get_args, get_origin, get_type_hints
@@ -11,6 +11,7 @@ from sqlalchemy import (
     Boolean,
     CheckConstraint,
     Column,
+    ColumnElement,
     DateTime,
     Dialect,
     Float,
@@ -21,6 +22,7 @@ from sqlalchemy import (
     Table,
     Text,
     TypeDecorator,
+    true,
 )
 from sqlalchemy.schema import SchemaItem
 
@@ -42,8 +44,16 @@ HOLDS = {"holds": True}
 KEEPS_TIMES = {"keeps_times": True}
 # This row is nothing without the row that is named, and is taken out with it.
 GOES_ALONG = {"goes_along": True}
-#: `info` of a column whose rows, while they are not removed, need the file of the media store that it names.
-NEEDS_MEDIA = {"needs_media": True}
+
+
+def needs_media(still: Callable[[Any], ColumnElement[bool]]) -> dict[str, Any]:
+    """`info` of a column whose rows, while they are not removed and `still` holds of their columns, need the
+    file of the media store that it names.
+    """
+    return {"needs_media": still}
+
+
+NEEDS_MEDIA = needs_media(lambda _columns: true())
 
 
 def now() -> datetime:

@@ -1,28 +1,20 @@
-"""How queued jobs get to worker processes: one interface, two engines.
+"""How worker processes come by queued jobs: one interface, two engines.
 
 SQLite is one machine: the supervisor of the worker processes hands jobs out itself (`one_machine`). On
 PostgreSQL several machines share the work: Procrastinate carries the ids (`postgres`). Either way the job
 table says what is to be done and what became of it.
 
-Whoever queues a job has it delivered (`deliver`) in the same transaction; whoever takes it from its worker
-has that forgotten (`withdraw`). A supervisor may fork once `start` says so; `hand_out` gives idle processes
-their jobs where they do not fetch them themselves, in `work`, `short_only` ones none that are long.
+A supervisor may fork once `start` says so; `hand_out` gives idle processes their jobs where they do not fetch
+them themselves, in `work`, `short_only` ones none that are long.
 """
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from sqlalchemy.orm import Session
-
 if TYPE_CHECKING:
     from sightline.infra.jobs.one_machine import OneMachine
     from sightline.infra.jobs.postgres import OnPostgres
-
-
-def engine_of_session(session: Session) -> OneMachine | OnPostgres:
-    """The engine of the database that a session is on."""
-    return engine_of(session.get_bind().dialect.name)
 
 
 def engine_of(dialect: str) -> OneMachine | OnPostgres:

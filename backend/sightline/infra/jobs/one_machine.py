@@ -3,19 +3,16 @@
 import fcntl
 import socket
 from collections.abc import Sequence
-from datetime import datetime
 from pathlib import Path
 from queue import SimpleQueue
 from typing import IO
 
-from sqlalchemy.orm import Session
-
 from sightline.infra.database.engine import SessionFactory, reading
+from sightline.infra.jobs.process import WorkerProcess, on_stop, watch_supervisor
 from sightline.infra.jobs.recovery import take_back
 from sightline.infra.jobs.registry import is_long
 from sightline.infra.jobs.runner import Runner
 from sightline.infra.jobs.store import queued_jobs
-from sightline.infra.jobs.workers import WorkerProcess, on_stop, watch_supervisor
 from sightline.settings import Settings
 
 LOCK_NAME = "workers.lock"
@@ -27,12 +24,6 @@ class OneMachine:
 
     def __init__(self) -> None:
         self._lock: IO[bytes] | None = None
-
-    def deliver(self, session: Session, job_id: int, not_before: datetime | None = None) -> None:
-        """The supervisor finds the job in the table."""
-
-    def withdraw(self, session: Session, job_id: int) -> None:
-        """The supervisor knows what it handed out."""
 
     def start(self, settings: Settings, sessions: SessionFactory) -> bool:
         """Whether this supervisor is the only one; what was running before it has no worker any more."""

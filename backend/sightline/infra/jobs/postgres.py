@@ -1,8 +1,7 @@
 """The engine of several machines: Procrastinate carries job ids to the worker processes of all of them.
 
-Whenever a job is queued, a Procrastinate job with its id is deferred in the same transaction. Procrastinate's
-side ends with each delivery and is deleted then; progress, result and history are in the job table. A worker
-process that is not heard of for `heartbeat_limit_s` has its jobs delivered again by any other.
+Deliveries are made in `delivery`; progress, result and history are in the job table. A worker process that is
+not heard of for `heartbeat_limit_s` has its jobs delivered again by any other.
 """
 
 import asyncio
@@ -12,63 +11,32 @@ import signal
 import socket
 import time
 from collections.abc import Sequence
-from datetime import datetime
-from functools import cache
 from typing import Any
 
 from procrastinate import App, PsycopgConnector
 from procrastinate.exceptions import ConnectorException
 from procrastinate.jobs import Job as Delivery
 from sqlalchemy import make_url, text
-from sqlalchemy.orm import Session
 
 from sightline.errors import SightlineError
 from sightline.infra.database.engine import DatabaseAway, SessionFactory, writing
 from sightline.infra.database.postgres import LimitedAsyncConnection, connection_arguments
+from sightline.infra.jobs.delivery import DELIVERED, LONG_QUEUE, QUEUE, TASK, deliver, forget
+from sightline.infra.jobs.process import WorkerProcess, watch_supervisor
 from sightline.infra.jobs.recovery import put_back
 from sightline.infra.jobs.registry import is_long
 from sightline.infra.jobs.runner import Runner
 from sightline.infra.jobs.store import get_job
-from sightline.infra.jobs.workers import WorkerProcess, watch_supervisor
 from sightline.settings import Settings
 
 log = logging.getLogger("sightline.worker")
 
-TASK = QUEUE = "sightline"
-#: deliveries of long jobs; one process of each supervisor never looks here
-LONG_QUEUE = "sightline-long"
-#: what a process that looks at both queues takes first
-SHORT_FIRST = 10
 BEATS = 5
-_DELIVERED = "SELECT id FROM procrastinate_jobs WHERE task_name = :task AND status = 'doing'"
-_OF_JOB = text(f"{_DELIVERED} AND (args ->> 'job_id')::bigint = :job_id")
-_STILL_STALLED = text(f"{_DELIVERED} AND id = :id AND worker_id IS NOT DISTINCT FROM :worker_id")
-_FORGET = text("SELECT procrastinate_finish_job_v1(:id, 'failed', true)")
-
-
-@cache
-def _deferring() -> App:
-    """An app without a connection of its own: it defers over the caller's."""
-    return App(connector=PsycopgConnector())
+_STILL_STALLED = text(f"{DELIVERED} AND id = :id AND worker_id IS NOT DISTINCT FROM :worker_id")
 
 
 class OnPostgres:
-    """Procrastinate's deferring, fetching and heartbeats."""
-
-    def deliver(self, session: Session, job_id: int, not_before: datetime | None = None) -> None:
-        """Defer over the session's connection: whoever listens is told at the commit."""
-        connection = session.connection().connection.driver_connection
-        long = is_long(get_job(session, job_id).kind)
-        queue, priority = (LONG_QUEUE, 0) if long else (QUEUE, SHORT_FIRST)
-        deferrer = _deferring().configure_task(
-            TASK, queue=queue, priority=priority, schedule_at=not_before, connection=connection
-        )
-        deferrer.defer(job_id=job_id)
-
-    def withdraw(self, session: Session, job_id: int) -> None:
-        """Forget the delivery to the worker that had the job."""
-        for delivery in session.execute(_OF_JOB, {"task": TASK, "job_id": job_id}).scalars().all():
-            session.execute(_FORGET, {"id": delivery})
+    """Procrastinate's fetching and heartbeats."""
 
     def start(self, settings: Settings, sessions: SessionFactory) -> bool:
         """Any number of supervisors may start workers."""
@@ -160,6 +128,6 @@ def take_up_stalled(sessions: SessionFactory, stalled: Delivery) -> None:
             log.warning("the worker of job %s (%s) is silent", job.id, job.kind)
             put_back(session, job)
             return
-        session.execute(_FORGET, {"id": stalled.id})
+        forget(session, stalled.id)
         if job.state == "queued":
-            OnPostgres().deliver(session, job.id)
+            deliver(session, job.id, long=is_long(job.kind))

@@ -2,9 +2,18 @@
 
 from dataclasses import dataclass
 from datetime import datetime
+from typing import TypedDict
 
 from sightline.enums import JobState, JsonObject
 from sightline.messages.said import Said
+
+
+class JobOf(TypedDict, total=False):
+    """What a job is of, beside its survey."""
+
+    recording_id: int | None
+    scan_id: int | None
+    study_id: int | None
 
 
 @dataclass(frozen=True, slots=True)

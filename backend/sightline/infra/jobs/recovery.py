@@ -6,9 +6,9 @@ from sqlalchemy.orm import Session
 
 from sightline.errors import Away, NoRoom, SightlineError
 from sightline.infra.database.engine import SessionFactory, reading, writing
-from sightline.infra.jobs.engine import engine_of_session
+from sightline.infra.jobs.delivery import deliver, withdraw
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.registry import STOPPED, clean_up
+from sightline.infra.jobs.registry import STOPPED, clean_up, is_long
 from sightline.infra.jobs.store import (
     MAX_ATTEMPTS,
     JobLost,
@@ -30,31 +30,30 @@ def put_back(session: Session, job: Job, *, counted: bool = True, postponed: boo
     `counted` says whether the attempt counts: it does not where the worker was told to stop. A `postponed`
     job waits for the database or the storage, and its attempt does not count either. Raises JobLost.
     """
-    engine = engine_of_session(session)
-    engine.withdraw(session, job.id)
+    withdraw(session, job.id)
+    long = is_long(job.kind)
     if job.cancel_requested:
         job_cancelled(session, job)
         clean_up(session, job, STOPPED)
     elif postponed:
         later = postpone_job(session, job)
-        engine.deliver(session, job.id, not_before=later.not_before)
+        deliver(session, job.id, long=long, not_before=later.not_before)
     elif not counted:
         release_job(session, job)
-        engine.deliver(session, job.id)
+        deliver(session, job.id, long=long)
     elif job.attempts >= MAX_ATTEMPTS:
         error = SightlineError("jobs-gave-up", attempts=job.attempts)
         fail_job(session, job, error)
         clean_up(session, job, error.said)
     else:
         requeue_job(session, job)
-        engine.deliver(session, job.id)
+        deliver(session, job.id, long=long)
 
 
 def deliver_anew(session: Session) -> None:
-    """Let workers have every job that waits or was being done, where the engine does not know of them."""
-    engine = engine_of_session(session)
-    for job_id in queued_jobs(session):
-        engine.deliver(session, job_id)
+    """Let workers have every job that waits or was being done, where they do not know of them."""
+    for job_id, kind in queued_jobs(session).items():
+        deliver(session, job_id, long=is_long(kind))
     for job in running_jobs(session):
         put_back(session, job, counted=False)
 

@@ -13,15 +13,15 @@ from __future__ import annotations
 import logging
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Unpack
 
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
 from sightline.errors import Away, BadInput, Conflict, NoRoom
 from sightline.infra.database.engine import explained
-from sightline.infra.jobs.engine import engine_of_session
-from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.delivery import deliver
+from sightline.infra.jobs.records import Job, JobOf
 from sightline.infra.jobs.store import create_job, request_job_cancel
 from sightline.messages.said import Said
 
@@ -150,9 +150,8 @@ def again(session: Session, job: Job, actor: int) -> Job:
     kind = registered(job.kind)
     if kind is None or kind.failed is not None:
         raise BadInput("jobs-restart-elsewhere", kind=job.kind)
-    place = {"survey_id": job.survey_id, "recording_id": job.recording_id}
-    place |= {"scan_id": job.scan_id, "study_id": job.study_id}
-    return enqueue(session, job.kind, job.payload, **place, actor=actor)
+    of: JobOf = {"recording_id": job.recording_id, "scan_id": job.scan_id, "study_id": job.study_id}
+    return enqueue(session, job.kind, job.payload, survey_id=job.survey_id, actor=actor, **of)
 
 
 def enqueue(
@@ -162,9 +161,9 @@ def enqueue(
     *,
     survey_id: int | None,
     actor: int | None,
-    **of: int | None,
+    **of: Unpack[JobOf],
 ) -> Job:
-    """A job in the caller's transaction, of a recording_id, scan_id or study_id; begun once that commits."""
+    """A job in the caller's transaction; begun once that commits."""
     job = create_job(session, kind, payload, survey_id=survey_id, actor=actor, **of)
-    engine_of_session(session).deliver(session, job.id)
+    deliver(session, job.id, long=is_long(kind))
     return job

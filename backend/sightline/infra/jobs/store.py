@@ -8,7 +8,7 @@ are audited; claiming and progress are not.
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import timedelta
-from typing import Any, get_args
+from typing import Any, Unpack, get_args
 
 from sqlalchemy import Column, func, or_, select, update
 from sqlalchemy.orm import Session
@@ -18,7 +18,7 @@ from sightline.errors import Conflict, SightlineError
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, change_row, get_row
 from sightline.infra.database.types import now
-from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.records import Job, JobOf
 from sightline.infra.jobs.tables import jobs
 from sightline.messages.said import Said
 
@@ -46,7 +46,7 @@ def create_job(
     *,
     survey_id: int | None,
     actor: int | None,
-    **of: int | None,
+    **of: Unpack[JobOf],
 ) -> Job:
     """A queued job. Use `sightline.infra.jobs.registry.enqueue`, which also has it delivered."""
     content: dict[str, Any] = {"kind": kind, "payload": dict(payload), "survey_id": survey_id}

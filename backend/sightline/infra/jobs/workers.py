@@ -25,6 +25,7 @@ from sightline.infra.database.engine import explained, make_engine, migrate, ses
 from sightline.infra.database.pages import require_whole_pages
 from sightline.infra.installation import require_alike, show_settings
 from sightline.infra.jobs.engine import engine_of
+from sightline.infra.jobs.process import WorkerProcess
 from sightline.infra.jobs.recovery import take_back
 from sightline.infra.jobs.runner import Runner
 from sightline.infra.private import keep_private
@@ -82,44 +83,6 @@ def alive_file(settings: Settings) -> Path:
 def worker_name() -> str:
     """A name that no other worker process ever has."""
     return f"{socket.gethostname()}:{uuid4().hex[:12]}"
-
-
-class WorkerProcess:
-    """The supervisor's side of one worker process."""
-
-    def __init__(self, pid: int, name: str, orders: socket.socket, *, short_only: bool) -> None:
-        self.pid, self.name, self.orders, self.short_only = pid, name, orders, short_only
-        self.job_id: int | None = None
-        self.is_idle = False
-        self.started = time.monotonic()
-
-    def fileno(self) -> int:
-        """For select."""
-        return self.orders.fileno()
-
-    def give(self, job_id: int) -> None:
-        """Have it do a job."""
-        self.job_id, self.is_idle = job_id, False
-        with suppress(OSError):  # it has just ended, which is noticed next
-            self.orders.sendall(f"{job_id}\n".encode())
-
-    def is_alive(self) -> bool:
-        """Take what it says: it is idle, or (its end of the pair closed) it ended."""
-        try:
-            word = self.orders.recv(64)
-        except OSError:
-            word = b""
-        if word:
-            self.job_id, self.is_idle = None, True
-        return bool(word)
-
-    def bury(self) -> None:
-        """Make sure that it has ended, and leave no zombie."""
-        self.orders.close()
-        with suppress(ProcessLookupError):
-            os.kill(self.pid, signal.SIGKILL)
-        with suppress(ChildProcessError):
-            os.waitpid(self.pid, 0)
 
 
 class Supervisor:
@@ -261,23 +224,6 @@ def be_worker(settings: Settings, name: str, orders: socket.socket, *, short_onl
         log.exception("a worker process broke")
     finally:
         os._exit(status)
-
-
-def watch_supervisor(orders: socket.socket, take: Callable[[bytes], None]) -> None:
-    """In a worker process: `take` each line, from a thread; end the process when the supervisor is gone."""
-
-    def read() -> None:
-        with orders.makefile("rb") as lines:
-            for line in lines:
-                take(line)
-        os._exit(1)
-
-    threading.Thread(target=read, name="supervisor-watch", daemon=True).start()
-
-
-def on_stop(stop: Callable[[], None]) -> None:
-    """Call this at SIGTERM, in the main thread."""
-    signal.signal(signal.SIGTERM, lambda *_signal: stop())
 
 
 class ChildSupervisor:

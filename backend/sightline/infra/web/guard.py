@@ -1,4 +1,6 @@
-"""In front of every route: requests from other sites are refused, answers carry security headers."""
+"""In front of every route: requests from other sites and forms of strangers are refused, answers carry
+security headers.
+"""
 
 import re
 from collections.abc import Collection
@@ -6,11 +8,13 @@ from urllib.parse import urlsplit
 
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.exceptions import HTTPException
+from starlette.requests import Request
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from sightline.errors import NotAllowed
+from sightline.errors import NotAllowed, SightlineError
 from sightline.infra.web.bearer import bearer_of
-from sightline.infra.web.error_handlers import answer
+from sightline.infra.web.deps import asking
+from sightline.infra.web.error_handlers import answer, known
 
 SAFE_METHODS = {"GET", "HEAD", "OPTIONS"}
 HEADER = "x-sightline"
@@ -81,10 +85,13 @@ def most_bytes(kind: str, method: str, path: str, forms: Collection[FormRoute]) 
     """
     if kind == UPLOADED and path.startswith("/api/uploads/"):
         return None
-    takes_form = kind == "multipart/form-data" and any(
-        method == its and pattern.match(path) for its, pattern in forms
-    )
-    return MOST_FORM_BYTES if takes_form else MOST_JSON_BYTES
+    form = kind == "multipart/form-data" and takes_form(method, path, forms)
+    return MOST_FORM_BYTES if form else MOST_JSON_BYTES
+
+
+def takes_form(method: str, path: str, forms: Collection[FormRoute]) -> bool:
+    """Whether the route reads a form."""
+    return any(method == its and pattern.match(path) for its, pattern in forms)
 
 
 def counted(receive: Receive, most: int) -> Receive:
@@ -133,3 +140,20 @@ class Guard:
             if most is not None:
                 receive = counted(receive, most)
         await self.app(scope, receive, send_with_headers)
+
+
+class SignedInFirst:
+    """Asks who it is before a form is read: the framework puts it on disk whole and asks only then."""
+
+    def __init__(self, app: ASGIApp, forms: Collection[FormRoute]) -> None:
+        self.app, self._forms = app, forms
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["type"] == "http" and takes_form(scope["method"], scope["path"], self._forms):
+            request = Request(scope)
+            try:
+                await asking(request)
+            except SightlineError as error:
+                await known(request, error)(scope, receive, send)
+                return
+        await self.app(scope, receive, send)

@@ -1,6 +1,8 @@
 """Whether the server is there, whether it can work, and how it is doing."""
 
+import os
 import shutil
+import socket
 from collections.abc import Callable
 
 import anyio
@@ -17,7 +19,6 @@ from sightline.infra.jobs.store import count_jobs
 from sightline.infra.licences import Library, libraries
 from sightline.infra.page_watch import PageWatch
 from sightline.infra.services import Services
-from sightline.infra.stored_bytes import require_media
 from sightline.infra.version import code_version
 from sightline.infra.web.ballast import try_to_write
 from sightline.infra.web.bodies import Out
@@ -52,6 +53,8 @@ class SystemState(Out):
     """What an administrator wants to know of a running installation: of this one of its app processes."""
 
     version: str
+    host: str = Field(description="Name of the machine of this process.")
+    process: int
     database: str = Field(description="sqlite or postgresql")
     database_connections: int = Field(description="In use just now, by this process.")
     media: str = Field(description="Where videos are kept, without any password.")
@@ -101,6 +104,8 @@ def system(who: Admin, services: Wired, request: Request) -> SystemState:
     pool = services.engine.pool
     return SystemState(
         version=code_version(),
+        host=socket.gethostname(),
+        process=os.getpid(),
         database=services.engine.dialect.name,
         database_connections=int(getattr(pool, "checkedout", int)()),
         media=services.settings.media_url.partition("?")[0],
@@ -149,7 +154,7 @@ def database_trouble(services: Services) -> str | None:
 
 def _media(services: Services) -> str | None:
     try:
-        require_media(services)
+        services.media.exists("00/00/nothing")
     except SightlineError as error:
         return error.message
     return None

@@ -9,7 +9,7 @@ from typing import Protocol, TypeVar
 from sightline.enums import Category, ComputingCause, DriverSide, InsetSource, SideBasis, Target, Verdict
 from sightline.geometry.sides import FoundSide
 from sightline.measurements.height_of_clicks import filled_in, on_side
-from sightline.measurements.records import GIVEN_BESIDE_POINTS, Clicks, MeasurementValues, ScanHeightValues
+from sightline.measurements.records import Clicks, MeasurementValues, ScanHeightValues
 from sightline.surveys.records import Inset
 
 # Half of the last decimal that the package carries: less than that is the same number.
@@ -17,7 +17,7 @@ _SAME_M = 0.5e-6
 #: Lengths that one frame assumes; several frames solve for the inset, and these say nothing of the height.
 _ASSUMED = ("inset_m", "u_inset_m")
 #: What a person clicked; of a line scan there is no more than two points.
-_CLICKED = ("frame", "contact", "target_point", *GIVEN_BESIDE_POINTS)
+_CLICKED = ("frame", "contact", "target_point", "target", "sigma_px", "more_frames", "followed")
 
 Values = MeasurementValues | ScanHeightValues
 _Revision = TypeVar("_Revision")

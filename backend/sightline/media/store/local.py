@@ -3,41 +3,40 @@
 import errno
 import hashlib
 import os
+import re
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import BinaryIO, Protocol
-from urllib.parse import urlsplit
-from urllib.request import url2pathname
 
-from sightline.errors import BadInput, NoRoom, NotFound
+from sightline.errors import NoRoom, NotFound
 from sightline.media.atomic import atomic_file
 
 CHUNK_BYTES = 1 << 20
 RESERVE_BYTES = 64 << 20
+THUMBS, COPY = "thumbs", "work"
+_MADE = re.compile(rf"../../([0-9a-f]{{64}})\.(?:{THUMBS}|{COPY})(?:-(\d+))?\.\w+")
 
 
 class MediaStore(Protocol):
-    """Files by key; keys are made by `key_of`, so the same content has the same key and is stored once."""
+    """Files by key; keys are made by `key_of`, so the same content has the same key and is stored once.
 
-    def put_file(self, key: str, path: Path, *, link: bool = False, replace: bool = False) -> None:
-        """Store the file's content; nothing is written if the key is there. Raises NoRoom.
+    What was made of content (`made_key_of`) may be made anew: then it takes the place of what is there.
+    """
 
-        With `replace` (for keys that do not tell the content) it takes the place of what is there, whole.
+    def put_file(self, key: str, path: Path, *, link: bool = False) -> None:
+        """Store the file's content, whole; nothing is written if it is there. Raises NoRoom.
 
         With `link` the store may share the bytes on disk with the given file instead of copying them: no time
         and no room are needed, but the given file must never be changed in place (deleting it is fine).
         """
 
-    def local_path(self, key: str, *, replaced: bool = False) -> Path:
-        """A local file with the content, for reading only. Raises NotFound, NoRoom.
+    def local_path(self, key: str) -> Path:
+        """A local file with the content, for reading only. Raises NotFound, NoRoom."""
 
-        `replaced`: the key does not tell the content, and another machine may have put other content there.
-        """
-
-    def exists(self, key: str, *, at_once: bool = False) -> bool:
-        """Whether the file is there; `at_once`: others wait to write, so it takes seconds, or raises Away."""
+    def exists(self, key: str) -> bool:
+        """Whether the file is there; others may wait to write, so this takes seconds, or raises Away."""
 
     def delete(self, key: str) -> None:
         """Remove the file, if it is there; others wait to write, so this takes seconds, or raises Away."""
@@ -49,30 +48,21 @@ class MediaStore(Protocol):
         """Key and size in bytes of every file, in the order of keys."""
 
 
-def open_store(media_url: str, cache_dir: Path | None = None, cache_bytes: int = 20 << 30) -> MediaStore:
-    """The store that an address names: a folder (path or file:///path) or s3://bucket/prefix.
-
-    S3: `?endpoint=https://host:port&region=name` choose another server than Amazon's; credentials come from
-    the usual AWS_ variables or files. `cache_dir` is needed for S3 and holds at most `cache_bytes`.
-    Raises BadInput.
-    """
-    parts = urlsplit(media_url)
-    if parts.scheme == "s3":
-        from sightline.media.store.s3 import S3Store
-
-        if cache_dir is None:
-            raise BadInput("store-no-cache")
-        return S3Store(media_url, cache_dir, cache_bytes)
-    if parts.scheme == "file":
-        return LocalStore(Path(url2pathname(parts.path)))
-    if "://" in media_url or not media_url:
-        raise BadInput("store-address-form", media_url=repr(media_url))
-    return LocalStore(Path(media_url))
-
-
 def key_of(sha256: str, suffix: str = "") -> str:
     """The key of content by its SHA-256 (hex): two levels of folders, the hash, a suffix like ".mp4"."""
     return f"{sha256[:2]}/{sha256[2:4]}/{sha256}{suffix}"
+
+
+def made_key_of(sha256: str, what: str, picture: int | None, suffix: str) -> str:
+    """The key of what was made of content, or of one of its pictures: THUMBS or a working COPY."""
+    number = "" if picture is None else f"-{picture}"
+    return key_of(sha256, f".{what}{number}{suffix}")
+
+
+def made_of(key: str) -> tuple[str, int | None] | None:
+    """The content (and picture) that a file was made of; None of a key that tells its own content."""
+    found = _MADE.fullmatch(key)
+    return None if found is None else (found[1], None if found[2] is None else int(found[2]))
 
 
 def sha256_of(path: Path) -> str:
@@ -81,11 +71,11 @@ def sha256_of(path: Path) -> str:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
 
-def check_room(folder: Path, size: int, what: str = "this file") -> None:
+def check_room(folder: Path, size: int) -> None:
     """Raise NoRoom, before anything is written, if `size` more bytes would use up the disk's reserve."""
     free = free_bytes(folder)
     if size > free:
-        raise NoRoom("store-no-room", what=what, needed=in_mb(size), free=in_mb(max(0, free)))
+        raise NoRoom("store-no-room", needed_mb=size / 1e6, free_mb=max(0, free) / 1e6)
 
 
 def free_bytes(folder: Path) -> int:
@@ -94,19 +84,14 @@ def free_bytes(folder: Path) -> int:
 
 
 @contextmanager
-def no_room_told(what: str = "this file") -> Iterator[None]:
+def no_room_told() -> Iterator[None]:
     """Turn the system's "no space left" and "quota exceeded" into NoRoom."""
     try:
         yield
     except OSError as error:
         if error.errno not in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
             raise
-        raise NoRoom("store-disk-full", what=what) from error
-
-
-def in_mb(size: int) -> str:
-    """A number of bytes for people."""
-    return f"{size / 1e6:.0f} MB" if size >= 10e6 else f"{size / 1e6:.1f} MB"
+        raise NoRoom("database-disk-full") from error
 
 
 class LocalStore:
@@ -116,21 +101,21 @@ class LocalStore:
         self._folder = folder.resolve()
         self._folder.mkdir(parents=True, exist_ok=True)
 
-    def put_file(self, key: str, path: Path, *, link: bool = False, replace: bool = False) -> None:
+    def put_file(self, key: str, path: Path, *, link: bool = False) -> None:
         target = self._path(key)
-        if (target.exists() and not replace) or (link and link_whole(path, target)):
+        if (target.exists() and made_of(key) is None) or (link and link_whole(path, target)):
             return
         check_room(self._folder, path.stat().st_size)
         with no_room_told():
             copy_whole(path, target)
 
-    def local_path(self, key: str, *, replaced: bool = False) -> Path:
+    def local_path(self, key: str) -> Path:
         path = self._path(key)
         if not path.is_file():
             raise NotFound("store-file-lost", key=key)
         return path
 
-    def exists(self, key: str, *, at_once: bool = False) -> bool:
+    def exists(self, key: str) -> bool:
         return self._path(key).is_file()
 
     def delete(self, key: str) -> None:

@@ -22,13 +22,13 @@ from urllib3.exceptions import HTTPError
 
 from sightline.errors import Away, BadInput, NotFound
 from sightline.media.atomic import PART, atomic_file
-from sightline.media.store.local import check_room, no_room_told, safe_path
+from sightline.media.store.local import check_room, made_of, no_room_told, safe_path
 
 #: tries of one request, and seconds of silence until one has failed
 ATTEMPTS, CONNECT_S, READ_S = 3, 5.0, 20.0
 #: the same of what is asked while others wait to write: over before PostgreSQL ends a writer (SHORT_IDLE_S)
 AT_ONCE_ATTEMPTS, AT_ONCE_CONNECT_S, AT_ONCE_READ_S = 2, 1.0, 2.0
-#: how long it is believed which content a key has that may be replaced
+#: how long it is believed what lies under the key of what may be made anew
 BELIEVED_S = 2.0
 #: nothing was written to a part for so long: who fetched it is gone
 SILENT_S = 3600.0
@@ -57,7 +57,7 @@ class S3Store:
     """s3://bucket/prefix?endpoint=https://host:port&region=name; the bucket is made if it is not there.
 
     Uploads above 8 MB go in parts; S3 shows an object whole or not at all. `local_path` fetches into
-    `cache_dir`, from which the least recently used files go when the bound is passed. What may be replaced
+    `cache_dir`, from which the least recently used files go when the bound is passed. What may be made anew
     lies there by its key and entity tag, so another content is another file.
     """
 
@@ -85,22 +85,22 @@ class S3Store:
         self._client_at_once = _client(place, tries, AT_ONCE_CONNECT_S, AT_ONCE_READ_S)
         self._make_bucket()
 
-    def put_file(self, key: str, path: Path, *, link: bool = False, replace: bool = False) -> None:
-        if not replace and self.exists(key):
+    def put_file(self, key: str, path: Path, *, link: bool = False) -> None:
+        if made_of(key) is None and self._head(key, self._client) is not None:
             return
         with _told(key):
             self._client.upload_file(str(path), self._bucket, self._name(key))
         self._forget(key)
 
-    def local_path(self, key: str, *, replaced: bool = False) -> Path:
+    def local_path(self, key: str) -> Path:
         while True:
             try:
-                return self._local_path(key, self._now(key) if replaced else None)
+                return self._local_path(key, None if made_of(key) is None else self._now(key))
             except _ReplacedMeanwhile:
                 self._forget(key)
 
     def _local_path(self, key: str, now: _Object | None) -> Path:
-        """The file, fetched if it is not here; of what may be replaced, as it is `now`."""
+        """The file, fetched if it is not here; of what may be made anew, as it is `now`."""
         path = safe_path(self._cache, key)
         if now is not None:
             path = path.with_stem(f"{path.stem}.{now.tag}")
@@ -114,7 +114,7 @@ class S3Store:
             with (
                 self._room_for(found.size, key),
                 _told(key),
-                no_room_told(f"a local copy of {key}"),
+                no_room_told(),
                 atomic_file(path, lasting=False) as part,
             ):
                 self._fetch(key, part)
@@ -123,7 +123,7 @@ class S3Store:
             return path
 
     def _now(self, key: str) -> _Object:
-        """What is under a key that may be replaced, as seen a moment ago."""
+        """What is under the key of what may be made anew, as seen a moment ago."""
         with self._lock:
             known = self._believed.get(key)
         if known is None:
@@ -141,7 +141,7 @@ class S3Store:
         """Make room in the cache and keep it while a file comes. Raises NoRoom."""
         with self._lock:
             self._evict(keep_free=size + self._coming_bytes)
-            check_room(self._cache, size, f"a local copy of {key}")
+            check_room(self._cache, size)
             self._coming_bytes += size
         try:
             yield
@@ -149,8 +149,8 @@ class S3Store:
             with self._lock:
                 self._coming_bytes -= size
 
-    def exists(self, key: str, *, at_once: bool = False) -> bool:
-        return self._head(key, self._client_at_once if at_once else self._client) is not None
+    def exists(self, key: str) -> bool:
+        return self._head(key, self._client_at_once) is not None
 
     def delete(self, key: str) -> None:
         safe_path(self._cache, key).unlink(missing_ok=True)

@@ -43,9 +43,9 @@ def create(upload_dir: Path, upload_id: str, size: int) -> None:
     if size < 1:
         raise BadInput("store-file-empty")
     upload_dir.mkdir(parents=True, exist_ok=True)
-    check_room(upload_dir, size, "this upload")
+    check_room(upload_dir, size)
     part = _path(upload_dir, upload_id)
-    with no_room_told("this upload"):
+    with no_room_told():
         try:
             part.touch(exist_ok=False)
         except FileExistsError as error:
@@ -88,7 +88,7 @@ def append(upload_dir: Path, upload_id: str, size: int, at: int, chunks: Iterabl
                 _require_last_writer(part, writer)
                 if have + len(chunk) > size:
                     raise BadInput("store-upload-too-long", size=size)
-                with no_room_told("the rest of this upload"):
+                with no_room_told():
                     _write_all(handle, chunk)
                 have += len(chunk)
                 if have - synced >= SYNC_EVERY_BYTES:
@@ -183,7 +183,7 @@ def _taken_over(part: Path) -> Iterator[tuple[int, str]]:
     name = uuid4().hex
     handle = os.open(part, os.O_WRONLY)
     try:
-        with no_room_told("this upload"):
+        with no_room_told():
             replaced = part.with_suffix(f".{name}")
             try:
                 replaced.write_text(name, "ascii")

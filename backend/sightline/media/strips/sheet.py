@@ -135,9 +135,8 @@ def unpacked(sheet: Sheet, folder: Path | None) -> RawSheet:
     """
     place = folder or Path(tempfile.gettempdir())
     row_bytes = sheet.width_px * sheet.dtype.itemsize
-    what = f"the pixels of {sheet.name}, which are turned by way of a temporary file in {place}"
-    check_room(place, row_bytes * sheet.height_px, what)
-    with tempfile.TemporaryFile(dir=place) as file, no_room_told(what):
+    check_room(place, row_bytes * sheet.height_px)
+    with tempfile.TemporaryFile(dir=place) as file, no_room_told():
         for band in sheet.bands():
             file.write(np.ascontiguousarray(band).data)
         file.flush()

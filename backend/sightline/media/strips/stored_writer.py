@@ -63,11 +63,9 @@ def store_strip(
     1024 lines. Raises BadInput (damaged or cut off on the way), NoRoom, Stopped.
     """
     target.parent.mkdir(parents=True, exist_ok=True)
-    check_room(
-        target.parent, strip.lines * strip.rows * strip.dtype.itemsize, f"the stored form of {strip.name}"
-    )
+    check_room(target.parent, strip.lines * strip.rows * strip.dtype.itemsize)
     with (
-        no_room_told(strip.name),
+        no_room_told(),
         TemporaryFile(dir=target.parent) as spool,
         atomic_file(target) as part,
     ):

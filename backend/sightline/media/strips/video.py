@@ -71,7 +71,7 @@ def cut_strips(
     with (
         tempfile.TemporaryFile(dir=folder) as first,
         tempfile.TemporaryFile(dir=folder) as second,
-        no_room_told(f"what is cut from {name}"),
+        no_room_told(),
     ):
         rows = count = 0
         for n, _, upright in frames_of(path, name, stream_number):
@@ -79,7 +79,7 @@ def cut_strips(
             if n == 0:
                 rows = gray.shape[0]
                 _check_cuts(cuts_px, gray.shape[1], along, name)
-                check_room(folder, 2 * rows * len(time_s), f"what is cut from {name}")
+                check_room(folder, 2 * rows * len(time_s))
             if n % _AT_ONCE == 0:
                 check_cancelled(is_cancelled, name)
                 on_progress(min(0.99, n / len(time_s)))

@@ -148,10 +148,10 @@ def _ingest_open(
     damage = Damage()
     media_path, of_copy = (copy.path, None) if copy else (path, asked.number)
     watch.size = media_path.stat().st_size
-    with no_room_told(f"what {watch.name} needs"):
+    with no_room_told():
         with closing(container):
             thumb_dir.mkdir(parents=True, exist_ok=True)
-            check_room(thumb_dir, ROOM_BYTES, f"the thumbnails of {watch.name}")
+            check_room(thumb_dir, ROOM_BYTES)
             stream = video_stream(container, watch.name, number=of_copy)
             facts, rows, thumbs = _decode_all(container, stream, damage, watch, thumb_dir)
         if damage.any:

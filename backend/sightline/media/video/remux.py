@@ -29,6 +29,8 @@ TICKS_HZ = 90_000
 CLOCK_TICKS = 2**33  # an MPEG clock has 33 bits: at 90 kHz it begins again after 26.5 hours
 _LONGEST_STEP = 2**31 - 1  # ticks between two samples that an MP4 reader understands: 6.6 hours
 _NO_INDEX = {"mpegts", "mpeg", "h264", "hevc"}
+#: the endings of working copies
+COPY_SUFFIXES = (".mp4", ".mkv")
 _IN_MP4 = {"h264", "hevc", "mpeg4", "mpeg1video", "mpeg2video"}
 if TYPE_CHECKING:
     _VideoPacket: TypeAlias = av.Packet[VideoStream]
@@ -74,7 +76,7 @@ def make_copy(
     BadInput.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    check_room(folder, path.stat().st_size, f"the working copy of {name}")
+    check_room(folder, path.stat().st_size)
     read = _Read(path, name, stream_number, is_cancelled)
     if keep_times and (copy := _try_with_times(read, folder)):
         return copy
@@ -124,11 +126,11 @@ def _write(read: _Read, folder: Path, prepare: Callable[[int, _VideoPacket], boo
     """Copy packets, but those to which `prepare` says None; ValueError if it says no to one."""
     with closing(open_container(read.path, read.name)) as source:
         stream = video_stream(source, read.name, number=read.stream_number)
-        suffix = "mp4" if stream.codec_context.name in _IN_MP4 else "mkv"
-        target = folder / f"{read.path.stem}.work.{suffix}"
+        suffix = ".mp4" if stream.codec_context.name in _IN_MP4 else ".mkv"
+        target = folder / f"{read.path.stem}.work{suffix}"
         with (
             atomic_file(target) as part,
-            closing(av.open(str(part), "w", format="mp4" if suffix == "mp4" else "matroska")) as container,
+            closing(av.open(str(part), "w", format="mp4" if suffix == ".mp4" else "matroska")) as container,
         ):
             out = container.add_stream_from_template(stream)
             out.time_base = Fraction(1, TICKS_HZ)

@@ -30,7 +30,7 @@ def write_mp4(
     Raises BadInput for no frames, odd or changing sizes, and NoRoom on a full disk.
     """
     rate = Fraction(fps).limit_denominator(1001)
-    with no_room_told(path.name), atomic_file(path) as part:
+    with no_room_told(), atomic_file(path) as part:
         return _encode(part, path.name, frames, rate, crf, gop, preset)
 
 

@@ -134,7 +134,7 @@ class Stills:
         with reading(self._sessions) as session:
             recording = get_ready_recording(session, recording_id)
             # A distant store may have dropped its local copy; asking for the path brings it back.
-            path = self._store.local_path(file_key(recording), replaced="working_copy" in recording.report)
+            path = self._store.local_path(file_key(recording))
             same = known is not None and path == known.media.path and _same_frames(known.recording, recording)
             if known is not None and same:
                 return OpenRecording(recording, known.media, known.time_s, self._timer())

@@ -16,9 +16,9 @@ from sightline.errors import Conflict, NoRoom, NotFound, SightlineError, TooMany
 from sightline.infra.database import Session
 from sightline.infra.database.types import now
 from sightline.infra.services import Services
-from sightline.infra.stored_bytes import require_media, suffix_of
+from sightline.infra.stored_bytes import let_go, suffix_of
 from sightline.media.store import upload_parts
-from sightline.media.store.local import free_bytes, in_mb, key_of
+from sightline.media.store.local import free_bytes, key_of
 from sightline.recordings.ingest_job import queue_ingest
 from sightline.recordings.records import Recording
 from sightline.recordings.store import create_recording, get_recording
@@ -30,7 +30,6 @@ from sightline.recordings.uploads.store import (
     remove_upload,
     strip_arrived,
     unfinished_uploads,
-    upload_media_in_use,
 )
 
 Made = TypeVar("Made")
@@ -98,9 +97,9 @@ def _require_room_beside(services: Services, session: Session, size_bytes: int, 
     if size_bytes + to_come > free:
         raise NoRoom(
             "recordings-uploads-no-room",
-            needed=in_mb(size_bytes),
-            to_come=in_mb(to_come),
-            free=in_mb(max(0, free)),
+            needed_mb=size_bytes / 1e6,
+            to_come_mb=to_come / 1e6,
+            free_mb=max(0, free) / 1e6,
         )
 
 
@@ -236,20 +235,11 @@ def _recording_of(services: Services, upload_id: int) -> Recording | None:
 
 
 def abandon_upload(services: Services, upload_id: int, actor: int | None) -> None:
-    """Forget an upload that became nothing, and its bytes. Raises Conflict for any other, Away."""
-    with services.reading() as session:
-        is_stored = bool(get_upload(session, upload_id).media_key)
-    if is_stored:
-        require_media(services)
+    """Forget an upload that became nothing, and its bytes. Raises Conflict for any other."""
     with services.writing() as session:
         gone = remove_upload(session, upload_id, actor=actor)
+        let_go(session, gone.survey_id, [gone.media_key], actor)
     upload_parts.discard(upload_folder(services), part_name(upload_id))
-    if not gone.media_key:
-        return
-    # Nobody can begin to need the file while the lock is held.
-    with services.writing() as session:
-        if not upload_media_in_use(session, gone.media_key):
-            services.media.delete(gone.media_key)
 
 
 def recover_uploads(services: Services) -> None:

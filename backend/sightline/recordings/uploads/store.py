@@ -2,14 +2,13 @@
 
 from typing import Any
 
-from sqlalchemy import ColumnElement, delete, select
+from sqlalchemy import ColumnElement, delete
 from sqlalchemy.orm import Session
 
 from sightline.enums import UploadPurpose
 from sightline.errors import Conflict
 from sightline.infra.audit import trail
 from sightline.infra.audit.written import written_rows
-from sightline.infra.backup.state import needed_media
 from sightline.infra.by_name import record_of
 from sightline.infra.database.rows import add_row, change_row, get_row, the_one
 from sightline.infra.database.types import now
@@ -83,20 +82,11 @@ def strips_waiting(session: Session, survey_id: int | None = None) -> tuple[Uplo
     return _where(session, *waiting, *([] if survey_id is None else [uploads.c.survey_id == survey_id]))
 
 
-def upload_content_waits(session: Session, sha256: str) -> bool:
-    """Whether a strip with this content arrived and belongs to no scan yet."""
-    query = select(uploads.c.id).where(uploads.c.sha256 == sha256, uploads.c.scan_id.is_(None))
-    return session.execute(query.limit(1)).first() is not None
-
-
-def upload_media_in_use(session: Session, media_key: str) -> bool:
-    """Whether another upload has this file, or anything else needs it."""
-    other = session.execute(select(uploads.c.id).where(uploads.c.media_key == media_key).limit(1)).first()
-    return other is not None or bool(needed_media(session, media_key))
-
-
 def remove_upload(session: Session, upload_id: int, *, actor: int | None) -> Upload:
-    """Give up an upload; the caller removes its bytes. Raises Conflict for one that became something."""
+    """Give up an upload; the caller removes its part and lets go of its file.
+
+    Raises Conflict for one that became something.
+    """
     gone = get_upload(session, upload_id)
     if gone.finished_at is not None and (gone.purpose == "video" or gone.scan_id is not None):
         raise Conflict("recordings-upload-is-recording")

@@ -3,14 +3,20 @@
 from sqlalchemy import BigInteger, Column, ForeignKey, Integer, String
 
 from sightline.enums import UploadPurpose
-from sightline.infra.database.types import UtcDateTime, enum_check, made_columns, numbered
+from sightline.infra.database.types import UtcDateTime, enum_check, made_columns, needs_media, numbered
 
 uploads = numbered(
     "uploads",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("filename", String(400), nullable=False),
     Column("size_bytes", BigInteger, nullable=False),
-    Column("media_key", String(400), nullable=False),
+    # of a strip, once it is here; its scan needs the file from then on
+    Column(
+        "media_key",
+        String(400),
+        nullable=False,
+        info=needs_media(lambda its: its.scan_id.is_(None) & (its.media_key != "")),
+    ),
     Column("recording_id", ForeignKey("recordings.id")),
     *made_columns(),
     Column("finished_at", UtcDateTime),

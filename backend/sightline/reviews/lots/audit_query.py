@@ -7,7 +7,7 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from sightline.infra.audit.vouched import Event, Fingerprint, register
-from sightline.measurements.tables import lot_items
+from sightline.reviews.lots.tables import lot_items
 
 
 def _promise(event: Event, promised: dict[int, str]) -> None:

@@ -22,17 +22,11 @@ from sightline.measurements.query import (
     waits,
     with_verdict,
 )
-from sightline.measurements.tables import (
-    lot_decisions,
-    lot_items,
-    lots,
-    measurement_series,
-    measurements,
-    reviews,
-)
+from sightline.measurements.tables import measurement_series, measurements, reviews
 from sightline.recordings.tables import recordings
 from sightline.reviews.lots.judged import ItemNow, Judgement
 from sightline.reviews.lots.records import Common, Decision, Lot
+from sightline.reviews.lots.tables import lot_decisions, lot_items, lots
 from sightline.statistics.acceptance import RiskPoints
 from sightline.vehicles.tables import vehicles
 

@@ -16,9 +16,10 @@ from sightline.infra.audit.records import survey_chain
 from sightline.infra.audit.written import written_once
 from sightline.infra.database.rows import add_rows, stored_hashes
 from sightline.infra.database.types import now
-from sightline.measurements.tables import lot_decisions, lot_items, lots, reviews
+from sightline.measurements.tables import reviews
 from sightline.reviews.lots.draw import drawn_order, seed_of
 from sightline.reviews.lots.records import Decision, Lot, LotItem
+from sightline.reviews.lots.tables import lot_decisions, lot_items, lots
 from sightline.statistics.acceptance import RiskPoints, SamplingPlan
 
 _SOME = 500

@@ -13,6 +13,7 @@ from sightline.enums import ScanMethod
 from sightline.errors import Away, NoRoom, NotFound, SightlineError
 from sightline.infra.database import Session
 from sightline.infra.services import Services
+from sightline.infra.stored_bytes import let_go
 from sightline.linescan.parts import Rig
 from sightline.media.store.local import key_of, sha256_of
 from sightline.messages.said import Said
@@ -26,7 +27,7 @@ from sightline.scans.live.store import (
     passings_stored,
 )
 from sightline.scans.records import LiveSource, StripSource
-from sightline.scans.service import delete_unneeded, queue_reading
+from sightline.scans.service import queue_reading
 from sightline.scans.store import create_scan, get_scan, note_reading_failed, note_scan_recorded
 from sightline.scans.vehicles.find_job import run_values
 from sightline.scans.vehicles.measurement_store import append_scan_measurements
@@ -154,8 +155,9 @@ class SurveyKeeper(Keeper):
                     self._store_end(recording, paths, notes)
                 elif recording.row is _Row.DELETED:
                     # strips that were put into the media store before
-                    files = [(one.media_key, one.sha256) for one in recording.strips_of(paths or ())]
-                    delete_unneeded(self._services, files)
+                    keys = [strip.media_key for strip in recording.strips_of(paths or ())]
+                    with self._writing() as session:
+                        let_go(session, self._survey_id, keys, None)
                 break
             except (Away, NoRoom) as error:
                 if not told:

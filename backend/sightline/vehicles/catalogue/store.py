@@ -50,18 +50,16 @@ _LIVING: ColumnElement[bool] = catalogue.c.retired_at.is_(None)
 Key = tuple[str, str, int | None]
 
 
-def search_catalogue(session: Session, q: str, *, limit: int = 20) -> tuple[CatalogueEntry, ...]:
+def search_catalogue(session: Session, q: str) -> tuple[CatalogueEntry, ...]:
     """Models of which every word of `q` begins a word, accents and case aside ("corv li"); none retired."""
-    return _entries(session, _found(q).where(_LIVING).limit(limit))
+    return _entries(session, _found(q).where(_LIVING).limit(20))
 
 
-def page_of_catalogue(
-    session: Session, q: str, *, retired: bool, offset: int, limit: int = 50
-) -> CataloguePage:
+def page_of_catalogue(session: Session, q: str, *, retired: bool, offset: int) -> CataloguePage:
     """A part of what a search finds, and how many there are; with `retired` those alone."""
     query = _found(q).where(catalogue.c.retired_at.is_not(None) if retired else _LIVING)
     total = session.execute(select(func.count()).select_from(query.order_by(None).subquery())).scalar_one()
-    return CataloguePage(total, _entries(session, query.offset(offset).limit(limit)))
+    return CataloguePage(total, _entries(session, query.offset(offset).limit(50)))
 
 
 def all_of_catalogue(session: Session) -> tuple[CatalogueEntry, ...]:

@@ -8,7 +8,6 @@ export interface Plain {
   readonly length_m: number;
 }
 
-/** Boundaries that the reader has set so far. */
 export type Hand = Readonly<Record<keyof Lines, number | null>>;
 
 /** Null where one is not set yet, where front and rear go different ways or at no speed, or the rear comes first. */
@@ -34,7 +33,6 @@ function plainOfLines(lines: Lines, baseline_m: number, line_rate_hz: number): P
   return { front_mps: front, rear_mps: rear, length_m: ((front + rear) / 2) * passing_s };
 }
 
-/** Null for a shift that is no time. */
 export function speedOf(shift_lines: number, baseline_m: number, line_rate_hz: number): number | null {
   return shift_lines > 0 ? (baseline_m * line_rate_hz) / shift_lines : null;
 }

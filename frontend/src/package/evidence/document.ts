@@ -152,7 +152,6 @@ export interface Evidence {
   readonly key: string;
 }
 
-/** What the file holds, before anything is checked. */
 export interface Held {
   readonly text: string;
   readonly plain: Readonly<Record<string, Json>>;

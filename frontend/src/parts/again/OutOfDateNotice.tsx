@@ -28,6 +28,7 @@ export function OutOfDateNotice({ surveyId, computed }: NoticeProps) {
   // from vehicle to vehicle it stands still while it is asked again
   const known = stale.value?.surveyId === surveyId ? stale.value.found : null;
   const found = answered ?? known;
+  if (read.error) return <Problem error={read.error} again={read.reload} />;
   if (!found || found.heights === 0) return <Problem error={work.problem} />;
   return (
     <>

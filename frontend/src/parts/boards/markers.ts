@@ -45,7 +45,6 @@ export function markersTold(kind: BoardKind, dictionary: string, marker_m: numbe
 export interface BoardPlace {
   left: number;
   top: number;
-  /** Of a square. */
   side: number;
   across: number;
   down: number;

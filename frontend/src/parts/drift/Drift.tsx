@@ -28,7 +28,8 @@ export function DriftVerdict({ recordingId, poseId, open }: Props) {
     stopped: say("drift-stopped"),
     over: drift.reload,
   });
-  if (poseId === null || !drift.data) return null;
+  if (poseId === null) return null;
+  if (!drift.data) return <Problem error={drift.error} again={drift.reload} />;
   const { check, decision, flagged } = drift.data;
   const look = () =>
     start(() => api.write("POST /recordings/{recording_id}/drift", { recording_id: recordingId }));

@@ -15,7 +15,6 @@ type Difference = StudyDifference & {
 interface Props {
   rows: readonly Difference[];
   label?: string;
-  /** The head over what is compared. */
   column?: string;
 }
 

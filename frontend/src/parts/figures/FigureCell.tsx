@@ -1,9 +1,8 @@
-/** A figure with its interval below it. */
 import type { ComponentChildren } from "preact";
 import "./figures.css";
 import { say } from "../../core/messages";
+import type { Interval } from "../../core/types";
 import { NONE, range, scaled } from "./numbers";
-import type { Interval } from "./types";
 
 interface FigureCellProps {
   figure: { value: number | null; ci95?: Interval | null } | undefined;
@@ -11,7 +10,6 @@ interface FigureCellProps {
   factor: number;
   digits: number;
   title?: string;
-  /** How the number stands out. */
   drawn?: (text: string) => ComponentChildren;
 }
 

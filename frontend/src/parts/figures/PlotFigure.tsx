@@ -23,7 +23,6 @@ interface Table {
 }
 
 interface Props {
-  /** Of the downloaded files. */
   name: string;
   title: string;
   /** What the picture shows, in words, for those who do not see it. */
@@ -31,11 +30,9 @@ interface Props {
   note?: ComponentChildren;
   /** Names of the curves: written beside them where they have room, else above the figure; those of dots always above. */
   legend?: readonly LegendEntry[];
-  /** Drawn again when it changes. */
   data: unknown;
   options: (plot: Plot, unit: LengthUnit) => PlotOptions;
   table: () => Table;
-  /** Why there is nothing to draw. */
   reason?: string | null;
   /** A place of the axis across in words, where it is no plain number. */
   place?: (x: number) => string;
@@ -159,7 +156,6 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
 
 export type Dot = keyof typeof DOTS;
 
-/** As Plot draws them. */
 const DOTS = {
   cross: "M-4.5,-1.5H-1.5V-4.5H1.5V-1.5H4.5V1.5H1.5V4.5H-1.5V1.5H-4.5Z",
   diamond: "M0,-5L3,0L0,5L-3,0Z",

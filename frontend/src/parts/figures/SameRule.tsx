@@ -2,9 +2,9 @@ import { DataTable, Panel } from "../../components";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { lengthScale, plainHeight, plainPercent, plainSmall, smallScale } from "../../core/units";
 import "./figures.css";
+import type { RuleToday } from "../../core/types";
 import { NONE, percent } from "./numbers";
 import { inWords } from "./standards";
-import type { RuleToday } from "./types";
 
 /** What is shown of a rule; the server says more of its standard. */
 type Rule = Omit<RuleToday, "standard" | "by_pose_m"> & {

@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { speak } from "../../core/messages";
+import type { Density, Ecdf, Standard } from "../../core/types";
 import {
   aroundOne,
   densityMarks,
@@ -13,7 +14,6 @@ import {
 import type { Plot } from "./PlotFigure";
 import * as library from "./plot";
 import { figureOf, inOneStyle } from "./style";
-import type { Density, Ecdf, Standard } from "./types";
 
 const standard = (name: string, height_m: number) => ({ name, height_m, what: "eye_car" }) as Standard;
 const FOUR = [

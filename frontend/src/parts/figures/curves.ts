@@ -2,13 +2,13 @@
  * Marks of the figures. Three hues that are not the road's axes', dashes and words tell lines apart, never a hue alone.
  */
 import { say } from "../../core/messages";
+import type { Density, Ecdf, Standard } from "../../core/types";
 import { fixed, type LengthUnit } from "../../core/units";
 import type { Cell } from "./csv";
 import { type Hue, hueOf, inkOf } from "./hues";
 import type { Plot } from "./PlotFigure";
 import { readable } from "./reading";
 import { inWords, limitDigits } from "./standards";
-import type { Density, Ecdf, Standard } from "./types";
 
 export interface Curve {
   word: string;
@@ -71,7 +71,6 @@ function curveMarks(
   return marks;
 }
 
-/** A cumulative distribution as steps, with its band. */
 export function ecdfMarks(plot: Plot, ecdf: Ecdf, curve: Curve, perX: number): Mark[] {
   const percent = (of: number | null | undefined) => (of == null ? null : 100 * of);
   const points = ecdf.value.map((value, i) => ({
@@ -147,12 +146,10 @@ export function standardTiers(
   return [...left, ...right];
 }
 
-/** Says n in the place of a band that is not drawn. */
 export function noBandWords(n: number): string | null {
   return n < LEAST_FOR_A_BAND ? say("figure-no-band", { n, least: LEAST_FOR_A_BAND }) : null;
 }
 
-/** The margin above the frame that so many names take. */
 export function marginOf(tiers: readonly Tier[]): number {
   return TOP_PX + TIER_PX * tiers.length;
 }
@@ -189,7 +186,6 @@ export function nearby(standards: readonly Standard[], ecdfs: readonly Ecdf[]): 
   return standards.filter((one) => one.height_m >= low - reach && one.height_m <= high + reach);
 }
 
-/** The middle of the values shown. */
 export function middleOf(ecdfs: readonly Ecdf[]): number {
   const ends = ecdfs.flatMap((one) => [one.value[0] ?? 0, one.value.at(-1) ?? 0]);
   return (Math.min(...ends) + Math.max(...ends)) / 2;

@@ -2,7 +2,6 @@
 import type { Drawn } from "./Reader";
 import type { Readable } from "./reading";
 
-/** In pixels of the figure. */
 interface Point {
   x: number;
   y: number;
@@ -19,7 +18,6 @@ export interface Size {
 }
 
 const STEP_PX = 8;
-/** Between a word and its curve. */
 const BESIDE_PX = 5;
 /** At least so much nearer to its own curve than to any other. */
 const APART_PX = 7;

@@ -1,10 +1,9 @@
 /** Numbers of the tables and axes, in the unit that the person reads. */
 import { say } from "../../core/messages";
+import type { Interval } from "../../core/types";
 import { fixed, type LengthUnit, lengthUnit, type Scale, smallScale } from "../../core/units";
-import type { Interval } from "./types";
 
 export const NONE = "–";
-/** Factor and name for squares of small lengths. */
 export function squareScale(unit: LengthUnit = lengthUnit.value): Scale {
   return unit === "ft" ? [smallScale("ft")[0] ** 2, "in²"] : [1e4, "cm²"];
 }

@@ -14,7 +14,6 @@ export interface Readable {
   way: "steps" | "line" | "points";
 }
 
-/** One curve at one place. */
 export interface Read {
   word: string;
   x: number;

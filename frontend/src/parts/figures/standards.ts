@@ -1,9 +1,8 @@
 /** The words of standards: what each is a height of. */
 import { wordsOf } from "../../core/messages";
+import type { Standard } from "../../core/types";
 import { formatLength } from "../../core/units";
-import type { Standard } from "./types";
 
-/** What a standard speaks of. */
 export const STANDARD_OF = wordsOf("statistics-standard-of-");
 
 type Words = Pick<Standard, "name" | "code"> &
@@ -32,12 +31,10 @@ export function limitDigits(height_m: number): number {
   return height_m.toFixed(3).endsWith("0") ? 2 : 3;
 }
 
-/** The height of a standard: "1.08 m". */
 export function formatLimit(height_m: number): string {
   return formatLength(height_m, limitDigits(height_m));
 }
 
-/** A standard's own address in the link: what and name. */
 export function standardKey(one: Standard): string {
   return `${one.what}:${one.name}:${one.height_m}`;
 }

@@ -9,7 +9,6 @@ const HOURS = ["hour_from", "hour_to"] as const;
 export type Filmed = Pick<ExportPackage["selection"], (typeof DAYS | typeof HOURS)[number]>;
 const DAY_H = 24;
 
-/** What an address says of it. */
 export function filmedOf(query: URLSearchParams): Filmed {
   const hour = (name: string) => (query.get(name) ? Number(query.get(name)) : null);
   return {

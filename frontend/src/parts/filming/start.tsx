@@ -12,7 +12,6 @@ import type { Recording } from "../../core/types";
 /** What is known of a start: confirmed, or proposed. */
 export type Started = Pick<Recording, "started_local" | "time_zone" | "start_proposed">;
 
-/** A start as it is being typed. */
 export interface StartTyped {
   local: string;
   zone: string;
@@ -96,7 +95,6 @@ interface LineProps {
   of: Started & { readonly name: string };
   /** Changes a start that is confirmed, in the words of a screen reader. */
   edit: string;
-  /** Whether the person may change the start. */
   mayChange: boolean;
   dialog: (close: () => void) => VNode;
 }

@@ -6,7 +6,6 @@ export interface Invitation {
   link: string;
 }
 
-/** The one-time link of a person, to be passed on by hand. */
 export function ShowLink({ invitation, close }: { invitation: Invitation; close: () => void }) {
   return (
     <ShowOnce

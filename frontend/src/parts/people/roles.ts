@@ -2,7 +2,6 @@ import { choices } from "../../components";
 import { wordsOf } from "../../core/messages";
 import { ROLE_NAMES, type Role } from "../../core/types";
 
-/** What each role may do. */
 export const DOES: Readonly<Record<Role, string>> = wordsOf("people-does-");
 
 /** The one that may do least first. Asked when it is drawn: a room's words may come after its code. */

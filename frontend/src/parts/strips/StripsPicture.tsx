@@ -12,7 +12,6 @@ interface StripsProps {
   tiles: Tiles;
   draw: (canvas: HTMLCanvasElement, view: StripsView) => void;
   fit: () => void;
-  /** What is asked or said over them. */
   children?: ComponentChildren;
 }
 

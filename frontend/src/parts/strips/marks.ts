@@ -10,6 +10,7 @@ export interface Pens {
 }
 
 const DARK = "rgb(16 17 16 / 72%)";
+const HALF_CROSS_PX = 9;
 
 /** A pen that keeps to camera 1; `pen.restore()` ends it. */
 export function penOn(canvas: HTMLCanvasElement, view: StripsView): Pens | null {
@@ -55,24 +56,37 @@ export function cross({ pen, view }: Pens, at: Place, colour: string): void {
     pen.strokeStyle = style;
     pen.lineWidth = width;
     pen.beginPath();
-    pen.moveTo(x - 9, y);
-    pen.lineTo(x + 9, y);
-    pen.moveTo(x, y - 9);
-    pen.lineTo(x, y + 9);
+    pen.moveTo(x - HALF_CROSS_PX, y);
+    pen.lineTo(x + HALF_CROSS_PX, y);
+    pen.moveTo(x, y - HALF_CROSS_PX);
+    pen.lineTo(x, y + HALF_CROSS_PX);
     pen.stroke();
   }
 }
 
+/** To the right of a place and `up`; elsewhere around it where it would cover one of the `crosses`. */
 export function word(
   { pen, view, ink, accent, paper }: Pens,
   at: Place,
   text: string,
-  strong = false,
-  up = 12,
+  {
+    strong = false,
+    up = 12,
+    crosses = [],
+  }: { strong?: boolean; up?: number; crosses?: readonly Place[] } = {},
 ): void {
   const wide = pen.measureText(text).width + 10;
-  const x = Math.max(Math.min(xOf(view, at.line) + 12, view.width - wide), 0);
-  const y = Math.max(Math.min(yOf(view, at.row) - up, view.height - 10), 10);
+  const places = [12, -12 - wide].flatMap((right) =>
+    [-up, up].map((down) => ({
+      x: Math.max(Math.min(xOf(view, at.line) + right, view.width - wide), 0),
+      y: Math.max(Math.min(yOf(view, at.row) + down, view.height - 10), 10),
+    })),
+  );
+  const covers = (place: { x: number; y: number }, cross: Place): boolean =>
+    Math.abs(xOf(view, cross.line) - place.x - wide / 2) < wide / 2 + HALF_CROSS_PX &&
+    Math.abs(yOf(view, cross.row) - place.y) < 9 + HALF_CROSS_PX;
+  const free = places.find((place) => !crosses.some((cross) => covers(place, cross)));
+  const { x, y } = free ?? (places[0] as { x: number; y: number });
   pen.fillStyle = strong ? accent : DARK;
   pen.fillRect(x, y - 9, wide, 18);
   pen.fillStyle = strong ? paper : ink;

@@ -1,4 +1,3 @@
-/** The stage of two strips. */
 import { PictureStage } from "../../viewer/stage";
 import type { Tool } from "../../viewer/tool";
 import type { Size } from "../../viewer/view";

@@ -59,7 +59,6 @@ export class Tiles {
   }
 }
 
-/** Where the tiles of a scan are. */
 export function tileAddress({ id, tiles_version }: Scan, { camera, level, index }: TileKey): string {
   return `/api/scans/${id}/tiles/${camera}/${level}/${index}?v=${tiles_version ?? ""}`;
 }

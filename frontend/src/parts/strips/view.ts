@@ -11,7 +11,6 @@ export interface Strips {
   readonly rows: number;
 }
 
-/** A place on a strip. */
 export interface Place {
   readonly line: number;
   readonly row: number;
@@ -21,7 +20,6 @@ export interface StripPoint extends Place {
   readonly camera: 1 | 2;
 }
 
-/** From (line, row), as the server tells a click. */
 export function placeOf([line, row]: readonly [number, number]): Place {
   return { line, row };
 }
@@ -34,7 +32,6 @@ const MARGIN_PX = 40;
 
 interface Scales {
   readonly strips: Strips;
-  /** Screen pixels of one strip's window. */
   readonly width: number;
   readonly height: number;
   /** Line at the window's left edge, lines per screen pixel. */
@@ -98,7 +95,6 @@ export class StripsView implements View<StripPoint, StripsView> {
     return dx === 0 && dy === 0 ? this : panBy(this, -dx, -dy);
   }
 
-  /** The whole time; the height keeps its scale. */
   fit(): StripsView {
     return zoomTime(this, 0, 0);
   }
@@ -108,7 +104,6 @@ export class StripsView implements View<StripPoint, StripsView> {
   }
 }
 
-/** Top of a strip's window in the canvas. */
 export function stripTop(view: Scales, camera: 1 | 2): number {
   return camera === 1 ? 0 : view.height + AXIS_PX;
 }

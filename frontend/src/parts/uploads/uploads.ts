@@ -50,7 +50,6 @@ const tus = (): Promise<typeof TusUpload | null> =>
     () => null,
   );
 
-/** Starts to send a file; `onDone` is called with the recording that the server made of it. */
 export async function startUpload(
   surveyId: number,
   file: File,
@@ -189,7 +188,6 @@ export function resumeUpload(key: number): void {
   own.upload.start();
 }
 
-/** Stops it and throws away what has arrived. */
 export async function cancelUpload(key: number): Promise<void> {
   const own = running.get(key);
   running.delete(key);

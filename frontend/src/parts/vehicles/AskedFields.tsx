@@ -1,4 +1,3 @@
-/** Which targets a survey asks for, by day and in low light. */
 import { Check } from "../../components";
 import { say } from "../../core/messages";
 import type { Asked, AskedTarget, Lighting } from "../../core/types";

@@ -35,7 +35,6 @@ export function ClassChoice({ classSets, categories, onClassSets, onCategories }
   );
 }
 
-/** What is chosen, in words; empty where nothing is. */
 export function classWords(classSets: readonly string[], categories: readonly string[]): string {
   const words = [
     ...classSets.map((one) => CLASS_SET_WORDS[one as ClassSet] ?? one),

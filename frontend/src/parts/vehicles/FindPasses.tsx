@@ -5,7 +5,6 @@ import { RecordingJob, type RecordingJobProps } from "./RecordingJob";
 
 interface Props {
   recording: RecordingJobProps["recording"];
-  /** Called once when passes may have been added. */
   found: () => void | Promise<void>;
 }
 

@@ -9,7 +9,6 @@ import "./surveyFields.css";
 
 const LAMPS = wordsOf("place-lamps-", "present", "none");
 
-/** The fields as they are typed. */
 export interface TypedPlace {
   latitude: string;
   longitude: string;

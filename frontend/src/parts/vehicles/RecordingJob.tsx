@@ -18,7 +18,6 @@ export interface RecordingJobProps {
     /** `message`: what the work says of itself. */
     over(message: string | null): string;
   };
-  /** Called once when something may have come of it. */
   over(): void | Promise<void>;
 }
 

@@ -11,7 +11,6 @@ function reviewWords({ reviewer, reason }: History["reviews"][number]): string {
   return reason ? say("revisions-review", { person, reason }) : person;
 }
 
-/** Every revision with its value and every verdict, newest first. */
 export function Revisions({ id, revision }: { id: number; revision: number }) {
   const { data: history, error } = useAsked(
     "GET /measurements/{measurement_id}/history",

@@ -1,4 +1,3 @@
-/** Chooses what the next click measures. */
 import { type ActionId, keyMap, showChord } from "../../core/commands";
 import { canWork } from "../../core/session";
 import type { Target } from "../../core/types";

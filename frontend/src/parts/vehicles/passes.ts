@@ -19,7 +19,6 @@ const RANK: Record<Vehicle["state"], number> = {
   discarded: 7,
 };
 
-/** True if the operator has something to do here. */
 export function isOpen(vehicle: Vehicle): boolean {
   return RANK[vehicle.state] <= RANK.to_do;
 }
@@ -74,7 +73,6 @@ export function firstOpen(list: readonly Vehicle[]): Vehicle | undefined {
   return list.find((vehicle) => vehicle.state === "to_do") ?? nextOpen(list, undefined);
 }
 
-/** Where to look first: the best frame, else the middle of the span. */
 export function bestFrame(vehicle: Vehicle): number {
   return vehicle.best_frame ?? Math.round((vehicle.first_frame + vehicle.last_frame) / 2);
 }

@@ -12,7 +12,6 @@ interface JudgeProps extends Pick<ButtonProps, "kind" | "icon" | "disabled" | "o
   testId: string;
 }
 
-/** The button of a verdict, with its key on it. */
 export function JudgeButton({ of, testId, ...rest }: JudgeProps) {
   const key = keyMap.value[of][0];
   return (

@@ -12,7 +12,6 @@ export interface Verdict {
 }
 
 interface By {
-  /** Who gives it. */
   readonly by: number;
 }
 

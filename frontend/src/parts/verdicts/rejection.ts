@@ -7,7 +7,6 @@ import { type PlainKey, say } from "../../core/messages";
 
 export class Rejection {
   readonly begun = signal(false);
-  /** Chosen, or in one's own words. */
   readonly reason = signal("");
   readonly commands: readonly ButtonCommand[];
 

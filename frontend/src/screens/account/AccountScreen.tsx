@@ -13,7 +13,6 @@ import { Tokens } from "./Tokens";
 const LEAST = 10;
 const EMPTY = { current: "", next: "", again: "" };
 
-/** Who you are, your password, and the tokens of your programs. */
 export default function AccountScreen() {
   const person = me.value?.person;
   if (!person) return null;

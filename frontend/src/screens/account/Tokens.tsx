@@ -9,7 +9,6 @@ import type { ApiToken, MadeToken } from "../../core/types";
 import { MakeToken } from "./MakeToken";
 import { SCOPE_NAMES } from "./scopes";
 
-/** Tokens with which programs speak for the person: made, seen and revoked here. */
 export function Tokens() {
   const tokens = useAsked("GET /session/tokens");
   const [making, setMaking] = useState(false);

@@ -1,4 +1,3 @@
-/** What a token may be for, in words. */
 import { wordsOf } from "../../core/messages";
 import type { ApiToken } from "../../core/types";
 

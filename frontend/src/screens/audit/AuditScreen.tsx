@@ -117,7 +117,6 @@ export default function AuditScreen({ surveyId }: ScreenProps) {
 
 const FILTERS = ["survey_id", "entity", "person_id", "day", "vehicle"] as const;
 
-/** What the address asks for. */
 function filtersOf(surveyId: number): Record<string, string> {
   const chosen = FILTERS.map((name) => [name, query.value.get(name) ?? ""] as const);
   const asked = Object.fromEntries(chosen.filter(([, value]) => value !== ""));

@@ -4,7 +4,6 @@ import { boardPath } from "../../parts/boards/markers";
 interface Props {
   columns: number;
   rows: number;
-  /** Its side in words. */
   square: string;
   markers: boolean;
   /** Side of a marker over the side of a square. */

@@ -39,10 +39,8 @@ export function useTypedBoard(camera: CameraDetail): [TypedBoard, (board: TypedB
   return [typed, setTyped];
 }
 
-/** The square that was typed last in this browser. */
 const square_mm = stored("square_mm", 25, (value) => value > 0);
 
-/** Asks for the board in words, and draws what is meant. */
 export function BoardFields({ board, change }: { board: TypedBoard; change: (board: TypedBoard) => void }) {
   const problems = problemsOf(board);
   const [, unit] = smallScale();

@@ -4,16 +4,10 @@ import { linkTo, Said } from "../../components/Said";
 import { useForm } from "../../core/form";
 import { say, wordsOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
+import type { BoardIn, CalibrationWish } from "../../core/types";
 import { parseNumber } from "../../core/units";
 
-export interface Recipe {
-  model: "brown" | "fisheye";
-  bent_board: boolean;
-  recording_id?: number;
-  every?: number;
-  first_frame?: number;
-  last_frame?: number;
-}
+export type Recipe = Omit<CalibrationWish, keyof BoardIn>;
 
 /** Where the boards are: in single pictures, or in the frames of a recording. */
 export type Source = "images" | "clip";
@@ -21,9 +15,7 @@ export type Source = "images" | "clip";
 interface Props {
   surveyId: number;
   source: Source;
-  /** images in which the board was found */
   usable: number;
-  /** the board is told and no image is on its way */
   ready: boolean;
   busy: boolean;
   calibrate: (recipe: Recipe) => void;
@@ -32,7 +24,7 @@ interface Props {
 /** Which frames of a recording if it is one, which lens model; then the button. */
 export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate }: Props) {
   const form = useForm({
-    model: "brown" as Recipe["model"],
+    model: "brown" as NonNullable<Recipe["model"]>,
     shape: "flat" as "flat" | "bent",
     every: "10",
     first: "",

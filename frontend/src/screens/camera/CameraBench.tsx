@@ -209,7 +209,6 @@ function Words({ camera, changed }: { camera: CameraDetail; changed: () => Promi
   );
 }
 
-/** Each image with what was found in it drawn over. */
 function ImageGrid({
   images,
   remove,

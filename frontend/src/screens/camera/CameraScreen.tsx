@@ -12,7 +12,6 @@ import { CameraBench } from "./CameraBench";
 import { TakeCamera } from "./TakeCamera";
 import "./camera.css";
 
-/** The survey's cameras; one is open. */
 export default function CameraScreen({ surveyId }: ScreenProps) {
   const cameras = useAsked("GET /surveys/{survey_id}/cameras", { survey_id: surveyId });
   const [adding, setAdding] = useState(false);

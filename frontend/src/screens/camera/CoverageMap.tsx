@@ -1,6 +1,5 @@
 import { say } from "../../core/messages";
 
-/** 16 by 12 cells, darker with more corners; empty cells are hatched, so that shape tells it too. */
 export function CoverageMap({ coverage, aspect }: { coverage: number[][]; aspect: number }) {
   const rows = coverage.length;
   const columns = coverage[0]?.length ?? 1;

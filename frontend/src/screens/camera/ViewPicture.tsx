@@ -6,7 +6,6 @@ interface Props {
   view: CameraView;
   worst: boolean;
   lens: CameraDocument;
-  /** address of the picture */
   picture: string | null;
 }
 

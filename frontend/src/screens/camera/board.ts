@@ -47,7 +47,6 @@ export function problemsOf(typed: TypedBoard) {
   };
 }
 
-/** The board in numbers, or null while something is wrong. */
 export function readBoard(typed: TypedBoard): Board | null {
   const problems = problemsOf(typed);
   if (Object.values(problems).some((problem) => problem !== null)) return null;

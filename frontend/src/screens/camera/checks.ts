@@ -15,7 +15,6 @@ export function apart(metres: number | null): string {
   return size < least / 2 ? say("camera-under", { length: formatSmall(least) }) : formatSmall(size);
 }
 
-/** "0.160 px" */
 export function px(value: number | null): string {
   return value === null ? "–" : say("value-px", { value: fixed(value, 3) });
 }

@@ -1,4 +1,3 @@
-/** Figures of a calibration made ready to be read. Pure. */
 import type { CameraDocument, CameraView } from "../../core/types";
 
 export interface Figure {
@@ -41,13 +40,11 @@ export function angleOfView(camera: CameraDocument): number {
   return ((camera.model === "fisheye" ? 2 * half : 2 * Math.atan(half)) * 180) / Math.PI;
 }
 
-/** Share of the cells that hold at least one corner. */
 export function coveredShare(coverage: number[][]): number {
   const cells = coverage.flat();
   return cells.length === 0 ? 0 : cells.filter((count) => count > 0).length / cells.length;
 }
 
-/** The used view that fits worst. */
 export function worstView(views: CameraView[]): CameraView | null {
   const used = views.filter((view) => view.used && view.rms_px !== null);
   return used.reduce<CameraView | null>(

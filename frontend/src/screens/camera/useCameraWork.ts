@@ -10,11 +10,9 @@ import type { Recipe } from "./CalibrateForm";
 
 export interface Sending {
   name: string;
-  /** why it was not taken; null while it waits */
   problem: string | null;
 }
 
-/** What can be done with one camera, and how far it is. */
 export function useCameraWork(
   camera: CameraDetail,
   board: Board | null,
@@ -121,7 +119,6 @@ function waiting(file: File): Sending {
   return { name: file.name, problem: null };
 }
 
-/** The stored image, or the sentence that says why it was refused. */
 async function sendImage(cameraId: number, board: Board, file: File): Promise<CalibrationImage | string> {
   try {
     return await api.write(

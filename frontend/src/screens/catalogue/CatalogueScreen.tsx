@@ -17,7 +17,6 @@ import "./catalogue.css";
 
 const A_PAGE = 50;
 
-/** The models that vehicles are compared with: search, correct, retire, a CSV in and out. */
 export default function CatalogueScreen() {
   const q = query.value.get("q") ?? "";
   const retired = query.value.get("retired") === "true";

@@ -18,7 +18,6 @@ import { CATEGORY_WORDS } from "../../core/words";
 import { bodyOf, type ModelIn, SIZE_WORDS, SIZES, type Size } from "./model";
 
 interface Props {
-  /** Null: a new one. */
   row: CatalogueRow | null;
   close: () => void;
   saved: () => void;
@@ -26,7 +25,6 @@ interface Props {
 
 type Typed = Record<Size, { size: string; u: string; source: string }>;
 
-/** One model, to be added or corrected: each size with its uncertainty and its source. */
 export function ModelDialog({ row, close, saved }: Props) {
   const form = useForm({
     make: row?.make ?? "",

@@ -1,4 +1,3 @@
-/** What the catalogue's page shows and sends. */
 import type { components } from "#schema";
 import { wordsOf } from "../../core/messages";
 import type { CatalogueRow } from "../../core/types";
@@ -38,7 +37,6 @@ export const FIELDS: readonly string[] = [
   "source",
 ];
 
-/** What the server takes of a row, as it stands. */
 export function bodyOf(row: CatalogueRow): ModelIn {
   const { id: _id, version: _version, retired_at: _retired, ...body } = row;
   return body;

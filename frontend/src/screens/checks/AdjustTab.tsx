@@ -97,7 +97,6 @@ export function AdjustTab({ surveyId }: { surveyId: number }) {
   );
 }
 
-/** The three uncertainties that the page takes, typed in the small unit. */
 function KnownFields({ known, change }: { known: Known; change(next: Known): void }) {
   const unit = smallScale()[1];
   const field = (name: keyof Known, label: string) => (

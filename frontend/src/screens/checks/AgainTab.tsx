@@ -243,7 +243,6 @@ function changeIn(factor: number): (one: ComputedHeight) => number {
   return (one) => (one.change_m ?? 0) * factor;
 }
 
-/** Where a height is looked at. */
 function addressOf(surveyId: number, one: ComputedHeight): string {
   return one.scan_id === null
     ? `/surveys/${surveyId}/measure?vehicle=${one.vehicle_id}`

@@ -1,4 +1,3 @@
-/** Angles as people read them; the server speaks radians. */
 import { say } from "../../core/messages";
 import { fixed } from "../../core/units";
 
@@ -7,7 +6,6 @@ export function formatDegrees(rad: number | null, digits = 2): string {
   return rad === null ? "–" : `${fixed((rad * 180) / Math.PI, digits)}°`;
 }
 
-/** "0.80° (u = 0.11°)" */
 export function formatHeading(rad: number | null, u_rad: number | null): string {
   if (rad === null) return "–";
   return u_rad === null

@@ -1,4 +1,3 @@
-/** Words of lots. */
 import { allOf, say, wordsOf } from "../../core/messages";
 import type { PlannedLot, ShownLot } from "../../core/types";
 import { LIGHTING_NOUNS, TARGET_NOUNS } from "../../core/words";
@@ -12,7 +11,6 @@ const LEFT: Readonly<Record<string, (count: number) => string>> = {
   verdict_of_its_own: (count) => say("lots-left-verdict_of_its_own", { count }),
 };
 
-/** What its heights have in common: "roof, daytime". */
 export function commonInWords({ target, lighting, operator, day }: PlannedLot["common"]): string {
   const parts = [target && TARGET_NOUNS[target], lighting && LIGHTING_NOUNS[lighting], operator?.name, day];
   return parts.filter(Boolean).join(", ") || say("lots-everything");

@@ -1,9 +1,9 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { FakeServer, recording, vehicle } from "../../../testing/server";
 import { ApiError } from "../../core/api";
 import { outbox } from "../../core/outbox";
 import { survey } from "../../core/survey";
 import type { Survey, WheelPair } from "../../core/types";
-import { FakeServer, recording, vehicle } from "../../testing/server";
 import { imagePoint } from "../../viewer/points";
 import { TrafficModel } from "./model";
 
@@ -73,6 +73,20 @@ describe("the direction of travel", () => {
     expect(server.writes).toEqual(["PUT /recordings/1"]);
     expect(read).toHaveBeenCalledOnce();
     survey.value = null;
+  });
+
+  it("shows no turn of a pose whose recording was left before it came", async () => {
+    let turned = (_: object) => {};
+    server.on("GET", /\/recordings$/, () => [1, 2].map((id) => recording({ id, pose_id: id })));
+    server.on("GET", /\/checks\/traffic$/, () => ({ poses: [{ pose_id: 1 }, { pose_id: 2 }], pairs }));
+    server.on("GET", /\/poses\/1\/turn$/, () => new Promise((come) => (turned = come)));
+    await model.load(7);
+    const looked = model.previewTurn();
+    await quiet();
+    model.chooseRecording(2);
+    turned({ pose_id: 1, turn_rad: 0.01 });
+    await looked;
+    expect(model.preview.value).toBeNull();
   });
 
   it("takes two clicks on one frame, and undo and redo take the pair out and in where it was clicked", async () => {

@@ -23,7 +23,6 @@ export class TrafficModel {
   readonly history = new History();
   readonly loaded = signal(false);
   readonly problem = signal<unknown>(null);
-  /** Why the last two clicks were not taken. */
   readonly refused = signal<unknown>(null);
   readonly vehicles = signal<readonly Vehicle[]>([]);
   private readonly stored = signal<TrafficCheckBody | null>(null);
@@ -99,16 +98,11 @@ export class TrafficModel {
   async load(vehicleId: number | null): Promise<void> {
     this.problem.value = null;
     try {
-      const [recordings, vehicles, check] = await Promise.all([
-        api.ask("GET /surveys/{survey_id}/recordings", { survey_id: this.surveyId }),
+      const [vehicles] = await Promise.all([
         api.ask("GET /surveys/{survey_id}/vehicles", { survey_id: this.surveyId }),
-        api.ask("GET /surveys/{survey_id}/checks/traffic", { survey_id: this.surveyId }),
+        this.read(),
       ]);
-      batch(() => {
-        this.reel.recordings.value = recordings.filter((one) => one.state === "ready");
-        this.vehicles.value = vehicles;
-        this.stored.value = check;
-      });
+      this.vehicles.value = vehicles;
       const named = vehicles.find((one) => one.id === vehicleId);
       if (vehicleId !== null && !named)
         toast(say("address-elsewhere", { what: "vehicle" }), { kind: "problem" });
@@ -126,7 +120,6 @@ export class TrafficModel {
     this.reel.close();
   }
 
-  /** Another recording, with its first pass. */
   chooseRecording(id: number): void {
     const vehicle = this.vehicles.value.find((one) => one.recording_id === id);
     if (vehicle) this.open(vehicle);
@@ -163,7 +156,6 @@ export class TrafficModel {
     if (this.vehicle.value) void this.change(this.vehicle.value, clicks, "checks-tyres");
   }
 
-  /** Takes the vehicle's pair out of the check. */
   async withdraw(): Promise<void> {
     if (this.pair.value && this.vehicle.value && !this.saving.value)
       await this.change(this.vehicle.value, null, "checks-withdrawal");
@@ -173,7 +165,8 @@ export class TrafficModel {
     const pose = this.pose.value;
     if (!pose) return;
     await telling(async () => {
-      this.preview.value = await api.ask("GET /poses/{pose_id}/turn", { pose_id: pose.pose_id });
+      const turned = await api.ask("GET /poses/{pose_id}/turn", { pose_id: pose.pose_id });
+      if (this.pose.value?.pose_id === pose.pose_id) this.preview.value = turned;
     });
   }
 
@@ -267,16 +260,18 @@ export class TrafficModel {
     this.saving.value = false;
   }
 
-  private async reload(): Promise<void> {
-    await telling(async () => {
-      const [recordings, check] = await Promise.all([
-        api.ask("GET /surveys/{survey_id}/recordings", { survey_id: this.surveyId }),
-        api.ask("GET /surveys/{survey_id}/checks/traffic", { survey_id: this.surveyId }),
-      ]);
-      batch(() => {
-        this.reel.recordings.value = recordings.filter((one) => one.state === "ready");
-        this.stored.value = check;
-      });
+  private reload(): Promise<void> {
+    return telling(() => this.read());
+  }
+
+  private async read(): Promise<void> {
+    const [recordings, check] = await Promise.all([
+      api.ask("GET /surveys/{survey_id}/recordings", { survey_id: this.surveyId }),
+      api.ask("GET /surveys/{survey_id}/checks/traffic", { survey_id: this.surveyId }),
+    ]);
+    batch(() => {
+      this.reel.recordings.value = recordings.filter((one) => one.state === "ready");
+      this.stored.value = check;
     });
   }
 }

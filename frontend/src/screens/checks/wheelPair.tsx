@@ -1,20 +1,15 @@
 /** Both tyres of one side, clicked on one frame: the first, then the second. */
 import { computed, signal } from "@preact/signals";
 import { say } from "../../core/messages";
+import type { NewWheelPair } from "../../core/types";
 import { InImage, Line, PointMark } from "../../viewer/Overlay";
 import { type ImagePoint, pair } from "../../viewer/points";
 import type { Reel } from "../../viewer/reel";
 import type { FrameStage } from "../../viewer/stage";
 import type { Tool } from "../../viewer/tool";
 
-export interface Clicks {
-  readonly frame: number;
-  readonly frame_crc32?: number;
-  readonly first: [number, number];
-  readonly second: [number, number];
-}
+export type Clicks = Readonly<Omit<NewWheelPair, "seen">>;
 
-/** As much of the page as the clicks need. */
 export interface Traffic {
   readonly stage: FrameStage;
   readonly reel: Reel;

@@ -130,7 +130,6 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
   );
 }
 
-/** The vehicles that statistics and report of a package are of. */
 function Choosing({ wanted, onChange }: { wanted: Wanted; onChange(wanted: Wanted): void }) {
   return (
     <section class="panel panel__body" aria-label={say("export-of-title")}>

@@ -24,7 +24,6 @@ import type { Job } from "../../core/types";
 import { STATE_WORDS } from "../../core/words";
 
 const STATES = ["queued", "running", "failed", "cancelled", "done"] as const;
-/** How often the list is read again. */
 const EVERY_MS = 2000;
 
 export default function JobsScreen() {
@@ -106,7 +105,6 @@ function toldOf(job: Job): string {
   );
 }
 
-/** Where its work is looked at. */
 function pageOf({ kind, survey_id, recording_id, scan_id }: Job): string | null {
   if (survey_id === null) return null;
   const survey = `/surveys/${survey_id}`;

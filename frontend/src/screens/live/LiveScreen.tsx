@@ -273,7 +273,6 @@ export function clockThere(iso: string): string {
   return there === null ? formatClock(new Date(iso)) : formatPlaceClock(there);
 }
 
-/** The same with its day. */
 export function momentThere(iso: string): string {
   const there = shownThere(iso);
   return there === null ? formatMoment(iso) : formatPlaceMoment(there);

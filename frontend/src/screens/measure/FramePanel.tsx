@@ -203,7 +203,6 @@ function Refused({ model }: { model: MeasureModel }) {
   );
 }
 
-/** The height beside the pointer, as the server last answered it. */
 function LiveHeight({ model }: { model: MeasureModel }) {
   const live = model.geometry.live.value;
   const at = model.stage.pointer.value;

@@ -1,4 +1,3 @@
-/** Heights of the eye, the lamps and a mark that were known before, and whether the record is a check target. */
 import { Check } from "../../components";
 import { CommitField, LengthField } from "../../components/CommitField";
 import { say } from "../../core/messages";

@@ -106,8 +106,6 @@ function InsetEditor({ model, entry }: { model: MeasureModel; entry: Entry }) {
   );
 }
 
-/** The frames of a measurement, and what a further one gains. */
-
 /** To go to and to take away, and what one more would gain. */
 function Frames({ model, entry }: { model: MeasureModel; entry: Entry }) {
   const frames = framesOf(entry.values);

@@ -102,7 +102,6 @@ interface RowProps extends TargetProps {
   onOpen?(): void;
 }
 
-/** Chooses what the next click measures. */
 function Choose({ model, target, again }: { model: MeasureModel; target: Target; again: boolean }) {
   return (
     <TargetButton
@@ -182,7 +181,6 @@ function Doubts({ model, entry }: { model: MeasureModel; entry: Entry }) {
   );
 }
 
-/** The line under a row, when there is something to say. */
 function SaidOf({ model, entry }: { model: MeasureModel; entry: Entry }) {
   if (entry.state === "conflict") return <MeasurementConflict model={model} entry={entry} />;
   if (entry.state === "failed") {

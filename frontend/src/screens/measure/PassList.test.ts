@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { vehicle } from "../../testing/server";
+import { vehicle } from "../../../testing/server";
 import type { MeasureModel } from "./model";
 import { progress } from "./PassList";
 import { Standing } from "./standing";

@@ -25,7 +25,6 @@ import "../../parts/vehicles/passes.css";
 const FindPasses = late(async () => (await import("../../parts/vehicles/FindPasses")).FindPasses);
 const ProposeButton = soon(async () => (await import("./proposals/ProposeButton")).ProposeButton);
 
-/** A pass and what stands below it. */
 const ROW_PX = 43;
 
 export function PassList({ model }: { model: MeasureModel }) {

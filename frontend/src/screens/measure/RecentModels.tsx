@@ -22,7 +22,6 @@ export function noteModel({ id, make, model }: CatalogueRow): void {
 interface Props {
   locked: boolean;
   onChoose(row: CatalogueRow): void;
-  /** To the field of the make, where letters are typed. */
   toMake(): void;
 }
 

@@ -57,7 +57,6 @@ function Expected({ stage, at, text }: { stage: FrameStage; at: ImagePoint; text
   );
 }
 
-/** Under a measurement that stands on several frames. */
 export function FramesSaid({ m }: { m: Measurement }) {
   if (m.more_frames.length === 0) return null;
   const count = m.more_frames.length + 1;

@@ -1,8 +1,8 @@
 import { render } from "preact";
 import { afterEach, expect, it } from "vitest";
+import { vehicle } from "../../../testing/server";
 import { speak } from "../../core/messages";
 import type { ModelFits } from "../../core/types";
-import { vehicle } from "../../testing/server";
 import { CannotFit } from "./WhichModel";
 
 afterEach(async () => {

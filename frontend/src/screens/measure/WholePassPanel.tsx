@@ -7,7 +7,6 @@ import type { MeasureModel } from "./model";
 
 const MOST_REASONS = 3;
 
-/** The height of the whole pass beside the way to keep it. */
 export function WholePassPanel({ model }: { model: MeasureModel }) {
   const { whole } = model;
   const now = whole.now.value;

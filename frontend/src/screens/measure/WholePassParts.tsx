@@ -7,7 +7,6 @@ import { fromServer } from "../../viewer/points";
 import type { Span } from "../../viewer/spans";
 import type { MeasureModel } from "./model";
 
-/** The followed points of the frame that is seen. */
 export function FollowedMarks({ model }: { model: MeasureModel }) {
   return (
     <g data-testid="followed-points">
@@ -37,7 +36,6 @@ export function followedSpans(model: MeasureModel): Span[] {
   }));
 }
 
-/** Under a measurement of a whole pass. */
 export function PassSaid({ m }: { m: Measurement }) {
   if (!m.followed) return null;
   return (

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { FakeServer, recording, vehicle } from "../../../testing/server";
 import { toasts } from "../../core/toasts";
-import { FakeServer, recording, vehicle } from "../../testing/server";
 import { MeasureModel } from "./model";
 
 let model: MeasureModel;

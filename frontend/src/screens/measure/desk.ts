@@ -40,7 +40,6 @@ export interface Desk {
   /** What is asked for of the open vehicle and was not said to be unseen. */
   asked(): readonly Target[];
   stepName(step: string): string;
-  /** The last target that is asked for was answered. */
   answered(): void;
 }
 
@@ -51,11 +50,8 @@ export interface PassDesk extends Desk {
   readonly vehicle: ReadonlySignal<Vehicle | undefined>;
   readonly vehicles: Vehicles;
   readonly reading: Reading;
-  /** Those that are shown, in their order. */
   readonly list: ReadonlySignal<readonly Vehicle[]>;
-  /** Opens a pass at its best frame, or at the frame asked for. */
   open(vehicle: Vehicle, frame?: number): void;
-  /** Edits facts of the open vehicle, as a step that can be undone. */
   edit(changes: Changes): void;
 }
 

@@ -1,8 +1,8 @@
 /** Keys that are pressed while the page's questions are still on their way: what comes later undoes none of them. */
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { FakeServer, recording, vehicle } from "../../../testing/server";
 import { addCommands } from "../../core/commands";
 import type { PointProposal } from "../../core/types";
-import { FakeServer, recording, vehicle } from "../../testing/server";
 import { frameCommands } from "../../viewer/stageCommands";
 import { MeasureModel } from "./model";
 

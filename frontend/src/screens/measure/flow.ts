@@ -28,7 +28,6 @@ export type FlowEvent =
       type: "open";
       vehicleId: number | null;
       target: Target | null;
-      /** Contacts that earlier measurements stand on. */
       contacts?: ReadonlyMap<number, ImagePoint>;
     }
   | { type: "choose"; target: Target | null }
@@ -63,7 +62,6 @@ export const START: Flow = {
   selection: null,
 };
 
-/** What the next click on this frame will place. */
 export function awaiting(flow: Flow, frame: number): Role | null {
   if (flow.vehicleId === null || flow.target === null) return null;
   return flow.renew || !flow.contacts.has(frame) ? "contact" : "point";

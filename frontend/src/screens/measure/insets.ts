@@ -16,7 +16,6 @@ export class Insets {
     private readonly points: Points,
   ) {}
 
-  /** Of another vehicle nothing is chosen yet. */
   forget(): void {
     this.chosen.value = new Map();
   }
@@ -26,7 +25,6 @@ export class Insets {
     return this.chosen.value.get(target) ?? this.desk.standing.revised(target)?.values.inset ?? null;
   }
 
-  /** Chooses the inset of a target of this vehicle, for what is measured of it and for the clicks to come. */
   choose(target: Target, inset: Inset): void {
     this.chosen.value = new Map(this.chosen.value).set(target, inset);
     for (const entry of this.desk.entries.value)

@@ -111,7 +111,6 @@ export function showFact(field: Field, value: unknown): string {
   return field.endsWith("_m") ? formatLength(Number(value)) : String(value);
 }
 
-/** What a conflict says is there now. */
 function currentOf<T>(error: ApiError): T | undefined {
   return (error.body as { current?: T } | null)?.current;
 }

@@ -177,7 +177,6 @@ export class MeasureModel implements PassDesk {
     return this.step(event);
   }
 
-  /** Opens a pass at its best frame, or at the frame asked for. */
   open(vehicle: Vehicle, frame = this.usualFrame(vehicle)): void {
     this.leave();
     batch(() => {
@@ -186,7 +185,6 @@ export class MeasureModel implements PassDesk {
     });
   }
 
-  /** Opens a pass on the frame that is there. */
   private enter(vehicle: Vehicle): void {
     const contacts = this.standing.contactsOf(vehicle.id);
     const target = canWork.value ? firstMissing(this.standing.targetsOf(vehicle.id), askedOf(vehicle)) : null;
@@ -310,7 +308,6 @@ export class MeasureModel implements PassDesk {
     if (done && before.id === this.vehicleId.value && !before.make && !before.model) this.confirmNext();
   }
 
-  /** Edits vehicle facts, as a step that can be undone. */
   edit(changes: Changes, vehicle = this.vehicle.value): void {
     if (!vehicle) return;
     this.history.run(say("measure-step-vehicle", { vehicle: String(vehicle.number) }), (step) => {

@@ -25,7 +25,6 @@ export class PageAddress {
     clearTimeout(this.timer);
   }
 
-  /** Starts the first frame before anything else is known, when the address says which. */
   private startFirstFrame(): void {
     const params = new URLSearchParams(location.search);
     const recordingId = Number(params.get("recording"));

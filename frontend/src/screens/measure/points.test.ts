@@ -1,8 +1,8 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { FakeServer, recording, vehicle } from "../../../testing/server";
 import { connection, tryAgainNow } from "../../core/api";
 import { toasts } from "../../core/toasts";
 import type { Target } from "../../core/types";
-import { FakeServer, recording, vehicle } from "../../testing/server";
 import { imagePoint, pair } from "../../viewer/points";
 import { MeasureModel } from "./model";
 import { idOf } from "./standing";

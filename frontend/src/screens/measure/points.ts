@@ -70,7 +70,6 @@ export class Points implements ClickTool {
     );
   }
 
-  /** True while a drag or a run of nudges is under way. */
   get moving(): boolean {
     return this.burst !== null;
   }
@@ -130,7 +129,6 @@ export class Points implements ClickTool {
     return true;
   }
 
-  /** The operator picked a point on the picture. */
   pick(handle: string): void {
     const selection = this.desk.standing.selectionOf(handle);
     if (selection) this.select(selection);
@@ -167,7 +165,6 @@ export class Points implements ClickTool {
     if (phase === "end") this.endBurst();
   }
 
-  /** Moves the selected point. False if there is none. */
   nudge(dx: number, dy: number): boolean {
     const selection = this.desk.flow.value.selection;
     const at = selection && this.desk.standing.positionOf(selection);
@@ -221,7 +218,6 @@ export class Points implements ClickTool {
     );
   }
 
-  /** Another inset: a new revision, and a step that can be undone. */
   setInset(key: string, inset: Inset): void {
     const values = this.desk.records.find(key)?.values;
     if (!values) return;

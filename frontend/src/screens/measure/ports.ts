@@ -1,4 +1,3 @@
-/** What the measure page asks of the server: addresses, nothing else. */
 import { api } from "../../core/api";
 
 export const listVehicles = (surveyId: number) =>

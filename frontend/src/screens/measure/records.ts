@@ -15,14 +15,12 @@ import { MEASUREMENT, type MeasurementAbout } from "./kinds";
 export interface Entry {
   readonly key: string;
   readonly vehicleId: number;
-  /** What the server has. */
   readonly saved: Measurement | null;
   /** What is wanted; equal to `saved` once state is "saved". */
   readonly values: Values;
   readonly state: "saved" | "moving" | "saving" | "conflict" | "failed";
   /** The height of `values` before the server has stored them. */
   readonly preview: HeightAnswer | null;
-  /** Why it could not be stored, or who changed it. */
   readonly problem: string | null;
   readonly theirs: Measurement | null;
 }
@@ -36,7 +34,6 @@ type Clicked = Wish<Measurement, Values, MeasurementAbout>;
 
 export class Records {
   readonly byVehicle = signal<ReadonlyMap<number, readonly Entry[]>>(new Map());
-  /** What people call the vehicles. */
   private readonly numbers = new Map<number, number>();
   /** No longer told of what the outbox does. */
   readonly close: () => void;
@@ -90,7 +87,6 @@ export class Records {
     return key;
   }
 
-  /** Sets what a measurement is to become and sends it. */
   change(key: string, change: Partial<Values>, options: { preview?: HeightAnswer | null } = {}): void {
     const entry = this.find(key);
     if (!entry) return;
@@ -100,7 +96,6 @@ export class Records {
     this.send(key);
   }
 
-  /** Only shows: a point under a moving pointer. */
   show(key: string, change: Partial<Values>, preview?: HeightAnswer | null): void {
     const entry = this.find(key);
     if (!entry) return;

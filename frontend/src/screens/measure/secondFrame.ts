@@ -19,7 +19,6 @@ import type { Entry } from "./records";
 export interface Going {
   readonly key: string;
   readonly target: Target;
-  /** The frame that shows it, and where. */
   readonly offer: FrameForTarget;
   readonly answer: SecondFrameAnswer;
 }
@@ -33,7 +32,6 @@ interface Storing {
 export class SecondFrame implements ClickTool {
   /** The measurement that gets a further frame; null while nothing of the kind is going on. */
   readonly now = signal<Going | null>(null);
-  /** True while the server looks for the frame. */
   readonly looking = signal(false);
   /** The measurement that was stored or looked at last: the one that the key is meant for. */
   last: string | null = null;
@@ -57,7 +55,6 @@ export class SecondFrame implements ClickTool {
     return this.contact.value ? "point" : "contact";
   });
 
-  /** Where the points are expected on the frame that is seen. */
   readonly spots = computed(() =>
     (this.now.value?.offer.spots ?? []).filter((spot) => spot.frame === this.desk.seenFrame.value),
   );
@@ -153,7 +150,6 @@ export class SecondFrame implements ClickTool {
     if (first !== undefined) this.desk.reel.player.value?.go(first);
   }
 
-  /** Another vehicle is opened. */
   forget(): void {
     this.now.value = null;
     this.clicked.value = null;

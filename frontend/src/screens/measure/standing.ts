@@ -47,7 +47,6 @@ export class Standing {
     return this.selectable().find((selection) => idOf(selection) === handle);
   }
 
-  /** The points of a measurement on the frame that is seen; on any other, those of its first frame. */
   here({ values }: Entry): FramePoints {
     return pointsOn(values, this.desk.seenFrame.value) ?? values;
   }

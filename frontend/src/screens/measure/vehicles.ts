@@ -30,7 +30,6 @@ export class Vehicles {
   );
   /** No longer told of what the outbox does. */
   readonly close: () => void;
-  /** What was seen when somebody began to type. */
   private readonly held = new Map<number, Vehicle>();
   private readonly timers = new Map<number, ReturnType<typeof setTimeout>>();
 
@@ -81,7 +80,6 @@ export class Vehicles {
     this.held.delete(id);
   }
 
-  /** Changes fields at once on the screen, keeps them, and sends them soon. */
   edit(id: number, changes: Changes): void {
     const before = this.drafts.value.get(id);
     const base = before?.base ?? this.held.get(id) ?? this.get(id);
@@ -94,7 +92,6 @@ export class Vehicles {
     );
   }
 
-  /** Saves what has been typed, now. Resolves when it rests. */
   async flush(id: number): Promise<void> {
     clearTimeout(this.timers.get(id));
     this.timers.delete(id);

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { FakeServer, recording, vehicle } from "../../../testing/server";
 import type { Said } from "../../core/messages";
-import { FakeServer, recording, vehicle } from "../../testing/server";
 import { imagePoint } from "../../viewer/points";
 import { MeasureModel } from "./model";
 

@@ -24,7 +24,6 @@ export interface Followed {
 interface Storing {
   readonly clicks: ClickLedger;
   rest(key: string): Promise<void>;
-  /** The measurement that was stored or looked at last. */
   last(): string | null;
 }
 
@@ -59,7 +58,6 @@ export class WholePass {
     private readonly storing: () => Storing,
   ) {}
 
-  /** Asks the server to follow the points of a measurement. */
   async start(key = this.meant()): Promise<void> {
     const entry = key === null ? undefined : this.desk.records.find(key);
     if (!entry) {

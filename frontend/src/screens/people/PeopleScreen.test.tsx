@@ -1,9 +1,9 @@
 import { render } from "preact";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { FakeServer } from "../../../testing/server";
 import { AskDialog } from "../../components";
 import { me } from "../../core/session";
 import type { Me } from "../../core/types";
-import { FakeServer } from "../../testing/server";
 import PeopleScreen from "./PeopleScreen";
 
 const viola = { id: 2, name: "Viola", email: "v@x", role: "viewer", active: true, has_password: true };

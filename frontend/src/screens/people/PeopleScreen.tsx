@@ -24,7 +24,6 @@ import "./people.css";
 import { DOES, roleOptions, roles } from "../../parts/people/roles";
 import { type Invitation, ShowLink } from "../../parts/people/ShowLink";
 
-/** Accounts and roles, for administrators. */
 export default function PeopleScreen() {
   const people = useAsked(may("admin") ? "GET /people" : null);
   const [adding, setAdding] = useState(false);

@@ -1,7 +1,6 @@
 import { Panel } from "../../components";
 import { type Said, sentenceOf } from "../../core/messages";
 
-/** What to do about a plan, what matters most first. */
 export function Advice({ advice }: { advice: readonly Said[] }) {
   return (
     <Panel says="planning-advice">

@@ -14,7 +14,6 @@ const LOOKS: Record<string, { dash: string; dot: Dot }> = {
   headlight: { dash: "9 3 2 3", dot: "cross" },
 };
 
-/** U95 on vehicles at other distances. */
 export function DistanceFigure({ plan }: { plan: Plan }) {
   return (
     <Figure
@@ -34,7 +33,6 @@ export function DistanceFigure({ plan }: { plan: Plan }) {
   );
 }
 
-/** What an ignored inset costs, over the camera's height. */
 export function BiasFigure({ plan }: { plan: Plan }) {
   return (
     <Figure
@@ -60,9 +58,7 @@ interface FigureProps {
   curves: readonly Curve[];
   /** What the picture shows for those who do not see it, and its axes; `unit` across, `small` up. */
   words: (unit: string, small: string) => { label: string; x: string; y: string };
-  /** The quantity across, as the table of the figure names it. */
   at: string;
-  /** The planned place. */
   marker: number;
   fromZero?: boolean;
 }

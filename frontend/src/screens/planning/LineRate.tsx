@@ -5,7 +5,7 @@ import { Said } from "../../components/Said";
 import { current, query, setQuery } from "../../core/address";
 import { region, say, wordsOf } from "../../core/messages";
 import { useAsked, useResource } from "../../core/resource";
-import { fixed, formatCount, formatHeight, formatSeconds, formatSmall, formatSpeed } from "../../core/units";
+import { fixed, formatHeight, formatSeconds, formatSmall, formatSpeed } from "../../core/units";
 import { Advice } from "./Advice";
 import type { LinePlan } from "./model";
 import { ValueFields } from "./PlanForm";
@@ -40,14 +40,13 @@ function Planned({ values }: { values: Values }) {
   return <Result plan={plan.data} />;
 }
 
-/** "1.3 %" */
 function percent(share: number): string {
   const digits = new Intl.NumberFormat(region.value, { maximumSignificantDigits: 3 });
   return `${digits.format(share * 100)}\u00a0%`;
 }
 
 const lineRateWords = (line_rate_hz: number) =>
-  say("planning-forms-line-rate-value", { line_rate_hz: formatCount(line_rate_hz) });
+  say("planning-forms-line-rate-value", { line_rate_hz: fixed(line_rate_hz, 0) });
 
 const errorWords = (one: { error: number; error_mps: number }) =>
   say("planning-forms-error-value", {
@@ -66,7 +65,7 @@ function Result({ plan }: { plan: LinePlan }) {
             values={{
               speed: formatSpeed(plan.speed_mps),
               lines: fixed(plan.lines, 1),
-              line_rate_hz: formatCount(plan.line_rate_hz),
+              line_rate_hz: fixed(plan.line_rate_hz, 0),
               one_line: formatSmall(plan.one_line_m),
             }}
           />{" "}
@@ -99,7 +98,7 @@ function Result({ plan }: { plan: LinePlan }) {
               <b>{lineRateWords(corrected.line_rate_hz)}</b>,
             ],
             [
-              say("planning-forms-error-at", { line_rate_hz: formatCount(plan.line_rate_hz) }),
+              say("planning-forms-error-at", { line_rate_hz: fixed(plan.line_rate_hz, 0) }),
               errorWords(printed),
               errorWords(corrected),
             ],

@@ -3,7 +3,6 @@ import { say } from "../../core/messages";
 import type { Passing } from "../../core/types";
 import { fixed, formatSpeed } from "../../core/units";
 
-/** Exposure, motion blur and frames of a pass, by speed. */
 export function PassingTable({ passing }: { passing: readonly Passing[] }) {
   return (
     <Panel says="planning-passing-title" data-testid="plan-passing">

@@ -66,7 +66,6 @@ function CameraChoice({ cameras, values }: Props) {
 }
 
 const PAUSE_MS = 350;
-/** What stands for a value that is left empty. */
 const LEFT_EMPTY: Partial<Record<Name, string>> = wordsOf("planning-usual-");
 
 /** A field for each value that `words` names. */

@@ -16,7 +16,6 @@ interface Frame {
   height: number;
 }
 
-/** The site to scale, seen along the road. */
 export function SiteAlong({ plan }: { plan: Plan }) {
   return (
     <figure class="panel plan-figure">
@@ -27,7 +26,6 @@ export function SiteAlong({ plan }: { plan: Plan }) {
   );
 }
 
-/** The site to scale, from above. */
 export function SiteAbove({ plan }: { plan: Plan }) {
   return (
     <figure class="panel plan-figure">
@@ -181,7 +179,6 @@ function CameraMark({ x, y, turn }: { x: number; y: number; turn: number }) {
   );
 }
 
-/** Dimension lines from the camera to the board and to the wheel track. */
 function Distances({ frame, plan, at }: { frame: Frame; plan: Plan; at: number }) {
   const { distance_m, board_distance_m } = plan.site;
   const apart = Math.abs(distance_m - board_distance_m) > 0.005;

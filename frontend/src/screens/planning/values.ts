@@ -17,7 +17,6 @@ const NAMES = [
   "sigma_px",
   "direction_deg",
 ] as const;
-/** What a line rate is planned with, in the order of the fields. */
 export const LINE_NAMES = [
   "speed_mps",
   "error",
@@ -44,7 +43,6 @@ const USUAL: Values = {
 };
 const PLAIN: Values = { width_px: "1920", height_px: "1080", field_of_view_deg: "65" };
 
-/** The values of an address. */
 export function valuesOf(query: URLSearchParams, names: readonly Name[] = NAMES): Values {
   const values: Values = {};
   for (const name of names) {
@@ -84,7 +82,6 @@ export function sheetAddress(survey_id: number, values: Values): string {
   return `/api/surveys/${survey_id}/plan.pdf?${new URLSearchParams({ ...values, language: language.value })}`;
 }
 
-/** A vehicle and a line camera as they often are. */
 const USUAL_LINES: Values = {
   error: "0.01",
   length_m: "4.5",

@@ -15,7 +15,6 @@ import { markerProblem, markersTold, PLAIN, type TypedMarkers } from "../../part
 
 export interface BoardForm extends TypedMarkers {
   readonly calibrationId: number | null;
-  /** Inner corners. */
   readonly columns: number;
   readonly rows: number;
   /** Lengths as typed, the board's own and the uncertainties as small lengths (mm), the tape's in m; or in and ft. */
@@ -24,7 +23,6 @@ export interface BoardForm extends TypedMarkers {
   readonly referenceHeight: string;
   /** The four uncertainties: empty stands for the usual estimate. */
   readonly uReferenceHeight: string;
-  /** Degrees as typed. */
   readonly uLean: string;
   readonly uSquare: string;
   readonly uBow: string;
@@ -82,7 +80,6 @@ function smallOr(text: string, metres: number): number | null {
   return text.trim() === "" ? metres : parseSmall(text);
 }
 
-/** The request, or null while something is missing. */
 export function requestOf(form: BoardForm): BodyOf<"POST /recordings/{recording_id}/poses"> | null {
   const { calibrationId, first, last } = form;
   const square_m = parseSmall(form.square);
@@ -112,7 +109,6 @@ export function requestOf(form: BoardForm): BodyOf<"POST /recordings/{recording_
 
 export type BoardSought = Omit<BodyOf<"POST /recordings/{recording_id}/board">, "frame" | "calibration_id">;
 
-/** The board to look for on a frame, or null while it is half told. */
 export function boardOf(form: BoardForm): BoardSought | null {
   if (form.columns < 2 || form.rows < 2) return null;
   const size = { columns: form.columns, rows: form.rows };

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { FakeServer, recording } from "../../../testing/server";
 import { ApiError } from "../../core/api";
 import { lengthUnit } from "../../core/units";
-import { FakeServer, recording } from "../../testing/server";
 import { PoseModel } from "./model";
 
 let server: FakeServer;
@@ -71,6 +71,44 @@ describe("the road pose page", () => {
     model.takeOffered();
     expect(model.form.value).toMatchObject({ first: 3, last: 60 });
     expect(model.offered.value).toBeNull();
+  });
+
+  it("shows neither pose nor board of a recording that was left before they came", async () => {
+    let pose = (_: object) => {};
+    let board = (_: object) => {};
+    server.on("GET", /\/poses\/3$/, () => new Promise((come) => (pose = come)));
+    server.on("POST", /\/recordings\/2\/board$/, () => new Promise((come) => (board = come)));
+    await model.load();
+    await vi.advanceTimersByTimeAsync(400);
+    expect(model.looking.value).toBe(true);
+    const found: unknown[] = [];
+    model.finding.subscribe((one) => found.push(one));
+    const opening = model.openRecording(1);
+    board({ found: true, frame: 0, corners_px: [] });
+    await quiet();
+    expect(found.filter(Boolean)).toEqual([]);
+    await model.openRecording(2);
+    pose({ id: 3, recording_id: 1, first_frame: 0, last_frame: 9 });
+    await opening;
+    expect(model.pose.value).toBeNull();
+  });
+
+  it("does not show the pose that was found for a recording that was left", async () => {
+    const found = vi.fn();
+    server.on("GET", /\/poses\/4$/, found);
+    server.on("POST", /\/recordings\/2\/poses$/, () => ({ id: 9, state: "queued" }));
+    server.on("GET", /\/jobs\/9$/, () => ({ id: 9, state: "done", result: { pose_id: 4 } }));
+    server.on("GET", /\/poses\/3$/, () => new Promise(() => {}));
+    await model.load();
+    model.set({ square: "100", referenceHeight: "0.6", first: 0, last: 9 });
+    const run = model.run();
+    void model.openRecording(1);
+    await vi.advanceTimersByTimeAsync(5000);
+    await run;
+    expect(server.writes).toContain("POST /recordings/2/poses");
+    expect(model.job.value).toBeNull();
+    expect(found).not.toHaveBeenCalled();
+    expect(model.found.value).toBe(0);
   });
 
   it("asks for the tape anew in the next recording, and keeps the board", async () => {

@@ -79,7 +79,8 @@ export class PoseModel {
     },
     (finding, wish) => {
       this.looking.value = false;
-      if (this.reel.player.value?.frame.value !== wish.frame) return;
+      const player = this.reel.player.value;
+      if (player?.recordingId !== wish.recordingId || player.frame.value !== wish.frame) return;
       this.finding.value = finding;
       this.findingProblem.value = finding.found ? null : sentenceOf(finding.reason);
       if (finding.found) void this.offerSpan(wish);
@@ -109,19 +110,16 @@ export class PoseModel {
   async load(): Promise<void> {
     this.problem.value = null;
     try {
-      const [recordings, cameras, poses] = await Promise.all([
-        api.ask("GET /surveys/{survey_id}/recordings", { survey_id: this.surveyId }),
+      const [cameras] = await Promise.all([
         api.ask("GET /surveys/{survey_id}/cameras", { survey_id: this.surveyId }),
-        api.ask("GET /surveys/{survey_id}/poses", { survey_id: this.surveyId }),
+        this.read(),
       ]);
       batch(() => {
-        this.reel.recordings.value = recordings;
         this.cameras.value = cameras;
-        this.poses.value = poses;
         this.loaded.value = true;
       });
       const wanted = asked("recording");
-      const ready = recordings.filter((one) => one.state === "ready");
+      const ready = this.reel.recordings.value.filter((one) => one.state === "ready");
       if (wanted !== null && !ready.some((one) => one.id === wanted))
         toast(say("address-elsewhere", { what: "recording" }), { kind: "problem" });
       const first =
@@ -130,6 +128,17 @@ export class PoseModel {
     } catch (error) {
       this.problem.value = error;
     }
+  }
+
+  private async read(): Promise<void> {
+    const [recordings, poses] = await Promise.all([
+      api.ask("GET /surveys/{survey_id}/recordings", { survey_id: this.surveyId }),
+      api.ask("GET /surveys/{survey_id}/poses", { survey_id: this.surveyId }),
+    ]);
+    batch(() => {
+      this.reel.recordings.value = recordings;
+      this.poses.value = poses;
+    });
   }
 
   close(): void {
@@ -145,6 +154,7 @@ export class PoseModel {
     const frame = Number(query.value.get("frame") ?? 0);
     batch(() => {
       this.reel.show(id, Math.max(0, frame));
+      if (!this.running.value) this.job.value = null;
       this.pose.value = null;
       this.finding.value = null;
       this.offered.value = null;
@@ -223,7 +233,7 @@ export class PoseModel {
         },
         this.stopJob.signal,
       );
-      await this.finished(over);
+      await this.finished(over, recording.id);
     } catch (error) {
       if (this.stopJob.signal.aborted) return;
       this.job.value = null;
@@ -237,19 +247,19 @@ export class PoseModel {
   }
 
   async showPose(id: number): Promise<void> {
+    const open = this.reel.player.value;
     await telling(async () => {
       const pose = await api.ask("GET /poses/{pose_id}", { pose_id: id });
-      const own = pose.recording_id === this.reel.player.value?.recordingId;
+      if (this.reel.player.value !== open) return; // another recording was opened meanwhile
+      const own = pose.recording_id === open?.recordingId;
       batch(() => {
         this.pose.value = pose;
         this.set(fromPose(pose, own));
       });
-      if (own && this.reel.player.value && this.finding.value === null)
-        this.reel.player.value.go(pose.first_frame);
+      if (own && this.finding.value === null) open?.go(pose.first_frame);
     });
   }
 
-  /** Makes another stored pose the recording's. */
   async choose(id: number): Promise<void> {
     const recording = this.reel.recording.value;
     if (!recording) return;
@@ -262,36 +272,33 @@ export class PoseModel {
       this.reel.recordings.value = this.reel.recordings.value.map((one) =>
         one.id === changed.id ? changed : one,
       );
-      await this.showPose(id);
+      if (this.reel.recording.value?.id === recording.id) await this.showPose(id);
       toast(say("pose-chosen"));
       void refreshSurvey();
     });
   }
 
-  private async finished(job: Job): Promise<void> {
+  private async finished(job: Job, recordingId: number): Promise<void> {
     if (job.state !== "done") return;
     const id = job.result?.["pose_id"];
-    const [recordings, poses] = await Promise.all([
-      api.ask("GET /surveys/{survey_id}/recordings", { survey_id: this.surveyId }),
-      api.ask("GET /surveys/{survey_id}/poses", { survey_id: this.surveyId }),
-    ]);
+    await this.read();
     batch(() => {
-      this.reel.recordings.value = recordings;
-      this.poses.value = poses;
       this.job.value = null;
       linesShown.value = true;
     });
-    if (typeof id === "number") await this.showPose(id);
-    this.found.value += 1;
     void refreshSurvey();
+    if (typeof id !== "number" || this.reel.player.value?.recordingId !== recordingId) return;
+    await this.showPose(id);
+    this.found.value += 1;
   }
 
   /** The board of an earlier pose is most likely the same board: take its size, not its tape. */
   private async borrowBoard(id: number): Promise<void> {
     try {
+      const open = this.reel.player.value;
       const pose = await api.ask("GET /poses/{pose_id}", { pose_id: id });
       const { columns, rows, square } = fromPose(pose, false);
-      this.set({ columns, rows, square });
+      if (this.reel.player.value === open) this.set({ columns, rows, square });
     } catch {
       // the form stays as it is: the operator fills it in
     }

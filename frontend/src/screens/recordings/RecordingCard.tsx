@@ -18,7 +18,6 @@ import { ReadAs } from "./ReadAs";
 
 interface Props {
   recording: Recording;
-  /** How many passes it has; undefined while that is read. */
   passes: number | undefined;
   cameras: Camera[];
   changed: (recording: Recording) => void;

@@ -1,6 +1,6 @@
 import { render } from "preact";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
-import { FakeServer } from "../../testing/server";
+import { FakeServer } from "../../../testing/server";
 import RepeatsScreen from "./RepeatsScreen";
 
 let server: FakeServer;

@@ -153,7 +153,6 @@ function AnchoringPanel({ surveyId }: { surveyId: number }) {
   );
 }
 
-/** How many vehicles, and by how much they were stored above what was proposed. */
 function Mean({ count, mean_m }: { count: number; mean_m: number | null }) {
   return (
     <>

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { FakeServer, recording } from "../../testing/server";
+import { FakeServer, recording } from "../../../testing/server";
 import { imagePoint } from "../../viewer/points";
 import { AgainSession } from "./session";
 

@@ -24,7 +24,6 @@ export class AgainSession {
   readonly blind: BlindClicks;
   readonly current = computed(() => this.items.value?.[this.at.value] ?? null);
   readonly stored = computed(() => this.done.value.filter((one) => one !== null).length);
-  /** What the server has of them, by key. */
   private readonly newest = new Map<string, Measurement>();
   private readonly deaf: () => void;
 
@@ -81,7 +80,6 @@ export class AgainSession {
     if (this.current.value && !this.blind.busy.value) this.next(null);
   }
 
-  /** Back to the frame to click on. */
   showFrame(): void {
     const now = this.current.value;
     if (now) this.reel.show(now.recording_id, now.frame);

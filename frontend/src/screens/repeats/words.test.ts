@@ -22,6 +22,7 @@ describe("figures of repeats in words", () => {
     expect(shiftWords({ ...shift, shift_m: -0.0011, U95_shift_m: 0.0024 })).toBe(
       "−1.1\u00a0±\u00a02.4\u00a0mm",
     );
+    expect(shiftWords({ ...shift, shift_m: 0.0084, U95_shift_m: 0.0124 })).toBe("8\u00a0±\u00a012\u00a0mm");
     expect(shiftWords({ ...shift, shift_m: null, U95_shift_m: null })).toBeNull();
   });
 

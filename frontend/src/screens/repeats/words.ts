@@ -26,8 +26,11 @@ export function claimVerdict(claim: TargetRepeats["uncertainty_check"]): string 
   return say(claim.high < 1 ? "repeats-less" : "repeats-as");
 }
 
-/** "-0.8 ± 1.4 mm"; null where too few vehicles tell. */
+/** "-0.8 ± 1.4 mm", both to the same digit; null where too few vehicles tell. */
 export function shiftWords(shift: ProposedTarget["shift"]): string | null {
-  if (shift.shift_m === null) return null;
-  return `${smallNumber(shift.shift_m)}\u00a0±\u00a0${formatSmall(shift.U95_shift_m)}`;
+  const { shift_m, U95_shift_m } = shift;
+  if (shift_m === null) return null;
+  const digits = (U95_shift_m ?? 0) < 0.01 ? 1 : 0;
+  const written = [smallNumber(shift_m, undefined, digits), formatSmall(U95_shift_m, undefined, digits)];
+  return written.join("\u00a0±\u00a0");
 }

@@ -74,7 +74,6 @@ export function Queue({ model }: { model: ReviewModel }) {
   );
 }
 
-/** The lot's own page, where it is decided upon. */
 export function lotAddress(surveyId: number, lot: number): string {
   return `/surveys/${surveyId}/lots?lot=${lot}`;
 }

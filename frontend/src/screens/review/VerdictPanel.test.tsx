@@ -1,9 +1,9 @@
 /** A reviewer reads how the points were set, and by whom. */
 import { render } from "preact";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { FakeServer, recording } from "../../../testing/server";
 import { formatMoment } from "../../core/times";
 import type { Made, ReviewItem } from "../../core/types";
-import { FakeServer, recording } from "../../testing/server";
 import { ReviewModel } from "./model";
 import { VerdictPanel } from "./VerdictPanel";
 

@@ -8,7 +8,6 @@ import { fromServer, type ImagePoint, imagePoint, samePoint } from "../../viewer
 import type { DragPhase, Handle, Tool } from "../../viewer/tool";
 import { insetOf, valuesOf } from "../../viewer/values";
 
-/** Points of a fix that has not been saved yet. */
 export interface Fix {
   readonly contact: ImagePoint;
   readonly point: ImagePoint;
@@ -18,7 +17,6 @@ export interface Fix {
 type Role = Fix["selected"];
 
 export interface FixHost {
-  /** Whether saving would change anything. */
   differs(fix: Fix): boolean;
   /** The points are others now, or there is no fix any more. */
   moved(fix: Fix | null): void;

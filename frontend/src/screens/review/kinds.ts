@@ -28,7 +28,6 @@ const isHeight = shapeOf<Height>({
 });
 
 export interface GivenVerdict extends Verdict {
-  /** Where a fix puts the points. */
   readonly points: {
     readonly contact: [number, number];
     readonly target_point: [number, number];
@@ -40,7 +39,6 @@ export interface VerdictAbout {
   readonly id: number;
   /** The revision that was seen: a verdict never holds for points that nobody has looked at. */
   readonly revision: number;
-  /** Who gives it. */
   readonly by: number;
 }
 
@@ -56,7 +54,6 @@ const heightVerdict = verdictKind<Height, GivenVerdict, VerdictAbout>({
   isOn: (saved, { want: { points } }) => !points || fits(saved, points),
 });
 
-/** The newest revision. */
 export async function readHeight(measurement_id: number, signal?: AbortSignal): Promise<Height | null> {
   const route = "GET /measurements/{measurement_id}/history";
   const { revisions } = await api.ask(route, { measurement_id }, signal ? { signal } : {});

@@ -1,9 +1,9 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { FakeServer, recording } from "../../../testing/server";
 import { tryAgainNow } from "../../core/api";
 import { outbox } from "../../core/outbox";
 import { toasts } from "../../core/toasts";
 import type { Measurement, ReviewItem } from "../../core/types";
-import { FakeServer, recording } from "../../testing/server";
 import { imagePoint, pair } from "../../viewer/points";
 import { ReviewModel } from "./model";
 

@@ -33,7 +33,6 @@ export class ReviewModel {
         : [this.fixing],
   );
   readonly geometry = new Geometry();
-  /** Where a height of a line scan was clicked. */
   readonly strips = new LinePicture();
   readonly queue: ReviewQueue;
   readonly repeats: Repeats;
@@ -185,7 +184,6 @@ export class ReviewModel {
     this.blind.begin(this.isHidden(item) ? { ...m, measurement_id: m.id } : null);
   }
 
-  /** Back to the frame on which the points were clicked. */
   showFrame(m: Measurement): void {
     this.reel.show(m.recording_id, m.frame);
   }

@@ -1,6 +1,6 @@
 import { afterEach, expect, it, vi } from "vitest";
+import { FakeServer } from "../../../testing/server";
 import type { ReviewItem } from "../../core/types";
-import { FakeServer } from "../../testing/server";
 import { ReviewQueue } from "./queue";
 
 afterEach(() => vi.unstubAllGlobals());

@@ -63,7 +63,6 @@ export class ReviewQueue {
     return this.items.value?.find((item) => item.measurement.id === id);
   }
 
-  /** The one before or after an item, where it was read. */
   beside(id: number | null, step: 1 | -1): ReviewItem | undefined {
     const items = this.items.value ?? [];
     return items[items.findIndex((item) => item.measurement.id === id) + step];

@@ -8,7 +8,6 @@ import type { Comparison, Measurement } from "../../core/types";
 import { repeatWish } from "../../viewer/repeats";
 
 export class Repeats {
-  /** Null until they are here. */
   readonly comparisons = signal<readonly Comparison[] | null>(null);
   /** This person's own, the last of them. */
   readonly own = computed(() => this.comparisons.value?.filter(isOwn).at(-1) ?? null);
@@ -24,7 +23,6 @@ export class Repeats {
     return api.ask("GET /measurements/{measurement_id}/repeats", { measurement_id: measurementId });
   }
 
-  /** Whether a second click stands. */
   readonly standing: Ledger<Measurement, boolean> = {
     nameOf: ({ id }) => id,
     read: ({ id }) => this.comparisons.value?.some(({ repeat }) => repeat.id === id) === true,

@@ -1,7 +1,7 @@
 import { render } from "preact";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { FakeServer } from "../../../testing/server";
 import { startUpload } from "../../parts/uploads/uploads";
-import { FakeServer } from "../../testing/server";
 import { AddScan } from "./AddScan";
 
 vi.mock("../../parts/uploads/uploads", () => ({ uploads: { value: [] }, startUpload: vi.fn() }));

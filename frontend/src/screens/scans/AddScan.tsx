@@ -167,7 +167,6 @@ type ChosenCuts = Pick<
 >;
 
 interface PickedStrips {
-  /** Ids of uploads, as the boxes hold them. */
   readonly first: string | null;
   readonly second: string | null;
   readonly axis: "width" | "height";
@@ -176,7 +175,6 @@ interface PickedStrips {
 type CutAlong = NonNullable<ChosenCuts["cut_along"]>;
 
 interface TypedCuts {
-  /** The recording's id and both cuts, as the boxes hold them. */
   readonly recording: string | null;
   readonly along: CutAlong;
   readonly one: string;

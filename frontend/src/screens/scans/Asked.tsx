@@ -1,4 +1,3 @@
-/** What the next click on the strips is to hit. */
 import { say } from "../../core/messages";
 import type { ScanModel } from "./model";
 

@@ -12,7 +12,7 @@ import { canWork, may } from "../../core/session";
 import { formatDuration, formatMoment, formatPlaceMoment } from "../../core/times";
 import { toastProblem } from "../../core/toasts";
 import type { Scan, Target } from "../../core/types";
-import { formatCount, formatLength } from "../../core/units";
+import { fixed, formatLength } from "../../core/units";
 import { TARGETS } from "../../core/words";
 import { FailedPage } from "../../parts/FailedPage";
 import { targetAction } from "../../parts/vehicles/TargetButton";
@@ -67,22 +67,7 @@ function Head({ model, scan, surveyId }: { model: ScanModel; scan: Scan; surveyI
   const job = model.search.job.value;
   return (
     <header class="scan__head">
-      <div class="scan__title">
-        <h1 class="clip">{scan.name}</h1>
-        <p class="small muted clip" title={headWords(scan)}>
-          {headWords(scan)}
-        </p>
-        {!scan.started_at && (
-          <ScanStart
-            scan={scan}
-            changed={async (stored) => {
-              model.take(stored);
-              await model.refresh();
-            }}
-          />
-        )}
-      </div>
-      <span class="grow" />
+      <h1 class="scan__title clip">{scan.name}</h1>
       {job ? (
         <div class="scan__job">
           <JobProgress
@@ -111,10 +96,22 @@ function Head({ model, scan, surveyId }: { model: ScanModel; scan: Scan; surveyI
         )
       )}
       <Button says="scans-all" small kind="quiet" href={`/surveys/${surveyId}/scans`} />
+      <div class="scan__below row row--wrap">
+        <p class="small muted">{headWords(scan)}</p>
+        {!scan.started_at && (
+          <ScanStart
+            scan={scan}
+            changed={async (stored) => {
+              model.take(stored);
+              await model.refresh();
+            }}
+          />
+        )}
+      </div>
       {open === "find" && <FindDialog model={model} scan={scan} onClose={() => setOpen(null)} />}
       {open === "rig" && <RigDialog model={model} scan={scan} onClose={() => setOpen(null)} />}
       {scan.run && scan.run.warnings.length > 0 && (
-        <div class="scan__warnings">
+        <div class="scan__below">
           <Notices of={scan.run.warnings} kind="warning" />
         </div>
       )}
@@ -128,7 +125,7 @@ function headWords({ lines, rows_px, duration_s, rig, run, started_local }: Scan
     say("scans-fact-lines", { lines: lines ?? 0, rows_px: String(rows_px) }),
     formatDuration(duration_s ?? 0),
     say("scans-fact-baseline", { baseline: formatLength(rig.baseline_m) }),
-    say("scans-fact-rate", { rate_hz: formatCount(rig.line_rate_hz) }),
+    say("scans-fact-rate", { rate_hz: fixed(rig.line_rate_hz, 0) }),
     sentenceOf(run?.summary.misalignment_words),
   ];
   return words.filter(Boolean).join("  ·  ");

@@ -1,4 +1,3 @@
-/** The evidence file of the chosen vehicle: which limit it is held against, and the file itself as a download. */
 import { useState } from "preact/hooks";
 import { Button, choices, FormDialog, Segments, TextField } from "../../components";
 import { api } from "../../core/api";

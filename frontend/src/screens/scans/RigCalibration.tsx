@@ -145,7 +145,6 @@ export function RigCalibration({ scan, onClose, put, take }: Props) {
   );
 }
 
-/** What is said beside the passes, as typed. */
 interface BesideTyped {
   distance: string;
   uDistance: string;
@@ -170,7 +169,6 @@ export function besideOf(scan: Scan): BesideTyped {
   };
 }
 
-/** The value of a field in SI units, null where it cannot be. */
 const READ: Readonly<Record<BesideName, (text: string) => number | null>> = {
   distance: (text) => within(parseLength(text), (value) => value > 0),
   uDistance: (text) => (text.trim() === "" ? 0 : within(parseLength(text), (value) => value >= 0)),

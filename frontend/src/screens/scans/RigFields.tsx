@@ -11,7 +11,6 @@ interface Typing {
 interface Props extends Typing {
   /** Cut from a video: its frame rate is the line rate. */
   noRate?: boolean;
-  /** Leave out what is rarely known. */
   plain?: boolean;
 }
 
@@ -45,7 +44,6 @@ function Advanced({ of }: { of: Typing }) {
   );
 }
 
-/** Values of the rig, as typed. */
 function Fields({ of, names }: { of: Typing; names: readonly RigFieldName[] }) {
   return (
     <>

@@ -11,7 +11,6 @@ import { StartFields, StartLine, startWords, useStart } from "../../parts/filmin
 
 interface Props {
   scan: Scan;
-  /** Called with what the server stored. */
   changed: (scan: Scan) => Promise<void>;
 }
 

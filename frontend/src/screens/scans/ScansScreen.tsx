@@ -10,7 +10,7 @@ import { canWork } from "../../core/session";
 import { formatDuration } from "../../core/times";
 import { telling, toast } from "../../core/toasts";
 import type { Scan } from "../../core/types";
-import { formatCount, formatLength } from "../../core/units";
+import { fixed, formatLength } from "../../core/units";
 import { LIVE_WORDS } from "../../core/words";
 import { AddScan } from "./AddScan";
 import { RigDialog } from "./RigDialog";
@@ -219,7 +219,7 @@ function facts(scan: Scan): string {
       : null,
     scan.duration_s !== null ? formatDuration(scan.duration_s) : null,
     say("scans-fact-baseline", { baseline: formatLength(scan.rig.baseline_m) }),
-    say("scans-fact-rate", { rate_hz: formatCount(scan.rig.line_rate_hz) }),
+    say("scans-fact-rate", { rate_hz: fixed(scan.rig.line_rate_hz, 0) }),
     scan.source === "video"
       ? say("scans-fact-video", {
           along: scan.cut_along === "columns" ? "columns" : "rows",

@@ -36,7 +36,6 @@ export function SizeErrors({ found }: { found: ScanStatistics }) {
 }
 
 interface RowsProps {
-  /** What each group is called. */
   words: Readonly<Record<string, string>>;
   groups: readonly ScanErrorGroup[];
 }

@@ -46,7 +46,6 @@ function Own({ found }: { found: ScanStatistics }) {
   );
 }
 
-/** "70.2 radar, 72.0 counter" */
 function speedsOf(references: ScanStatistics["table"][number]["references"]): string {
   return references
     .filter((one) => one.quantity === "speed")

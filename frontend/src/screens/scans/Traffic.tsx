@@ -283,7 +283,6 @@ function Measured({ figure, by }: { figure: TrafficFigure; by: number }) {
   );
 }
 
-/** To two significant digits. */
 function twoDigits(value: number): string {
   return fixed(value, value > 0 ? Math.max(0, 1 - Math.floor(Math.log10(value))) : 0);
 }

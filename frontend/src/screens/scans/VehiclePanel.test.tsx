@@ -2,7 +2,7 @@ import { render } from "preact";
 import { expect, it } from "vitest";
 import { Facts } from "../../components";
 import type { ScanVehicle } from "../../core/types";
-import { gapFacts } from "./VehiclePanel";
+import { gapFacts, misalignmentWords } from "./VehiclePanel";
 
 it("tells a known headway where the time gap is missing, and why that is", () => {
   const reason = { code: "rear-unknown", values: {}, message: "the rear is not known" };
@@ -23,4 +23,8 @@ it("shows both gaps with half their 95 % interval", () => {
   render(<Facts of={facts} />, document.body);
   expect(document.body.textContent).toContain("1.650\u00a0±\u00a00.004\u00a0s");
   expect(document.body.textContent).toContain("22.33\u00a0±\u00a00.05\u00a0m");
+});
+
+it("tells a small uncertainty of the misalignment, which is not nought", () => {
+  expect(misalignmentWords(0.6, 0.0012)).toMatch(/0\.60\spx.*u\s=\s0\.0012\spx/);
 });

@@ -28,6 +28,7 @@ import {
   lengthUnit,
   parseLength,
   plainLength,
+  significant,
 } from "../../core/units";
 import { budgetSource, STATE_WORDS, vehicleName } from "../../core/words";
 import { CatalogueField } from "../../parts/vehicles/CatalogueField";
@@ -214,10 +215,10 @@ function DistanceGap({ gap }: { gap: NonNullable<ScanVehicle["gap"]> }) {
   );
 }
 
-function misalignmentWords(value: number, u: number | null): string {
+export function misalignmentWords(value: number, u: number | null): string {
   const value_px = fixed(value, 2);
   if (u === null) return say("value-px", { value: value_px });
-  return say("scan-misalignment-u", { value_px, u_px: fixed(u, 2) });
+  return say("scan-misalignment-u", { value_px, u_px: significant(u) });
 }
 
 function Tools({ model, m }: { model: ScanModel; m: ScanMotion | null }) {
@@ -306,7 +307,6 @@ function Verdict({ model, m }: { model: ScanModel; m: ScanMotion }) {
   );
 }
 
-/** Who said what; null while it waits. */
 function givenWords({ verdict, reason, reviewer }: ScanMotion["review"]): string | null {
   if (verdict !== "accepted" && verdict !== "rejected") return null;
   const person = reviewer?.name ?? say("scan-by-somebody");
@@ -414,7 +414,6 @@ function History({ detail }: { detail: ScanVehicleDetail }) {
   );
 }
 
-/** Who made a revision and when, and the verdict on it. */
 function whoWords(one: ScanMotion, review?: ScanVehicleDetail["reviews"][number]): string {
   const person = one.created_by?.name ?? say("scan-by-search");
   const time = formatMoment(one.created_at);

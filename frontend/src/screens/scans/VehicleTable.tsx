@@ -60,7 +60,6 @@ export function VehicleTable({ model }: { model: ScanModel }) {
   );
 }
 
-/** From the first line on. */
 function since(m: ScanVehicle["measurement"]): string {
   return m ? fixed(m.time_s, 2) : "–";
 }

@@ -5,7 +5,7 @@ import { formatHeight, formatLength, formatRung } from "../../core/units";
 import { heightWords, TARGET_WORDS } from "../../core/words";
 import { cross, joined, type Pens, penOn, word } from "../../parts/strips/marks";
 import { type Place, type StripsView, xOf, yOf } from "../../parts/strips/view";
-import { clicksOf } from "./kinds";
+import { type Clicks, clicksOf } from "./kinds";
 import type { ScanModel } from "./model";
 
 /** A vehicle that is narrower on the screen shows its points without words. */
@@ -30,7 +30,7 @@ function rodMarks(pens: Pens, model: ScanModel): void {
     const top = marks.every((one) => one.distance_m !== mark.distance_m || one.height_m <= mark.height_m);
     const height = formatLength(mark.height_m, 2);
     const distance = formatLength(mark.distance_m, 2);
-    word(pens, at, top ? say("scan-drawn-mark-away", { height, distance }) : height, false, 0);
+    word(pens, at, top ? say("scan-drawn-mark-away", { height, distance }) : height, { up: 0 });
   }
 }
 
@@ -41,17 +41,22 @@ function stored(pens: Pens, model: ScanModel): void {
   for (const height of model.heights.ofChosen.value) storedHeight(pens, model, height, wide > LABELLED_PX);
 }
 
+function clicksShown({ heights }: ScanModel, height: LineHeight): Clicks {
+  const moved = heights.moved.value;
+  return moved?.target === height.target ? moved : clicksOf(height);
+}
+
 function storedHeight(pens: Pens, model: ScanModel, height: LineHeight, labelled: boolean): void {
-  const { selected, moved, target, live } = model.heights;
-  const inHand = moved.value?.target === height.target ? moved.value : null;
-  const { contact, point } = inHand ?? clicksOf(height);
+  const { selected, target, live, ofChosen } = model.heights;
+  const { contact, point } = clicksShown(model, height);
   const role = selected.value?.target === height.target ? selected.value.role : null;
   joined(pens, contact, point);
   cross(pens, contact, role === "contact" ? pens.accent : pens.ink);
   cross(pens, point, role === "point" ? pens.accent : pens.ink);
   const underWay = target.value !== null || live.value?.target === height.target;
   const words = { target: TARGET_WORDS[height.target], height: heightWords(height) };
-  if (labelled && !underWay) word(pens, point, say("scan-drawn-height", words));
+  const crosses = ofChosen.value.map((one) => clicksShown(model, one).point);
+  if (labelled && !underWay) word(pens, point, say("scan-drawn-height", words), { crosses });
 }
 
 function inHand(pens: Pens, model: ScanModel): void {
@@ -61,7 +66,7 @@ function inHand(pens: Pens, model: ScanModel): void {
   for (const rung of live?.answer?.ladder ?? []) {
     const span = 0.5 * pens.view.width * pens.view.perPx;
     level(pens, { line: contact.line, row: rung.row_px }, span);
-    word(pens, { line: contact.line - span, row: rung.row_px }, formatRung(rung.height_m), false, 0);
+    word(pens, { line: contact.line - span, row: rung.row_px }, formatRung(rung.height_m), { up: 0 });
   }
   cross(pens, contact, pens.accent);
   if (!live?.point) {
@@ -73,7 +78,7 @@ function inHand(pens: Pens, model: ScanModel): void {
   cross(pens, live.point, pens.accent);
   const answer = live.answer;
   if (answer?.status === "ok")
-    word(pens, live.point, formatHeight(answer.height_m, answer.U95_height_m), true);
+    word(pens, live.point, formatHeight(answer.height_m, answer.U95_height_m), { strong: true });
 }
 
 function level({ pen, view, ink }: Pens, at: Place, span: number): void {

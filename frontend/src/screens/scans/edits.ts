@@ -89,7 +89,6 @@ export class VehicleEdits {
     });
   }
 
-  /** Whether a vehicle is in the list. */
   private readonly presence: Ledger<number, boolean> = {
     read: (id) => this.scanned.all.value.some((one) => one.id === id),
     write: (id, there) => this.putThere(id, there),

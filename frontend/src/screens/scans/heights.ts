@@ -36,12 +36,10 @@ const RESTS_MS = 600;
 
 export class LineHeights {
   readonly kept: KeptHeights;
-  /** The target that is clicked now. */
   readonly target = signal<Target | null>(null);
   readonly contact = signal<Place | null>(null);
   /** What the clicks in hand and the pointer give. */
   readonly live = signal<Live | null>(null);
-  /** The point that the arrow keys move. */
   readonly selected = signal<Selected | null>(null);
   /** Clicks moved by keyboard, not stored yet. */
   readonly moved = signal<(Clicks & { target: Target }) | null>(null);

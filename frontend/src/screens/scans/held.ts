@@ -10,7 +10,6 @@ import { crossingsOf } from "./kinds";
 
 const RESTS_MS = 600;
 
-/** As much of the bench as this needs. */
 interface Table {
   readonly scan: ReadonlySignal<Scan | null>;
   readonly chosen: ReadonlySignal<ScanVehicle | null>;
@@ -19,7 +18,6 @@ interface Table {
 
 export class HeldBoundaries {
   readonly edge = signal<Edge | null>(null);
-  /** Boundaries in hand, not stored yet. */
   readonly draft = signal<Crossings | null>(null);
   readonly crossings = computed<Crossings | null>(() => {
     const measured = this.bench.chosen.value?.measurement;
@@ -75,7 +73,6 @@ export class HeldBoundaries {
     else this.draft.value = null;
   }
 
-  /** Lets go of them, stored or not; whether there was something. */
   drop(): boolean {
     clearTimeout(this.nudging);
     const held = this.draft.value !== null || this.edge.value !== null;

@@ -28,7 +28,6 @@ export class Judging {
     return nextThat(this.scanned.all.value, id, (one) => this.waits(one));
   }
 
-  /** It waits for this person's verdict. */
   private waits(vehicle: ScanVehicle): boolean {
     return waitsForVerdict(vehicle) && !this.keptMotions.value.has(vehicle.id);
   }

@@ -55,7 +55,6 @@ export class KeptHeights {
     this.stored.value = all;
   }
 
-  /** How many of a vehicle's heights wait for a verdict. */
   waitingOf(vehicleId: number): number {
     return this.waiting.value.get(vehicleId) ?? 0;
   }
@@ -74,7 +73,6 @@ export class KeptHeights {
     return this.all.value.find((one) => one.vehicle_id === id && one.target === target);
   }
 
-  /** As the server has it. */
   private saved({ id, target }: { id: number; target: Target }): LineHeight | null {
     return this.stored.value.find((one) => one.vehicle_id === id && one.target === target) ?? null;
   }

@@ -86,7 +86,6 @@ const heightKind: Kind<LineHeight, HeightWanted, HeightAbout> = {
   words: heightWords,
 };
 
-/** The newest revision of a target's height. */
 async function readHeight(
   vehicle_id: number,
   target: Target,
@@ -264,7 +263,6 @@ export type MotionVerdict = Verdict & { readonly verdict: Exclude<Verdict["verdi
 interface VerdictAbout {
   readonly id: number;
   readonly measurementId: number;
-  /** Who gives it. */
   readonly by: number;
 }
 

@@ -104,7 +104,6 @@ function laneOf(
   };
 }
 
-/** Whether two lists of lanes are the same where they are typed. */
 export function sameLanes(typed: readonly LaneTyped[], lanes: readonly RigLane[]): boolean {
   return JSON.stringify(typed) === JSON.stringify(typedLanes(lanes));
 }

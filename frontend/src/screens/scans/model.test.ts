@@ -1,9 +1,9 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { FakeServer } from "../../../testing/server";
 import { say, speak } from "../../core/messages";
 import { me } from "../../core/session";
 import { toasts } from "../../core/toasts";
 import type { StripPoint } from "../../parts/strips/view";
-import { FakeServer } from "../../testing/server";
 import { Gestures } from "../../viewer/gestures";
 import { screenPoint } from "../../viewer/points";
 import { ScanModel } from "./model";

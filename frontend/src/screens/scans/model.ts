@@ -186,7 +186,6 @@ export class ScanModel implements Strips {
     if (mode === "rod") this.rod.open();
   }
 
-  /** The tools of what is taken up. */
   private placingTools(): Tool<StripPoint>[] {
     switch (this.mode.value) {
       case "rod":
@@ -225,7 +224,6 @@ export class ScanModel implements Strips {
     if (this.chosenId.value !== null) await this.readDetail(this.chosenId.value);
   }
 
-  /** Values of the rig, and the recording's name. */
   readonly rig: Ledger<readonly RigName[], RigChange> = {
     nameOf: (names) => names.join(),
     read: (names) => (this.scan.value ? rigValues(this.scan.value, names) : {}),

@@ -1,8 +1,8 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { FakeServer } from "../../../testing/server";
 import { tryAgainNow } from "../../core/api";
 import { outbox } from "../../core/outbox";
 import type { LineHeight } from "../../core/types";
-import { FakeServer } from "../../testing/server";
 import { ScanModel } from "./model";
 
 const LINES = { front_line_1: 200, rear_line_1: 500, front_line_2: 220, rear_line_2: 520 };

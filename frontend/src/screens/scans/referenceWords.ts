@@ -18,7 +18,6 @@ export function referenceValue({ quantity, value, U95 }: Shown): string {
   return quantity === "speed" ? formatSpeed(value, U95) : formatMeasured(value, U95);
 }
 
-/** "+0.3 km/h", "−12 mm" */
 export function differenceWords(quantity: ReferenceQuantity, difference: number): string {
   const sign = difference < 0 ? "" : "+";
   return sign + apartWords(quantity, difference);

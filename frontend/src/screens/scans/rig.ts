@@ -13,11 +13,9 @@ const MOST_SHADOW = 60;
 export const isShadow = (value: number) => value >= 0 && value <= MOST_SHADOW;
 export const positive = (value: number) => value > 0;
 export const notNegative = (value: number) => value >= 0;
-/** Decimals of a distance from camera to vehicles. */
 export const DISTANCE_DIGITS = 2;
 const isAngle = (mrad: number) => Math.abs(mrad) <= 200;
 
-/** A value of the rig as a person types it. */
 interface RigField {
   value: keyof RigValues;
   /** What is typed over the value in SI units; left out: it is a length in the shown unit. */
@@ -165,7 +163,6 @@ export function readerOf<Name extends string>(
   };
 }
 
-/** A length as it is typed, in the shown unit. */
 export function typedLength(metres: number, digits = 4): string {
   return fixed(metres * lengthScale()[0], digits);
 }

@@ -3,7 +3,6 @@ import { say, wordsOf } from "../../core/messages";
 import { parseNumber } from "../../core/units";
 
 export type Way = "board" | "positions" | "speed";
-/** A column's cells, by the column's name. */
 export type PassTyped = Readonly<Record<string, string>>;
 
 const STAND = ["distance_m", "u_distance_m"] as const;
@@ -18,7 +17,6 @@ const CARRIED = new Set(["distance_m", "u_distance_m", "width_m", "u_width_m", "
 
 const HEADS: Readonly<Record<string, string>> = wordsOf("scans-passes-head-");
 
-/** What an empty cell stands for. */
 export const USUAL: Readonly<Record<string, string>> = { u_distance_m: "0.01", u_line: "2" };
 
 /** Every uncertainty beside a value is called the same. */

@@ -1,9 +1,10 @@
 import { signal } from "@preact/signals";
 import { beforeEach, describe, expect, it } from "vitest";
+import { FakeServer } from "../../../testing/server";
 import { History } from "../../core/history";
+import { toasts } from "../../core/toasts";
 import type { LineHeight, LinePose, LinePoses } from "../../core/types";
 import { fitAll } from "../../parts/strips/view";
-import { FakeServer } from "../../testing/server";
 import type { Bench } from "./bench";
 import { LineHeights } from "./heights";
 import { isRodOf, rodOf } from "./kinds";
@@ -101,6 +102,17 @@ describe("the rod's marks", () => {
       expect(model.mode.value).toBe(after);
     }
   });
+});
+
+it("is said to be kept, not saved, where there is no connection", async () => {
+  const server = new FakeServer();
+  server.down = true;
+  const { rod, heights } = bench();
+  heights.kept.poses.value = pose();
+  rod.open();
+  rod.change({ sigma_px: 2 });
+  await rod.store();
+  expect(toasts.value.at(-1)?.text).toContain("kept in this browser");
 });
 
 describe("a vehicle's heights", () => {

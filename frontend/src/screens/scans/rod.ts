@@ -24,7 +24,6 @@ export class RodDraft {
   readonly values = signal<RodValues>(FRESH);
   readonly next = signal<NextMark>({ distance_m: null, height_m: 0, step_m: 0.5 });
   readonly solved = signal<SolvedRod | null>(null);
-  /** Whether what is shown is not stored yet. */
   readonly changed = signal(false);
   private readonly asker = new Latest<RodValues, SolvedRod>(
     (values) =>
@@ -53,7 +52,6 @@ export class RodDraft {
       this.bench.view.value = showLines(this.bench.view.value, Math.min(...lines), Math.max(...lines), 0.5);
   }
 
-  /** Back to the marks that are stored, or to none. */
   reset(): void {
     const pose = this.heights.kept.pose.value;
     const kept = this.kept();
@@ -105,8 +103,8 @@ export class RodDraft {
       else await this.send(values);
       // what was taken up while it was stored stays
       if (this.bench.mode.value === "rod") this.bench.cancel();
-      const older = this.heights.kept.older.value.length;
-      toast(say(older > 0 ? "scan-rod-stored-older" : "scan-rod-stored"));
+      const older = this.heights.kept.older.value.length > 0;
+      toast(say(this.kept() ? "scan-rod-kept" : older ? "scan-rod-stored-older" : "scan-rod-stored"));
     });
   }
 

@@ -23,7 +23,6 @@ export interface ScannedWanted {
   /** Null: as the program tells it. */
   readonly lane?: string | null;
   readonly facts?: Facts;
-  /** Whether it is in the list. */
   readonly there?: boolean;
 }
 
@@ -32,7 +31,6 @@ export function rodWords(marks: readonly RodMark[]): string {
   return say("scan-wish-marks", { count: marks.length, distances: distances.join(", ") });
 }
 
-/** What is wanted of a vehicle, or stands, in words. */
 export function scannedWords({ there, boundaries, hubs, axles, lane, facts }: ScannedWanted): string {
   const told = [
     there === undefined ? "" : say(there ? "scan-wish-there" : "scan-wish-taken-out"),

@@ -17,7 +17,6 @@ export function stateOf(vehicle: ScanVehicle): StateName {
   return measured.review.verdict;
 }
 
-/** How the current numbers came about. */
 export function causeWords(one: ScanMotion): string {
   return say(one.placed_by_person ? "scan-cause-by-hand" : "scan-cause", { method: one.method });
 }

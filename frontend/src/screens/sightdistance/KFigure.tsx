@@ -20,7 +20,6 @@ const AT = {
   high: (row: Row) => row.high,
 };
 
-/** K of a crest against design speed, by case. */
 export function KFigure({ sight }: { sight: Sight }) {
   const shown = sight.cases.filter((one) => one.crest !== null);
   const banded = shown.some((one) => one.name !== "standard" && one.k_m.some((k) => k.low !== null));

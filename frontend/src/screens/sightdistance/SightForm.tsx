@@ -2,10 +2,10 @@ import { Button, choices, OptionalField, SelectField } from "../../components";
 import { CommitField, LengthField } from "../../components/CommitField";
 import { navigate, query, setQuery } from "../../core/address";
 import { say } from "../../core/messages";
+import type { Standard } from "../../core/types";
 import { parseLength, parseNumber, speedScale } from "../../core/units";
 import { ASKABLE, CATEGORY_WORDS, HEIGHT_WORDS, LIGHTING_WORDS, STATE_WORDS } from "../../core/words";
 import { formatLimit, inWords, STANDARD_OF, standardKey } from "../../parts/figures/standards";
-import type { Standard } from "../../parts/figures/types";
 import { ClassChoice } from "../../parts/vehicles/ClassChoice";
 import {
   KIND_WORDS,
@@ -57,7 +57,6 @@ interface StandardChoiceProps {
   options: readonly Standard[];
 }
 
-/** A height: one of a standard's, or any. */
 function StandardChoice({ name, usual, label, options }: StandardChoiceProps) {
   const height = Number(query.value.get(name) ?? usual);
   const chosen = standardAt(query.value, name, height, options);
@@ -213,7 +212,6 @@ function setShares(shares: ReadonlyMap<string, number>): void {
   );
 }
 
-/** Puts values of one name into the address in the place of those before. */
 function setSeveral(name: string, values: readonly string[]): void {
   const next = new URLSearchParams(location.search);
   next.delete(name);
@@ -226,7 +224,6 @@ interface LengthProps {
   label: string;
   usual: number;
   most?: number;
-  /** Where more than the length changes with it. */
   change?(metres: number | null): void;
 }
 

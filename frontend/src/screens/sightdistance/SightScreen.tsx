@@ -55,7 +55,6 @@ export default function SightScreen(_props: ScreenProps) {
   );
 }
 
-/** What matters, said first. */
 function Sentences({ sight }: { sight: Sight }) {
   const standard = sight.cases.find((one) => one.name === "standard");
   const others = sight.cases.filter((one) => one.name !== "standard");

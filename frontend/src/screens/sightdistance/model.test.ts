@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import type { Standard } from "../../parts/figures/types";
+import type { Standard } from "../../core/types";
 import { ofHeight, ofStandard, standardAt } from "./model";
 
 const standard = (name: string, what: string, height_m: number, percent: number | null = null) =>

@@ -2,10 +2,10 @@
 import type { components } from "#schema";
 import { apart, say, sentenceOf, wordsOf } from "../../core/messages";
 import type { AddressOf } from "../../core/routes";
+import type { Standard } from "../../core/types";
 import { lengthUnit } from "../../core/units";
 import { HEIGHT_WORDS } from "../../core/words";
 import { standardKey } from "../../parts/figures/standards";
-import type { Standard } from "../../parts/figures/types";
 
 type Schemas = components["schemas"];
 export type Sight = Schemas["SightDistances"];
@@ -17,7 +17,6 @@ export const CASE_WORDS = wordsOf("sight-case-");
 
 export const KIND_WORDS = wordsOf("sight-kind-");
 
-/** What stands for the object where the address does not say. */
 export const STANDARDS_OBJECT = "standard";
 
 const PLAIN = [
@@ -35,7 +34,6 @@ const PLAIN = [
   "radius_m",
 ] as const;
 
-/** What the server is asked for an address. */
 export function sightQuery(query: URLSearchParams): AddressOf<"GET /sightdistance"> {
   const asked: AddressOf<"GET /sightdistance"> = {
     survey: query.getAll("survey"),

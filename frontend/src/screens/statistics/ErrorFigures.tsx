@@ -1,4 +1,5 @@
 import { say, sentenceOf } from "../../core/messages";
+import type { Density, Ecdf } from "../../core/types";
 import { lengthScale, smallScale } from "../../core/units";
 import {
   type Curve,
@@ -13,7 +14,6 @@ import {
 import { fixedRange, NONE, range, scaled } from "../../parts/figures/numbers";
 import { type LegendEntry, PlotFigure } from "../../parts/figures/PlotFigure";
 import { readable, readRows } from "../../parts/figures/reading";
-import type { Density, Ecdf } from "../../parts/figures/types";
 import { type Errors, GROUP_WORDS, isThere, type Reason, type Trend } from "./model";
 
 const CURVES: Record<string, Omit<Curve, "word">> = {

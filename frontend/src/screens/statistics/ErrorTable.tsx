@@ -12,7 +12,6 @@ const HEADS = wordsOf("statistics-error-");
 
 interface Column {
   key: keyof typeof HEADS;
-  /** Factor and digits. */
   scale: () => [number, number];
   unit: () => string;
   paper?: "mae_m" | "rmse_m" | "mse_m2" | "sd_m";
@@ -143,7 +142,6 @@ function Rows({ group, errors }: { group: ErrorGroup; errors: Errors }) {
   );
 }
 
-/** Why single figures have no interval. */
 function NoIntervals({ group }: { group: ErrorGroup }) {
   const without = COLUMNS.filter((column) => group.figures[column.key]?.reason);
   const reason = without[0] && group.figures[without[0].key]?.reason;

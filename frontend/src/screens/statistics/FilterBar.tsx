@@ -2,7 +2,7 @@ import { Button, Checklist, type Choice, choices, DateField, named, OptionalFiel
 import { CommitField } from "../../components/CommitField";
 import { query, setQuery } from "../../core/address";
 import { say, wordsOf } from "../../core/messages";
-import { lengthUnit, parseSmall, smallScale, smallText } from "../../core/units";
+import { kept, lengthUnit, parseSmall, smallScale, smallText } from "../../core/units";
 import { ASKABLE, HEIGHT_WORDS, LIGHTING_WORDS, STATE_WORDS } from "../../core/words";
 import { fixedRange } from "../../parts/figures/numbers";
 import { FilmedFields, filmedOf } from "../../parts/filming/FilmedFields";
@@ -97,7 +97,6 @@ export function FilterBar({ found }: { found: Statistics | null }) {
   );
 }
 
-/** Which surveys: all, one, or several. */
 function Surveys({ found, chosen }: { found: Statistics | null; chosen: readonly string[] }) {
   const list = found?.surveys ?? [];
   const only = chosen.length === 1 ? list.find((one) => String(one.id) === chosen[0]) : undefined;
@@ -131,13 +130,15 @@ const USUAL_U_M = 0.0173;
 function ReferenceU({ value }: { value: string | null }) {
   const now = value === null ? USUAL_U_M : Number(value);
   const [, unit] = smallScale();
-  const read = (text: string) => (text ? parseSmall(text) : USUAL_U_M);
+  const usual = smallText(USUAL_U_M, lengthUnit.value, 2);
+  const read = (text: string) => kept(text, usual, USUAL_U_M, parseSmall);
   return (
     <CommitField
       says="statistics-reference-u"
       hint={say("statistics-reference-u-hint", { limit: fixedRange(Math.sqrt(3) * now) })}
       unit={unit}
       value={smallText(now, lengthUnit.value, 2)}
+      usual={usual}
       check={(text) =>
         (read(text) ?? -1) < 0
           ? say(unit === "in" ? "statistics-reference-u-inches" : "statistics-reference-u-millimetres")

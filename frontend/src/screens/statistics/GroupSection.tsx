@@ -1,12 +1,12 @@
 import { useState } from "preact/hooks";
 import { Panel, Segments, Table } from "../../components";
 import { say, wordsOf } from "../../core/messages";
+import type { Ecdf } from "../../core/types";
 import { lengthScale } from "../../core/units";
 import { HEIGHT_WORDS } from "../../core/words";
 import { type Curve, ECDF_COLUMNS, ecdfMarks, ecdfRows } from "../../parts/figures/curves";
 import type { Hue } from "../../parts/figures/hues";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
-import type { Ecdf } from "../../parts/figures/types";
 import { type Group, groupWord, isThere, type OfTarget } from "./model";
 import { SpreadCells, spreadHeads } from "./spread";
 
@@ -88,7 +88,6 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
   );
 }
 
-/** The largest groups, each with a hue and a dash of its own. */
 export function drawn(groups: readonly Group[], grouping: string): { ecdf: Ecdf; curve: Curve }[] {
   const largest = [...groups].sort((a, b) => b.n - a.n).slice(0, MOST_DRAWN);
   return groups

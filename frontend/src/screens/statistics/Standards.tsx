@@ -4,14 +4,13 @@ import { query } from "../../core/address";
 import { sent, useForm } from "../../core/form";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
+import type { Standard } from "../../core/types";
 import { formatLength, lengthUnit, parseLength, plainPercent } from "../../core/units";
 import { formatLimit, inWords, standardKey, STANDARD_OF as WHAT } from "../../parts/figures/standards";
-import type { Standard } from "../../parts/figures/types";
 import { setFilter } from "./filters";
 import { STANDARD_FOR } from "./model";
 import { StandardsEditor } from "./StandardsEditor";
 
-/** The standards that are switched on in this address. */
 export function switchedOn(standards: readonly Standard[], off: readonly string[]): Standard[] {
   return standards.filter((one) => one.drawn && !off.includes(standardKey(one)));
 }
@@ -20,7 +19,6 @@ interface Props {
   standards: readonly Standard[];
   /** Whose table can be changed here: that of the only survey shown. */
   surveyId: string | null;
-  /** After a change. */
   reload: () => void;
 }
 

@@ -5,9 +5,9 @@ import { ApiError, api } from "../../core/api";
 import { fieldsOf, sent } from "../../core/form";
 import { say } from "../../core/messages";
 import { useAsked } from "../../core/resource";
+import type { Standard } from "../../core/types";
 import { formatLength, lengthText, lengthUnit, parseLength, parseNumber } from "../../core/units";
 import { inWords, STANDARD_OF } from "../../parts/figures/standards";
-import type { Standard } from "../../parts/figures/types";
 
 /** A standard with its numbers as they are typed; `height` null: as it is stored. */
 type Row = Omit<Standard, "year" | "percent"> & {
@@ -39,7 +39,6 @@ function changed(row: Row, changes: Partial<Row>): Row {
   return written ? { ...inWords(row), ...changes, code: null } : { ...row, ...changes };
 }
 
-/** A survey's own table of standards: rows to change, add and remove, saved as a whole. */
 export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (saved: boolean) => void }) {
   const survey_id = Number(surveyId);
   const found = useAsked("GET /surveys/{survey_id}/standards", { survey_id });

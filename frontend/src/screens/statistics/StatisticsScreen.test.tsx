@@ -1,8 +1,8 @@
-/** The number of vehicles that is said belongs to what is typed. */
+/** What is said belongs to what is asked: a number of vehicles to what is typed, a conclusion to its survey. */
 import { render } from "preact";
 import { afterEach, expect, it, vi } from "vitest";
-import { FakeServer } from "../../testing/server";
-import { SamplePlan } from "./StatisticsScreen";
+import { FakeServer } from "../../../testing/server";
+import { Conclusion, SamplePlan } from "./StatisticsScreen";
 
 afterEach(() => {
   render(null, document.body);
@@ -26,4 +26,26 @@ it("says no number of vehicles until the one of what is typed now has come", asy
   await vi.waitFor(() => expect(told()).toBe(""));
   answer(words(120));
   await vi.waitFor(() => expect(told()).toBe("120 vehicles."));
+});
+
+it("plans with the spread of the survey that is shown now", async () => {
+  new FakeServer();
+  const spread = () => [...document.querySelectorAll("input")].at(-1)?.value;
+  render(<SamplePlan sdM={0.08} />, document.body);
+  await vi.waitFor(() => expect(spread()).toBe("0.08"));
+  render(<SamplePlan sdM={0.11} />, document.body);
+  await vi.waitFor(() => expect(spread()).toBe("0.11"));
+});
+
+it("says why there is no conclusion in the place of an earlier one", async () => {
+  const server = new FakeServer();
+  server.on("GET", /conclusion/, () => ({ sentences: ["3 heights.", "Eyes are at 1.1 m."] }));
+  render(<Conclusion surveyId={1} of={1} />, document.body);
+  await vi.waitFor(() => expect(document.body.textContent).toContain("Eyes are at 1.1 m."));
+  server.on("GET", /conclusion/, () => {
+    throw 400;
+  });
+  render(<Conclusion surveyId={1} of={2} />, document.body);
+  await vi.waitFor(() => expect(document.body.textContent).toContain("(status 400)"));
+  expect(document.body.textContent).not.toContain("Eyes are at 1.1 m.");
 });

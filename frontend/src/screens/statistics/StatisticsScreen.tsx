@@ -20,13 +20,13 @@ import { say, sentenceOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { survey } from "../../core/survey";
 import { resultsTabs } from "../../core/tabs";
+import type { Ecdf } from "../../core/types";
 import { lengthScale, lengthText, lengthUnit, parseLength, parseNumber } from "../../core/units";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { ECDF_COLUMNS, ecdfMarks, ecdfRows } from "../../parts/figures/curves";
 import { Differences } from "../../parts/figures/Differences";
 import { loadPlot, PlotFigure } from "../../parts/figures/PlotFigure";
 import { SameRule } from "../../parts/figures/SameRule";
-import type { Ecdf } from "../../parts/figures/types";
 import { lotWords } from "../../parts/lots/words";
 import { ErrorFigures } from "./ErrorFigures";
 import { ErrorTable } from "./ErrorTable";
@@ -80,7 +80,7 @@ export default function StatisticsScreen() {
       {data && (
         <Without what="class" count={data.counted.without_class} page={only && `/surveys/${only}/measure`} />
       )}
-      {only && !narrowed(query.value) && <Conclusion surveyId={Number(only)} of={data} />}
+      {only && !narrowed(query.value) && <Conclusion key={only} surveyId={Number(only)} of={data} />}
       {only && <ByLot surveyId={Number(only)} />}
       <FilterBar found={data} />
       <Loaded of={found} what={say("statistics-loading")} />
@@ -223,7 +223,8 @@ export function SamplePlan({ sdM }: { sdM: number | null }) {
   const unit = lengthUnit.value;
   const shown = (metres: number) => lengthText(metres, unit, 3);
   const { values, change, field } = useForm({ percent: "10", width: shown(0.02), sd: shown(sdM ?? 0.08) });
-  useEffect(() => change({ width: shown(0.02), sd: shown(sdM ?? 0.08) }), [unit]);
+  useEffect(() => change({ width: shown(0.02) }), [unit]);
+  useEffect(() => change({ sd: shown(sdM ?? 0.08) }), [unit, sdM]);
   const [percent, width_m, sd_m] = [
     parseNumber(values.percent),
     parseLength(values.width),
@@ -336,14 +337,14 @@ function ComparisonSection({ compared }: { compared: Comparison }) {
 }
 
 /** What came out of a survey's accepted heights, in the sentences that its report opens with. */
-function Conclusion({ surveyId, of }: { surveyId: number; of: unknown }) {
+export function Conclusion({ surveyId, of }: { surveyId: number; of: unknown }) {
   const unit = lengthUnit.value;
   const found = useAsked(
     "GET /surveys/{survey_id}/conclusion",
     { survey_id: surveyId, unit },
     { keep: true, also: [of] },
   );
-  if (!found.data) return <Problem error={found.error} again={found.reload} />;
+  if (found.error || !found.data) return <Problem error={found.error} again={found.reload} />;
   const [, ...rest] = found.data.sentences; // how many there are stands above
   return (
     <section

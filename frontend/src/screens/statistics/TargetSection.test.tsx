@@ -1,8 +1,8 @@
 import { render } from "preact";
 import { afterEach, expect, it } from "vitest";
 import { say, speak } from "../../core/messages";
+import type { Standard } from "../../core/types";
 import { lengthUnit } from "../../core/units";
-import type { Standard } from "../../parts/figures/types";
 import { trendWords } from "./ErrorFigures";
 import type { Errors, OfTarget } from "./model";
 import { Percentiles, Shares } from "./TargetSection";

@@ -1,6 +1,7 @@
 import { Button, Notice, num, Panel, Table } from "../../components";
 import { Said } from "../../components/Said";
 import { allOf, say, sentenceOf } from "../../core/messages";
+import type { Density, Ecdf, Standard } from "../../core/types";
 import { fixed, formatLength, lengthScale, plainHeight, plainPercent } from "../../core/units";
 import { HEIGHT_WORDS } from "../../core/words";
 import { csvOf, download } from "../../parts/figures/csv";
@@ -23,7 +24,6 @@ import {
 import { percent } from "../../parts/figures/numbers";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 import { formatLimit, inWords } from "../../parts/figures/standards";
-import type { Density, Ecdf, Standard } from "../../parts/figures/types";
 import { asInPaper } from "./filters";
 import { isThere, type OfTarget, type Percentile } from "./model";
 
@@ -32,7 +32,6 @@ const correctedCurve = (): Curve => ({ word: say("statistics-curve-corrected"), 
 
 interface Props {
   target: OfTarget;
-  /** Those that are switched on. */
   standards: readonly Standard[];
 }
 
@@ -247,7 +246,6 @@ function ofTotal({ percent, value, U95_low, U95_high, needs, reason }: TotalPerc
   return { percent, value, low: U95_low, high: U95_high, needs, reason: reason ?? null };
 }
 
-/** Why some percentiles have no interval, each reason once. */
 function NoIntervals({ rows }: { rows: readonly Percentile[] }) {
   const byReason = new Map<string, number[]>();
   for (const one of rows) {

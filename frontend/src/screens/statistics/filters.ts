@@ -50,12 +50,10 @@ export function setFilter(changes: Parameters<typeof changed>[1]): void {
 
 const NARROWING = [...WHICH, "category", "class_set"] as const;
 
-/** What clears all that narrows the measurements beyond the survey. */
 export const WIDE: Partial<Record<SingleName | RepeatedName, null>> = Object.fromEntries(
   NARROWING.map((name) => [name, null]),
 );
 
-/** Whether anything beyond the survey narrows the measurements. */
 export function narrowed(query: URLSearchParams): boolean {
   return NARROWING.some((name) => query.get(name));
 }

@@ -32,7 +32,6 @@ export const GROUP_WORDS: Readonly<Record<string, string>> = wordsOf(
 
 const LANE_WORDS: Readonly<Record<string, string>> = wordsOf("statistics-lane-");
 
-/** The word of a group in a grouping, for people. */
 export function groupWord(grouping: string, word: string): string {
   if (grouping === "lighting") return LIGHTING_WORDS[word as Lighting] ?? word;
   if (grouping === "category") return CATEGORY_WORDS[word as Category] ?? word;
@@ -41,7 +40,6 @@ export function groupWord(grouping: string, word: string): string {
   return word;
 }
 
-/** The kind of standard that a target is read against. */
 export const STANDARD_FOR: Readonly<Record<string, string>> = {
   driver_eye: "eye_car",
   taillight: "object_stopping",

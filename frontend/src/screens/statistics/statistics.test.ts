@@ -1,10 +1,10 @@
 import { afterEach, describe, expect, it } from "vitest";
 import { address } from "../../core/api";
+import type { Standard } from "../../core/types";
 import { lengthUnit } from "../../core/units";
 import { csvOf } from "../../parts/figures/csv";
 import { type Hue, hueOf } from "../../parts/figures/hues";
 import { resolved } from "../../parts/figures/svg";
-import type { Standard } from "../../parts/figures/types";
 import { changed, narrowed, statisticsQuery } from "./filters";
 import { problemOfRow, rowOf, standardOf } from "./StandardsEditor";
 

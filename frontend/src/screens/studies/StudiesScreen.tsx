@@ -10,7 +10,6 @@ import { formatMoment } from "../../core/times";
 import type { ListedStudy } from "../../core/types";
 import { formatCount } from "../../core/units";
 
-/** Surveys joined: every study with what its newest computing was of. */
 export default function StudiesScreen() {
   const studies = useAsked("GET /studies");
   const [making, setMaking] = useState(false);

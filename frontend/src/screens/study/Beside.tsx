@@ -5,7 +5,6 @@ import { useAsked } from "../../core/resource";
 import { Differences } from "../../parts/figures/Differences";
 import { Section } from "./Section";
 
-/** This study less another one that the person chooses. */
 export function Beside({ studyId }: { studyId: number }) {
   const studies = useAsked("GET /studies");
   const [other, setOther] = useState<string | null>(null);

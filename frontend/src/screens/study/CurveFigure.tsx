@@ -1,12 +1,11 @@
 import { say } from "../../core/messages";
-import type { StudyResult } from "../../core/types";
+import type { Standard, StudyResult } from "../../core/types";
 import { lengthScale } from "../../core/units";
 import { HEIGHT_WORDS } from "../../core/words";
 import { marginOf, standardMarks, standardTiers } from "../../parts/figures/curves";
 import { hueOf } from "../../parts/figures/hues";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 import { readable, readRows } from "../../parts/figures/reading";
-import type { Standard } from "../../parts/figures/types";
 
 type Found = StudyResult["found"];
 type Curve = Found["curves"][number];

@@ -10,7 +10,6 @@ interface Props {
   remove: (() => void) | undefined;
 }
 
-/** The surveys of a study with what they brought, its fleet and its goal. */
 export function Joined({ study, result, edit, remove }: Props) {
   const counted = new Map(result?.found.packages.map((one) => [one.place, one]));
   const countOf = ({ survey_id }: Study["surveys"][number]) => counted.get(`survey ${survey_id}`);

@@ -8,7 +8,6 @@ interface SectionProps {
   children: ComponentChildren;
 }
 
-/** A table under its name. */
 export function Section({ id, title, note, children }: SectionProps) {
   return (
     <Panel id={id} label={title} data-testid={id}>

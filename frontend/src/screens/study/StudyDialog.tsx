@@ -4,16 +4,10 @@ import { api } from "../../core/api";
 import { fieldsOf, useForm } from "../../core/form";
 import { say } from "../../core/messages";
 import { useAsked } from "../../core/resource";
-import type { Study } from "../../core/types";
+import type { Study, StudySurveyBody } from "../../core/types";
 import { parseNumber } from "../../core/units";
 
-interface Row {
-  survey_id: number;
-  name: string;
-  site: string;
-  stratum: string;
-  year: string;
-}
+type Row = Omit<StudySurveyBody, "year"> & { year: string };
 
 /** What a study joins and how it weighs: sent as a whole, refused in one sentence where it does not hold together. */
 export function StudyDialog({ study, close, saved }: { study: Study; close: () => void; saved: () => void }) {
@@ -112,7 +106,6 @@ interface TableProps {
   example: string;
 }
 
-/** A table as CSV: from a file, or typed. */
 function Table({ example, onInput, ...field }: TableProps) {
   const id = useId();
   return (

@@ -1,9 +1,9 @@
 import { render } from "preact";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { type Body, FakeServer } from "../../../testing/server";
 import type { Survey } from "../../core/types";
 import { lengthUnit } from "../../core/units";
 import { INSET_NAMES } from "../../core/words";
-import { type Body, FakeServer } from "../../testing/server";
 import { EditSurvey } from "./EditSurvey";
 
 const inset = { inset_m: 0.12, u_inset_m: 0.05, note: "", code: "roof" };

@@ -14,7 +14,6 @@ const PART_WORDS = { inset: "survey-inset-label", u: "survey-inset-u-label" } as
 
 type Typed = Record<InsetName, { inset: string; u: string }>;
 
-/** Name, site, description, and how far each target usually lies behind the side plane. */
 export function EditSurvey({ survey, close }: { survey: Survey; close: () => void }) {
   const { values, field } = useForm(() => {
     const { name, site, description, traffic, asked } = survey;

@@ -104,7 +104,6 @@ function typedOf(rule: Sampling): Typed {
   };
 }
 
-/** A whole number within limits; null for any other text. */
 function wholeOf(text: string, least: number, most: number): number | null {
   const value = /^\s*\d+\s*$/.test(text) ? Number(text) : Number.NaN;
   return value >= least && value <= most ? value : null;

@@ -4,7 +4,6 @@ import type { Place, Survey, Target } from "../../core/types";
 import { fixed, formatSpeed } from "../../core/units";
 import { TARGET_NOUNS } from "../../core/words";
 
-/** Where the site lies and what road it is, as far as that was said. */
 export function placeWords(place: Place): string {
   const { latitude_deg, longitude_deg, road_class, lane, travel_direction } = place;
   const { speed_limit_mps, street_lamps, time_zone } = place;
@@ -28,7 +27,6 @@ export function trafficWords({ traffic_side, steering_side, camera_place }: Surv
   return say("survey-traffic", { traffic: traffic_side, steering: steering_side, camera: camera_place });
 }
 
-/** Which targets are asked for, by day and in low light. */
 export function askedWords(asked: Survey["asked"]): string {
   const named = (targets: readonly Target[]) => allOf(targets.map((target) => TARGET_NOUNS[target]));
   return say("survey-asked", { daytime: named(asked.daytime), low_light: named(asked.low_light) });

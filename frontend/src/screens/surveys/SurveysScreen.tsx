@@ -51,7 +51,6 @@ export default function SurveysScreen() {
 
 interface SurveyListProps {
   surveys: readonly Survey[];
-  /** The newest job that makes the demonstration survey. */
   lastDemo: Job | null;
   children: ComponentChildren;
 }

@@ -31,6 +31,10 @@ export default function SystemScreen() {
                 of={[
                   [say("system-version"), state.version],
                   [
+                    say("system-answered"),
+                    say("system-answered-by", { host: state.host, process: String(state.process) }),
+                  ],
+                  [
                     say("system-database"),
                     say("system-database-of", {
                       kind: state.database === "sqlite" ? "sqlite" : "other",

@@ -7,7 +7,6 @@ import { lightingProposed } from "../../../parts/vehicles/passes";
 import type { MeasureModel } from "../model";
 import { type JoinAbout, PASS_JOINED, PASS_SPLIT, type Parts, type SplitAbout } from "./kinds";
 
-/** The pass of the same recording that begins next. */
 function nextInTime(all: readonly Vehicle[], vehicle: Vehicle): Vehicle | undefined {
   return all
     .filter((one) => one.recording_id === vehicle.recording_id && isLater(one, vehicle))

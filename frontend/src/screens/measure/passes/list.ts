@@ -13,16 +13,13 @@ import type { PassDesk } from "../desk";
 import { type AddedWant, PASS_ADDED, PASS_THERE, type Presence } from "./kinds";
 
 export class Passes {
-  /** The first frame of a pass that is being marked. */
   readonly from = signal<number | null>(null);
-  /** Taken out, as they were. */
   private readonly gone = new Map<number, Vehicle>();
   /** Keys of what this page itself waits for. */
   private readonly underWay = new Set<string>();
 
   constructor(private readonly desk: PassDesk) {}
 
-  /** Esc forgets the mark. */
   cancel(): boolean {
     const marked = this.from.value !== null;
     this.from.value = null;
@@ -110,7 +107,6 @@ export class Passes {
     return `/surveys/${this.desk.surveyId}/measure`;
   }
 
-  /** Whether a pass is in the list. */
   readonly presence: Ledger<number, boolean> = {
     read: (id) => this.desk.vehicles.get(id) !== undefined,
     write: (id, there) => this.turn(id, there),

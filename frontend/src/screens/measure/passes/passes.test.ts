@@ -1,8 +1,8 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { FakeServer, recording, vehicle } from "../../../../testing/server";
 import { tryAgainNow } from "../../../core/api";
 import { outbox } from "../../../core/outbox";
 import type { Vehicle } from "../../../core/types";
-import { FakeServer, recording, vehicle } from "../../../testing/server";
 import { MeasureModel } from "../model";
 import { joinPass, splitPass } from "./actions";
 

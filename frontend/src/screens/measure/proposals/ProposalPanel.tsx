@@ -92,7 +92,6 @@ function Card({ model, one }: { model: MeasureModel; one: InHand }) {
   );
 }
 
-/** Why what is asked for is not proposed; one line where all have the same reason. */
 function Reasons({ all, missing }: { all: readonly PointProposal[]; missing: readonly string[] }) {
   const refused = TARGETS.flatMap((target) => {
     const found = all.find(({ point }) => point === target);

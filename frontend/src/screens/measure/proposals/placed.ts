@@ -4,7 +4,6 @@ import type { ImagePoint } from "../../../viewer/points";
 
 export type Role = "contact" | Target;
 
-/** A point as it is now in hand. */
 export interface InHand {
   readonly role: Role;
   readonly at: ImagePoint;

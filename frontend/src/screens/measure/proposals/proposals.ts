@@ -32,7 +32,6 @@ export class Proposals implements Tool<ImagePoint> {
   /** Turned down: clicked by hand. */
   private readonly dropped = signal<ReadonlySet<Role>>(new Set());
   private readonly answers = signal<ReadonlyMap<Target, Answered>>(new Map());
-  /** The point that the arrow keys move. */
   readonly selected = signal<Role | null>(null);
   private readonly confirmedOf = new Set<number>();
   private asked = 0;
@@ -124,7 +123,6 @@ export class Proposals implements Tool<ImagePoint> {
       : null;
   }
 
-  /** Shows what came late. */
   showLate(): void {
     this.late.value = null;
   }
@@ -133,7 +131,6 @@ export class Proposals implements Tool<ImagePoint> {
     return this.dropped.value.has(role);
   }
 
-  /** Every point in hand, the contact first. */
   inHand(): readonly InHand[] {
     const shown = this.shown.value;
     if (!shown) return [];
@@ -194,7 +191,6 @@ export class Proposals implements Tool<ImagePoint> {
     return true;
   }
 
-  /** Whether something of a vehicle was confirmed here. */
   wasConfirmed(vehicleId: number | null): boolean {
     return vehicleId !== null && this.confirmedOf.has(vehicleId);
   }

@@ -1,8 +1,8 @@
 /** The least of a server that screens need in tests: it serves frames, stores clicks, counts revisions and notes what was written. */
 import { vi } from "vitest";
-import { outbox } from "../core/outbox";
-import { me } from "../core/session";
-import type { Me, Measurement, Recording, Vehicle } from "../core/types";
+import { outbox } from "../src/core/outbox";
+import { me } from "../src/core/session";
+import type { Me, Measurement, Recording, Vehicle } from "../src/core/types";
 
 export type Body = Record<string, unknown>;
 type Answer = (match: RegExpMatchArray, body: Body) => unknown;

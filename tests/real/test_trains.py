@@ -1,0 +1,31 @@
+"""Real trains, a line a frame: far too coarse to be measured, and that is the reason that is given."""
+
+import os
+from pathlib import Path
+
+import pytest
+
+from sightline.linescan.methods import MEASURE
+from sightline.linescan.parts import Rig
+from tests.bench.bench_trains import BASELINES_PX, PX_PER_M, TRAINS, Train, passage, read
+
+ROOT = Path(__file__).resolve().parents[2]
+DATA = Path(os.environ.get("SIGHTLINE_SHARED_DATA") or ROOT.parent / "shared" / "data") / "linescan"
+
+pytestmark = [
+    pytest.mark.skipif(not DATA.exists(), reason="the shared data folder is not here"),
+    pytest.mark.once,
+]
+
+
+@pytest.mark.parametrize("train", TRAINS, ids=lambda train: train.file)
+def test_lines_too_far_apart_are_refused_with_how_far_and_the_rate_that_would_do(train: Train) -> None:
+    frames, rate_hz = read(DATA / train.file)
+    known_mm = 1000 * train.speed_px_s / PX_PER_M / rate_hz
+    for baseline_px in BASELINES_PX:
+        reason = MEASURE["direct"](
+            passage(train, frames, baseline_px), Rig(baseline_px / PX_PER_M, rate_hz)
+        ).reason
+        assert reason is not None and reason.code == "scan-motion-too-coarse"
+        assert reason.values["line_mm"] == pytest.approx(known_mm, rel=0.05)
+        assert 2500 <= reason.values["rate_hz"] <= 2800  # 9 to 10 mm a line
