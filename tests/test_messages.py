@@ -17,10 +17,10 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 import sightline
 from sightline import errors, messages
 from sightline.export.package_tables import tables_of
-from sightline.export.page import explained
+from sightline.export.page import tables_of_page
 from sightline.geometry.insets import USUAL_INSETS
 from sightline.infra.web.error_handlers import _complaint
-from sightline.messages.recognised import COLUMNS, TOLD, translated, translated_meaning
+from sightline.messages.recognised import COLUMNS, TOLD, translate_text, translated_meaning
 from sightline.messages.said import Said
 from sightline.results.usual_standards import STANDARDS
 from sightline.statistics.standards import Standard
@@ -484,14 +484,14 @@ def test_each_part_of_a_budget_that_has_words_is_one_of_code() -> None:
 
 
 def test_what_is_told_in_english_is_said_by_its_text() -> None:
-    assert translated("catalogue row", "en") == "catalogue row"
-    assert translated("catalogue row", "fr") == "ligne du catalogue"
+    assert translate_text("catalogue row", "en") == "catalogue row"
+    assert translate_text("catalogue row", "fr") == "ligne du catalogue"
     for key, text in told().items():
-        assert translated(text, "fr") == messages.say(key, {}, "fr"), key
+        assert translate_text(text, "fr") == messages.say(key, {}, "fr"), key
 
 
 def test_every_column_that_a_package_s_page_explains_is_explained_in_every_language() -> None:
-    meanings = {one.meaning for table in explained(tables_of(12)) for one in table.columns}
+    meanings = {one.meaning for table in tables_of_page(tables_of(12)) for one in table.columns}
     lines = SOURCE.read_text("utf-8").splitlines()
     known = [one.split(" = ", 1)[1] for one in lines if one.startswith(COLUMNS)]
     patterns = [r"\d+".join(map(re.escape, re.split(r"\{ \$\w+ \}", one))) for one in known]
@@ -502,7 +502,7 @@ def test_every_column_that_a_package_s_page_explains_is_explained_in_every_langu
     assert {one for one, said in told.items() if one == said} <= same
     frame = "the same tyre contact on frame 11 of the measurement, x"
     assert told[frame] == "le même contact du pneu sur l’image 11 de la mesure, x"
-    assert translated("group", "fr") == "group"  # which somebody may have typed
+    assert translate_text("group", "fr") == "group"  # which somebody may have typed
 
 
 def test_no_french_sign_begins_a_line() -> None:
@@ -512,4 +512,4 @@ def test_no_french_sign_begins_a_line() -> None:
 
 @pytest.mark.parametrize("text", ["Corvane Berlan", "Smith and Sons", "", "1.2.3", "a note of mine"])
 def test_what_somebody_typed_stays_as_it_is(text: str) -> None:
-    assert translated(text, "fr") == text
+    assert translate_text(text, "fr") == text

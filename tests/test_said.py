@@ -14,8 +14,8 @@ from sightline.errors import BadInput
 from sightline.infra.audit.hashing import canonical_json, content_hash
 from sightline.infra.csv_package.columns import code_of, said_in, words_of
 from sightline.infra.database.types import document_text
-from sightline.infra.web.spoken import spoken
-from sightline.messages.said import Said, listed, with_commas
+from sightline.infra.web.spoken import translate_body
+from sightline.messages.said import Said, join_with_and, with_commas
 from sightline.quality.drift.drift_job import words_of as words_of_check
 from sightline.recordings.drift import DriftCheck, DriftSpan
 
@@ -89,7 +89,7 @@ def test_an_answer_holds_code_values_and_message_and_the_edge_translates_the_mes
     within = Said("height-of-frame", frame=2, frames=3, reason=HORIZON)
     body = TypeAdapter(list[Said]).dump_json([MOVED, within])
     assert json.loads(body)[0] == {**MOVED.document, "message": str(MOVED)}
-    french = json.loads(spoken(body, "fr"))
+    french = json.loads(translate_body(body, "fr"))
     assert [one["message"] for one in french] == [MOVED.sentence("fr"), within.sentence("fr")]
     assert french[1]["values"]["reason"]["message"] == HORIZON.sentence("fr")
     assert TypeAdapter(Said).validate_python(within.document) == within
@@ -168,5 +168,5 @@ def test_sayings_in_a_row_are_one_saying() -> None:
     expected = [Said("pose-expected-at", U95_height_m=0.015, distance_m=3)]
     expected.append(Said("pose-expected-at", U95_height_m=0.03, distance_m=5))
     assert with_commas(expected).sentence("fr") == "± 15 mm à 3 m, ± 30 mm à 5 m"
-    assert str(listed([Said("said", sentence=one) for one in "abc"])) == "a, b and c"
-    assert listed(expected[:1]) == with_commas(expected[:1]) == expected[0]
+    assert str(join_with_and([Said("said", sentence=one) for one in "abc"])) == "a, b and c"
+    assert join_with_and(expected[:1]) == with_commas(expected[:1]) == expected[0]

@@ -132,11 +132,11 @@ def api_routes() -> tuple[BaseRoute, ...]:
 def form_routes() -> tuple[FormRoute, ...]:
     """Where a form may come, with a file: every other body is bounded like JSON."""
     return tuple(
-        (method, compile_path(f"/api{one.path}")[0])
+        (method, compile_path(f"/api{route.path}")[0])
         for _, router in ROUTERS
-        for one in router.routes
-        if isinstance(one, APIRoute) and one.body_field and isinstance(one.body_field.field_info, Form)
-        for method in sorted(one.methods or ())
+        for route in router.routes
+        if isinstance(route, APIRoute) and route.body_field and isinstance(route.body_field.field_info, Form)
+        for method in sorted(route.methods or ())
     )
 
 

@@ -17,7 +17,7 @@ from sightline.adjustment.adjust import _heading, adjust
 from sightline.adjustment.local_tests import Cleaned
 from sightline.adjustment.observed import REAR, Known, ObservedPass, shared_insets
 from sightline.adjustment.shared_errors import covariance_at, moved_pose, shared_errors
-from sightline.adjustment.traffic_model import HEADING, arranged, linearise
+from sightline.adjustment.traffic_model import HEADING, arrange_passes, linearise
 from sightline.errors import BadInput
 from sightline.geometry.height import systematic_covariance
 from sightline.geometry.road_pose import RoadPose
@@ -99,7 +99,7 @@ def test_only_roofs_that_assume_the_same_inset_share_its_error() -> None:
     odd = [replace(one, roof_inset=Known(inset_m, 0.1)) for one, inset_m in zip(traffic, insets, strict=True)]
     found = [one.of_m for one in adjust(pose, odd).moved if one.name == "roof_inset_common_m"]
     assert found == [0.2, 0.3]
-    table = arranged(pose, odd)
+    table = arrange_passes(pose, odd)
     assert table.common[:, 2].tolist() == [3, 2, 3, 2, -1]
     assert table.u_m[:, 2] == pytest.approx([0.5**0.5 * 0.1] * 4 + [0.1])
 
@@ -200,7 +200,7 @@ def test_the_order_of_passes_and_rows_does_not_matter(seed, order) -> None:  # t
 def test_derivatives_are_those_of_the_residuals(seed) -> None:  # type: ignore[no-untyped-def]
     pose, traffic, _ = draw(replace(SMALL, vehicles=2), seed)
     shared = shared_errors(pose, 0.005, 0.005, shared_insets(traffic))
-    table = arranged(pose, traffic)
+    table = arrange_passes(pose, traffic)
     rng = np.random.default_rng(seed)
     z, unknown = rng.normal(0, 1, shared.size), table.start + rng.normal(0, 0.01, table.start.shape)
     weights = np.ones(len(table.owner)), np.ones((2, 3))

@@ -22,7 +22,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from sightline.statistics.drawn import Drawn, share_of
 from sightline.statistics.shared_errors import SharedErrors
 from sightline.statistics.survey_design import Design
-from sightline.statistics.survey_weights import Margin, calibrated
+from sightline.statistics.survey_weights import Margin, calibrate_weights
 from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
 
 PERCENTS = (2.5, 10.0, 50.0, 90.0, 97.5)
@@ -95,7 +95,7 @@ def simulated(
     shared.append(SharedErrors(np.zeros(len(height), np.int64), np.full(len(height), nation.all_mm / 1000)))
     sample = HeightSample(height, np.full(len(height), nation.random_mm / 1000), tuple(shared))
     fleet = (Margin(is_tall.astype(np.int64), np.array([1.0 - truth[-1], truth[-1]])),)
-    to_fleet = calibrated(drawn_weight, fleet) if nation.to_fleet else drawn_weight
+    to_fleet = calibrate_weights(drawn_weight, fleet) if nation.to_fleet else drawn_weight
     assert to_fleet is not None
     design = Design(
         weight=to_fleet,

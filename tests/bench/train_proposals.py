@@ -24,7 +24,7 @@ import numpy as np
 from sightline.geometry.camera import Camera
 from sightline.geometry.road_pose import RoadPose
 from sightline.media.networks import WEIGHTS
-from sightline.proposals.canvas import Canvas, laid
+from sightline.proposals.canvas import Canvas, lay_on_canvas
 from sightline.proposals.keypoints import (
     COARSE_STEP,
     FINE_POINTS,
@@ -90,7 +90,7 @@ def _coarse_view(pose: RoadPose, picture: Any, change: Any, one: Any, rng: np.ra
     if canvas is None:
         return None
     cells = [_cell(pose, canvas, one, name) for name in POINTS]
-    return laid(canvas, picture, change, pose).astype(np.float16), np.array(cells, np.float32)
+    return lay_on_canvas(canvas, picture, change, pose).astype(np.float16), np.array(cells, np.float32)
 
 
 def _cell(pose: RoadPose, canvas: Canvas, one: Any, name: str) -> tuple[float, float]:
@@ -121,7 +121,11 @@ def _fine_views(
                 off = rng.uniform(0.3, 1.0, 2) * rng.choice((-1, 1), 2)
             canvas = fine_canvas(name, ahead * x + off[0], z + off[1], y, ahead)
             cell = _cell(pose, canvas, one, name)
-            yield laid(canvas, picture, change, pose).astype(np.float16), k, np.array(cell, np.float32)
+            yield (
+                lay_on_canvas(canvas, picture, change, pose).astype(np.float16),
+                k,
+                np.array(cell, np.float32),
+            )
 
 
 def fit(which: str, paths: Sequence[Path]) -> None:

@@ -20,7 +20,7 @@ from sightline.errors import BadInput
 from sightline.infra.local_time import instant_of
 from sightline.linescan.finding import Finder
 from sightline.linescan.parts import STOOD, STOPPED, Lane, Rig
-from sightline.linescan.passing import measured
+from sightline.linescan.passing import measure_passages
 from sightline.linescan.rig import rig_from
 from sightline.linescan.traffic import LENGTH_LIMITS_M
 from sightline.traffic.archive import add_recorded
@@ -488,7 +488,7 @@ def scanned(site: ScanSite, cars: Any, duration_s: float) -> dict[str, Any]:
             yield from finder.push(*pair)
         yield from finder.finish()
 
-    found = [object_of(one) for one in measured(passages(), rig, "direct", lambda lines: lines)]
+    found = [object_of(one) for one in measure_passages(passages(), rig, "direct", lambda lines: lines)]
     start = "2026-05-04T06:00:00.000+02:00"
     return {**about_rig(rig), "duration_s": duration_s, "start": start, "vehicles": found}
 

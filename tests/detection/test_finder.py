@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sightline.detection.background import densest
+from sightline.detection.background import densest_level
 from sightline.detection.classify import FoundPass
 from sightline.detection.finder import PassFinder, downsample
 from sightline.errors import Stopped
@@ -98,7 +98,7 @@ def test_the_road_is_found_though_it_is_hidden_for_most_of_the_time() -> None:
     rng = np.random.default_rng(1)
     values = rng.uniform(0, 255, (90, 4, 5))
     values[::5] = values[1::5] = 100.0
-    assert np.abs(densest(values.astype(np.uint8)) - 100).max() <= 3
+    assert np.abs(densest_level(values.astype(np.uint8)) - 100).max() <= 3
 
 
 def test_a_video_is_read_once_and_can_be_cancelled(tmp_path: Path) -> None:

@@ -11,7 +11,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sightline.detection.steadiness import Steadiness, back, corners_by_cell, laid, shared_motion
+from sightline.detection.steadiness import (
+    Steadiness,
+    corners_by_cell,
+    map_back,
+    shared_motion,
+    warp_onto_first,
+)
 from sightline.media.video.passes import PassSearch, find_passes
 from sightline.media.video.writer import write_mp4
 from tests.media.street import HEIGHT, WIDTH, car, street, texture
@@ -42,9 +48,9 @@ def test_a_shift_is_found_and_undone(dx: float, dy: float) -> None:
     wanted = np.array([dx, dy]) / WIDTH if np.hypot(dx, dy) >= 0.35 else np.zeros(2)
     assert found.transform[:, 2] == pytest.approx(wanted, abs=0.3 / WIDTH)
     middle = slice(ROOM, -ROOM), slice(ROOM, -ROOM)
-    apart = cv2.absdiff(laid(moved, found.transform), first)[middle]
+    apart = cv2.absdiff(warp_onto_first(moved, found.transform), first)[middle]
     assert apart.mean() < 4
-    x, y = back(found.transform, 0.5 + found.transform[0, 2], 0.3 + found.transform[1, 2])
+    x, y = map_back(found.transform, 0.5 + found.transform[0, 2], 0.3 + found.transform[1, 2])
     assert (x, y) == pytest.approx((0.5, 0.3), abs=0.01)
 
 

@@ -484,7 +484,7 @@ def test_no_vehicle_is_before_one_whose_lane_came_unknown_between(monkeypatch: p
 
     every = [seen(1, "a", 0, 1000), seen(2, None, 100, 300), seen(3, "a", 400, 500), seen(4, "a", 1100, 1300)]
     monkeypatch.setattr(service, "list_scan_vehicles", lambda *_: every)
-    before = service._before
+    before = service._find_leader
     assert before(cast(Any, None), every[3]) is None
     every[2] = seen(3, "a", 400, 1050)
     assert before(cast(Any, None), every[3]) is every[2]

@@ -24,7 +24,7 @@ from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.csv_package.schema import Column, Table, json_bytes
 from sightline.measurements import verify as measured
 from sightline.measurements.height_of_clicks import Answer
-from sightline.studies.packages import studied
+from sightline.studies.packages import read_packages
 from sightline.studies.query import READ, StudyTables
 from tests.export.keep_released import KEPT
 from tests.support.forgeries import a_height, roof
@@ -101,7 +101,7 @@ def test_a_package_of_an_earlier_version_enters_a_study(released: Path, tmp_path
     """Its tables lie in its root, since format 3 in `tables/`."""
     assert (released / "measurements.csv").is_file() != (released / "tables" / "measurements.csv").is_file()
     accepted = [row for row in rows(released, "measurements.csv") if row["verdict"] in ("accepted", "fixed")]
-    (found,) = studied([released], lambda files: check_sealed(files, READ), tmp_path / "scratch")
+    (found,) = read_packages([released], lambda files: check_sealed(files, READ), tmp_path / "scratch")
     with StudyTables([found]) as tables:
         (counted,), (outside,) = tables.counted()
     assert accepted and counted + outside <= len(accepted) and counted > 0
@@ -113,7 +113,7 @@ def test_packages_of_all_versions_enter_one_study(package: Path, tmp_path: Path)
     for kept, place in zip(RELEASED, places, strict=True):
         with tarfile.open(kept) as archive:
             archive.extractall(place, filter="data")
-    found = studied([*places, package], lambda files: check_sealed(files, READ), tmp_path / "scratch")
+    found = read_packages([*places, package], lambda files: check_sealed(files, READ), tmp_path / "scratch")
     with StudyTables(found) as tables:
         counted, _ = tables.counted()
     assert len(counted) == len(RELEASED) + 1 and all(counted > 0)
@@ -245,7 +245,7 @@ def test_statistics_and_drawings_of_a_changed_module_are_sealed_and_not_wrong(
     def otherwise(*given: Any) -> dict[str, list[dict[str, Any]]]:
         return {path: list(found)[:-1] for path, found in real(*given).items()}
 
-    monkeypatch.setattr(derived, "drawn", lambda *_: [("report.pdf", b"another")])
+    monkeypatch.setattr(derived, "draw_derived_files", lambda *_: [("report.pdf", b"another")])
     assert "report.pdf is not what these rows" in str(check(package).problem)
     later("drawing")
     found = check(package)

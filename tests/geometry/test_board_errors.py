@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from sightline.errors import BadInput
-from sightline.geometry.arrays import frozen
+from sightline.geometry.arrays import freeze_array
 from sightline.geometry.board import Board
 from sightline.geometry.corners import Corners
 from sightline.geometry.documents import pose_from_dict, pose_to_dict
@@ -47,7 +47,7 @@ def disturbed(scene: Scene, board: Board, part: str, amount: float) -> Corners:
     elif part == "bow down the columns":
         points[..., 1] += amount * (1 - down**2)
     pixels = scene.look(points.reshape(-1, 3)).reshape(board.rows, board.columns, 2)
-    return Corners(True, frozen(pixels), board, None, 1.0, "simulated")
+    return Corners(True, freeze_array(pixels), board, None, 1.0, "simulated")
 
 
 def solved(

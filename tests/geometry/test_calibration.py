@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from sightline.errors import BadInput
-from sightline.geometry.arrays import frozen
+from sightline.geometry.arrays import freeze_array
 from sightline.geometry.board import Board
 from sightline.geometry.calibration import calibrate
 from sightline.geometry.corners import Corners, find_board, not_found
@@ -37,7 +37,7 @@ def view(
         if depth > 0.25 and (points > 4).all() and (points < [635, 475]).all():
             grid = points.reshape(board.rows, board.columns, 2)
             return Corners(
-                True, frozen(grid + rng.normal(0, noise, grid.shape)), board, None, 2.0, "simulated"
+                True, freeze_array(grid + rng.normal(0, noise, grid.shape)), board, None, 2.0, "simulated"
             )
 
 
@@ -142,7 +142,7 @@ def test_a_spoiled_view_is_named() -> None:
     given = views(Lens(), 14, 10, 0.1)
     rng = np.random.default_rng(11)
     bad = given[3][1].points_px + rng.normal(0, 1.5, (6, 9, 2))
-    given[3] = ("bad.png", Corners(True, frozen(bad), BOARD, None, 2.0, "simulated"), SIZE)
+    given[3] = ("bad.png", Corners(True, freeze_array(bad), BOARD, None, 2.0, "simulated"), SIZE)
     assert any(str(w).startswith("bad.png fits much worse") for w in calibrate(given, BOARD).warnings)
 
 

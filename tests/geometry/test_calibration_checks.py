@@ -9,7 +9,7 @@ from click.testing import CliRunner
 
 from sightline.commands.geometry import calibrate as calibrate_command
 from sightline.errors import BadInput
-from sightline.geometry.arrays import frozen
+from sightline.geometry.arrays import freeze_array
 from sightline.geometry.board import Board
 from sightline.geometry.calibration import calibrate
 from sightline.geometry.calibration_checks import calibrate_and_check
@@ -30,7 +30,7 @@ def three_leaved(given, size_px: float):
         x, y = np.moveaxis((corners.points_px - [319.5, 239.5]) / 400.0, -1, 0)
         length, angle = size_px * (x * x + y * y), 3.0 * np.arctan2(y, x)
         moved = corners.points_px + np.stack([length * np.cos(angle), length * np.sin(angle)], axis=-1)
-        out.append((name, replace(corners, points_px=frozen(moved)), size))
+        out.append((name, replace(corners, points_px=freeze_array(moved)), size))
     return out
 
 
@@ -48,7 +48,7 @@ def bowed(lens: Lens, count: int, seed: int, sag_m: float, lying: bool = False):
         points = scene.look(grid.reshape(-1, 3))
         in_front = (np.array([0.15, 0.0, 1.0]) - scene.eye) @ scene.axes()[2] > 0.25
         if in_front and (points > 4).all() and (points < [635, 475]).all():
-            seen = frozen(points.reshape(rows, columns, 2) + rng.normal(0, 0.05, (rows, columns, 2)))
+            seen = freeze_array(points.reshape(rows, columns, 2) + rng.normal(0, 0.05, (rows, columns, 2)))
             as_seen = Board(columns, rows, BOARD.square_m)
             given.append((f"{len(given)}.png", Corners(True, seen, as_seen, None, 2.0, "simulated"), SIZE))
     return given
@@ -137,7 +137,7 @@ def test_a_turned_board_asks_for_the_other_edges() -> None:
         )
         points = scene.look(scene.board(9, 6, 0.03, 1.1).reshape(-1, 3))
         if (points > 4).all() and (points < [635, 475]).all():
-            grid = frozen(points.reshape(6, 9, 2) + rng.normal(0, 0.05, (6, 9, 2)))
+            grid = freeze_array(points.reshape(6, 9, 2) + rng.normal(0, 0.05, (6, 9, 2)))
             given.append((f"{len(given)}.png", Corners(True, grid, BOARD, None, 2.0, "simulated"), SIZE))
     sentence = next(str(s) for s in calibrate(given, BOARD).reshoot if s.code.startswith("calibration-tilt"))
     assert "left" in sentence and "right" not in sentence

@@ -8,7 +8,7 @@ import pytest
 
 from sightline.coverage import COVERAGE_95
 from sightline.errors import BadInput
-from sightline.geometry.arrays import frozen
+from sightline.geometry.arrays import freeze_array
 from sightline.geometry.board import Board, canonical_order
 from sightline.geometry.corners import Corners, not_found
 from sightline.geometry.height import measure_height
@@ -27,7 +27,7 @@ def corners(
 ) -> Corners:
     points = scene.look(scene.board(board.columns, board.rows, board.square_m, top_m).reshape(-1, 3))
     grid = points.reshape(board.rows, board.columns, 2) + noise
-    return Corners(True, frozen(grid), board, None, 2.0, "simulated")
+    return Corners(True, freeze_array(grid), board, None, 2.0, "simulated")
 
 
 def facing(yaw: float = 20.0, distance: float = 3.0, roll: float = 0.0, lens: Lens | None = None) -> Scene:

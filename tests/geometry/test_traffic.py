@@ -11,16 +11,16 @@ from sightline.geometry.gain import second_frame_gain
 from sightline.geometry.height import measure_height, shared_covariance
 from sightline.geometry.inset_trend import (
     Sightings,
+    combine_sightings,
     inset_from_known_heights,
     inset_from_solved,
     inset_from_trend,
     sightings,
-    together,
 )
 from sightline.geometry.insets import bias_m
 from sightline.geometry.multiframe import measure_frames
 from sightline.geometry.spread import mean_and_spread, outliers
-from sightline.geometry.traffic import heading_of_pair, headings_of_pairs, turned
+from sightline.geometry.traffic import heading_of_pair, headings_of_pairs, turn_pose_to_heading
 from sightline.messages.said import Said
 from tests.adjustment.survey import BoardBudget, prior_covariance, told_pose, truth_at
 from tests.geometry.scenes import headings, pose_of
@@ -73,12 +73,14 @@ def test_headings_find_a_turned_board() -> None:
     assert not isinstance(found, Said)
     assert found.mean_rad == pytest.approx(turn, abs=4 * found.u_mean_rad)
     assert found.proposed and 0 < found.u_mean_rad < 0.01
-    corrected = headings(turned(pose, found.mean_rad), a, b, 0.5)
+    corrected = headings(turn_pose_to_heading(pose, found.mean_rad), a, b, 0.5)
     assert not isinstance(corrected, Said)
     assert abs(corrected.mean_rad) < 1e-6 and not corrected.proposed
     scene = dataclasses.replace(SCENE, pitch=10.0)
     clicks = scene.look([(-1.2, 0.5, 0.0), (-0.9, 0.5, 1.2)])
-    before, after = (measure_height(p, clicks[0], clicks[1]).height_m for p in (pose, turned(pose, turn)))
+    before, after = (
+        measure_height(p, clicks[0], clicks[1]).height_m for p in (pose, turn_pose_to_heading(pose, turn))
+    )
     assert before is not None and after is not None and abs(after - before) < 0.004
     assert isinstance(headings(pose, a[:2], b[:2], 1.0), Said)
     assert isinstance(headings(pose, a, a, 1.0), Said)
@@ -145,7 +147,7 @@ def test_a_turned_pose_carries_the_uncertainty_of_the_turn() -> None:
     scene = dataclasses.replace(SCENE, pitch=10.0)
     covariance = np.diag(np.full(15, 1e-8))
     plain = pose_of(scene, covariance=covariance)
-    pose = turned(plain, 0.02, 0.004)
+    pose = turn_pose_to_heading(plain, 0.02, 0.004)
     assert pose.covariance is not None
     # the increments of 1 rad about Z through the origin leave the origin where it is and turn X to Y
     extra = np.array(pose.covariance - covariance)[-6:, -6:] / 0.004**2
@@ -162,7 +164,7 @@ def test_a_turned_pose_carries_the_uncertainty_of_the_turn() -> None:
     assert abs(along @ pose.rotation[:, 1]) == pytest.approx(1.0, abs=1e-9)
     # a target ahead of the contact feels it: (h - Hc) / D * ahead * u
     clicks = scene.look([(-1.0, 0.0, 0.0), (0.2, 0.0, 1.1)])
-    u = [measure_height(p, *clicks, 0.0).u_height_m for p in (turned(plain, 0.02, 0.0), pose)]
+    u = [measure_height(p, *clicks, 0.0).u_height_m for p in (turn_pose_to_heading(plain, 0.02, 0.0), pose)]
     more = np.sqrt(u[1] ** 2 - u[0] ** 2)
     assert more == pytest.approx(abs(1.1 - 1.5) / 3.0 * 1.2 * 0.004, rel=0.1)
 
@@ -228,7 +230,7 @@ def test_sightings_are_the_uncorrected_heights() -> None:
         assert fine.all()
         parts.append(part)
         heights += [(scene.eye[2], 0.2 - scene.eye[1], 1.16), (scene.eye[2], -scene.eye[1], 1.6)]
-    rows = together(parts)
+    rows = combine_sightings(parts)
     for i, (camera, distance, height) in enumerate(heights):
         assert rows.camera_height_m[i] == pytest.approx(camera, abs=1e-9)
         assert rows.distance_m[i] == pytest.approx(distance, abs=1e-9)

@@ -133,7 +133,7 @@ def test_the_key_of_a_backup_is_that_of_its_database(
         if not committed_only:
             put_in_force(settings.data_dir, waiting)
 
-    described = make._described
+    described = make._describe_state
 
     def meanwhile(*given: Any) -> Any:
         change(committed_only=False)
@@ -144,7 +144,7 @@ def test_the_key_of_a_backup_is_that_of_its_database(
     if killed:
         change(committed_only=True)
     else:
-        monkeypatch.setattr(make, "_described", meanwhile)
+        monkeypatch.setattr(make, "_describe_state", meanwhile)
     make_backup(filled, tmp_path / "backup", silent)
     place = new_place("restored")
     restore_backup(tmp_path / "backup", place, silent)

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from sightline.errors import Damaged
-from sightline.infra.csv_package.columns import flag, key, metres, number, text, within
+from sightline.infra.csv_package.columns import columns_within, flag, key, metres, number, text
 from sightline.infra.csv_package.files import FolderFiles, TableWriter
 from sightline.infra.csv_package.replay import Replay, Replayed, hold, hold_all, values_of
 from sightline.infra.csv_package.schema import Column, Table
@@ -117,7 +117,10 @@ def test_values_are_those_of_the_columns_getters() -> None:
 
 def test_a_column_without_a_getter_is_what_the_record_has_by_its_name() -> None:
     """As an attribute or as a mapping's value; of a part of the record within it, or nothing."""
-    columns: tuple[Column[Any], ...] = (key("id", "car"), *within("driver", text("name", "its driver")))
+    columns: tuple[Column[Any], ...] = (
+        key("id", "car"),
+        *columns_within("driver", text("name", "its driver")),
+    )
     table: Table[Any] = Table("t", "T.", columns)
     alone, driven = (
         SimpleNamespace(id=n, driver=who) for n, who in ((1, None), (2, SimpleNamespace(name="B")))

@@ -28,7 +28,13 @@ from sightline.infra.audit.records import AuditHead, Verification
 from sightline.infra.audit.signing import put_in_force, replacing_key, signing_key
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.audit.verification import verify_database, verify_records
-from sightline.infra.audit.vouched import ChangedByEvents, WrittenOnce, WrittenOnceApart, fingerprints, marked
+from sightline.infra.audit.vouched import (
+    ChangedByEvents,
+    WrittenOnce,
+    WrittenOnceApart,
+    fingerprints,
+    marked_tables,
+)
 from sightline.infra.database.engine import (
     SessionFactory,
     engine_of,
@@ -152,14 +158,18 @@ def test_a_guard_that_is_missing_or_off_is_told(filled: SessionFactory) -> None:
 
 def test_every_table_that_is_written_once_says_so_and_is_verified(filled: SessionFactory) -> None:
     """A table that the database protects and that bears no mark would never be hashed again."""
-    said = {table.name: mark for mark, table in marked() if isinstance(mark, WrittenOnce | WrittenOnceApart)}
+    said = {
+        table.name: mark
+        for mark, table in marked_tables()
+        if isinstance(mark, WrittenOnce | WrittenOnceApart)
+    }
     assert set(said) | {audit_events.name} == set(WRITTEN_ONCE) == _protected(engine_of(filled))
     apart = {mark.fingerprint for mark in said.values() if isinstance(mark, WrittenOnceApart)}
     assert apart <= {fingerprint.entity for fingerprint in fingerprints()}
 
 
 def test_everything_that_is_vouched_for_has_a_name_of_its_own() -> None:
-    entities = {mark.entity for mark, _ in marked() if isinstance(mark, WrittenOnce | ChangedByEvents)}
+    entities = {mark.entity for mark, _ in marked_tables() if isinstance(mark, WrittenOnce | ChangedByEvents)}
     entities |= {one.entity for one in fingerprints()}
     assert len({str(Said("audit-row-removed", entity=one, id=1)) for one in entities}) == len(entities) > 20
 
@@ -168,7 +178,7 @@ def test_every_hash_that_an_event_keeps_is_compared_with_a_row(filled: SessionFa
     with reading(filled) as session:
         events = events_of(session)
     hashed = {event.entity for event in events if event.after and "content_sha256" in event.after}
-    compared = {mark.entity for mark, _ in marked() if isinstance(mark, WrittenOnce)}
+    compared = {mark.entity for mark, _ in marked_tables() if isinstance(mark, WrittenOnce)}
     assert hashed == compared
     assert {event.entity for event in events if event.after and "frames_sha256" in event.after} == {
         "recording"

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from sightline.linescan.direct import NO_ORDER, NO_TEXTURE, baseline_of, measure_direct
-from sightline.linescan.masks import Sheet, sampled, shifted
+from sightline.linescan.masks import Sheet, sample_sheet, shift_sheet
 from sightline.linescan.paper import measure_paper
 from sightline.linescan.parts import CUT, Crossings, Passage, Rig
 from sightline.linescan.warp import Course, solved_by_boundaries
@@ -206,8 +206,8 @@ def test_sampling_is_exact_for_quadratics():
     y, x = np.mgrid[-24:36, -24:33].astype(float)
     picture = (0.3 * y**2 - 0.2 * x * y + 0.1 * x**2 + 4).astype(np.float32)
     at, row = np.array([3.25, 7.9]), np.array([2.6, 5.6])
-    sheet = shifted(Sheet(picture, 0.0, 1, 1), -0.4)
+    sheet = shift_sheet(Sheet(picture, 0.0, 1, 1), -0.4)
     place, whole = at + 24, np.array([27.0, 30.0])
     expected = 0.3 * at**2 - 0.2 * row * at + 0.1 * row**2 + 4
     # in single precision, of values up to 600
-    assert sampled(sheet, place, whole) == pytest.approx(expected, abs=2e-4)
+    assert sample_sheet(sheet, place, whole) == pytest.approx(expected, abs=2e-4)

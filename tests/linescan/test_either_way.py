@@ -10,11 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sightline.enums import ScanMethod
-from sightline.linescan.either_way import exact_at_camera_1, exchanged, seen_from_camera_1
+from sightline.linescan.either_way import exact_at_camera_1, exchange_cameras, seen_from_camera_1
 from sightline.linescan.gaps import NONE_BEFORE, gaps
 from sightline.linescan.methods import MEASURE
 from sightline.linescan.parts import Crossings, Entry, Motion, Passage
-from sightline.linescan.passing import measured
+from sightline.linescan.passing import measure_passages
 from tests.linescan.scenes import RIG, SITE, found, plain_found
 from tests.simulation.scan_strips import strips
 from tests.simulation.scan_traffic import ScanTruth, traffic, truths
@@ -61,7 +61,7 @@ def test_both_directions_are_measured_with_uncertainties_that_hold() -> None:
 
 @pytest.mark.parametrize("method", ["direct", "paper"])
 def test_swapped_strips_give_the_same_motion_seen_from_the_other_camera(method: ScanMethod) -> None:
-    given_, swapped = plain_found()[0][0], exchanged(plain_found()[0][0])
+    given_, swapped = plain_found()[0][0], exchange_cameras(plain_found()[0][0])
     one, other = MEASURE[method](given_, OF_RIG), MEASURE[method](swapped, OF_RIG)
     assert one.speed_mps and one.acceleration_mps2 is not None and other.speed_mps
     there = sqrt(one.speed_mps**2 + 2 * one.acceleration_mps2 * OF_RIG.baseline_m)
@@ -128,7 +128,7 @@ def test_gaps_are_those_to_the_vehicle_of_the_same_direction() -> None:
         onward_m = SITE.baseline_m if ahead.against else 0.0
         true_m = float(ahead.travelled_m(np.array(at_s))) - onward_m - ahead.length_m
         assert gap.distance_gap_m == pytest.approx(true_m, abs=0.1)
-    assert [one.gap for one in measured(passages, OF_RIG, "direct")] == told
+    assert [one.gap for one in measure_passages(passages, OF_RIG, "direct")] == told
 
 
 def test_four_lines_alone_give_the_motion_either_way() -> None:

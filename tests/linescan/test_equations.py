@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from sightline.errors import BadInput
-from sightline.linescan.equations import corrected, printed, solve_crossings
+from sightline.linescan.equations import solve_as_printed, solve_corrected, solve_crossings
 from sightline.linescan.finding import STOPPED
 from sightline.linescan.gaps import OTHER_RATE, OVERLAP, REAR_UNSEEN, Leaders, gaps
 from sightline.linescan.parts import CUT, STOOD, Crossings, Entry, Motion, Rig
@@ -39,7 +39,9 @@ def test_corrected_acceleration_and_the_exact_motion_are_exact(
     speed: float, acceleration: float, length: float
 ) -> None:
     seen = crossings(speed, acceleration, length)
-    assert corrected(seen, BASELINE_M, RATE_HZ).acceleration_mps2 == pytest.approx(acceleration, abs=1e-8)
+    assert solve_corrected(seen, BASELINE_M, RATE_HZ).acceleration_mps2 == pytest.approx(
+        acceleration, abs=1e-8
+    )
     found = solve_crossings(seen, BASELINE_M, RATE_HZ)
     assert found.speed_mps == pytest.approx(speed, rel=1e-9)
     assert found.acceleration_mps2 == pytest.approx(acceleration, abs=1e-8)
@@ -48,20 +50,20 @@ def test_corrected_acceleration_and_the_exact_motion_are_exact(
 
 def test_what_is_printed_is_no_acceleration_and_its_time_base_is_off() -> None:
     seen = crossings(17.5, -1.4, 4.39)
-    as_printed = printed(seen, BASELINE_M, RATE_HZ)
+    as_printed = solve_as_printed(seen, BASELINE_M, RATE_HZ)
     assert as_printed.acceleration_mps2 == pytest.approx(-5.9e-8, rel=0.01)
     assert as_printed.acceleration_mps2 * RATE_HZ**2 == pytest.approx(-1.4, rel=0.005)
     braking = crossings(10, -4, 4.39)
-    with_f2 = printed(braking, BASELINE_M, RATE_HZ).acceleration_mps2 * RATE_HZ**2
+    with_f2 = solve_as_printed(braking, BASELINE_M, RATE_HZ).acceleration_mps2 * RATE_HZ**2
     assert with_f2 == pytest.approx(-4.06, abs=0.005)
     # Equation (3): the speed midway between the cameras, and a length that neglects the acceleration.
-    assert corrected(braking, BASELINE_M, RATE_HZ).speed_mps == pytest.approx(10 * 0.988, rel=0.001)
-    assert corrected(braking, BASELINE_M, RATE_HZ).length_m - 4.39 > 0.4
+    assert solve_corrected(braking, BASELINE_M, RATE_HZ).speed_mps == pytest.approx(10 * 0.988, rel=0.001)
+    assert solve_corrected(braking, BASELINE_M, RATE_HZ).length_m - 4.39 > 0.4
 
 
 def test_crossings_in_no_order_are_no_motion() -> None:
     with pytest.raises(ValueError, match="swapped"):
-        corrected(Crossings(100, 900, 50, 850), BASELINE_M, RATE_HZ)
+        solve_corrected(Crossings(100, 900, 50, 850), BASELINE_M, RATE_HZ)
     with pytest.raises(ValueError, match="front"):
         solve_crossings(Crossings(100, 90, 150, 140), BASELINE_M, RATE_HZ)
 

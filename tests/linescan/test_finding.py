@@ -21,7 +21,7 @@ from sightline.linescan.finding import NO_ROAD, STOPPED, Finder
 from sightline.linescan.gaps import REAR_UNSEEN, gaps
 from sightline.linescan.methods import MEASURE
 from sightline.linescan.parts import CUT, STOOD, TOO_LONG, Rig
-from sightline.linescan.passing import measured
+from sightline.linescan.passing import measure_passages
 from tests.linescan.scenes import (
     RIG,
     SITE,
@@ -140,7 +140,7 @@ def test_a_vehicle_that_stands_is_in_view_until_it_has_gone(at_m):
     """With its front between the cameras (0.3 m), or before both; what passes it is found too."""
     pair, (rear_s, next_s) = standing(at_m)
     passages, _ = found(pair, SLOW_RIG)
-    stood, beside, after = measured(passages, SLOW_RIG, "direct")
+    stood, beside, after = measure_passages(passages, SLOW_RIG, "direct")
     assert stood.motion.reason == STOPPED and stood.rear_s == pytest.approx(rear_s, abs=0.012)
     assert after.front_s == pytest.approx(next_s, abs=0.01)
     assert beside.front_s == pytest.approx(7.0, abs=0.05)
@@ -158,7 +158,7 @@ def test_what_leaves_is_no_vehicle_in_pieces():
 def test_vehicles_come_in_the_order_of_their_fronts_at_camera_1_also_beside_one_that_stands_before_camera_2():
     (first, second), _ = standing(0.3)
     passages, _ = found((second, first), SLOW_RIG)
-    beside, stood, after = measured(passages, SLOW_RIG, "direct")
+    beside, stood, after = measure_passages(passages, SLOW_RIG, "direct")
     assert [one.motion.reason for one in (beside, stood, after)] == [None, STOPPED, None]
     assert beside.front_s == pytest.approx(7.0 + RIG.baseline_m / 14.0, abs=0.05)
     assert stood.rear_s == pytest.approx(12.04, abs=0.012)  # of the other camera, when it has left both
@@ -171,7 +171,7 @@ def test_a_rear_that_nobody_saw_is_not_told(monkeypatch):
     """
     monkeypatch.setattr(finding, "STANDS_S", 4.0)
     passages, _ = found(tuple(strip[:9000] for strip in standing(1.6)[0]), SLOW_RIG)
-    stood, beside = measured(passages, SLOW_RIG, "direct")
+    stood, beside = measure_passages(passages, SLOW_RIG, "direct")
     assert stood.motion.reason == STOOD and stood.rear_s is None
     assert (row_of(stood)["rear_line_1"], row_of(stood)["rear_line_2"]) == (None, None)
     assert (beside.gap.time_gap_s, beside.gap.distance_gap_m, beside.gap.reason) == (None, None, REAR_UNSEEN)
@@ -197,7 +197,7 @@ def test_what_was_given_up_has_left_when_it_did(monkeypatch, stands_s, at_m, wai
     monkeypatch.setattr(finding, "STANDS_S", stands_s)
     pair, (rear_s, next_s) = standing(at_m, wait_s=wait_s)
     passages, _ = found(pair[::-1] if swapped else pair, SLOW_RIG)
-    beside, stood, after = measured(passages, SLOW_RIG, "direct")
+    beside, stood, after = measure_passages(passages, SLOW_RIG, "direct")
     late_s = after.front_s - next_s  # at the other camera
     at = stood.motion.crossings
     lines = (at.front_line_2, at.front_line_1) if swapped else (at.front_line_1, at.front_line_2)
@@ -222,7 +222,7 @@ def test_one_that_only_one_camera_saw_leave_has_no_rear(monkeypatch, swapped):
     (first, second), (rear_s, _) = standing(1.6, wait_s=12.0)
     turned = np.concatenate([second[:9000], second[9000:, ::-1]])
     passages, _ = found((turned, first) if swapped else (first, turned), SLOW_RIG)
-    _, stood = measured(passages, SLOW_RIG, "direct")
+    _, stood = measure_passages(passages, SLOW_RIG, "direct")
     at = stood.motion.crossings
     assert (stood.motion.reason, stood.rear_s) == (STOOD, None)
     assert at.direction == ("camera_2_first" if swapped else "camera_1_first")

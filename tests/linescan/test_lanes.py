@@ -11,7 +11,7 @@ from sightline.linescan.gaps import BEFORE_UNKNOWN, LANE_UNKNOWN, NONE_BEFORE, g
 from sightline.linescan.lanes import NO_LANE_THIS_WAY, lane_of
 from sightline.linescan.methods import MEASURE
 from sightline.linescan.parts import Lane, Motion, Passage, Rig
-from sightline.linescan.passing import measured
+from sightline.linescan.passing import measure_passages
 from sightline.linescan.rig import at_lane, baseline_of, require_rig
 from sightline.linescan.traffic import headways_s
 from tests.linescan.scenes import SITE, at, cars, found
@@ -94,7 +94,7 @@ def test_rows_of_tyres_tell_the_lanes() -> None:
 
 def test_gaps_are_those_within_a_lane() -> None:
     passages, true = seen(False)
-    vehicles = list(measured(passages, RIG, "direct"))
+    vehicles = list(measure_passages(passages, RIG, "direct"))
     assert [one.motion.lane for one in vehicles] == ["near", "far", "far", "near"]
     assert [one.gap.reason for one in vehicles] == [NONE_BEFORE, NONE_BEFORE, None, None]
     rate = RIG.line_rate_hz
@@ -105,7 +105,7 @@ def test_gaps_are_those_within_a_lane() -> None:
 def test_an_unknown_lane_is_said_and_its_u_holds_for_all() -> None:
     passages, true = seen(False)
     lost = replace(RIG, lanes=tuple(replace(one, tyres_from_px=0.0, tyres_to_px=20.0) for one in RIG.lanes))
-    vehicles = list(measured(passages, lost, "direct"))
+    vehicles = list(measure_passages(passages, lost, "direct"))
     for one, truth in zip(vehicles, true, strict=True):
         motion = one.motion
         assert motion.lane is None and "The lane is not known" in str(motion.warnings[-1])

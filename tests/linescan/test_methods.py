@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from sightline.coverage import expanded
 from sightline.enums import ScanMethod
 from sightline.linescan.either_way import WOULD_STOP
-from sightline.linescan.methods import MEASURE, believed, unlikely
+from sightline.linescan.methods import MEASURE, refuse_unlikely, unlikely_motion_reason
 from sightline.linescan.parts import Crossings, Motion, Passage, Rig
 from tests.linescan.scenes import RIG, SITE, found, plain_found
 from tests.simulation.scan_strips import strips
@@ -54,15 +54,15 @@ def test_a_motion_that_cannot_be_has_its_reason(
     changed: dict[str, float], said: str, passage: Passage
 ) -> None:
     motion = replace(GOOD, **changed)  # type: ignore[arg-type]
-    refused = believed(lambda _passage, _rig: motion)(passage, Rig(0.593, 4882.8))
+    refused = refuse_unlikely(lambda _passage, _rig: motion)(passage, Rig(0.593, 4882.8))
     assert refused.status == "not_measurable" and refused.reason is not None and said in str(refused.reason)
     assert refused.speed_mps is None and refused.length_m is None and refused.u_speed_mps is None
     assert refused.crossings == SEEN and refused.method == "paper"
 
 
 def test_a_motion_that_may_be_is_left_as_it_is() -> None:
-    assert unlikely(GOOD, RIG) is None
-    assert unlikely(Motion("direct", SEEN, "not_measurable", WOULD_STOP), RIG) is None
+    assert unlikely_motion_reason(GOOD, RIG) is None
+    assert unlikely_motion_reason(Motion("direct", SEEN, "not_measurable", WOULD_STOP), RIG) is None
 
 
 numbers = st.floats(-200, 200, allow_nan=False)
@@ -71,7 +71,7 @@ numbers = st.floats(-200, 200, allow_nan=False)
 @given(numbers, numbers, numbers, st.floats(0, 500, allow_nan=False))
 def test_what_is_believed_is_within_all_limits(v: float, a: float, length: float, u: float) -> None:
     motion = replace(GOOD, speed_mps=v, acceleration_mps2=a, length_m=length, u_speed_mps=u)
-    if unlikely(motion, RIG) is None:
+    if unlikely_motion_reason(motion, RIG) is None:
         seconds = (SEEN.rear_line_1 - SEEN.front_line_1) / RIG.line_rate_hz
         assert 1 <= v <= 85 and 1 <= length <= 32 and abs(a) <= 11.5 and v + a * seconds > 0
         assert 1.96 * u <= 0.25 * v
@@ -114,7 +114,7 @@ def test_no_nonsense_has_the_status_ok(method: ScanMethod, seed: int) -> None:
             if motion.status != "ok":
                 assert motion.reason and motion.speed_mps is None and motion.u_length_m is None
                 continue
-            assert unlikely(motion, rig) is None
+            assert unlikely_motion_reason(motion, rig) is None
             v, u = motion.speed_mps, motion.u_speed_mps
             assert v is not None and u is not None and 1 <= v <= 85 and 0 < u <= 0.13 * v
             assert 1 <= (motion.length_m or 0) <= 32 and (motion.u_length_m or 0) > 0

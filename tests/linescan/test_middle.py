@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from sightline.linescan.masks import pooled
+from sightline.linescan.masks import pool_picture
 from sightline.linescan.middle import median
 
 pytestmark = pytest.mark.once
@@ -20,7 +20,7 @@ def test_the_median_is_numpys(shape):
 def test_pooling_is_the_mean_of_the_pixels(dtype, step, band):
     most = np.iinfo(dtype).max + 1
     picture = np.random.default_rng(4).integers(0, most, (31, 97), dtype)
-    sheet = pooled(picture, 100, step, band, (1e-3, 1e-3))
+    sheet = pool_picture(picture, 100, step, band, (1e-3, 1e-3))
     lines, rows = 31 // step, 97 // band
     means = picture[: lines * step, : rows * band].reshape(lines, step, rows, band).mean((1, 3))
     assert sheet.values == pytest.approx(means, rel=1e-5)

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from sightline.linescan.equations import corrected, solve_crossings
+from sightline.linescan.equations import solve_corrected, solve_crossings
 from sightline.linescan.parts import Crossings
 
 SPEEDS = st.floats(2.5, 40)
@@ -44,7 +44,7 @@ def test_exact_gives_back_the_motion(
 def test_the_corrected_equation_4_has_no_error_for_a_constant_acceleration(
     speed: float, acceleration: float, length: float, baseline: float, rate: float
 ) -> None:
-    found = corrected(crossings_of(speed, acceleration, length, baseline, rate), baseline, rate)
+    found = solve_corrected(crossings_of(speed, acceleration, length, baseline, rate), baseline, rate)
     assert found.acceleration_mps2 == pytest.approx(acceleration, abs=1e-4)
 
 

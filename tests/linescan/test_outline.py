@@ -5,7 +5,7 @@ import pytest
 from scipy.stats import norm
 
 from sightline.linescan.boundaries import edge_near
-from sightline.linescan.outline import Bands, Edge, Seen, foremost
+from sightline.linescan.outline import Bands, Edge, Seen, fit_foremost_edge
 
 pytestmark = pytest.mark.once
 ROWS, PER_M = 240, 400.0
@@ -43,7 +43,7 @@ def outline(notch: slice, before_dn: float) -> Edge:
     differs[:, notch][np.arange(300)[:, None] >= edges[notch]] = 60.0
     none = np.zeros(40)
     bands = Bands(edges, np.full(40, 0.3), none, none, np.ones(40, bool))
-    return foremost(bands, Seen(differs, 4.0, 1.3, PER_M))
+    return fit_foremost_edge(bands, Seen(differs, 4.0, 1.3, PER_M))
 
 
 def test_a_notch_hides_an_end_only_where_something_differs_before_it() -> None:
@@ -61,7 +61,8 @@ def test_one_band_whose_grey_changes_makes_no_flat_end_unsure() -> None:
     edges[12] = 104.0
     seen = Seen(np.zeros((300, 40)), 4.0, 1.3, PER_M)
     even, changed = (
-        foremost(Bands(edges, np.full(40, 0.3), one, none, np.ones(40, bool)), seen) for one in (none, uneven)
+        fit_foremost_edge(Bands(edges, np.full(40, 0.3), one, none, np.ones(40, bool)), seen)
+        for one in (none, uneven)
     )
     assert changed.line == pytest.approx(100.0, abs=0.05)
     assert changed.u_lines < 1.3 * even.u_lines < 0.2

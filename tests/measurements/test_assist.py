@@ -11,7 +11,7 @@ import pytest
 from sightline.geometry.camera import Camera
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
-from sightline.media.video.display import brightened
+from sightline.media.video.display import brighten_picture
 from sightline.media.video.writer import write_mp4
 from tests.simulation.render import render_frame
 from tests.simulation.scene import low_light_scene
@@ -70,10 +70,10 @@ def test_a_brightened_still_is_another_picture_of_the_same_frame(viewer: Client,
 def test_a_bright_picture_keeps_its_brightness_and_pixels_stay_where_they_are() -> None:
     rng = np.random.default_rng(2)
     flat = np.full((120, 160, 3), 150, np.uint8)
-    assert abs(float(brightened(flat).mean()) - 150) < 20
+    assert abs(float(brighten_picture(flat).mean()) - 150) < 20
     dark = (rng.uniform(0, 12, (120, 160, 3))).astype(np.uint8)
     dark[40:80, 60:100] += 25
-    shown = brightened(dark).astype(float).mean(axis=2)
+    shown = brighten_picture(dark).astype(float).mean(axis=2)
     assert shown[45:75, 65:95].mean() > shown[:30].mean() + 30
     edge = np.diff(shown[45:75].mean(axis=0))
     assert int(np.argmax(edge)) == 59 and int(np.argmin(edge)) == 99

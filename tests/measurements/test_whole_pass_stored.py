@@ -25,7 +25,7 @@ from sightline.measurements.height_of_clicks import SIDE_FROM_PLACE, answer
 from sightline.measurements.records import Clicks
 from sightline.measurements.store import get_measurement
 from sightline.messages.said import Said
-from sightline.quality.repeats.clicks import alone
+from sightline.quality.repeats.clicks import height_of_first_frame
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.store import get_recording
 from sightline.recordings.tables import recordings
@@ -248,7 +248,7 @@ def test_a_repeat_is_held_against_the_first_frame_alone(
     stored = store(operator, vehicle_id)
     single = operator.made(f"/recordings/{ground.recording_id}/geometry/height", clicks())
     with services.reading() as session:
-        height_m, _ = alone(session, get_measurement(session, stored["id"]))
+        height_m, _ = height_of_first_frame(session, get_measurement(session, stored["id"]))
     assert height_m == pytest.approx(single["height_m"], abs=1e-9) and height_m != stored["height_m"]
 
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from sightline.media.strips.notes import StripNotes
-from sightline.media.strips.reader import rebatched
+from sightline.media.strips.reader import rebatch_lines
 from sightline.media.strips.sheet import Pixels
 from sightline.media.strips.stored_writer import StoredStrip, store_strip
 from tests.simulation.scan_strips import recording
@@ -31,7 +31,7 @@ class Fed:
         self._chunks, self._times = chunks, times
 
     def chunks(self, lines: int | None = None) -> Iterator[Pixels]:
-        return rebatched((one for _ in range(self._times) for one in self._chunks()), lines or 1024)
+        return rebatch_lines((one for _ in range(self._times) for one in self._chunks()), lines or 1024)
 
     def close(self) -> None: ...
 

@@ -25,7 +25,7 @@ from sightline.media.video.decode_host import DecodeHost
 from sightline.media.video.decode_wire import Limits
 from sightline.media.video.frames import FrameServer
 from sightline.media.video.seeker import RecordingMedia
-from sightline.media.video.window import NoLongerWanted, always
+from sightline.media.video.window import NoLongerWanted, is_always_wanted
 from tests.media.clips import Spec, read_number
 from tests.media.conftest import ROOT, Clip, Ingest, media_of
 from tests.media.faulty_child import AT, notes_of
@@ -223,9 +223,9 @@ def test_signs_of_life_are_no_hang(
     monkeypatch.setattr(decode_host, "time", SimpleNamespace(monotonic=lambda: float(seconds[0])))
     impatient = DecodeHost(20_000_000, Limits(silence_s=1.5), entry=FAULTS)
     slow = named(plain, "slow", tmp_path)
-    impatient.gray(slow, 1, always)
+    impatient.gray(slow, 1, is_always_wanted)
     before = seconds[0]
-    assert read_number(impatient.gray(slow, AT, always)) == AT
+    assert read_number(impatient.gray(slow, AT, is_always_wanted)) == AT
     assert seconds[0] - before > 4, "longer than it may be silent, with a sign each second"
     impatient.close()
 
@@ -242,12 +242,12 @@ def test_frames_prepared_ahead_are_ready_and_leave_the_window_alone(
 
 def test_it_ends_with_the_server_and_leaves_no_zombie(plain: RecordingMedia) -> None:
     host = DecodeHost(20_000_000)
-    host.gray(plain, 1, always)
+    host.gray(plain, 1, is_always_wanted)
     child = host.process_id
     assert child is not None
     host.close()
     assert is_gone(child)
-    assert read_number(host.gray(plain, 2, always)) == 2, "and starts again when asked"
+    assert read_number(host.gray(plain, 2, is_always_wanted)) == 2, "and starts again when asked"
     host.close()
 
 

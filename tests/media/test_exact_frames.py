@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from sightline.errors import Damaged
 from sightline.media.video.decode import frames_of
 from sightline.media.video.frames import FrameServer
-from sightline.media.video.picture import upright
+from sightline.media.video.picture import upright_picture
 from sightline.media.video.seeker import Decoded, Seeker
 from tests.media.clips import SPECS, X264_B, Spec, cut_copy, read_number, write
 from tests.media.conftest import Clip, Ingest, media_of
@@ -109,7 +109,7 @@ def test_a_jump_leaves_out_frames_and_is_exact(spec: Spec, most: int, clip: Clip
 
 def picture(found: Decoded | None) -> NDArray[np.uint8]:
     assert found is not None
-    return upright(*found)
+    return upright_picture(*found)
 
 
 @pytest.mark.parametrize("source", ["bframes.mp4", "open_gop.mp4", "hevc.mp4"])

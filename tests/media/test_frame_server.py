@@ -17,7 +17,7 @@ from sightline.media.images import read_image_bgr
 from sightline.media.video.caches import DiskCache, MemoryCache
 from sightline.media.video.frames import FrameServer
 from sightline.media.video.seeker import RecordingMedia, Seeker
-from sightline.media.video.window import FRAMES_OF_DECODER, NoLongerWanted, Window, always
+from sightline.media.video.window import FRAMES_OF_DECODER, NoLongerWanted, Window, is_always_wanted
 from tests.media.clips import Spec, read_number
 from tests.media.conftest import Clip, Ingest, media_of
 
@@ -151,8 +151,8 @@ def test_large_pictures_leave_room_for_fewer_decoders(clip: Clip, take_in: Inges
     window = Window(2_000_000, max_open=3, open_bytes=2 * FRAMES_OF_DECODER * frame + frame)
     before = len(os.listdir("/proc/self/fd"))
     for n in range(12):
-        assert read_number(window.gray(medias[n % 3], n, always)) == n
-    window.gray(medias[0], 0, always)
+        assert read_number(window.gray(medias[n % 3], n, is_always_wanted)) == n
+    window.gray(medias[0], 0, is_always_wanted)
     assert len(os.listdir("/proc/self/fd")) <= before + 2
     window.close()
 

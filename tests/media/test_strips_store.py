@@ -17,7 +17,13 @@ from sightline.errors import BadInput, Damaged, NotFound, Stopped
 from sightline.media.store.local import LocalStore, key_of
 from sightline.media.strips.reader import Strip, open_strip
 from sightline.media.strips.stored_reader import ReaderCache, StripReader
-from sightline.media.strips.stored_writer import SUFFIX, StoredStrip, level_lines, quartered, store_strip
+from sightline.media.strips.stored_writer import (
+    SUFFIX,
+    StoredStrip,
+    average_four_lines,
+    level_lines,
+    store_strip,
+)
 from tests.media.strips import pattern, png, tiff
 
 LINES, ROWS = 5003, 47
@@ -58,7 +64,9 @@ def test_overviews_are_means_of_four_lines(tmp_path: Path, dtype: Any) -> None:
         got = reader.read(0, LINES, level)
         assert np.abs(got - np.array(groups)).max() <= 0.5
         expected = got
-    np.testing.assert_array_equal(quartered(np.array([[1], [2], [2], [2], [9]], np.uint8)), [[2], [9]])
+    np.testing.assert_array_equal(
+        average_four_lines(np.array([[1], [2], [2], [2], [9]], np.uint8)), [[2], [9]]
+    )
 
 
 def test_tiles_show_time_along_the_width(tmp_path: Path) -> None:

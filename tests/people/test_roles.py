@@ -18,7 +18,7 @@ from sightline.enums import ActingRole, Scope
 from sightline.infra.database import Session
 from sightline.infra.services import Services
 from sightline.infra.web.access import APART, RANK, THINGS, Access
-from sightline.infra.web.deps import anybody, require
+from sightline.infra.web.deps import allow_anybody, require
 from sightline.infra.web.person import Person, Seen
 from sightline.people.store import create_person, create_sign_in_link, list_people
 from sightline.surveys.members import store as members
@@ -314,7 +314,7 @@ def declared(route: APIRoute) -> list[tuple[str, Scope | None]]:
     """The roles that a route's dependencies ask for, each with its scope."""
     asked = list(calls(route.dependant))
     return [(one.role, one.scope) for one in asked if isinstance(one, require)] + [
-        ("", None) for one in asked if one is anybody
+        ("", None) for one in asked if one is allow_anybody
     ]
 
 

@@ -14,7 +14,7 @@ from sightline.geometry.height import measure_height
 from sightline.geometry.road_pose import RoadPose
 from sightline.media.networks import proposal_networks
 from sightline.proposals import canvas
-from sightline.proposals.canvas import UNSEEN, laid
+from sightline.proposals.canvas import UNSEEN, lay_on_canvas
 from sightline.proposals.frames import box_on, frame_seen, frames_to_look_at
 from sightline.proposals.keypoints import FINE_POINTS, fine_canvas, moved_to_plane, plane_point
 from sightline.proposals.motion import Motion
@@ -117,12 +117,14 @@ def test_what_is_laid_out_lies_under_its_own_place() -> None:
     pose, picture = pose_of(SCENE), np.zeros((480, 640, 3), np.uint8)
     picture[200:, 250:] = 200
     x, z = plane_point(pose, (249.5, 199.5), 0.2)
-    view = laid(fine_canvas("taillight", x, z, 0.2, 1), picture, np.zeros((480, 640), np.float32), pose)
+    view = lay_on_canvas(
+        fine_canvas("taillight", x, z, 0.2, 1), picture, np.zeros((480, 640), np.float32), pose
+    )
     assert view.shape == (4, 48, 48) and (view[3] == 0).all()
     bright = view[0] > 0.5 * (view[0].min() + view[0].max())
     assert bright[:22, 26:].all() and not bright[26:].any() and not bright[:, :22].any()
     beside = fine_canvas("taillight", x + 40, z, 0.2, 1)
-    assert (laid(beside, picture, np.zeros((480, 640), np.float32), pose)[3] == UNSEEN).all()
+    assert (lay_on_canvas(beside, picture, np.zeros((480, 640), np.float32), pose)[3] == UNSEEN).all()
 
 
 C_M, TURN = np.array([0.0, -4.0, 1.5]), np.deg2rad(35.0)
@@ -179,7 +181,7 @@ def test_a_picture_is_smoothed_by_half_a_cell_as_it_is_seen(
     size, cell_m = (33, 33), (0.02, 0.02)
     at = canvas.Canvas(y_m=0.0, ahead=1, along_m=x_m - 0.32, z_m=0.8, cell_m=cell_m, size=size)
     picture = np.zeros((1080, 1920, 3), np.uint8)
-    laid(at, picture, np.zeros((1080, 1920), np.float32), turned())
+    lay_on_canvas(at, picture, np.zeros((1080, 1920), np.float32), turned())
     middle = seen_at(x_m, 0.0, 1.12)
     half_a_cell = [
         0.5 * np.linalg.norm(seen_at(*to) - middle) for to in ((x_m + 0.02, 0, 1.12), (x_m, 0, 1.14))

@@ -9,7 +9,7 @@ import pytest
 from sightline.export.verify.package import verify_package
 from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.services import Services
-from sightline.studies.packages import studied
+from sightline.studies.packages import read_packages
 from sightline.studies.query import StudyTables
 from tests.support.app import Client, error_of
 from tests.support.ground import Ground, add_vehicle, lay_ground, measure, pixel
@@ -122,7 +122,7 @@ def test_the_package_says_it_and_computes_the_same_from_its_files(
     assert told == [("", ""), ("", ""), ("", ""), ("size", "wheelbase height")]
     references = [row["reference_height_m"] for row in rows(place, "clicks.csv") if row["target"] == "roof"]
     assert references == ["1.190000", "1.190000", "1.190000", ""]
-    with StudyTables(studied([place], lambda _files: None, tmp_path)) as tables:
+    with StudyTables(read_packages([place], lambda _files: None, tmp_path)) as tables:
         told_m = tables.heights("roof").known_m
     assert np.sort(told_m)[:3].tolist() == [1.19] * 3 and np.isnan(told_m).sum() == 1
     found = verify_package(FolderFiles(place))

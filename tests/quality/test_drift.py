@@ -14,7 +14,7 @@ from sightline.infra.services import Services
 from sightline.measurements.tables import measurements
 from sightline.media.video.writer import write_mp4
 from sightline.quality.checks.turning import store_turned
-from sightline.recordings.csv import RECORDINGS, described
+from sightline.recordings.csv import RECORDINGS, describe_recording
 from sightline.recordings.store import get_recording, list_recordings
 from tests.support.app import FRAME_HEIGHT, FRAME_WIDTH, Client, error_of, upload
 from tests.support.ground import Ground, add_pose, add_vehicle, clicks, flat_camera, lay_ground, measure
@@ -99,7 +99,7 @@ def test_a_bump_flags_what_comes_after_it_until_somebody_decides(
     assert decided["flagged"] == [] and decided["decision"]["holds"] is True
     assert flags(viewer, late) == []
     with services.reading() as session:
-        recording = described(get_recording(session, ground.recording_id))
+        recording = describe_recording(get_recording(session, ground.recording_id))
         cells = {column.name: column.of(recording) for column in RECORDINGS.columns if column.of}
         assert {"drift_state": "moved", "drift_decision": "Checked on the kerb."}.items() <= cells.items()
         assert (

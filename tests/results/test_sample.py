@@ -13,7 +13,7 @@ from sightline.export.verify.package import verify_package
 from sightline.infra.csv_package.files import FolderFiles, Staging, fresh_folder
 from sightline.infra.services import Services
 from sightline.results.selection import Selection
-from sightline.studies.packages import studied
+from sightline.studies.packages import read_packages
 from sightline.studies.query import StudyTables
 from sightline.studies.records import StudiedPackage
 from sightline.studies.stored_query import StoredTables
@@ -62,7 +62,7 @@ def lower(n: int) -> dict[str, Any]:
 
 
 def studied_package(place: Path) -> StudiedPackage:
-    (found,) = studied([place], lambda files: None, place.parent / "scratch")
+    (found,) = read_packages([place], lambda files: None, place.parent / "scratch")
     return found
 
 

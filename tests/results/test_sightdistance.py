@@ -16,7 +16,7 @@ from sightline.messages.said import Said
 from sightline.results.measured_columns_query import NONE, Measured
 from sightline.results.sightdistance import service
 from sightline.results.sightdistance.records import SightQuestion
-from sightline.results.sightdistance.service import HeightRead, case_of, exact
+from sightline.results.sightdistance.service import HeightRead, case_of, exact_height
 from sightline.results.survey_statistics import Filter, measured_columns
 from sightline.results.usual_standards import STANDARDS
 from sightline.sightdistance.curves import crest_constants_m
@@ -248,7 +248,7 @@ def test_the_share_in_the_sentence_is_that_of_k() -> None:
         shares={},
         unit="m",
     )
-    standard = case_of(asked, "standard", exact(1.08), exact(0.60))
+    standard = case_of(asked, "standard", exact_height(1.08), exact_height(0.60))
     read = (HeightRead(Bounded(1.16, 1.14, 1.18)), HeightRead(Bounded(0.75, 0.73, 0.77)))
     survey = case_of(asked, "survey", *read)
     assert standard.crest is not None and survey.crest is not None

@@ -17,7 +17,7 @@ from sightline.infra.csv_package.files import FolderFiles, place_of
 from sightline.infra.services import Services
 from sightline.reviews.lots.draw import drawn_order, seed_of
 from sightline.reviews.lots.judged import ItemNow, Judgement, items_of
-from sightline.statistics.acceptance import outgoing
+from sightline.statistics.acceptance import estimate_outgoing
 from tests.export.report.pdf_text import words
 from tests.support.app import Client, error_of
 from tests.support.ground import Ground, add_vehicle, clicks, lay_ground, measure, pixel
@@ -385,7 +385,7 @@ def test_who_writes_rows_events_and_every_hash_anew_meets_the_rules_of_the_draw(
     entity, which, change, cells, said = _FORGERIES[forge]
     if forge == "counts":
         row = next(one for one in rows(package, "lots.csv") if one["id"] == "2")
-        lets = outgoing(int(row["judged"]) + int(row["rest"]), int(row["judged"]), 1)
+        lets = estimate_outgoing(int(row["judged"]) + int(row["rest"]), int(row["judged"]), 1)
         cells = {"nonconforming": "1", "outgoing_at_most": str(lets.at_most)}
         cells["outgoing_estimate"] = repr(round(lets.estimate, 6))
     if cells:

@@ -12,7 +12,7 @@ import pytest
 from sightline.linescan import finding
 from sightline.linescan.finding import Finder
 from sightline.linescan.parts import STOOD, STOPPED, Rig
-from sightline.linescan.passing import measured
+from sightline.linescan.passing import measure_passages
 from sightline.media.lines.followed import FollowedLines
 from sightline.media.lines.piped import PipedLines
 from sightline.media.lines.source import Ending, LineSource, Lost, Piece
@@ -20,7 +20,7 @@ from sightline.media.strips import spool
 from sightline.media.strips.reader import open_strip
 from sightline.media.strips.sheet import Pixels
 from sightline.messages.said import Said
-from sightline.scans.live.journal import interrupted, unmoved
+from sightline.scans.live.journal import interrupted_segment, unmoved_segments
 from sightline.scans.live.records import Keeper, LiveHealth, LiveVehicle, SegmentFacts
 from sightline.scans.live.run import Clock, LiveRun
 from sightline.traffic.archive import SHARED_S
@@ -115,7 +115,7 @@ def test_lost_lines_are_listed_in_the_files_and_spoil_only_whom_they_hit(
     for one, two in zip(files[0].chunks(), files[1].chunks(), strict=True):
         assert len(one) == len(two)
     passages = finder.push(*(np.concatenate(list(one.chunks())) for one in files)) + finder.finish()
-    again = list(measured(passages, RIG, "direct"))
+    again = list(measure_passages(passages, RIG, "direct"))
     for k in (0, 2, 3):
         assert again[k].motion.speed_mps == live[k].vehicle.motion.speed_mps
         assert again[k].motion.length_m == live[k].vehicle.motion.length_m
@@ -412,7 +412,7 @@ def test_a_search_of_a_resumed_recording_sees_the_road_before_its_first_vehicle(
     files = [open_strip(tmp_path / f"0002-camera-{k}.tif", "height") for k in (1, 2)]
     finder = Finder(SITE.rows, RIG)
     passages = finder.push(*(np.concatenate(list(one.chunks())) for one in files)) + finder.finish()
-    again = [one.motion.speed_mps for one in measured(passages, RIG, "direct")]
+    again = [one.motion.speed_mps for one in measure_passages(passages, RIG, "direct")]
     assert again == pytest.approx([one.vehicle.motion.speed_mps for one in clean[1:]], rel=1e-3)
 
 
@@ -486,7 +486,7 @@ def test_a_killed_segment_whose_file_was_cut_or_replaced_is_handed_on_whole_once
         assert told[0].vehicle.motion.crossings.front_line_1 == pytest.approx(third, abs=1)
         assert ended == ["0001-camera-1.tif"]
         # answered for: the next run takes up nothing
-        assert interrupted(folder) is None and unmoved(folder) == []
+        assert interrupted_segment(folder) is None and unmoved_segments(folder) == []
     else:
         assert ended == []
     ending.close()

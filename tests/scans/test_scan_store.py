@@ -14,7 +14,7 @@ from sightline.linescan.gaps import OTHER_RATE
 from sightline.linescan.parts import STOOD, Crossings, Motion
 from sightline.scans.store import get_scan, remove_scan, update_scan
 from sightline.scans.vehicles.find_job import Search, plan
-from sightline.scans.vehicles.listing import shown, vehicles_of
+from sightline.scans.vehicles.listing import shown_vehicles, vehicles_of
 from sightline.scans.vehicles.measure import Readers
 from sightline.scans.vehicles.measurement_store import (
     append_scan_measurement,
@@ -138,7 +138,9 @@ def test_who_stood_until_the_last_ones_came_is_beside_them(session: Session) -> 
     last = last_scan_vehicles(session, scan_id, 4)
     assert [vehicle.number for vehicle in last] == [1, 4, 5, 6, 7]
     every = list_scan_vehicles(session, scan_id)
-    told = [[one.gap for one in shown(get_scan(session, scan_id), found, {})] for found in (last, every)]
+    told = [
+        [one.gap for one in shown_vehicles(get_scan(session, scan_id), found, {})] for found in (last, every)
+    ]
     assert told[0][-3:] == told[1][-3:]
 
 

@@ -329,7 +329,7 @@ def test_strips_that_a_twin_takes_along_while_they_are_read_are_read_again(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     made = operator.made(f"/surveys/{survey_id}/scans", {**RIG, **uploads(operator, survey_id, tmp_path)})
-    stored, taken = read_job._stored, list[str]()
+    stored, taken = read_job._store_strips, list[str]()
 
     def and_gone(*given: Any) -> Any:
         facts = stored(*given)
@@ -338,7 +338,7 @@ def test_strips_that_a_twin_takes_along_while_they_are_read_are_read_again(
             services.media.delete(facts.first_key)
         return facts
 
-    monkeypatch.setattr(read_job, "_stored", and_gone)
+    monkeypatch.setattr(read_job, "_store_strips", and_gone)
     assert [job.state for job in work()] == ["queued"]
     assert operator.seen(f"/scans/{made['id']}")["state"] == "reading"
     with services.writing() as session:  # its pause is over

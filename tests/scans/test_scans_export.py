@@ -23,7 +23,7 @@ from sightline.export.verify.chain import walk
 from sightline.export.verify.derived import check_statistics
 from sightline.export.verify.described import read_description
 from sightline.export.verify.package import verify_package, verify_place
-from sightline.infra.csv_package.files import FolderFiles, Staging, read_rows, unsafe
+from sightline.infra.csv_package.files import FolderFiles, Staging, read_rows, undo_safe_text
 from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.infra.services import Services
 from sightline.messages import say
@@ -101,8 +101,12 @@ def test_rows_say_what_is_stored(package: Path) -> None:
     assert '"distance_m":5.5' in first["lanes"] and '"tyres_from_px":200,' in first["lanes"]
     assert unclocked["lanes"] == ""
     (vehicle,) = rows(package, "scan_vehicles")
-    assert (unsafe(vehicle["lane"]), vehicle["lane_by"], vehicle["tyres_px"]) == ("=near", "machine", "240.0")
-    assert {unsafe(one["lane"]) for one in rows(package, "statistics/traffic_intervals")} == {"=near"}
+    assert (undo_safe_text(vehicle["lane"]), vehicle["lane_by"], vehicle["tyres_px"]) == (
+        "=near",
+        "machine",
+        "240.0",
+    )
+    assert {undo_safe_text(one["lane"]) for one in rows(package, "statistics/traffic_intervals")} == {"=near"}
     assert (vehicle["speed_mps"], vehicle["length_m"]) == ("19.31415", "4.742100")
     assert (vehicle["revision"], vehicle["verdict"], vehicle["rear_line_1"]) == ("2", "accepted", "2201.0")
     assert vehicle["filmed_at"] == "2026-05-03T08:10:00.205+02:00"

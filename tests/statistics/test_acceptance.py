@@ -14,8 +14,8 @@ from sightline.statistics.acceptance import (
     RiskPoints,
     accepted_with,
     best_bad,
+    estimate_outgoing,
     operating_curve,
-    outgoing,
     outgoing_of_lots,
     require_risks,
     single_plan,
@@ -88,7 +88,7 @@ def test_a_small_lot_is_its_own_sample() -> None:
 @pytest.mark.parametrize(("size", "sample", "nonconforming"), [(60, 18, 0), (200, 40, 1), (200, 40, 4)])
 def test_the_limit_is_missed_in_one_lot_of_twenty_at_most(size: int, sample: int, nonconforming: int) -> None:
     """Whatever the lot holds: of all samples, those whose limit lies below it are 5 % at most."""
-    limits = [outgoing(size, sample, found).at_most + found for found in range(sample + 1)]
+    limits = [estimate_outgoing(size, sample, found).at_most + found for found in range(sample + 1)]
     for bad in range(size - sample + 1):
         missed = sum(
             comb(bad, k) * comb(size - bad, sample - k)
@@ -96,7 +96,7 @@ def test_the_limit_is_missed_in_one_lot_of_twenty_at_most(size: int, sample: int
             if limits[k] < bad
         )
         assert missed / comb(size, sample) <= 0.05
-    found = outgoing(size, sample, nonconforming)
+    found = estimate_outgoing(size, sample, nonconforming)
     assert found.estimate == pytest.approx((size - sample) * nonconforming / sample)
     assert found.estimate <= found.at_most <= found.count == size - sample
 

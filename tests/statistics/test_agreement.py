@@ -6,7 +6,7 @@ from scipy import stats
 
 from sightline.messages.said import Said
 from sightline.statistics.agreement import bland_altman, reference_part, trend
-from sightline.statistics.corrections import CORRECTIONS, Known, corrected
+from sightline.statistics.corrections import CORRECTIONS, Known, correct_heights
 
 U_TRUTH = 0.03 / np.sqrt(3)
 
@@ -81,17 +81,17 @@ def test_corrections_as_the_paper_may_be_read() -> None:
     eye, by_inset, paper, known = simulated()
     apart = {}
     for kind in CORRECTIONS:
-        found = corrected(kind, by_inset, paper, known, camera_sd_m=0.006)
+        found = correct_heights(kind, by_inset, paper, known, camera_sd_m=0.006)
         assert not isinstance(found, Said) and found.words
         apart[kind] = 1000 * (np.percentile(found.height_m, 50) - np.percentile(eye, 50))
     # raw is tens of millimetres too high, a shift by roofs does not mend it, the inset does
     assert apart["none"] > 25 and apart["shift"] > 25 and abs(apart["inset"]) < 2
-    shifted = corrected("shift", by_inset, paper, known)
+    shifted = correct_heights("shift", by_inset, paper, known)
     assert not isinstance(shifted, Said)
     assert np.allclose(shifted.height_m, paper - known.error_m.mean())
-    regressed = corrected("regression", by_inset, paper, known)
+    regressed = correct_heights("regression", by_inset, paper, known)
     assert not isinstance(regressed, Said) and regressed.warning and "extrapolates" in str(regressed.warning)
-    narrower = corrected("deconvolution", by_inset, paper, known, camera_sd_m=0.03)
+    narrower = correct_heights("deconvolution", by_inset, paper, known, camera_sd_m=0.03)
     assert not isinstance(narrower, Said)
     assert np.var(narrower.height_m, ddof=1) == pytest.approx(np.var(paper, ddof=1) - 0.03**2)
 
@@ -99,8 +99,8 @@ def test_corrections_as_the_paper_may_be_read() -> None:
 def test_corrections_that_cannot_be_made_say_why() -> None:
     _, by_inset, paper, known = simulated(50)
     few = Known(known.measured_m[:2], known.error_m[:2])
-    assert "at least 4" in str(corrected("shift", by_inset, paper, few))
-    assert "is unknown" in str(corrected("deconvolution", by_inset, paper, known, None))
-    assert "cannot be removed" in str(corrected("deconvolution", by_inset, paper, known, 0.5))
+    assert "at least 4" in str(correct_heights("shift", by_inset, paper, few))
+    assert "is unknown" in str(correct_heights("deconvolution", by_inset, paper, known, None))
+    assert "cannot be removed" in str(correct_heights("deconvolution", by_inset, paper, known, 0.5))
     level = Known(np.full(9, 1.5), np.linspace(0.0, 0.08, 9))
-    assert "one height" in str(corrected("regression", by_inset, paper, level))
+    assert "one height" in str(correct_heights("regression", by_inset, paper, level))

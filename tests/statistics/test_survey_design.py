@@ -14,7 +14,7 @@ import pytest
 from numpy.typing import NDArray
 
 from sightline.statistics.survey_design import Design, weighting_effect
-from sightline.statistics.survey_weights import Margin, calibrated, residuals
+from sightline.statistics.survey_weights import Margin, calibrate_weights, residuals
 from tests.statistics.textbook import mean, total
 
 DATA = Path(__file__).parent / "data"
@@ -84,7 +84,7 @@ def test_weights_that_differ_widen_a_mean() -> None:
 def test_post_stratification_by_school_type() -> None:
     schools = Schools("apiclus1")
     margin = schools.margin("stype", TYPES)
-    weight = calibrated(schools.numbers("pw"), (margin,))
+    weight = calibrate_weights(schools.numbers("pw"), (margin,))
     assert weight is not None
     design = clusters(weight, (margin,))
     found = mean(design, schools.numbers("api00"))
@@ -97,7 +97,7 @@ def test_post_stratification_by_school_type() -> None:
 def test_raking_by_two_margins() -> None:
     schools = Schools("apiclus1")
     margins = (schools.margin("stype", TYPES), schools.margin("sch.wide", SCHOOLWIDE))
-    weight = calibrated(schools.numbers("pw"), margins)
+    weight = calibrate_weights(schools.numbers("pw"), margins)
     assert weight is not None
     weight = weight * (6194.0 / weight.sum())
     first = (50.3294011160, 29.8706754927, 29.8706754927, 29.8706754927)
@@ -110,7 +110,7 @@ def test_raking_by_two_margins() -> None:
 def test_margins_that_contradict_each_other_have_no_weights() -> None:
     code = np.array([0, 0, 1, 1])
     same = Margin(code, np.array([0.5, 0.5])), Margin(code, np.array([0.7, 0.3]))
-    assert calibrated(np.ones(4), same) is None
+    assert calibrate_weights(np.ones(4), same) is None
 
 
 def test_residuals_hold_nothing_of_the_margins() -> None:

@@ -140,7 +140,7 @@ def _by_the_command(
     capsys: pytest.CaptureFixture[str],
 ) -> dict[str, Any]:
     # figures and report of the packages are not read, and take long
-    monkeypatch.setattr("sightline.export.derived.drawn", lambda *_: [])
+    monkeypatch.setattr("sightline.export.derived.draw_derived_files", lambda *_: [])
     places = [package(operator, work, one["survey_id"], folder) for one in page["study"]["surveys"]]
     for name, text in (("fleet.csv", page["study"]["fleet_csv"]), ("sites.csv", sites_csv)):
         (folder / name).write_text(text)

@@ -34,9 +34,9 @@ class _Kept:
         self._made: dict[bytes, bytes] = {}
 
     def __call__(self, *given: Any, **named: Any) -> Any:
-        from sightline.export.report.said import spoken
+        from sightline.export.report.said import spoken_language
 
-        key = pickle.dumps((spoken(), given, named))
+        key = pickle.dumps((spoken_language(), given, named))
         if key not in self._made:
             if len(self._made) == _MOST:
                 del self._made[next(iter(self._made))]

@@ -17,15 +17,15 @@ import pytest
 
 from sightline.enums import Point, ProposedPoint
 from sightline.export.build import build
-from sightline.export.derived import derive_tables, drawn
+from sightline.export.derived import derive_tables, draw_derived_files
 from sightline.export.package_tables import tables_of
 from sightline.export.page import write_audit_script, write_page
-from sightline.export.seal import PAGE, sealed
+from sightline.export.seal import PAGE, sealed_hashes
 from sightline.infra.audit.hashing import canonical_json, event_hash, link_hash
 from sightline.infra.audit.merkle import root_of
 from sightline.infra.audit.records import AuditHead
 from sightline.infra.audit.signing import SigningKey
-from sightline.infra.csv_package.chain import hashed
+from sightline.infra.csv_package.chain import hashed_values
 from sightline.infra.csv_package.files import FolderFiles, Staging, fresh_folder, place_of, sum_of
 from sightline.infra.csv_package.parquet import write_parquet
 from sightline.infra.csv_package.schema import (
@@ -253,7 +253,7 @@ def seal_anew(place: Path) -> None:
     events = rows(place, "audit.csv")
     lines = (place / "audit.csv").read_bytes().splitlines(keepends=True)
     after = json.loads(events[-1]["after"])
-    after["files"] = sealed(_sums(place), sha256_hex(b"".join(lines[:-1])))
+    after["files"] = sealed_hashes(_sums(place), sha256_hex(b"".join(lines[:-1])))
     events[-1]["after"] = canonical_json(after)
     text = io.StringIO()
     out = csv.DictWriter(text, list(events[-1]), lineterminator="\n", extrasaction="ignore")
@@ -285,7 +285,7 @@ def rederive(place: Path, drawings: bool = False, *, seal: bool = True) -> None:
     found = derive_tables(staging)
     if drawings:
         told = json.loads((place / "datapackage.json").read_text("utf-8"))
-        for path, content in drawn(staging.files(), found, staging.written, told["language"]):
+        for path, content in draw_derived_files(staging.files(), found, staging.written, told["language"]):
             staging.add(path, content)
     columns_again(place)
     reseal(place, seal=seal)
@@ -324,6 +324,6 @@ def rehash(events: Rows, first: int) -> Rows:
     """The chain written anew from an event on."""
     for before, event in zip(events[first - 1 :], events[first:], strict=False):
         event["previous_hash"] = before["hash"]
-        event["content_sha256"] = event_hash(hashed(event))
+        event["content_sha256"] = event_hash(hashed_values(event))
         event["hash"] = link_hash(event["previous_hash"], event["content_sha256"])
     return events

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 import scipy
 
-from sightline.adjustment.local_tests import FAILED, Cleaned, cleaned
+from sightline.adjustment.local_tests import FAILED, Cleaned, solve_without_outliers
 from sightline.adjustment.observed import (
     DEFAULT_U_COMMON_M,
     LENGTHS,
@@ -14,10 +14,10 @@ from sightline.adjustment.observed import (
     ROOF,
     ObservedPass,
     shared_insets,
-    unusable,
+    unusable_pass_reason,
 )
 from sightline.adjustment.shared_errors import Part, SharedErrors, covariance_at, moved_pose, shared_errors
-from sightline.adjustment.traffic_model import HEADING, Traffic, arranged, on_road
+from sightline.adjustment.traffic_model import HEADING, Traffic, arrange_passes, on_road
 from sightline.arrays import Bools, Floats
 from sightline.errors import BadInput
 from sightline.geometry.road_pose import POSE_NAMES, RoadPose
@@ -132,52 +132,50 @@ def adjust(
         raise BadInput("adjustment-nothing-uncertain")
     if not usable:
         return _unchanged(shared, len(passes), left_out)
-    traffic = arranged(pose, usable)
-    found = cleaned(shared, traffic)
-    wrong = np.isfinite(found.wrong).any(axis=1)
-    out = wrong | found.crooked
+    traffic = arrange_passes(pose, usable)
+    fit = solve_without_outliers(shared, traffic)
+    wrong = np.isfinite(fit.wrong).any(axis=1)
+    out = wrong | fit.crooked
     if 2 * out.sum() > len(usable):
         raise BadInput("adjustment-contradictory", out=int(out.sum()), passes=len(usable))
-    left_out += [
-        LeftOut(one.name, _reason(traffic, found, row)) for row, one in enumerate(usable) if out[row]
-    ]
-    freedom = _freedom(traffic, found, ~out)
+    left_out += [LeftOut(one.name, _reason(traffic, fit, row)) for row, one in enumerate(usable) if out[row]]
+    freedom = _freedom(traffic, fit, ~out)
     limit = float(scipy.stats.chi2.isf(_GLOBAL_FAILED, freedom)) if freedom > 0 else None
-    heading, u_heading = _heading(found, ~out)
+    heading, u_heading = _heading(fit, ~out)
     return Adjustment(
-        pose=_adjusted(shared, found),
+        pose=_adjusted(shared, fit),
         passes=len(passes),
         used=int((~out).sum()),
         left_out=tuple(left_out),
-        dropped_points=_dropped(usable, traffic, found, ~out),
-        chi2=found.solution.chi2,
+        dropped_points=_dropped(usable, traffic, fit, ~out),
+        chi2=fit.solution.chi2,
         degrees_of_freedom=freedom,
         chi2_limit=limit,
-        moved=_moved(shared, found),
+        moved=_list_moved_parts(shared, fit),
         heading_rad=heading,
         u_heading_rad=u_heading,
-        notes=_notes(shared, found, int((~out).sum()), freedom, limit),
+        notes=_notes(shared, fit, int((~out).sum()), freedom, limit),
     )
 
 
 def _usable(pose: RoadPose, passes: Sequence[ObservedPass]) -> tuple[list[ObservedPass], list[LeftOut]]:
     usable, left_out = [], []
-    reasons = [unusable(one) for one in passes]
+    reasons = [unusable_pass_reason(one) for one in passes]
     points = [one.points_px for one in passes]
     seen = on_road(pose, np.concatenate(points or [np.zeros((0, 2))]))
     ground = np.asarray(np.isfinite(seen).all(axis=1), dtype=np.bool_)
     ends = np.cumsum([len(one) for one in points])
-    for one, reason, end in zip(passes, reasons, ends, strict=True):
-        if reason is None and not pose.camera.inside(one.points_px).all():
+    for observed, reason, end in zip(passes, reasons, ends, strict=True):
+        if reason is None and not pose.camera.inside(observed.points_px).all():
             reason = Said("adjustment-point-outside")
         if reason is None and not all(
-            np.array(ground[end - len(one.point) : end], dtype=bool)[one.point != ROOF].tolist()
+            np.array(ground[end - len(observed.point) : end], dtype=bool)[observed.point != ROOF].tolist()
         ):
             reason = Said("adjustment-tyre-off-road")
         if reason is None:
-            usable.append(one)
+            usable.append(observed)
         else:
-            left_out.append(LeftOut(one.name, reason))
+            left_out.append(LeftOut(observed.name, reason))
     return usable, left_out
 
 
@@ -203,24 +201,24 @@ def _dropped(
     return tuple(DroppedPoint(one.name, int(one.frame[k]), POINTS[int(one.point[k])]) for one, k in ones)
 
 
-def _freedom(traffic: Traffic, found: Cleaned, used: Bools) -> int:
+def _freedom(traffic: Traffic, fit: Cleaned, used: Bools) -> int:
     """Coordinates and known lengths less the unknowns that any of them shows; a shared error comes with an
     observation of its own, its prior.
     """
-    kept = (found.weights.points > 0) & used[traffic.owner]
+    kept = (fit.weights.points > 0) & used[traffic.owner]
     coordinates = 2 * np.bincount(traffic.owner[kept], minlength=traffic.passes)
-    information = np.square(found.solution.at.own).sum(axis=1)
+    information = np.square(fit.solution.at.own).sum(axis=1)
     lengths = np.isfinite(traffic.u_m).sum(axis=1)
     free = coordinates + lengths - (information > 1e-9).sum(axis=1)
     return int(np.maximum(free, 0)[used].sum())
 
 
-def _heading(found: Cleaned, used: Bools) -> tuple[float, float]:
+def _heading(fit: Cleaned, used: Bools) -> tuple[float, float]:
     """The passes' mean direction against the road's X, and what the adjustment says of its uncertainty: what
     is each pass's own, enlarged where they scatter by more (Birge 1932), and what the shared errors turn all
     by.
     """
-    solution = found.solution
+    solution = fit.solution
     weight = 1.0 / (solution.pass_covariance[used, HEADING, HEADING] + np.deg2rad(0.3) ** 2)
     headings = solution.unknown[used, HEADING]
     mean = float((weight * headings).sum() / weight.sum())
@@ -236,10 +234,10 @@ def _adjusted(shared: SharedErrors, found: Cleaned) -> RoadPose:
     covariance = shared.root @ found.solution.covariance @ shared.root.T
     moved = moved_pose(shared.pose, increments)
     covariance = covariance_at(shared.pose, increments, covariance)
-    return _closed(moved, 0.5 * (covariance + covariance.T))
+    return _fold_board_into_covariance(moved, 0.5 * (covariance + covariance.T))
 
 
-def _closed(pose: RoadPose, covariance: Floats) -> RoadPose:
+def _fold_board_into_covariance(pose: RoadPose, covariance: Floats) -> RoadPose:
     """The pose with everything in its covariance, and a board that adds nothing any more."""
     n = len(pose.camera.parameters)
     board = pose.board
@@ -256,7 +254,7 @@ def _prior_root(shared: SharedErrors) -> Floats:
     return shared.root @ shared.root.T
 
 
-def _moved(shared: SharedErrors, found: Cleaned) -> tuple[Moved, ...]:
+def _list_moved_parts(shared: SharedErrors, found: Cleaned) -> tuple[Moved, ...]:
     """The parts by name, what they and the pose come to (the camera's height above the road, the road's turn
     about X and about Y), then lens and pose.
     """
@@ -297,23 +295,23 @@ def _along(by: Floats, covariance: Floats) -> float:
 
 
 def _notes(
-    shared: SharedErrors, found: Cleaned, used: int, freedom: int, limit: float | None
+    shared: SharedErrors, fit: Cleaned, used: int, freedom: int, limit: float | None
 ) -> tuple[Said, ...]:
     notes = []
-    for index in found.released:
+    for index in fit.released:
         part, (u, unit) = shared.parts[index], _stated(shared.parts[index])
         notes.append(Said("adjustment-part-excluded", part=part.name, u=u, unit=unit))
     for index in range(-shared.commons, 0):
-        if abs(float(np.nan_to_num(found.tests.parts[index]))) > FAILED:
+        if abs(float(np.nan_to_num(fit.tests.parts[index]))) > FAILED:
             part, (u, unit) = shared.parts[index], _stated(shared.parts[index])
             notes.append(Said("adjustment-common-far-off", part=part.name, u=u, unit=unit))
-    if found.point_factor > 1.0:
-        notes.append(Said("adjustment-points-scatter", factor=round(found.point_factor, 1)))
-    for name, factor in zip(LENGTHS, found.length_factors, strict=True):
+    if fit.point_factor > 1.0:
+        notes.append(Said("adjustment-points-scatter", factor=round(fit.point_factor, 1)))
+    for name, factor in zip(LENGTHS, fit.length_factors, strict=True):
         if factor > 1.0:
             notes.append(Said("adjustment-lengths-scatter", length=name, factor=round(float(factor), 1)))
-    if limit is not None and found.solution.chi2 > limit:
-        chi2 = round(found.solution.chi2)
+    if limit is not None and fit.solution.chi2 > limit:
+        chi2 = round(fit.solution.chi2)
         notes.append(Said("adjustment-global-test-failed", chi2=chi2, freedom=freedom))
     if used < _FEW:
         notes.append(Said("adjustment-few-vehicles", count=used))
@@ -329,7 +327,7 @@ def _unchanged(shared: SharedErrors, passes: int, left_out: list[LeftOut]) -> Ad
     """Nothing is known of the vehicles: the pose as it was, its board's budget in its covariance."""
     identity = np.eye(shared.size)
     return Adjustment(
-        pose=_closed(shared.pose, _prior_root(shared)),
+        pose=_fold_board_into_covariance(shared.pose, _prior_root(shared)),
         passes=passes,
         used=0,
         left_out=tuple(left_out),

@@ -68,7 +68,7 @@ def solve(
     for _ in range(_ROUNDS):
         system = _reduced(at, weights.prior, z, unknown - guess, known_nothing)
         step: Floats = np.asarray(np.linalg.solve(system.normal, system.pull), dtype=np.float64)
-        own_step = _own(system, step)
+        own_step = _solve_own_steps(system, step)
         expected = float(step @ system.pull)
         tried = None
         for halving in range(12):
@@ -129,7 +129,7 @@ def _reduced(at: Linear, prior: Floats, z: Floats, off: Floats, known_nothing: F
     return _Reduced(np.asarray(0.5 * (whole + whole.T)), pull, inverse, cross, own_pull)
 
 
-def _own(system: _Reduced, step: Floats) -> Floats:
+def _solve_own_steps(system: _Reduced, step: Floats) -> Floats:
     """The passes' steps (P, K) that belong to a step of z."""
     left = system.own_pull - system.cross @ step
     return np.asarray(np.einsum("pij,pj->pi", system.inverse, left), dtype=np.float64)

@@ -106,7 +106,7 @@ def _of_parts(shared: SharedErrors, solution: Solution, weights: Weights) -> Flo
     return np.where((share > _TESTABLE) & (u > 0), out, np.nan)
 
 
-def cleaned(shared: SharedErrors, traffic: Traffic) -> Cleaned:
+def solve_without_outliers(shared: SharedErrors, traffic: Traffic) -> Cleaned:
     """Solve, leave out the worst that fails, solve again, until nothing does; passes that lose a known length
     are left out whole, for a wrong model is wrong in all its lengths.
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.arrays import Floats
-from sightline.geometry.arrays import frozen
+from sightline.geometry.arrays import freeze_array
 from sightline.messages.said import Said
 
 POINTS = ("rear_tyre", "front_tyre", "roof")
@@ -44,8 +44,8 @@ class ObservedPass:
     roof_inset: Known | None = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "points_px", frozen(self.points_px).reshape(-1, 2))
-        object.__setattr__(self, "sigma_px", frozen(self.sigma_px))
+        object.__setattr__(self, "points_px", freeze_array(self.points_px).reshape(-1, 2))
+        object.__setattr__(self, "sigma_px", freeze_array(self.sigma_px))
 
     @property
     def lengths(self) -> tuple[Known | None, ...]:
@@ -63,7 +63,7 @@ def shared_insets(passes: Sequence[ObservedPass]) -> tuple[Known, ...]:
     )
 
 
-def unusable(observed: ObservedPass) -> Said | None:
+def unusable_pass_reason(observed: ObservedPass) -> Said | None:
     """Why a pass can say nothing of the pose, or None. Without a known length that was seen, what is left
     is only how alike the frames are, which errors of following a point imitate.
     """
@@ -75,12 +75,12 @@ def unusable(observed: ObservedPass) -> Said | None:
         problem = None if known is None else _unusable_length(name, known)
         if problem is not None:
             return problem
-    seen = set(zip(observed.frame.tolist(), observed.point.tolist(), strict=True))
-    if len(seen) < len(observed.frame):
+    frame_points = set(zip(observed.frame.tolist(), observed.point.tolist(), strict=True))
+    if len(frame_points) < len(observed.frame):
         return Said("adjustment-point-twice")
-    if not any(point in (REAR, FRONT) for _, point in seen):
+    if not any(point in (REAR, FRONT) for _, point in frame_points):
         return Said("adjustment-no-tyre")
-    return None if _shows_a_known_length(observed, seen) else Said("adjustment-no-known-length")
+    return None if _shows_a_known_length(observed, frame_points) else Said("adjustment-no-known-length")
 
 
 def _unusable_length(name: str, known: Known) -> Said | None:

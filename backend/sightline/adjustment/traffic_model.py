@@ -80,11 +80,11 @@ class Linear:
     shared: Floats
 
 
-def arranged(pose: RoadPose, passes: Sequence[ObservedPass]) -> Traffic:
+def arrange_passes(pose: RoadPose, passes: Sequence[ObservedPass]) -> Traffic:
     """The passes as arrays with a first estimate of each one's unknowns, from the pose as it is.
 
     Own method: tyres meet the road where their rays do; the roof lies where its ray meets the vertical plane
-    behind them. Passes are to be usable (observed.unusable).
+    behind them. Passes are to be usable (observed.unusable_pass_reason).
     """
     frames = [np.unique(one.frame, return_inverse=True) for one in passes]
     count = np.array([len(one) for one, _ in frames])
@@ -94,7 +94,7 @@ def arranged(pose: RoadPose, passes: Sequence[ObservedPass]) -> Traffic:
     for row, (one, (_, at)) in enumerate(zip(passes, frames, strict=True)):
         middle[row], facing[row], first = _first_estimate(pose, one, at, int(count[row]), rays[row])
         start[row, : len(first)] = first
-    lengths = [[_known(known) for known in one.lengths] for one in passes]
+    lengths = [[_value_and_u(known) for known in one.lengths] for one in passes]
     table = np.array(lengths, dtype=np.float64).reshape(len(passes), len(LENGTHS), 2)
     insets: dict[Known | None, int] = {one: 2 + k for k, one in enumerate(shared_insets(passes))}
     common = np.array([(0, 1, insets.get(one.roof_inset, -1)) for one in passes], dtype=np.intp)
@@ -121,7 +121,7 @@ def _ends(passes: Sequence[ObservedPass]) -> list[int]:
     return [int(end) for end in np.cumsum([len(one.frame) for one in passes])[:-1]]
 
 
-def _known(known: Known | None) -> tuple[float, float]:
+def _value_and_u(known: Known | None) -> tuple[float, float]:
     return (0.0, np.inf) if known is None else (known.value_m, max(known.u_m, _LEAST_U_M))
 
 
@@ -150,29 +150,29 @@ def _ground(pose: RoadPose, rays: Floats) -> Floats:
 
 
 def _first_estimate(
-    pose: RoadPose, one: ObservedPass, at: NDArray[np.intp], frames: int, rays: Floats
+    pose: RoadPose, observed: ObservedPass, at: NDArray[np.intp], frames: int, rays: Floats
 ) -> tuple[float, float, Floats]:
     """X_0, the way it faces, and the unknowns (PLACES + frames,) of one pass."""
     ground = _ground(pose, rays)
-    tyre = one.point != ROOF
+    tyre = observed.point != ROOF
     across = float(np.nanmedian(ground[tyre, 1]))
-    inset = _GUESS[INSET] if one.roof_inset is None else one.roof_inset.value_m
+    inset = _GUESS[INSET] if observed.roof_inset is None else observed.roof_inset.value_m
     along = np.full((3, frames), np.nan)
     for kind in (REAR, FRONT):
-        along[kind, at[one.point == kind]] = ground[one.point == kind, 0]
-    rays = rays[one.point == ROOF]
+        along[kind, at[observed.point == kind]] = ground[observed.point == kind, 0]
+    rays = rays[observed.point == ROOF]
     with np.errstate(all="ignore"):
         far = (across + inset - pose.centre_m[1]) / rays[:, 1]
         roof = pose.centre_m + far[:, None] * rays
-    along[ROOF, at[one.point == ROOF]] = roof[:, 0]
+    along[ROOF, at[observed.point == ROOF]] = roof[:, 0]
     wheelbase = _offset(along, FRONT)
     ahead = _offset(along, ROOF)
     facing = -1.0 if wheelbase < 0 else 1.0
     if not np.isfinite(wheelbase):
-        wheelbase = _GUESS[WHEELBASE] if one.wheelbase is None else one.wheelbase.value_m
+        wheelbase = _GUESS[WHEELBASE] if observed.wheelbase is None else observed.wheelbase.value_m
     height = float(np.nanmedian(roof[:, 2])) if len(roof) and np.isfinite(roof[:, 2]).any() else np.nan
     if not np.isfinite(height):
-        height = _GUESS[HEIGHT] if one.roof is None else one.roof.value_m
+        height = _GUESS[HEIGHT] if observed.roof is None else observed.roof.value_m
     ahead = ahead if np.isfinite(ahead) else 0.5 * wheelbase
     rear = np.where(np.isfinite(along[REAR]), along[REAR], along[FRONT] - wheelbase)
     rear = np.where(np.isfinite(rear), rear, along[ROOF] - ahead)

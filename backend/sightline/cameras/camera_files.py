@@ -98,7 +98,7 @@ def pose_detections(
     A span without the board is searched for a bounded time. Raises BadInput where a picture has another
     size than the camera's.
     """
-    found: list[Corners] = []
+    detections: list[Corners] = []
     last: Corners | None = None
     mean = MeanPicture()
     searched_s = 0.0
@@ -110,8 +110,8 @@ def pose_detections(
                 started = perf_counter()
                 corners = find_board(gray, board)
                 searched_s += 0.0 if corners.found else perf_counter() - started
-            found.append(corners)
+            detections.append(corners)
             if corners.found:
                 last = corners
                 mean.add(gray, corners)
-    return found, mean.result()
+    return detections, mean.result()

@@ -35,7 +35,7 @@ def create_camera(
 ) -> Camera:
     """A new camera in a survey. Raises NotFound, BadInput."""
     get_row(session, surveys, survey_id, "survey")
-    words = _words(name=name, notes=notes, lens=lens, zoom=zoom, focus=focus)
+    words = _strip_words(name=name, notes=notes, lens=lens, zoom=zoom, focus=focus)
     content = {"survey_id": survey_id, "taken_from": taken_from, **words}
     camera_id = add_row(session, cameras, {**content, "created_at": now(), "created_by": actor})
     trail.record(session, actor, "create", "camera", camera_id, survey_id, None, content)
@@ -45,15 +45,15 @@ def create_camera(
 def update_camera(session: Session, camera_id: int, changes: CameraWords, *, actor: int | None) -> Camera:
     """Change what is said of a camera; what is left out stays. Raises NotFound, BadInput."""
     before = get_row(session, cameras, camera_id, "camera")
-    change = _words(**changes)
+    change = _strip_words(**changes)
     if change:
         change_row(session, cameras, camera_id, change)
-    what = trail.changed(before, change, change)
+    what = trail.changed_fields(before, change, change)
     trail.record(session, actor, "update", "camera", camera_id, before["survey_id"], *what)
     return get_camera(session, camera_id)
 
 
-def _words(**words: Unpack[CameraWords]) -> dict[str, str]:
+def _strip_words(**words: Unpack[CameraWords]) -> dict[str, str]:
     stripped = {name: str(text).strip() for name, text in words.items()}
     if stripped.get("name") == "":
         raise BadInput("cameras-no-name")
@@ -127,7 +127,7 @@ def set_detection(
     camera = get_row(session, cameras, before["camera_id"], "camera")
     detected = _detection_row(detection)
     change_row(session, calibration_images, image_id, detected)
-    what = trail.changed(before, detected, ("found", "reason", "columns", "rows"))
+    what = trail.changed_fields(before, detected, ("found", "reason", "columns", "rows"))
     trail.record(session, actor, "detect", "calibration_image", image_id, camera["survey_id"], *what)
     return get_calibration_image(session, image_id)
 

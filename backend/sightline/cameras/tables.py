@@ -3,9 +3,9 @@
 from sqlalchemy import Column, ForeignKey, String
 
 from sightline.cameras.records import CameraWords
-from sightline.infra.database.types import columns_for, made_columns, numbered
+from sightline.infra.database.types import columns_for, made_columns, numbered_table
 
-cameras = numbered(
+cameras = numbered_table(
     "cameras",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     # its name, and what calibration holds for: lens, and its zoom and focus, in words

@@ -51,20 +51,22 @@ def adjust_command(
         found = adjust(pose, passes, u_wheelbase_common, u_roof_common)
     document = {**pose_to_dict(found.pose), "adjustment": adjustment_to_dict(found, unread)}
     write_json(output, document)
-    tell(as_json, document, _text(found, unread, output))
+    tell(as_json, document, _describe_adjustment(found, unread, output))
 
 
-def _text(found: Adjustment, unread: list[LeftOut], output: Path) -> str:
+def _describe_adjustment(adjustment: Adjustment, unread: list[LeftOut], output: Path) -> str:
     lines = [
-        f"{output}: {found.used} of {found.passes + len(unread)} passes used, chi-square {found.chi2:.0f} "
-        f"with {found.degrees_of_freedom} degrees of freedom"
+        f"{output}: {adjustment.used} of {adjustment.passes + len(unread)} passes used, "
+        f"chi-square {adjustment.chi2:.0f} with {adjustment.degrees_of_freedom} degrees of freedom"
     ]
-    lines += [f"left out {one.name}: {one.reason}" for one in (*unread, *found.left_out)]
-    lines += [f"left out of {one.name}: {one.point} on frame {one.frame}" for one in found.dropped_points]
+    lines += [f"left out {one.name}: {one.reason}" for one in (*unread, *adjustment.left_out)]
+    lines += [
+        f"left out of {one.name}: {one.point} on frame {one.frame}" for one in adjustment.dropped_points
+    ]
     lines += [
         f"{one.name}{'' if one.of_m is None else f' of {one.of_m:g} m'}: {one.value:+.6f}, "
         f"u = {one.u_before:.6f} -> {one.u_after:.6f}"
-        for one in found.moved
+        for one in adjustment.moved
     ]
-    lines += expected_lines(expected_u(found.pose))
-    return "\n".join([*lines, *(f"note: {note}" for note in found.notes)])
+    lines += expected_lines(expected_u(adjustment.pose))
+    return "\n".join([*lines, *(f"note: {note}" for note in adjustment.notes)])

@@ -38,14 +38,14 @@ def backup(folder: Path, reading_back: bool, prune: bool, data_dir: Path | None)
     require_database(settings)
     services = open_services(settings, decode_in_child=False)
     try:
-        made = make_backup(services, folder, progress_told(), pruning=prune)
+        new_backup = make_backup(services, folder, progress_told(), pruning=prune)
     finally:
         services.close()
-    removed = f", {made.pruned} old ones removed" if prune else ""
-    click.echo(f"{folder}: {_what(made.manifest)}; {made.fresh} media files are new{removed}.")
+    removed = f", {new_backup.pruned} old ones removed" if prune else ""
+    click.echo(f"{folder}: {_summary(new_backup.manifest)}; {new_backup.fresh} media files are new{removed}.")
     if reading_back:
         click.echo(read_words(folder, check_backup(folder, progress_told())))
-    if missing := made.manifest.missing:
+    if missing := new_backup.manifest.missing:
         raise Damaged("backup-media-missing", count=len(missing), names=", ".join(missing[:_MISSING_SHOWN]))
 
 
@@ -68,25 +68,25 @@ def restore(folder: Path, data_dir: Path, earlier: bool) -> None:
     from sightline.infra.backup.restore import restore_backup
 
     settings = settings_of(data_dir=data_dir)
-    found = restore_backup(folder, settings, progress_told(), earlier=earlier)
-    assert found.audit is not None
+    restored = restore_backup(folder, settings, progress_told(), earlier=earlier)
+    assert restored.audit is not None
     click.echo(
-        f"{data_dir}: {_what(found.manifest)}; the audit chain of {found.audit.checked} events is intact, "
-        f"head {found.audit.head_hash[:16]}."
+        f"{data_dir}: {_summary(restored.manifest)}; the audit chain of {restored.audit.checked} events is "
+        f"intact, head {restored.audit.head_hash[:16]}."
     )
-    for name, where in found.manifest.keys.items():
+    for name, where in restored.manifest.keys.items():
         if where == "environment":
             click.echo(f"{name} was a setting and is not in the backup: set it to the same value.", err=True)
 
 
-def read_words(folder: Path, found: ReadBackup) -> str:
+def read_words(folder: Path, backup_read: ReadBackup) -> str:
     """What reading a backup showed, as one sentence."""
-    said = f"{folder}: {_what(found.manifest)}; every file is the one that was backed up"
-    if found.audit is None:
+    said = f"{folder}: {_summary(backup_read.manifest)}; every file is the one that was backed up"
+    if backup_read.audit is None:
         return f"{said}. The audit chains of PostgreSQL are checked when it is restored."
-    return f"{said}, and the audit chain of {found.audit.checked} events is intact."
+    return f"{said}, and the audit chain of {backup_read.audit.checked} events is intact."
 
 
-def _what(manifest: Manifest) -> str:
+def _summary(manifest: Manifest) -> str:
     size = sum(one.size for one in (*manifest.files.values(), *manifest.media.values()))
     return f"backup of {manifest.at[:19]} UTC, {len(manifest.media)} media files, {size / 1e6:.1f} MB"

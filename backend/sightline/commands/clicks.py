@@ -103,7 +103,7 @@ class Counts:
 
 def heights_csv(pose: RoadPose, path: Path) -> tuple[str, Counts]:
     """The text of heights.csv for a clicks.csv. Raises BadInput where the table as a whole cannot be read."""
-    header, rows = _read(path)
+    header, rows = _read_clicks(path)
     single = [row for row in rows if row.problem is None and not row.frames]
     _measure_single(pose, single)
     for row in rows:
@@ -115,7 +115,7 @@ def heights_csv(pose: RoadPose, path: Path) -> tuple[str, Counts]:
     return _written(header, rows), Counts(len(rows), measured)
 
 
-def _read(path: Path) -> tuple[list[str], list[_Row]]:
+def _read_clicks(path: Path) -> tuple[list[str], list[_Row]]:
     table = read_csv(path, NEEDED, path.name)  # reasons are sent on: no folder of ours
     return table.header, [_parsed(table, row) for row in table.rows]
 
@@ -165,17 +165,17 @@ def _measure_single(pose: RoadPose, rows: Sequence[_Row]) -> None:
     if not rows:
         return
     table = np.array([[row.values[name] for name in (*FIRST, *OPTIONS)] for row in rows])
-    found = measure_heights(pose, table[:, 0:2], table[:, 2:4], table[:, 4], table[:, 5], table[:, 6])
+    heights = measure_heights(pose, table[:, 0:2], table[:, 2:4], table[:, 4], table[:, 5], table[:, 6])
     columns = (
-        found.height_m,
-        found.u_height_m,
-        COVERAGE_95 * found.u_height_m,
-        found.x_m,
-        found.y_m,
-        found.distance_m,
+        heights.height_m,
+        heights.u_height_m,
+        COVERAGE_95 * heights.u_height_m,
+        heights.x_m,
+        heights.y_m,
+        heights.distance_m,
     )
     for index, row in enumerate(rows):
-        code = int(found.code[index])
+        code = int(heights.code[index])
         if code:
             row.results = {"status": "not_measurable", "reason": str(REASONS[code])}
             continue
@@ -183,7 +183,7 @@ def _measure_single(pose: RoadPose, rows: Sequence[_Row]) -> None:
             name: metres(float(column[index])) for name, column in zip(OF_HEIGHT, columns, strict=True)
         }
         row.results["status"] = "ok"
-        row.results["flags"] = _joined((*row.flags, *found.flags(index)))
+        row.results["flags"] = _join_flags((*row.flags, *heights.flags(index)))
 
 
 def _measure_several(pose: RoadPose, row: _Row) -> dict[str, str]:
@@ -201,14 +201,14 @@ def _measure_several(pose: RoadPose, row: _Row) -> dict[str, str]:
 
 def _of_height(height: Height) -> dict[str, str]:
     reason = "" if height.reason is None else str(height.reason)
-    out = {"status": height.status, "reason": reason, "flags": _joined(height.flags)}
+    out = {"status": height.status, "reason": reason, "flags": _join_flags(height.flags)}
     for name in OF_HEIGHT:
         value = getattr(height, name)
         out[name] = "" if value is None else metres(value)
     return out
 
 
-def _joined(flags: Iterable[Said]) -> str:
+def _join_flags(flags: Iterable[Said]) -> str:
     return BETWEEN_FLAGS.join(map(str, flags))
 
 
@@ -217,7 +217,7 @@ def metres(value: float) -> str:
     return "" if not math.isfinite(value) else f"{value + 0.0:.6f}".replace("-0.000000", "0.000000")
 
 
-def harmless(cell: str) -> str:
+def escape_formula(cell: str) -> str:
     """A cell that a spreadsheet would run as a formula gets an apostrophe; numbers stay numbers."""
     if cell[:1] in ("=", "+", "-", "@", "\t", "\r") and not _NUMBER.fullmatch(cell.strip()):
         return "'" + cell
@@ -229,8 +229,8 @@ def _written(header: list[str], rows: list[_Row]) -> str:
     keep = [i for i, name in enumerate(header) if name not in RESULTS]
     out = io.StringIO(newline="")
     writer = csv.writer(out, lineterminator="\n")
-    writer.writerow([*(harmless(header[i]) for i in keep), *RESULTS])
+    writer.writerow([*(escape_formula(header[i]) for i in keep), *RESULTS])
     for row in rows:
         results = (row.results.get(name, "") for name in RESULTS)
-        writer.writerow([*(harmless(row.cells[i]) for i in keep), *results])
+        writer.writerow([*(escape_formula(row.cells[i]) for i in keep), *results])
     return out.getvalue()

@@ -65,22 +65,22 @@ def distribution(heights: Path, by: str | None, percents: str, compare: str | No
     wanted = percents_of(percents)
     groups, left_out = read_groups(heights, by)
     pair = None if compare is None else _pair(compare, by, groups)
-    found = {name: TotalUncertainty(sample_of(rows)) for name, rows in groups.items()}
+    totals = {name: TotalUncertainty(sample_of(rows)) for name, rows in groups.items()}
     notes = [
         f"{name} mixes heights of {', '.join(sorted(rows.targets))}; --by target computes each separately."
         for name, rows in groups.items()
         if len(rows.targets) > 1
     ]
     if as_json:
-        told: dict[str, Any] = {"groups": {name: _json(one, wanted) for name, one in found.items()}}
+        told: dict[str, Any] = {"groups": {name: _json(one, wanted) for name, one in totals.items()}}
         told |= {"left_out": left_out} | ({"notes": notes} if notes else {})
         if pair is not None:
-            told["comparison"] = _compared_json(pair, found, wanted)
+            told["comparison"] = _compared_json(pair, totals, wanted)
         print_json(told)
         return
-    click.echo("\n\n".join(_text(name, one, wanted) for name, one in found.items()))
+    click.echo("\n\n".join(_describe_distribution(name, one, wanted) for name, one in totals.items()))
     if pair is not None:
-        click.echo("\n" + _compared_text(pair, found, wanted))
+        click.echo("\n" + _compared_text(pair, totals, wanted))
     for note in notes:
         click.echo(f"\n{note}")
     if left_out:
@@ -89,13 +89,13 @@ def distribution(heights: Path, by: str | None, percents: str, compare: str | No
 
 def percents_of(text: str) -> list[tuple[str, float]]:
     """Percentiles as they were written, and as numbers, each once. Raises BadInput."""
-    found = {}
+    percents = {}
     for part in text.split(","):
         percent = given_number(part)
         if percent is None or not 0.0 < percent < 100.0:
             raise BadInput("commands-not-percentile", part=part.strip())
-        found[format(percent, "g")] = percent
-    return list(found.items())
+        percents[format(percent, "g")] = percent
+    return list(percents.items())
 
 
 def read_groups(path: Path, by: str | None) -> tuple[dict[str, Rows], int]:
@@ -178,27 +178,27 @@ def codes(words: Iterable[str], known: dict[str, int] | None = None) -> list[int
     return [known.setdefault(word, len(known)) for word in words]
 
 
-def _json(found: TotalUncertainty, percents: Sequence[tuple[str, float]]) -> dict[str, Any]:
+def _json(total: TotalUncertainty, percents: Sequence[tuple[str, float]]) -> dict[str, Any]:
     percentiles = {}
     for name, percent in percents:
-        one = found.percentile(percent)
+        one = total.percentile(percent)
         percentiles[name] = {**_figure(one), "raw": one.raw}
     return {
-        "n": found.n,
-        "mean_m": _figure(found.mean()),
-        "sd_m": _figure(found.sd()),
+        "n": total.n,
+        "mean_m": _figure(total.mean()),
+        "sd_m": _figure(total.sd()),
         "percentiles": percentiles,
-        "holds": list(found.holds),
+        "holds": list(total.holds),
     }
 
 
-def _figure(one: Figure) -> dict[str, Any]:
+def _figure(figure: Figure) -> dict[str, Any]:
     ends: dict[str, Any] = {
-        "value": one.value,
-        "U95_low": one.U95_low,
-        "U95_high": one.U95_high,
+        "value": figure.value,
+        "U95_low": figure.U95_low,
+        "U95_high": figure.U95_high,
     }
-    return ends if one.reason is None else {**ends, "reason": one.reason}
+    return ends if figure.reason is None else {**ends, "reason": figure.reason}
 
 
 def _pair(text: str, by: str | None, groups: Mapping[str, Rows]) -> tuple[str, str]:
@@ -215,12 +215,12 @@ def _pair(text: str, by: str | None, groups: Mapping[str, Rows]) -> tuple[str, s
 
 
 def _compared(
-    pair: tuple[str, str], found: Mapping[str, TotalUncertainty], percents: Sequence[tuple[str, float]]
+    pair: tuple[str, str], totals: Mapping[str, TotalUncertainty], percents: Sequence[tuple[str, float]]
 ) -> Iterator[tuple[str, Compared]]:
     """Each figure's name with what was found."""
     from sightline.statistics.comparison import compare
 
-    told = compare(found[pair[0]], found[pair[1]], [percent for _, percent in percents])
+    told = compare(totals[pair[0]], totals[pair[1]], [percent for _, percent in percents])
     for (name, _), one in zip(percents, told.percentiles, strict=True):
         yield name, one
     yield "mean", told.mean
@@ -229,30 +229,30 @@ def _compared(
 def _compared_json(
     pair: tuple[str, str], found: Mapping[str, TotalUncertainty], percents: Sequence[tuple[str, float]]
 ) -> dict[str, Any]:
-    told = {
+    differences = {
         name: {**_figure(one.difference), "verdict": one.verdict}
         for name, one in _compared(pair, found, percents)
     }
-    mean = told.pop("mean")
-    return {"first": pair[0], "second": pair[1], "percentiles": told, "mean_m": mean}
+    mean = differences.pop("mean")
+    return {"first": pair[0], "second": pair[1], "percentiles": differences, "mean_m": mean}
 
 
 def _compared_text(
     pair: tuple[str, str], found: Mapping[str, TotalUncertainty], percents: Sequence[tuple[str, float]]
 ) -> str:
     lines = [f"{pair[1]} less {pair[0]}:"]
-    for name, one in _compared(pair, found, percents):
+    for name, comparison in _compared(pair, found, percents):
         label = name if name == "mean" else f"P{name}"
-        value = "-" if one.verdict is None else f"{one.difference.value:+.4f}"
-        said = str(one.verdict or one.difference.reason or "").replace("_", " ")
-        lines.append(f"{label:>8} {value:>9} {_ends(one.difference, '{:.4f}'.format):>20}  {said}")
+        value = "-" if comparison.verdict is None else f"{comparison.difference.value:+.4f}"
+        said = str(comparison.verdict or comparison.difference.reason or "").replace("_", " ")
+        lines.append(f"{label:>8} {value:>9} {_ends(comparison.difference, '{:.4f}'.format):>20}  {said}")
     lines.append("Higher or lower: the 95 % interval of the difference excludes 0 (risk at most 2.5 %).")
     return "\n".join(
         [*lines, "Errors that both share (a pose, a site, an inset) make the intervals too wide."]
     )
 
 
-def _text(name: str, found: TotalUncertainty, percents: Sequence[tuple[str, float]]) -> str:
+def _describe_distribution(name: str, found: TotalUncertainty, percents: Sequence[tuple[str, float]]) -> str:
     lines = [f"{name}: {found.n} heights", f"{'':>8} {'value m':>9} {'95 % interval m':>20} {'raw m':>9}"]
     lines += _lines(found, percents)
     return "\n".join([*lines, f"Intervals include {found.holds_in_words}."])
@@ -266,11 +266,11 @@ def _lines(found: TotalUncertainty, percents: Sequence[tuple[str, float]]) -> It
         yield f"{label:>8} {_height(figure.value):>9} {_ends(figure):>20} {'':>9}{_reason(figure)}".rstrip()
 
 
-def _ends(one: Figure, printed: Callable[[float], str] | None = None) -> str:
-    if one.U95_low is None or one.U95_high is None:
+def _ends(figure: Figure, printed: Callable[[float], str] | None = None) -> str:
+    if figure.U95_low is None or figure.U95_high is None:
         return "-"
     printed = _height if printed is None else printed
-    return f"{printed(one.U95_low)} to {printed(one.U95_high)}"
+    return f"{printed(figure.U95_low)} to {printed(figure.U95_high)}"
 
 
 def _height(value_m: float | None) -> str:

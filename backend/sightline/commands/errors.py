@@ -44,12 +44,12 @@ def errors(heights: Path, rounding: Rounding, by: str | None, as_json: bool) -> 
     are total if these columns are present: shared_group and u_shared_m (error common to all rows of a group),
     site (a cluster). Without them they include sampling and the errors of each height.
     """
-    found = read_heights(heights, by)
+    rows_by_target = read_heights(heights, by)
     if as_json:
-        told = {name: _json(group, rounding) for name, group in found.items()}
+        told = {name: _json(group, rounding) for name, group in rows_by_target.items()}
         print_json(told[_ALL] if by is None else {"groups": told})
         return
-    for name, group in found.items():
+    for name, group in rows_by_target.items():
         if by is not None:
             click.echo(f"{by} {name}".strip())
         _tell(group, rounding)
@@ -125,16 +125,16 @@ def read_heights(path: Path, by: str | None) -> dict[str, _Group]:
         lighting = row.get("lighting", "")
         _require_word(line, "target", target, get_args(Target))
         _require_word(line, "lighting", lighting, ("", *get_args(Lighting)))
-        found = group.rows.setdefault((cast(Target, target), check and by is None), _Rows())
-        found.height_m.append(length_in(table, line, row, "height_m"))
-        found.u_random_m.append(0.0)
-        found.reference_m.append(length_in(table, line, row, "reference_height_m"))
-        found.lighting.append(lighting)
+        rows = group.rows.setdefault((cast(Target, target), check and by is None), _Rows())
+        rows.height_m.append(length_in(table, line, row, "height_m"))
+        rows.u_random_m.append(0.0)
+        rows.reference_m.append(length_in(table, line, row, "reference_height_m"))
+        rows.lighting.append(lighting)
         shared = row.get("shared_group", "")
-        found.shared_group.append(shared)
-        found.u_shared_m.append(length_in(table, line, row, "u_shared_m") if shared else 0.0)
+        rows.shared_group.append(shared)
+        rows.u_shared_m.append(length_in(table, line, row, "u_shared_m") if shared else 0.0)
         if "site" in row:
-            found.site.append(row["site"])
+            rows.site.append(row["site"])
     return groups
 
 

@@ -80,10 +80,10 @@ def _vehicle(session: Session, survey_id: int, scan: str, number: int) -> int:
     from sightline.scans.vehicles.store import list_scan_vehicles
 
     scans = list_scans(session, survey_id)
-    found = [one for one in scans if one.name == scan] or [one for one in scans if str(one.id) == scan]
-    if not found:
+    matching = [one for one in scans if one.name == scan] or [one for one in scans if str(one.id) == scan]
+    if not matching:
         raise BadInput("evidence-no-scan", scan=scan, names=", ".join(one.name for one in scans))
-    for one in list_scan_vehicles(session, found[0].id):
+    for one in list_scan_vehicles(session, matching[0].id):
         if one.number == number:
             return one.id
-    raise BadInput("evidence-no-vehicle", number=number, scan=found[0].name)
+    raise BadInput("evidence-no-vehicle", number=number, scan=matching[0].name)

@@ -49,12 +49,12 @@ def flow(
     minutes = _minutes(lengths)
     rows, vehicles, notes = list[dict[str, Any]](), list[dict[str, Any]](), list[str]()
     for place in places:
-        found, passed, said = _of_place(place, minutes)
-        rows += [row for one in found for row in _rows(one)]
+        traffic, passed, said = _of_place(place, minutes)
+        rows += [row for one in traffic for row in _rows_of_intervals(one)]
         vehicles += passed
         notes += said + [
             f"{one.name}: {one.unplaced} vehicles were never measured and are in no interval."
-            for one in found
+            for one in traffic
             if one.minutes == minutes[0] and one.unplaced
         ]
     if vehicles_csv is not None:
@@ -75,12 +75,12 @@ def flow(
 
 def _minutes(text: str) -> tuple[int, ...]:
     try:
-        found = tuple(dict.fromkeys(int(one) for one in text.split(",")))
+        lengths = tuple(dict.fromkeys(int(one) for one in text.split(",")))
     except ValueError:
-        found = ()
-    if not found or not set(found) <= set(MINUTES):
+        lengths = ()
+    if not lengths or not set(lengths) <= set(MINUTES):
         raise BadInput("commands-flow-other-minutes", text=text[:40])
-    return found
+    return lengths
 
 
 Rows = list[dict[str, Any]]
@@ -99,17 +99,18 @@ def _of_place(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic], R
     traffic = [each for length in minutes for each in traffic_of(results, length)]
     notes = [f"{name} in {place} has no scanned vehicles and is skipped." for name in left]
     notes += [
-        f"{one.name} does not say how long was recorded: its first and last interval count as fully observed."
-        for one in results
-        if one.watched_s is None
+        f"{result.name} does not say how long was recorded: its first and last interval count as fully "
+        "observed."
+        for result in results
+        if result.watched_s is None
     ]
     notes += [
-        f"The uncertainties of the times of {one.name} and near_edge are left out, because that of its start "
-        "is not stated there."
-        for one in results
-        if not one.u_start_told
+        f"The uncertainties of the times of {result.name} and near_edge are left out, because that of its "
+        "start is not stated there."
+        for result in results
+        if not result.u_start_told
     ]
-    return traffic, [row for one in results for row in _vehicle_rows(one)], notes
+    return traffic, [row for result in results for row in _vehicle_rows(result)], notes
 
 
 def _of_package(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic], Rows, list[str]]:
@@ -123,14 +124,14 @@ def _of_package(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic],
     if place_of(files, _SCANS) not in files.paths:
         raise BadInput("commands-flow-folder-empty", place=place)
     cars, rows, filmed = list(scanned_motions(files)), Rows(), selection_in(files)
-    found = traffic_in(files, cars, minutes)
+    traffic = traffic_in(files, cars, minutes)
     for scan in scans_in(files):
         if scan.clock is not None:
             own = tuple(one for one in cars if one.scan_id == scan.scan_id and one.since_s is not None)
             seen = _vehicle_rows(Results(scan.name, scan.clock, scan.watched_s, own))
             rows += [row for row in seen if filmed.holds(row["front_at"])]
-    notes = {one.scan_id: f"{one.name}: {one.reason}" for one in found if one.reason}
-    return [one for one in found if not one.reason], rows, list(notes.values())
+    notes = {one.scan_id: f"{one.name}: {one.reason}" for one in traffic if one.reason}
+    return [one for one in traffic if not one.reason], rows, list(notes.values())
 
 
 _CLASSES = tuple(f"length_{name.replace(' ', '_')}" for name in class_names(LENGTH_LIMITS_M))
@@ -185,41 +186,41 @@ VEHICLE_COLUMNS = (
 )
 
 
-def _rows(traffic: ScanTraffic) -> Iterator[dict[str, Any]]:
+def _rows_of_intervals(traffic: ScanTraffic) -> Iterator[dict[str, Any]]:
     for shown in traffic.intervals:
-        yield _row(traffic, shown)
+        yield _row_of_interval(traffic, shown)
 
 
-def _row(traffic: ScanTraffic, one: ShownInterval) -> dict[str, Any]:
-    by_percent = {each.percent: each.value for each in one.percentiles}
-    axles = [sum(each) for each in zip(*(kind.by_axles for kind in one.classes), strict=True)]
+def _row_of_interval(traffic: ScanTraffic, interval: ShownInterval) -> dict[str, Any]:
+    by_percent = {each.percent: each.value for each in interval.percentiles}
+    axles = [sum(each) for each in zip(*(kind.by_axles for kind in interval.classes), strict=True)]
     row = {
-        "interval_start": one.begins_at,
-        "interval_s": one.watched_s,
-        "flow_per_h": one.flow_per_hour,
-        "speed_mean_mps": one.time_mean_speed_mps.value,
-        "u_speed_mean_mps": one.time_mean_speed_mps.u,
-        "speed_harmonic_mean_mps": one.space_mean_speed_mps.value,
-        "u_speed_harmonic_mean_mps": one.space_mean_speed_mps.u,
+        "interval_start": interval.begins_at,
+        "interval_s": interval.watched_s,
+        "flow_per_h": interval.flow_per_hour,
+        "speed_mean_mps": interval.time_mean_speed_mps.value,
+        "u_speed_mean_mps": interval.time_mean_speed_mps.u,
+        "speed_harmonic_mean_mps": interval.space_mean_speed_mps.value,
+        "u_speed_harmonic_mean_mps": interval.space_mean_speed_mps.u,
         **{f"speed_p{percent}_mps": by_percent.get(percent) for percent in _PERCENTS},
-        "headway_mean_s": one.mean_headway_s,
-        "occupancy_percent": one.occupancy_percent.value,
-        "u_occupancy_percent": one.occupancy_percent.u,
-        "density_per_km": one.density_per_km.value,
-        "u_density_per_km": one.density_per_km.u,
-        **dict(zip(_CLASSES, (kind.vehicles for kind in one.classes), strict=True)),
-        "length_unknown": one.unclassed,
+        "headway_mean_s": interval.mean_headway_s,
+        "occupancy_percent": interval.occupancy_percent.value,
+        "u_occupancy_percent": interval.occupancy_percent.u,
+        "density_per_km": interval.density_per_km.value,
+        "u_density_per_km": interval.density_per_km.u,
+        **dict(zip(_CLASSES, (kind.vehicles for kind in interval.classes), strict=True)),
+        "length_unknown": interval.unclassed,
         **dict(zip(_AXLES, axles, strict=True)),
         "minutes": traffic.minutes,
-        "partial": str(one.partial).lower(),
-        "flow_low_per_h": one.flow_low,
-        "flow_high_per_h": one.flow_high,
+        "partial": str(interval.partial).lower(),
+        "flow_low_per_h": interval.flow_low,
+        "flow_high_per_h": interval.flow_high,
         "recording": traffic.name,
         "direction": traffic.direction,
         "lane": traffic.lane,
-        "reasons": "; ".join([*map(str, one.reasons), *_too_few(one)]),
+        "reasons": "; ".join([*map(str, interval.reasons), *_too_few(interval)]),
     }
-    return {name: row[name] if name in row else getattr(one, name) for name in COLUMNS}
+    return {name: row[name] if name in row else getattr(interval, name) for name in COLUMNS}
 
 
 def _too_few(shown: ShownInterval) -> list[str]:
@@ -229,20 +230,20 @@ def _too_few(shown: ShownInterval) -> list[str]:
 
 def _vehicle_rows(of: Results) -> Iterator[dict[str, Any]]:
     """Each vehicle with its headway: from the front before, of its direction and lane."""
-    found: list[tuple[float, float | None, VehicleMotion]] = []
+    passings: list[tuple[float, float | None, VehicleMotion]] = []
     streams = streams_of(of.vehicles)
     for (way, _), stream in streams.items():
         fronts_s = [one.since_s or 0.0 for one in stream]
         headways = headways_s(fronts_s, [one.front_seen for one in stream], strays_s(streams, way))
-        found += zip(fronts_s, headways, stream, strict=True)
-    for since_s, headway_s, one in sorted(found, key=lambda each: each[0]):
+        passings += zip(fronts_s, headways, stream, strict=True)
+    for since_s, headway_s, vehicle in sorted(passings, key=lambda each: each[0]):
         held = {
             "recording": of.name,
-            "id": one.number,
+            "id": vehicle.number,
             "front_at": of.clock.at(since_s),
-            "u_front_at_s": one.u_filmed_at_s,
+            "u_front_at_s": vehicle.u_filmed_at_s,
             "headway_s": headway_s,
-            "reason": one.reason and str(one.reason),
-            **{name: one.values.get(name) for name in VEHICLE_COLUMNS if name in one.values},
+            "reason": vehicle.reason and str(vehicle.reason),
+            **{name: vehicle.values.get(name) for name in VEHICLE_COLUMNS if name in vehicle.values},
         }
-        yield {name: held[name] if name in held else getattr(one, name) for name in VEHICLE_COLUMNS}
+        yield {name: held[name] if name in held else getattr(vehicle, name) for name in VEHICLE_COLUMNS}

@@ -80,16 +80,16 @@ def follow_command(
     span = least, frame + _MOST_FRAMES if last is None else last
     size_px = pose.camera.width_px, pose.camera.height_px
     frames = frames_between(video, *span, size_px, str(video), stream_number, filmed_hz)
-    found = follow_pass(pose, frames, frame, points, kind, assumed.inset_m, sigma)
-    if isinstance(found, Said):
-        raise BadInput("commands-follow-none", reason=found)
+    followed = follow_pass(pose, frames, frame, points, kind, assumed.inset_m, sigma)
+    if isinstance(followed, Said):
+        raise BadInput("commands-follow-none", reason=followed)
     known = (assumed.inset_m, assumed.u_inset_m) if assumed.u_inset_m > 0 else None
-    rows = track_rows(found.tracks)
+    rows = track_rows(followed.tracks)
     if output is not None:
         write_whole(output, csv_text(COLUMNS, rows))
-    lost = [{**asdict(one), "reason": str(one.reason)} for one in found.lost]
-    also = {"tracks": rows, "following": asdict(found.following), "lost": lost}
-    tell_pass(measure_pass(pose, found.tracks, found.following, assumed_inset=known), as_json, also)
+    lost = [{**asdict(one), "reason": str(one.reason)} for one in followed.lost]
+    also = {"tracks": rows, "following": asdict(followed.following), "lost": lost}
+    tell_pass(measure_pass(pose, followed.tracks, followed.following, assumed_inset=known), as_json, also)
     if not as_json:
-        for one in found.lost:
+        for one in followed.lost:
             click.echo(f"not followed: {one.point} on frame {one.frame}. {one.reason}")

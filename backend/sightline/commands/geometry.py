@@ -176,18 +176,20 @@ def _calibration_text(checked: CheckedCalibration, output: Path) -> str:
     return "\n".join(lines)
 
 
-def _halves_text(found: CrossValidation | Said) -> str:
-    if isinstance(found, Said):
-        return f"no cross-validation: {found}"
-    told = [
+def _halves_text(validation: CrossValidation | Said) -> str:
+    if isinstance(validation, Said):
+        return f"no cross-validation: {validation}"
+    differences = [
         f"{1000 * abs(d.difference_m):.1f} mm at {d.distance_m:g} m"
-        for d in found.height_differences
+        for d in validation.height_differences
         if d.difference_m is not None
     ]
-    heights = f"differ by {', '.join(told)} in a height" if told else "cannot be compared in a height"
+    heights = (
+        f"differ by {', '.join(differences)} in a height" if differences else "cannot be compared in a height"
+    )
     return (
         f"cross-validation, two halves calibrated separately, {heights}; "
-        f"held-out residual {found.all_held_out_rms_px:.3f} px"
+        f"held-out residual {validation.all_held_out_rms_px:.3f} px"
     )
 
 
@@ -373,14 +375,14 @@ def height(
             raise BadInput("commands-points-or-clicks")
         columns = "the CSV's columns sigma_px, inset_m, u_inset_m, target, side"
         refuse_ignored(("sigma", "inset", "u_inset", "kind", "side"), columns)
-        _many(solved, clicks, output, as_json)
+        _measure_file(solved, clicks, output, as_json)
         return
     refuse_ignored(("output",), "--json and a redirection, or --clicks with a CSV file")
     if contact is None or target is None:
         raise BadInput("commands-points-missing")
     points = parse_point(contact, "--contact"), parse_point(target, "--target")
     assumed = assumed_inset(kind or "", side or "", inset, u_inset)
-    measured = _one(solved, *points, sigma, assumed)
+    measured = _measure_one(solved, *points, sigma, assumed)
     unknown = {"inset_m": None, "u_inset_m": None} if isinstance(assumed, Said) else {}
     tell(as_json, height_to_dict(measured) | unknown, *_height_lines(measured))
 
@@ -401,7 +403,7 @@ def _height_lines(measured: Height, how: str = "") -> list[str]:
     return [value, *(f"note: {flag}" for flag in measured.flags)]
 
 
-def _one(
+def _measure_one(
     solved: RoadPose,
     contact: tuple[float, float],
     target: tuple[float, float],
@@ -418,7 +420,7 @@ def _one(
     return replace(measured, flags=(*inset.flags, *measured.flags)) if measured.status == "ok" else measured
 
 
-def _many(solved: RoadPose, clicks: Path, output: Path | None, as_json: bool) -> None:
+def _measure_file(solved: RoadPose, clicks: Path, output: Path | None, as_json: bool) -> None:
     if output is None:
         raise BadInput("commands-output-missing")
     text, counts = heights_csv(solved, clicks)

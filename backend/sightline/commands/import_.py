@@ -134,11 +134,11 @@ def _import(remote: Remote, survey_id: int, video: Path, settle_s: float, tell: 
     }
 
 
-def _sentence(one: dict[str, Any]) -> str:
-    what = "imported" if one["sent"] else "there already"
-    name = Path(one["file"]).name
-    counted = f"{one['frames']} frames, {one['vehicles']} vehicles"
-    return f"{name}: {what} as recording {one['recording_id']}, {counted}."
+def _sentence(recording: dict[str, Any]) -> str:
+    what = "imported" if recording["sent"] else "there already"
+    name = Path(recording["file"]).name
+    counted = f"{recording['frames']} frames, {recording['vehicles']} vehicles"
+    return f"{name}: {what} as recording {recording['recording_id']}, {counted}."
 
 
 def _await_read(remote: Remote, recording_id: int, name: str, tell: Tell) -> dict[str, Any]:
@@ -205,12 +205,12 @@ def _watch(remote: Remote, survey_id: int, folder: Path, settle_s: float, tell: 
     if not folder.is_dir():
         raise BadInput("import-no-such-folder", name=str(folder))
     click.echo(f"Watching {folder}; Ctrl+C stops.", err=True)
-    seen: dict[Path, State] = {}
+    previous: dict[Path, State] = {}
     done: dict[Path, State] = {}
     while True:
         now = dict(_videos_in(folder))
         for video in [one for one in sorted(now) if done.get(one) != now[one]]:
-            if now[video] != seen.get(video) or _grows(video, settle_s):
+            if now[video] != previous.get(video) or _grows(video, settle_s):
                 continue
             try:
                 click.echo(_sentence(_import(remote, survey_id, video, settle_s, tell)))
@@ -220,7 +220,7 @@ def _watch(remote: Remote, survey_id: int, folder: Path, settle_s: float, tell: 
             except BadInput as error:
                 click.echo(error.message, err=True)
             done[video] = now[video]
-        seen = now
+        previous = now
         time.sleep(min(settle_s, 2.0))
 
 

@@ -38,7 +38,7 @@ from sightline.errors import BadInput
 from sightline.linescan import faults
 from sightline.linescan.finding import Finder
 from sightline.linescan.parts import Passage, Rig
-from sightline.linescan.passing import Vehicle, measured
+from sightline.linescan.passing import Vehicle, measure_passages
 from sightline.media.strips.notes import columns_of
 from sightline.media.strips.reader import Strip, bits_of, check_pair, open_strip
 from sightline.scans.vehicles.measure import without_losses
@@ -76,27 +76,30 @@ def linescan(
     begun = start_of(start, u_start_s)
     if output is not None and not output.parent.is_dir():
         raise BadInput("commands-output-folder-missing", output=output)
-    with closing(_opened(first, time_axis)) as one, closing(_opened(second, time_axis)) as two:
+    with (
+        closing(_open_strip(first, time_axis)) as first_strip,
+        closing(_open_strip(second, time_axis)) as second_strip,
+    ):
         if first.samefile(second):
             raise BadInput("commands-strip-twice", first=first)
-        check_pair(one, two)
-        notes = _rate_notes((one, two), rig)
-        finder = Finder(one.rows, rig, max(bits_of(one), bits_of(two)))
+        check_pair(first_strip, second_strip)
+        notes = _rate_notes((first_strip, second_strip), rig)
+        finder = Finder(first_strip.rows, rig, max(bits_of(first_strip), bits_of(second_strip)))
         table = _Table(as_json, begun, rig)
-        lost = one.notes.dropped, two.notes.dropped
-        passages = (without_losses(passage, lost) for passage in _passages(one, two, finder))
-        for vehicle in measured(passages, rig, method, lambda lines: columns_of(lines, *lost)):
+        lost = first_strip.notes.dropped, second_strip.notes.dropped
+        passages = (without_losses(passage, lost) for passage in _passages(first_strip, second_strip, finder))
+        for vehicle in measure_passages(passages, rig, method, lambda lines: columns_of(lines, *lost)):
             table.add(vehicle)
-        said = {"method": method, "lines": one.lines, "rows": one.rows, **about_rig(rig)}
-        said["duration_s"] = one.lines / rig.line_rate_hz
+        facts = {"method": method, "lines": first_strip.lines, "rows": first_strip.rows, **about_rig(rig)}
+        facts["duration_s"] = first_strip.lines / rig.line_rate_hz
         if begun is not None:
-            said |= {"start": begun.at.isoformat(timespec="milliseconds"), "u_start_s": begun.u_s}
+            facts |= {"start": begun.at.isoformat(timespec="milliseconds"), "u_start_s": begun.u_s}
     notes += map(str, faults.notes_of(finder))
     notes += left_out(rig, table.measured, begun)
     if output is not None:
         write_whole(output, table.csv())
     if as_json:
-        click.echo(table.json({**said, "notes": notes}))
+        click.echo(table.json({**facts, "notes": notes}))
     elif output is None:
         click.echo(table.csv(), nl=False)
     else:
@@ -133,7 +136,7 @@ class _Table:
         return f'{json_text(about)[:-1]}, "vehicles": [{", ".join(self._objects or [])}]}}'
 
 
-def _opened(path: Path, time_axis: TimeAxis) -> Strip:
+def _open_strip(path: Path, time_axis: TimeAxis) -> Strip:
     return open_strip(path, time_axis, name=str(path))
 
 

@@ -167,12 +167,12 @@ def progress_told() -> Callable[[float, object], None]:
 
     def tell(fraction: float, words: object) -> None:
         nonlocal last
-        said = f"{100 * fraction:3.0f} %  {words}"
+        line = f"{100 * fraction:3.0f} %  {words}"
         if sys.stderr.isatty():
             end = "\n" if fraction >= 1.0 else ""
-            click.echo(f"\r{said:<70}{end}", err=True, nl=False)
+            click.echo(f"\r{line:<70}{end}", err=True, nl=False)
         elif str(words) != last:
-            click.echo(said, err=True)
+            click.echo(line, err=True)
         last = str(words)
 
     return tell

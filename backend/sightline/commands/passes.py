@@ -20,7 +20,7 @@ def passes(video: Path, stream_number: int | None, filmed_hz: float | None, as_j
     search = find_passes(video, rate_hz=filmed_hz, name=str(video), stream_number=stream_number)
     tell(
         as_json,
-        {"passes": [_told(one) for one in search.passes], "notes": search.notes},
+        {"passes": [_json_of_pass(one) for one in search.passes], "notes": search.notes},
         f"{video}: {len(search.passes)} found in {search.frames} frames",
         *(
             f"frames {one.first_frame} to {one.last_frame}, best {one.best_frame}, "
@@ -31,10 +31,10 @@ def passes(video: Path, stream_number: int | None, filmed_hz: float | None, as_j
     )
 
 
-def _told(one: FoundPass) -> dict[str, int | str | None]:
+def _json_of_pass(found_pass: FoundPass) -> dict[str, int | str | None]:
     return {
-        "first": one.first_frame,
-        "best": one.best_frame,
-        "last": one.last_frame,
-        "direction": one.direction,
+        "first": found_pass.first_frame,
+        "best": found_pass.best_frame,
+        "last": found_pass.last_frame,
+        "direction": found_pass.direction,
     }

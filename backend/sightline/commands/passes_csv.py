@@ -34,21 +34,21 @@ class _Pass:
 
 def read_passes(path: Path) -> tuple[list[ObservedPass], list[LeftOut]]:
     """The passes of a passes.csv, and those that cannot be read. Raises BadInput where the table cannot."""
-    found: dict[str, _Pass] = {}
+    passes: dict[str, _Pass] = {}
     table = read_csv(path, NEEDED, path.name)
     for number, cells in table.sound_rows():
         name = cells["pass"]
         if not name:
             raise BadInput("commands-row-without-pass", path=path, row=number)
-        one = found.setdefault(name, _Pass())
+        one = passes.setdefault(name, _Pass())
         one.problem = one.problem or _take(table, one, cells, number)
-    for one in found.values():
+    for one in passes.values():
         one.problem = one.problem or _lone_length(one)
-    good = [_observed(name, one) for name, one in found.items() if one.problem is None]
-    return good, [LeftOut(name, one.problem) for name, one in found.items() if one.problem is not None]
+    good = [_observed(name, one) for name, one in passes.items() if one.problem is None]
+    return good, [LeftOut(name, one.problem) for name, one in passes.items() if one.problem is not None]
 
 
-def _take(table: GivenTable, one: _Pass, cells: Mapping[str, str], number: int) -> Said | None:
+def _take(table: GivenTable, given_pass: _Pass, cells: Mapping[str, str], number: int) -> Said | None:
     """Add a row to its pass, or say what is wrong with it."""
     values: dict[str, float] = {"sigma_px": 1.0}
     for name in ("frame", "x_px", "y_px", *OPTIONS):
@@ -64,28 +64,28 @@ def _take(table: GivenTable, one: _Pass, cells: Mapping[str, str], number: int) 
     if cells["point"] not in POINTS:
         return Said("adjustment-row-point", row=number, points=", ".join(POINTS))
     for name in OPTIONS[1:]:
-        if name in values and one.lengths.setdefault(name, values[name]) != values[name]:
+        if name in values and given_pass.lengths.setdefault(name, values[name]) != values[name]:
             return Said("adjustment-row-another", row=number, column=name)
     point = POINTS.index(cells["point"])
-    one.rows.append((values["frame"], point, values["x_px"], values["y_px"], values["sigma_px"]))
+    given_pass.rows.append((values["frame"], point, values["x_px"], values["y_px"], values["sigma_px"]))
     return None
 
 
-def _lone_length(one: _Pass) -> Said | None:
+def _lone_length(given_pass: _Pass) -> Said | None:
     for name in LENGTHS:
         value, u = f"{name}_m", f"u_{name}_m"
-        if (value in one.lengths) != (u in one.lengths):
-            given, lacking = (value, u) if value in one.lengths else (u, value)
+        if (value in given_pass.lengths) != (u in given_pass.lengths):
+            given, lacking = (value, u) if value in given_pass.lengths else (u, value)
             return Said("adjustment-u-lacking", given=given, lacking=lacking)
     return None
 
 
-def _observed(name: str, one: _Pass) -> ObservedPass:
-    table = np.array(one.rows, dtype=np.float64)
+def _observed(name: str, given_pass: _Pass) -> ObservedPass:
+    table = np.array(given_pass.rows, dtype=np.float64)
     known = {
-        length: Known(one.lengths[f"{length}_m"], one.lengths[f"u_{length}_m"])
+        length: Known(given_pass.lengths[f"{length}_m"], given_pass.lengths[f"u_{length}_m"])
         for length in LENGTHS
-        if f"{length}_m" in one.lengths
+        if f"{length}_m" in given_pass.lengths
     }
     return ObservedPass(
         name=name,

@@ -144,10 +144,10 @@ def _curve(curve: Curve, at: str, value: str) -> dict[str, Any]:
 def _plan_text(planned: Plan) -> str:
     lines = ["target          height m  inset m            U95 mm  two frames mm  bias if inset ignored, mm"]
     for t in planned.targets:
-        one, two = _mm(t.result.U95_height_m), _mm(t.two_frames.U95_height_m)
+        one_frame, two_frames = _mm(t.result.U95_height_m), _mm(t.two_frames.U95_height_m)
         inset = f"{t.inset_m:.2f} (u = {t.u_inset_m:.2f})"
         lines.append(
-            f"{t.target:<16}{t.height_m:8.2f}  {inset}   {one:>7}  {two:>13}  "
+            f"{t.target:<16}{t.height_m:8.2f}  {inset}   {one_frame:>7}  {two_frames:>13}  "
             f"{1000 * t.bias_if_ignored_m:+.0f}"
         )
     eye = next(t for t in planned.targets if t.target == "driver_eye")

@@ -30,22 +30,27 @@ def propose_command(
     search = find_passes(
         video, rate_hz=filmed_hz, square_at=square_at(pose), name=str(video), stream_number=stream_number
     )
-    found = dict(
+    proposals = dict(
         propose_in_video(
             video, search.passes, pose, rate_hz=filmed_hz, name=str(video), stream_number=stream_number
         )
     )
-    told = [_told(one, found[index]) for index, one in enumerate(search.passes)]
+    told = [_json_of_proposals(one, proposals[index]) for index, one in enumerate(search.passes)]
     notes = (f"note: {note}" for note in search.notes)
     tell(as_json, {"passes": told, "notes": list(search.notes)}, *map(_line, told), *notes)
 
 
-def _told(one: FoundPass, found: Proposals | str) -> dict[str, Any]:
+def _json_of_proposals(one: FoundPass, proposals: Proposals | str) -> dict[str, Any]:
     out: dict[str, Any] = {"first": one.first_frame, "last": one.last_frame, "direction": one.direction}
-    if isinstance(found, str):
-        return out | {"frame": None, "reason": say(found, {}), "wheelbase_m": None, "points": []}
-    points = [_point(name, point) for name, point in found.points.items()]
-    return out | {"frame": found.frame, "reason": None, "wheelbase_m": found.wheelbase_m, "points": points}
+    if isinstance(proposals, str):
+        return out | {"frame": None, "reason": say(proposals, {}), "wheelbase_m": None, "points": []}
+    points = [_point(name, point) for name, point in proposals.points.items()]
+    return out | {
+        "frame": proposals.frame,
+        "reason": None,
+        "wheelbase_m": proposals.wheelbase_m,
+        "points": points,
+    }
 
 
 def _point(name: str, point: Proposed | str) -> dict[str, Any]:
@@ -57,14 +62,16 @@ def _point(name: str, point: Proposed | str) -> dict[str, Any]:
     return {"point": name, **place, **height}
 
 
-def _line(one: dict[str, Any]) -> str:
-    span = f"frames {one['first']} to {one['last']}"
-    if one["reason"] is not None:
-        return f"{span}: {one['reason']}"
-    return f"{span}, on frame {one['frame']}: " + "; ".join(_words(point) for point in one["points"])
+def _line(proposed: dict[str, Any]) -> str:
+    span = f"frames {proposed['first']} to {proposed['last']}"
+    if proposed["reason"] is not None:
+        return f"{span}: {proposed['reason']}"
+    return f"{span}, on frame {proposed['frame']}: " + "; ".join(
+        _describe_point(point) for point in proposed["points"]
+    )
 
 
-def _words(point: dict[str, Any]) -> str:
+def _describe_point(point: dict[str, Any]) -> str:
     name = point["point"].replace("_", " ")
     if "reason" in point:
         return f"{name}: none"

@@ -59,21 +59,21 @@ def calibrate(
     asked = [_lane(one) for one in lanes]
     given = read_rig_passes(read_bytes(passes_csv, "a CSV table", MOST_BYTES + 1), str(passes_csv), common)
     try:
-        found = calibrate_rig(given.passes, common)
+        calibration = calibrate_rig(given.passes, common)
     except BadInput as error:
         left = "".join(f" Row {one.row} is skipped: {one.reason}" for one in given.refused[:3])
         raise BadInput("rig-passes-problem", path=passes_csv, message=error.message, left=left) from None
-    at = [lane_baseline(found, *one) for one in asked]
+    at = [lane_baseline(calibration, *one) for one in asked]
     document = {
-        **asdict(found),
-        "U95_baseline_m": expanded(found.u_baseline_m),
-        "U95_divergence_rad": expanded(found.u_divergence_rad),
+        **asdict(calibration),
+        "U95_baseline_m": expanded(calibration.u_baseline_m),
+        "U95_divergence_rad": expanded(calibration.u_divergence_rad),
         "lanes": [{**asdict(one), "U95_baseline_m": expanded(one.u_baseline_m)} for one in at],
         "left_out": [asdict(one) for one in given.refused],
     }
     if output is not None:
         write_json(output, document)
-    tell(as_json, document, _text(found, at, given))
+    tell(as_json, document, _describe_calibration(calibration, at, given))
 
 
 def _lane(text: str) -> tuple[float, float]:
@@ -87,32 +87,37 @@ def _lane(text: str) -> tuple[float, float]:
     return numbers[0], (numbers[1] if len(numbers) == 2 else 0.0)
 
 
-def _text(found: RigCalibration, lanes: list[LaneBaseline], given: GivenPasses) -> str:
-    divergence, U95_divergence = 1e3 * found.divergence_rad, 1e3 * expanded(found.u_divergence_rad)
+def _describe_calibration(calibration: RigCalibration, lanes: list[LaneBaseline], given: GivenPasses) -> str:
+    divergence, U95_divergence = (
+        1e3 * calibration.divergence_rad,
+        1e3 * expanded(calibration.u_divergence_rad),
+    )
     lines = [
-        f"baseline at the cameras {_mm(found.baseline_m)} ± {_mm(expanded(found.u_baseline_m))} mm (95 %)",
+        f"baseline at the cameras {_mm(calibration.baseline_m)} "
+        f"± {_mm(expanded(calibration.u_baseline_m))} mm (95 %)",
         f"divergence {divergence:.3f} ± {U95_divergence:.3f} mm per m (95 %)",
-        f"correlation of both {found.correlation:.3f}",
-        f"{len(found.passes)} passes from {found.nearest_m:.2f} to {found.farthest_m:.2f} m: chi-square "
-        f"{found.chi2:.1f} with {found.degrees_of_freedom} degrees of freedom, "
-        f"chance {100 * found.p_value:.1f} %",
+        f"correlation of both {calibration.correlation:.3f}",
+        f"{len(calibration.passes)} passes from {calibration.nearest_m:.2f} to "
+        f"{calibration.farthest_m:.2f} m: chi-square "
+        f"{calibration.chi2:.1f} with {calibration.degrees_of_freedom} degrees of freedom, "
+        f"chance {100 * calibration.p_value:.1f} %",
     ]
     lines += [_lane_text(one) for one in lanes]
     lines += [
         f"pass {one.name} at {one.distance_m:.2f} m: {_mm(one.span_m)} mm, "
         f"{1e3 * one.residual_m:+.2f} mm from the line"
-        for one in found.passes
+        for one in calibration.passes
     ]
     lines += [f"left out row {one.row} ({one.name}): {one.reason}" for one in given.refused]
-    notes = [*found.warnings, *(one.warning for one in lanes if one.warning)]
+    notes = [*calibration.warnings, *(one.warning for one in lanes if one.warning)]
     return "\n".join([*lines, *(f"note: {one}" for one in notes)])
 
 
-def _lane_text(one: LaneBaseline) -> str:
-    u95 = expanded(one.u_baseline_m)
-    share = 100 * u95 / one.baseline_m
+def _lane_text(lane: LaneBaseline) -> str:
+    u95 = expanded(lane.u_baseline_m)
+    share = 100 * u95 / lane.baseline_m
     return (
-        f"at {one.distance_m:.2f} m: baseline {_mm(one.baseline_m)} ± {_mm(u95)} mm (95 %), "
+        f"at {lane.distance_m:.2f} m: baseline {_mm(lane.baseline_m)} ± {_mm(u95)} mm (95 %), "
         f"{share:.3f} % of every speed there"
     )
 

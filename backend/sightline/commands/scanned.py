@@ -9,7 +9,7 @@ from typing import Any, get_args
 
 import click
 
-from sightline.commands.clicks import harmless, metres
+from sightline.commands.clicks import escape_formula, metres
 from sightline.commands.files import read_json
 from sightline.commands.options import FILE, choice_option, number_option
 from sightline.enums import ScanDirection, ScanMethod
@@ -175,10 +175,10 @@ def _rig_in(path: Path, given: Rig) -> Rig:
     if "baseline_m" not in held or not isinstance(lanes, list):
         raise BadInput("commands-not-a-rig", path=path)
     rows = []
-    for number, one in enumerate(lanes, 1):
-        if not isinstance(one, dict) or "distance_m" not in one:
+    for number, lane in enumerate(lanes, 1):
+        if not isinstance(lane, dict) or "distance_m" not in lane:
             raise BadInput("commands-not-a-rig", path=path)
-        rows.append({"name": str(number), **{name: one[name] for name in _OF_LANE if name in one}})
+        rows.append({"name": str(number), **{name: lane[name] for name in _OF_LANE if name in lane}})
     numbers = [*held.values(), *(value for row in rows for name, value in row.items() if name in _NUMBERS)]
     words = [row.get("direction") for row in rows]
     sound = all(type(one) in (int, float) or one is None for one in numbers)
@@ -242,4 +242,4 @@ def cell_of(value: Any) -> str:
     """A value as a cell: lengths with six decimals, nothing for None."""
     if value is None:
         return ""
-    return metres(value) if isinstance(value, float) else harmless(str(value))
+    return metres(value) if isinstance(value, float) else escape_formula(str(value))

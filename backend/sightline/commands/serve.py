@@ -74,11 +74,13 @@ def listen(host: str, port: int) -> socket.socket:
         listener.listen(2048)
     except OSError as error:
         listener.close()
-        raise BadInput("commands-port-taken", port=port, host=host, why=said(error)) from error
+        raise BadInput(
+            "commands-port-taken", port=port, host=host, why=words_of_system_error(error)
+        ) from error
     return listener
 
 
-def said(error: OSError) -> str:
+def words_of_system_error(error: OSError) -> str:
     """What the system says, as part of a sentence."""
     return (error.strerror or str(error)).lower()
 
@@ -89,7 +91,7 @@ def serve_on(
     """Open everything and answer until stopped; the workers start once the server answers."""
     from sightline.app import create_app
     from sightline.infra.audit.guards import require_guards
-    from sightline.infra.database.engine import explained, make_engine, migrate
+    from sightline.infra.database.engine import make_engine, migrate, translate_database_errors
     from sightline.infra.installation import require_alike
     from sightline.infra.jobs.workers import start_child_workers
     from sightline.infra.log import begin_log
@@ -105,7 +107,7 @@ def serve_on(
     if engine.dialect.name == "sqlite":
         stack.enter_context(only_server(settings.data_dir))
     migrate(engine)
-    with explained(), engine.connect() as connection:
+    with translate_database_errors(), engine.connect() as connection:
         require_guards(connection)
     engine.dispose()
     services = open_services(settings, serving=True)
@@ -139,7 +141,9 @@ def only_server(folder: Path) -> IO[bytes]:
     try:
         held = take_lock(folder / "server.lock")
     except OSError as error:
-        raise BadInput("commands-folder-cannot-written", folder=str(folder), why=said(error)) from error
+        raise BadInput(
+            "commands-folder-cannot-written", folder=str(folder), why=words_of_system_error(error)
+        ) from error
     if held is None:
         raise BadInput("commands-folder-taken", folder=str(folder))
     return held

@@ -94,7 +94,7 @@ def sightdistance(
     if headlight_m is not None and seen_m is not None:
         answer |= _sag(with_u(headlight_m, u_headlight_m), seen_m, difference_percent)
     notes = _notes(eye, thing)
-    tell(as_json, answer | ({"notes": notes} if notes else {}), *_text(answer), *notes)
+    tell(as_json, answer | ({"notes": notes} if notes else {}), *_describe_answer(answer), *notes)
 
 
 def _height(
@@ -184,11 +184,13 @@ def _distance(needed: SightDistance | None, kind: SightKind, constant: Bounded) 
 
 def _length(constant: Bounded, seen_m: float | None, difference_percent: float | None) -> dict[str, Any]:
     from sightline.sightdistance.curves import crest_length
-    from sightline.sightdistance.workbench import mapped
+    from sightline.sightdistance.workbench import map_bounded
 
     if difference_percent is None or seen_m is None:
         return {}
-    found = mapped(constant, lambda c: crest_length(seen_m, difference_percent, c).length_m, falling=True)
+    found = map_bounded(
+        constant, lambda c: crest_length(seen_m, difference_percent, c).length_m, falling=True
+    )
     return {
         "grade_difference_percent": difference_percent,
         **_ends("crest_length_m", found),
@@ -199,12 +201,14 @@ def _length(constant: Bounded, seen_m: float | None, difference_percent: float |
 def _sag(headlight: Bounded, seen_m: float, difference_percent: float | None) -> dict[str, Any]:
     """A sag that headlights light as far as one has to see."""
     from sightline.sightdistance.curves import sag_k_m, sag_length
-    from sightline.sightdistance.workbench import mapped
+    from sightline.sightdistance.workbench import map_bounded
 
     answer = _ends("headlight_m", headlight)
-    answer |= _ends("sag_k_m", mapped(headlight, lambda h: sag_k_m(seen_m, h), falling=True))
+    answer |= _ends("sag_k_m", map_bounded(headlight, lambda h: sag_k_m(seen_m, h), falling=True))
     if difference_percent is not None:
-        found = mapped(headlight, lambda h: sag_length(seen_m, difference_percent, h).length_m, falling=True)
+        found = map_bounded(
+            headlight, lambda h: sag_length(seen_m, difference_percent, h).length_m, falling=True
+        )
         answer |= _ends("sag_length_m", found)
         answer["sag_case"] = sag_length(seen_m, difference_percent, headlight.value).case
     return answer
@@ -220,7 +224,7 @@ def _notes(eye: Bounded, thing: Bounded) -> list[str]:
     ]
 
 
-def _text(answer: dict[str, Any]) -> list[str]:
+def _describe_answer(answer: dict[str, Any]) -> list[str]:
     def between(name: str, digits: int) -> str:
         if f"{name}_U95_low" not in answer:
             return ""

@@ -111,10 +111,10 @@ def stream(
             can_go_back=follow is not None,
             segment_s=60 * segment_minutes if folder else math.inf,
         )
-        for one in run.vehicles():
-            click.echo(json_text(said_of(one, rig.line_rate_hz)))
+        for vehicle in run.vehicles():
+            click.echo(json_text(said_of(vehicle, rig.line_rate_hz)))
             sys.stdout.flush()
-            run.told(one)
+            run.told(vehicle)
     if not run.lines and not run.broken:
         raise BadInput("commands-stream-empty", pair_bytes=2 * rows)
     for sentence in left_out(rig, run.found):
@@ -123,15 +123,15 @@ def stream(
         sys.exit(1)
 
 
-def said_of(one: LiveVehicle, line_rate_hz: float) -> dict[str, Any]:
+def said_of(live_vehicle: LiveVehicle, line_rate_hz: float) -> dict[str, Any]:
     """A vehicle as it is printed: as `linescan` has it, then where its lines are and when it came.
 
     Lines are those of its segment's files; `front_s` and `rear_s` count from the beginning of the stream.
     """
-    begun_s = one.begin / line_rate_hz
-    rear_s = None if one.vehicle.rear_s is None else one.vehicle.rear_s + begun_s
-    vehicle = replace(one.vehicle, front_s=one.vehicle.front_s + begun_s, rear_s=rear_s)
-    return {**object_of(vehicle), "segment": one.segment, "front_at": one.at.isoformat()}
+    begun_s = live_vehicle.begin / line_rate_hz
+    rear_s = None if live_vehicle.vehicle.rear_s is None else live_vehicle.vehicle.rear_s + begun_s
+    vehicle = replace(live_vehicle.vehicle, front_s=live_vehicle.vehicle.front_s + begun_s, rear_s=rear_s)
+    return {**object_of(vehicle), "segment": live_vehicle.segment, "front_at": live_vehicle.at.isoformat()}
 
 
 @contextmanager

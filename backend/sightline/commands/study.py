@@ -56,7 +56,7 @@ def study(
     from sightline.export.seal import check_sealed
     from sightline.infra.csv_package.files import Staging, fresh_folder
     from sightline.studies.fleet_csv import read_fleet, read_sites
-    from sightline.studies.packages import found_places, refuse_output, studied
+    from sightline.studies.packages import found_places, read_packages, refuse_output
     from sightline.studies.query import READ, StudyTables
     from sightline.studies.service import Plan, make_study
     from sightline.studies.write import write_study
@@ -76,43 +76,43 @@ def study(
     places = found_places(packages)
     refuse_output(output, places)
     with tempfile.TemporaryDirectory(prefix="sightline-study-") as scratch, fresh_folder(output) as folder:
-        found = studied(places, sealed if quick else whole, Path(scratch))
+        found = read_packages(places, sealed if quick else whole, Path(scratch))
         with StudyTables(found) as tables:
             made = make_study(found, tables, Plan(fleet, facts, goal_m))
         notes = ["Heights were not computed again (--quick)."] if quick else []
         write_study(Staging(folder), made, notes)
-    tell(as_json, _json(made, notes), _text(made, output, notes))
+    tell(as_json, _json(made, notes), _describe_study(made, output, notes))
 
 
-def _json(made: Study, notes: list[str]) -> dict[str, object]:
+def _json(joint_study: Study, notes: list[str]) -> dict[str, object]:
     from sightline.studies.csv import TABLES, study_rows
 
-    rows = study_rows(made)
+    rows = study_rows(joint_study)
     return {
-        "heights": made.heights,
-        "vehicles": made.vehicles,
+        "heights": joint_study.heights,
+        "vehicles": joint_study.vehicles,
         **{table.name: list(rows[table.path]) for table in TABLES},
-        "notes": [*made.notes, *notes],
+        "notes": [*joint_study.notes, *notes],
     }
 
 
-def _text(made: Study, output: Path, notes: list[str]) -> str:
-    sites = len({one.site for one in made.surveys})
+def _describe_study(joint_study: Study, output: Path, notes: list[str]) -> str:
+    sites = len({one.site for one in joint_study.surveys})
     lines = [
-        f"{len(made.surveys)} packages verified: {made.heights} accepted heights of {made.vehicles} "
-        f"vehicles at {sites} sites. Written to {output}."
+        f"{len(joint_study.surveys)} packages verified: {joint_study.heights} accepted heights "
+        f"of {joint_study.vehicles} vehicles at {sites} sites. Written to {output}."
     ]
-    lines += [line for one in made.targets for line in _target_lines(one)]
-    return "\n".join([*lines, *map(str, made.notes), *notes])
+    lines += [line for one in joint_study.targets for line in _target_lines(one)]
+    return "\n".join([*lines, *map(str, joint_study.notes), *notes])
 
 
-def _target_lines(one: TargetFigures) -> list[str]:
+def _target_lines(figures: TargetFigures) -> list[str]:
     from sightline.export.report.units import HEIGHT
 
-    if one.reason is not None:
-        return [f"{one.target}: {one.reason}."] if one.n else []
-    lines = [f"{one.target}: {one.n} heights at {one.sites} sites"]
-    for percentile in one.percentiles:
+    if figures.reason is not None:
+        return [f"{figures.target}: {figures.reason}."] if figures.n else []
+    lines = [f"{figures.target}: {figures.n} heights at {figures.sites} sites"]
+    for percentile in figures.percentiles:
         value, low, high = (
             HEIGHT["m"].length(one) for one in (percentile.value, percentile.U95_low, percentile.U95_high)
         )

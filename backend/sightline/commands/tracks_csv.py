@@ -71,20 +71,20 @@ def track_rows(tracks: Tracks) -> list[dict[str, Any]]:
     ]
 
 
-def pass_to_dict(found: WholePass) -> dict[str, Any]:
+def pass_to_dict(whole_pass: WholePass) -> dict[str, Any]:
     """What `sightline height --tracks --json` prints beside the height."""
-    out: dict[str, Any] = {"u_random_height_m": found.u_random_height_m}
+    out: dict[str, Any] = {"u_random_height_m": whole_pass.u_random_height_m}
     for name in ("inset_m", "heading_rad", "speed_mps", "wheelbase_m", "acceleration_mps2"):
-        solved = getattr(found, name)
+        solved = getattr(whole_pass, name)
         key = "solved_inset_m" if name == "inset_m" else name
         out[key] = None if solved is None else solved.value
         out[f"u_{key}"] = None if solved is None else solved.u
     return out | {
-        "frames": found.frames,
-        "chi2": found.chi2,
-        "freedom": found.freedom,
-        "chance": found.chance,
-        "dropped": [{**asdict(one), "reason": str(one.reason)} for one in found.dropped],
-        "solved_for": list(found.solved_for),
-        "covariance": [list(row) for row in found.covariance],
+        "frames": whole_pass.frames,
+        "chi2": whole_pass.chi2,
+        "freedom": whole_pass.freedom,
+        "chance": whole_pass.chance,
+        "dropped": [{**asdict(one), "reason": str(one.reason)} for one in whole_pass.dropped],
+        "solved_for": list(whole_pass.solved_for),
+        "covariance": [list(row) for row in whole_pass.covariance],
     }

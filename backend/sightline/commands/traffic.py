@@ -147,7 +147,7 @@ def flows(
     from sightline.traffic.archive import require_archive
     from sightline.traffic.query import ArchiveTables, columns_of
 
-    asked = _asked(chosen, first, last, minutes, percents, limits)
+    asked = _read_question(chosen, first, last, minutes, percents, limits)
     require_archive(archive)
     _check_sites(archive, chosen)
     with ArchiveTables(archive) as tables:
@@ -161,7 +161,7 @@ def flows(
         click.echo(f"Written to {output}.")
 
 
-def _asked(
+def _read_question(
     chosen: tuple[str, ...], first: str | None, last: str | None, minutes: int, percents: str, limits: str
 ) -> Asked:
     from sightline.traffic.records import Asked

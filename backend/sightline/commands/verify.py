@@ -30,13 +30,13 @@ def verify(place: str, head: str | None, key: str | None, as_json: bool) -> None
     chain that was rewritten and signed again is detected with --key (if the forger does not have the key)
     or --head.
     """
-    found = check(place, head, key)
+    checked = check(place, head, key)
     if as_json:
-        print_json(found)
-    if not found["ok"]:
-        raise Damaged("commands-problem-2", place=place, problem=found["problem"])
+        print_json(checked)
+    if not checked["ok"]:
+        raise Damaged("commands-problem-2", place=place, problem=checked["problem"])
     if not as_json:
-        click.echo(_words(place, found))
+        click.echo(_describe_check(place, checked))
 
 
 def check(place: str, head: str | None = None, key: str | None = None) -> dict[str, Any]:
@@ -97,34 +97,36 @@ def check_database(url: str, name: str = "This address") -> dict[str, Any]:
     return {"kind": "database", **asdict(verify_database(url, name))}
 
 
-def _words(place: str, found: dict[str, Any]) -> str:
-    if found["kind"] == "backup":
-        return str(found["said"])
-    if found["kind"] == "evidence":
-        return _evidence_words(place, found)
-    said = f"{place}: the audit chain of {found['checked']} events is intact, head {found['head_hash'][:16]}"
-    if found["kind"] != "export":
-        return said + "."
-    said += (
-        f"; {found['files']} files unchanged, {found['heights']} heights and {found['statistics']} "
-        f"statistics recomputed and equal, {found['keys']} references between tables checked, "
-        f"{found['crops']} crops compared, {found['drawings']} drawings made again; the end of the chain was "
-        f"signed on {found['signed_at'][:19]} UTC with key {found['key'][:16]}."
+def _describe_check(place: str, checked: dict[str, Any]) -> str:
+    if checked["kind"] == "backup":
+        return str(checked["said"])
+    if checked["kind"] == "evidence":
+        return _evidence_words(place, checked)
+    sentence = (
+        f"{place}: the audit chain of {checked['checked']} events is intact, head {checked['head_hash'][:16]}"
     )
-    if found["sha256"] is not None:
-        said += f" SHA-256 {found['sha256']}; compare it with the one on the page Package."
-    return " ".join([said, *found["notes"]])
+    if checked["kind"] != "export":
+        return sentence + "."
+    sentence += (
+        f"; {checked['files']} files unchanged, {checked['heights']} heights and {checked['statistics']} "
+        f"statistics recomputed and equal, {checked['keys']} references between tables checked, "
+        f"{checked['crops']} crops compared, {checked['drawings']} drawings made again; the end of the chain "
+        f"was signed on {checked['signed_at'][:19]} UTC with key {checked['key'][:16]}."
+    )
+    if checked["sha256"] is not None:
+        sentence += f" SHA-256 {checked['sha256']}; compare it with the one on the page Package."
+    return " ".join([sentence, *checked["notes"]])
 
 
-def _evidence_words(place: str, found: dict[str, Any]) -> str:
-    said = [
+def _evidence_words(place: str, checked: dict[str, Any]) -> str:
+    sentences = [
         f"{place}: signature, hashes, audit events, numbers and decision are valid; made on "
-        f"{found['made_at'][:19]} UTC by Sightline {found['program']}.",
-        found["decision"],
+        f"{checked['made_at'][:19]} UTC by Sightline {checked['program']}.",
+        checked["decision"],
     ]
-    if found["lines"] is not None:
-        v, a, length = (found["lines"][name] for name in ("speed_mps", "acceleration_mps2", "length_m"))
-        said.append(
+    if checked["lines"] is not None:
+        v, a, length = (checked["lines"][name] for name in ("speed_mps", "acceleration_mps2", "length_m"))
+        sentences.append(
             f"For comparison, the four boundary lines alone give {v:.3f} m/s, {a:.2f} m/s2, {length:.3f} m."
         )
-    return " ".join([*said, *found["notes"]])
+    return " ".join([*sentences, *checked["notes"]])

@@ -141,10 +141,10 @@ def _camera(session: Session, survey_id: int, parts: Parts) -> tuple[int, int]:
     notes = "Rendered: 640 x 480 px, wide lens with barrel distortion."
     setting = {"lens": "wide angle, invented", "zoom": "fixed", "focus": "fixed, all in focus"}
     camera = create_camera(session, survey_id, name="Roadside camera", notes=notes, **setting, actor=None)
-    seen = [_lab_image(session, camera.id, one) for one in parts.lab]
+    views = [_lab_image(session, camera.id, one) for one in parts.lab]
     checked = parts.calibration
     result = checked.result
-    made = add_calibration(
+    calibration = add_calibration(
         session,
         camera.id,
         source="images",
@@ -152,30 +152,30 @@ def _camera(session: Session, survey_id: int, parts: Parts) -> tuple[int, int]:
         trusted=result.trusted,
         warnings=list(result.warnings),
         coverage=result.coverage.astype(int).tolist(),
-        views=view_rows(seen, result),
-        summary=summary_of(result.camera, len(result.corners), len(seen)),
+        views=view_rows(views, result),
+        summary=summary_of(result.camera, len(result.corners), len(views)),
         actor=None,
     )
-    return camera.id, made.id
+    return camera.id, calibration.id
 
 
-def _lab_image(session: Session, camera_id: int, one: LabPicture) -> DetectedView:
-    seen = one.seen
+def _lab_image(session: Session, camera_id: int, picture: LabPicture) -> DetectedView:
+    view = picture.seen
     image = add_calibration_image(
         session,
         camera_id,
-        name=seen.name,
-        media_key=one.media_key,
-        width_px=seen.size[0],
-        height_px=seen.size[1],
+        name=view.name,
+        media_key=picture.media_key,
+        width_px=view.size[0],
+        height_px=view.size[1],
         actor=None,
-        detection=detection_of(seen.corners, truth().lab),
+        detection=detection_of(view.corners, truth().lab),
     )
-    return DetectedView(seen.name, seen.corners, seen.size, image_id=image.id)
+    return DetectedView(view.name, view.corners, view.size, image_id=image.id)
 
 
 def _recording(session: Session, survey_id: int, camera_id: int, video: Video) -> int:
-    made = create_recording(
+    recording = create_recording(
         session,
         survey_id,
         name=video.truth.video,
@@ -185,10 +185,10 @@ def _recording(session: Session, survey_id: int, camera_id: int, video: Video) -
         camera_id=camera_id,
         actor=None,
     )
-    note_ingested(session, made.id, facts_of(video.found, None), table_of(video.found), actor=None)
+    note_ingested(session, recording.id, facts_of(video.found, None), table_of(video.found), actor=None)
     facts: RecordingChanges = {**FILMED[video.truth.lighting], "lighting": video.truth.lighting}
-    update_recording(session, made.id, facts, actor=None)
-    return made.id
+    update_recording(session, recording.id, facts, actor=None)
+    return recording.id
 
 
 def _pose(session: Session, recording_id: int, calibration_id: int, video: Video, solved: SolvedPose) -> None:
@@ -206,21 +206,21 @@ def _pose(session: Session, recording_id: int, calibration_id: int, video: Video
 def _vehicles(session: Session, recording_id: int, video: int, scene: SceneTruth, actor: int) -> list[Pass]:
     """The passes with what an operator would write down of each vehicle."""
     passes = []
-    for number, one in enumerate(scene.passes):
+    for number, pass_truth in enumerate(scene.passes):
         fields: VehicleChanges = {
-            "first_frame": one.first_frame,
-            "last_frame": one.last_frame,
-            "best_frame": one.best_frame,
-            "make": one.make,
-            "model": one.model,
-            "year": one.year,
-            "category": one.category,
-            "manufacturer_height_m": one.manufacturer_height_m,
+            "first_frame": pass_truth.first_frame,
+            "last_frame": pass_truth.last_frame,
+            "best_frame": pass_truth.best_frame,
+            "make": pass_truth.make,
+            "model": pass_truth.model,
+            "year": pass_truth.year,
+            "category": pass_truth.category,
+            "manufacturer_height_m": pass_truth.manufacturer_height_m,
             "u_manufacturer_height_m": 0.01,
             "height_source": "catalogue of the demonstration (invented)",
             "lighting": scene.lighting,
-            "direction": "right" if one.direction > 0 else "left",
+            "direction": "right" if pass_truth.direction > 0 else "left",
         }
         vehicle = create_vehicle(session, recording_id, fields, actor=actor)
-        passes.append(Pass(vehicle, one, scene.fps, (video, number)))
+        passes.append(Pass(vehicle, pass_truth, scene.fps, (video, number)))
     return passes

@@ -55,15 +55,17 @@ def measure(session: Session, passes: list[Pass], *, actor: int) -> dict[int, li
     """Measure each vehicle as far as its targets are in sight; the measurements by vehicle id."""
     rng = np.random.default_rng(20190611)
     stored: dict[int, list[Measurement]] = {}
-    for index, one in enumerate(passes):
-        again = np.random.default_rng([_SECOND, *one.place])
-        slip = one.fate == "slipped"
-        for clicks in _clicks(one.truth, rng, slip=slip):
+    for index, vehicle_pass in enumerate(passes):
+        again = np.random.default_rng([_SECOND, *vehicle_pass.place])
+        slip = vehicle_pass.fate == "slipped"
+        for clicks in _clicks(vehicle_pass.truth, rng, slip=slip):
             if clicks.target == "taillight" and index % _SECOND_EVERY == 0 and not slip:
-                clicks = replace(clicks, more_frames=_second(one, clicks.frame, clicks.target, again))
-            key = str(uuid5(_NAMESPACE, f"{one.vehicle.id} {clicks.target}"))
-            made = store_measurement(session, one.vehicle.id, key, clicks, actor=actor)
-            stored.setdefault(one.vehicle.id, []).append(made)
+                clicks = replace(
+                    clicks, more_frames=_second(vehicle_pass, clicks.frame, clicks.target, again)
+                )
+            key = str(uuid5(_NAMESPACE, f"{vehicle_pass.vehicle.id} {clicks.target}"))
+            made = store_measurement(session, vehicle_pass.vehicle.id, key, clicks, actor=actor)
+            stored.setdefault(vehicle_pass.vehicle.id, []).append(made)
     return stored
 
 
@@ -77,20 +79,23 @@ def _clicks(truth: PassTruth, rng: np.random.Generator, slip: bool) -> Iterator[
         yield Clicks(
             target=target,
             frame=frame,
-            contact=beside((contact[0], contact[1] + below), rng),
-            target_point=beside(point, rng),
+            contact=scatter_click((contact[0], contact[1] + below), rng),
+            target_point=scatter_click(point, rng),
         )
 
 
 def _second(seen: Pass, first: int, target: str, rng: np.random.Generator) -> tuple[ClickedFrame, ...]:
     """The same two points two metres further on or back; none where no frame shows them."""
-    contact_name = next(one.contact for one in seen.truth.frames if one.frame == first)
+    contact_name = next(frame.contact for frame in seen.truth.frames if frame.frame == first)
     apart = round(_SECOND_TRAVEL_M / seen.truth.speed_mps * seen.fps)
-    for one in seen.truth.frames:
-        shown = contact_name in one.pixels and one.shows(target)
-        if shown and abs(one.frame - first) == apart and contact_name is not None:
-            contact, point = beside(one.pixels[contact_name], rng), beside(one.pixels[target], rng)
-            return (ClickedFrame(frame=one.frame, contact=contact, target_point=point),)
+    for frame in seen.truth.frames:
+        shown = contact_name in frame.pixels and frame.shows(target)
+        if shown and abs(frame.frame - first) == apart and contact_name is not None:
+            contact, point = (
+                scatter_click(frame.pixels[contact_name], rng),
+                scatter_click(frame.pixels[target], rng),
+            )
+            return (ClickedFrame(frame=frame.frame, contact=contact, target_point=point),)
     return ()
 
 
@@ -103,7 +108,7 @@ def sight_of(truth: PassTruth, target: str) -> tuple[int, Point, Point] | None:
     return None
 
 
-def beside(point: Point, rng: np.random.Generator, noise_px: float = CLICK_NOISE_PX) -> Point:
+def scatter_click(point: Point, rng: np.random.Generator, noise_px: float = CLICK_NOISE_PX) -> Point:
     """A click beside a point."""
     x, y = rng.normal(0.0, noise_px, 2)
     return round(point[0] + float(x), 2), round(point[1] + float(y), 2)
@@ -111,27 +116,29 @@ def beside(point: Point, rng: np.random.Generator, noise_px: float = CLICK_NOISE
 
 def judge(session: Session, passes: list[Pass], stored: dict[int, list[Measurement]], *, actor: int) -> None:
     """The reviewer's verdicts, as each vehicle's fate says."""
-    for one in passes:
-        for made in stored.get(one.vehicle.id, []):
-            if one.fate == "accepted":
-                _say(session, made, "accepted", actor)
-            elif one.fate == "slipped" and made.values.target == "taillight":
-                _say(session, made, "rejected", actor, reason=REJECTED)
-            elif one.fate == "fixed" and made.values.target == "roof":
-                _fix(session, made, one, actor)
+    for vehicle_pass in passes:
+        for measurement in stored.get(vehicle_pass.vehicle.id, []):
+            if vehicle_pass.fate == "accepted":
+                _say(session, measurement, "accepted", actor)
+            elif vehicle_pass.fate == "slipped" and measurement.values.target == "taillight":
+                _say(session, measurement, "rejected", actor, reason=REJECTED)
+            elif vehicle_pass.fate == "fixed" and measurement.values.target == "roof":
+                _fix(session, measurement, vehicle_pass, actor)
 
 
-def _fix(session: Session, made: Measurement, seen: Pass, actor: int) -> None:
-    found = sight_of(seen.truth, made.values.target)
+def _fix(session: Session, measurement: Measurement, seen: Pass, actor: int) -> None:
+    found = sight_of(seen.truth, measurement.values.target)
     assert found is not None
     rng = np.random.default_rng([_FIXED, *seen.place])
-    contact, point = beside(found[1], rng), beside(found[2], rng)
-    _say(session, made, "fixed", actor, reason="Clicked again at higher zoom.", points=(contact, point))
+    contact, point = scatter_click(found[1], rng), scatter_click(found[2], rng)
+    _say(
+        session, measurement, "fixed", actor, reason="Clicked again at higher zoom.", points=(contact, point)
+    )
 
 
 def _say(
     session: Session,
-    made: Measurement,
+    measurement: Measurement,
     verdict: str,
     actor: int,
     *,
@@ -140,8 +147,8 @@ def _say(
 ) -> None:
     review(
         session,
-        made.id,
-        revision=made.revision,
+        measurement.id,
+        revision=measurement.revision,
         verdict=verdict,  # type: ignore[arg-type]
         reason=reason,
         frame=None,

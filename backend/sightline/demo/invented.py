@@ -35,7 +35,7 @@ from sightline.media.store.local import key_of, sha256_of
 from sightline.media.video.ingest import Ingested, ingest
 from sightline.media.video.writer import write_mp4
 from sightline.messages.said import Said
-from sightline.poses.service import described
+from sightline.poses.service import describe_pose
 from sightline.poses.store import add_pose
 from sightline.recordings.filming import Filming
 from sightline.recordings.ingest_job import facts_of, pack_thumbnails, table_of, thumbnails_key_of
@@ -157,19 +157,19 @@ def make(context: registry.JobContext) -> registry.Outcome:
     services = context.services
     with services.reading() as session:
         there = {name for name, _ in survey_names(session).values()}
-    made = 0
+    count = 0
     for n, site in enumerate(SITES):
         if BEGIN + site.name in there:
             continue
         context.progress(n / len(SITES), Said("job-demo-site"))
         make_site(services, site)
-        made += 1
+        count += 1
     with services.writing() as session:
         study_id = join(session)
     if study_id is None:
-        return {"surveys": made}
+        return {"surveys": count}
     store = result_of(context, study_id)
-    return lambda session: {"surveys": made, **store(session)}
+    return lambda session: {"surveys": count, **store(session)}
 
 
 def make_site(services: Services, site: Site) -> int:
@@ -246,7 +246,7 @@ def store_site(session: Session, site: Site, films: dict[Lighting, Film]) -> int
             **_filmed(site, lighting),
         }
         update_recording(session, recording.id, facts, actor=None)
-        found = described(off(true, rng), np.zeros((0, 2)))
+        found = describe_pose(disturb_pose(true, rng), np.zeros((0, 2)))
         found |= {"rms_px": None, "distance_m": site.distance_m}
         found["summary"].insert(0, Said("pose-simulated"))
         add_pose(
@@ -306,7 +306,7 @@ def true_pose(site: Site) -> RoadPose:
     return RoadPose(lens, turned, -turned @ centre, _covariance(lens))
 
 
-def off(true: RoadPose, rng: Rng) -> RoadPose:
+def disturb_pose(true: RoadPose, rng: Rng) -> RoadPose:
     """The pose as it was found: the true one with an error that its covariance states."""
     step = rng.normal(0.0, [_U_TURN] * 3 + [_U_MOVE_M] * 3)
     turn = _rotation(step[:3])
@@ -388,13 +388,13 @@ def _clicks(
         yield Clicks(
             target=target,
             frame=n,
-            contact=_beside(contact, rng),
-            target_point=_beside(point, rng),
+            contact=_scatter_click(contact, rng),
+            target_point=_scatter_click(point, rng),
             sigma_px=CLICK_NOISE_PX,
         )
 
 
-def _beside(point: Floats, rng: Rng) -> Point:
+def _scatter_click(point: Floats, rng: Rng) -> Point:
     x, y = point + rng.normal(0.0, CLICK_NOISE_PX, 2)
     return round(float(x), 2), round(float(y), 2)
 
@@ -413,13 +413,13 @@ def _film(services: Services, site: Site, lighting: Lighting) -> Film:
         path = Path(folder) / name
         write_mp4(path, _pictures(site, lighting), FPS)
         thumbs = Path(folder) / "thumbs"
-        found = ingest(path, lambda _: None, lambda: False, thumbs, work_dir=Path(folder), name=name)
+        ingested = ingest(path, lambda _: None, lambda: False, thumbs, work_dir=Path(folder), name=name)
         sha256 = sha256_of(path)
         key = key_of(sha256, path.suffix)
         size = path.stat().st_size
-        services.media.put_file(thumbnails_key_of(sha256), pack_thumbnails(thumbs, found))
+        services.media.put_file(thumbnails_key_of(sha256), pack_thumbnails(thumbs, ingested))
         services.media.put_file(key, path)
-    return Film(name, key, sha256, size, found)
+    return Film(name, key, sha256, size, ingested)
 
 
 def _pictures(site: Site, lighting: Lighting) -> Iterator[NDArray[np.uint8]]:
@@ -429,8 +429,15 @@ def _pictures(site: Site, lighting: Lighting) -> Iterator[NDArray[np.uint8]]:
     for text, y in (("SIMULATED: NO CAMERA WAS HERE", 60), (f"{site.name}, {_WORDS[lighting]}", 95)):
         cv2.putText(picture, text, (30, y), cv2.FONT_HERSHEY_SIMPLEX, 0.7, (255, 255, 255), 2, cv2.LINE_AA)
     for n in range(site.count(lighting)):
-        one = picture.copy()
+        labelled = picture.copy()
         cv2.putText(
-            one, f"vehicle {n + 1}", (30, 130), cv2.FONT_HERSHEY_SIMPLEX, 0.6, (255, 255, 255), 1, cv2.LINE_AA
+            labelled,
+            f"vehicle {n + 1}",
+            (30, 130),
+            cv2.FONT_HERSHEY_SIMPLEX,
+            0.6,
+            (255, 255, 255),
+            1,
+            cv2.LINE_AA,
         )
-        yield one
+        yield labelled

@@ -90,16 +90,16 @@ def make_parts(services: Services, progress: Progress) -> Parts:
 def _video(services: Services, scene: SceneTruth, scratch: Path, is_cancelled: Cancelled) -> Video:
     """Ingest a video and put it, with its thumbnails, into the media store, as an upload would be."""
     path, thumbs = FOLDER / scene.video, scratch / f"thumbs-{scene.video}"
-    found = ingest(path, lambda _: None, is_cancelled, thumbs, work_dir=scratch, name=path.name)
+    ingested = ingest(path, lambda _: None, is_cancelled, thumbs, work_dir=scratch, name=path.name)
     sha256 = sha256_of(path)
     key = key_of(sha256, path.suffix)
     services.media.put_file(key, path)
-    services.media.put_file(thumbnails_key_of(sha256), pack_thumbnails(thumbs, found))
+    services.media.put_file(thumbnails_key_of(sha256), pack_thumbnails(thumbs, ingested))
     return Video(
         media_key=key,
         sha256=sha256,
         size_bytes=path.stat().st_size,
-        found=found,
+        found=ingested,
         still=_board_corners(scene),
         truth=scene,
     )

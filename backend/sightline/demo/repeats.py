@@ -8,7 +8,7 @@ from uuid import UUID, uuid5
 
 import numpy as np
 
-from sightline.demo.clicks import CLICK_NOISE_PX, Pass, beside, sight_of
+from sightline.demo.clicks import CLICK_NOISE_PX, Pass, scatter_click, sight_of
 from sightline.infra.database import Session
 from sightline.measurements.records import Clicks, Measurement
 from sightline.measurements.service import store_measurement
@@ -40,8 +40,8 @@ def click_again(
             clicks = Clicks(
                 target=first.values.target,
                 frame=frame,
-                contact=beside(contact, rng, noise_px),
-                target_point=beside(point, rng, noise_px),
+                contact=scatter_click(contact, rng, noise_px),
+                target_point=scatter_click(point, rng, noise_px),
             )
             key = str(uuid5(_NAMESPACE, f"{first.id} {actor}"))
             store_measurement(session, first.vehicle_id, key, clicks, repeat_of=first.id, actor=actor)

@@ -42,12 +42,12 @@ def samples(session: Session) -> Samples:
     survey_id = demo_survey_id(session)
     if survey_id is None:
         return Samples(pictures=None, clip=None)
-    found = [one.id for one in list_recordings(session, survey_id) if one.state == "ready"]
+    ready = [one.id for one in list_recordings(session, survey_id) if one.state == "ready"]
     board = truth().lab
     pictures = SamplePictures(
         count=len(lab_images()), columns=board.columns, rows=board.rows, square_m=board.square_m
     )
-    return Samples(pictures=pictures, clip=min(found, default=None))
+    return Samples(pictures=pictures, clip=min(ready, default=None))
 
 
 def pictures_zip() -> bytes:

@@ -92,7 +92,7 @@ def make_scan(services: Services, is_cancelled: Cancelled) -> ScanParts:
     def report(_fraction: float, _message: Said) -> None:
         check_cancelled(is_cancelled, NAME)
 
-    found = search(report, RIG, "direct", readers)
+    findings = search(report, RIG, "direct", readers)
     facts = StripFacts(
         first_key=keys[0],
         second_key=keys[1],
@@ -103,7 +103,7 @@ def make_scan(services: Services, is_cancelled: Cancelled) -> ScanParts:
         bits=8,
         notes=[Said("scan-simulated")],
     )
-    return ScanParts(facts, readers, found)
+    return ScanParts(facts, readers, findings)
 
 
 def store_scan(session: Session, survey_id: int, parts: ScanParts, *, operator: int, reviewer: int) -> int:
@@ -112,7 +112,7 @@ def store_scan(session: Session, survey_id: int, parts: ScanParts, *, operator: 
         StripSource("lane-1-first.tif", parts.facts.first_key, parts.facts.first_sha256),
         StripSource("lane-1-second.tif", parts.facts.second_key, parts.facts.second_sha256),
     )
-    made = create_scan(
+    created = create_scan(
         session,
         survey_id,
         name=NAME,
@@ -122,24 +122,24 @@ def store_scan(session: Session, survey_id: int, parts: ScanParts, *, operator: 
         lighting="daytime",
         actor=None,
     )
-    scan = note_scan_read(session, made.id, parts.facts, actor=None)
+    scan = note_scan_read(session, created.id, parts.facts, actor=None)
     clock = ScanClock(Filming(BEGUN_AT, TIME_ZONE), U_START_S)
-    update_scan(session, made.id, {"clock": clock}, version=made.version, actor=operator)
+    update_scan(session, created.id, {"clock": clock}, version=created.version, actor=operator)
     plans = [Planned(None, motion, "found") for motion in parts.found.motions]
     store(session, scan, "direct", parts.found, plans, 0, job_id=None, actor=None)
     rng, rng_of_radar = np.random.default_rng(20070507), np.random.default_rng(1995)
-    for index, one in enumerate(list_scan_vehicles(session, scan.id)):
-        true = truth_of(one)
+    for index, vehicle in enumerate(list_scan_vehicles(session, scan.id)):
+        true = truth_of(vehicle)
         if true is None:
             continue
         if index not in PLAIN:
-            change_scan_vehicle(session, one.id, _facts(true), version=2, actor=operator)
+            change_scan_vehicle(session, vehicle.id, _facts(true), version=2, actor=operator)
         if index not in (*PLAIN, *UNWHEELED):
-            _click_wheels(session, one.id, true, rng, operator)
+            _click_wheels(session, vehicle.id, true, rng, operator)
         if index == SLIPPED:
-            _slip(session, one.id, parts, operator)
-        _judge(session, one.id, index, reviewer)
-        _refer(session, one.id, true, rng_of_radar, operator)
+            _slip(session, vehicle.id, parts, operator)
+        _judge(session, vehicle.id, index, reviewer)
+        _refer(session, vehicle.id, true, rng_of_radar, operator)
     store_heights(session, scan.id, operator)
     review_heights(session, scan.id, reviewer)
     return scan.id

@@ -28,16 +28,18 @@ def store_heights(session: Session, scan_id: int, operator: int) -> None:
     true_of = truth().scan
     rod = clicked_rod(true_of.rods, rng)
     poses.store_line_pose(session, scan_id, rod, seen_revision=0, actor=operator)
-    for one in list_scan_vehicles(session, scan_id):
-        if one.measurement is None:
+    for vehicle in list_scan_vehicles(session, scan_id):
+        if vehicle.measurement is None:
             continue
-        order, true = true_of.nearest(one.measurement.values.front_line_1)
+        order, true = true_of.nearest(vehicle.measurement.values.front_line_1)
         if order not in CLICKED:
             continue
-        contact = _off(true.contact, rng)
+        contact = _scatter_click(true.contact, rng)
         for name, spot in true.targets.items():
-            clicked = Clicks(target=name, contact=contact, target_point=_off(spot, rng), side=_side(name))
-            store_scan_height(session, one.id, clicked, seen_revision=0, actor=operator)
+            clicked = Clicks(
+                target=name, contact=contact, target_point=_scatter_click(spot, rng), side=_side(name)
+            )
+            store_scan_height(session, vehicle.id, clicked, seen_revision=0, actor=operator)
 
 
 def review_heights(session: Session, scan_id: int, reviewer: int) -> None:
@@ -65,7 +67,7 @@ def clicked_rod(rods: Sequence[HeldRod], rng: np.random.Generator) -> Rod:
     return Rod(tuple(marks), sigma_px=MARK_SIGMA_PX, u_distance_m=TAPE_SIGMA_M)
 
 
-def _off(place: tuple[float, float], rng: np.random.Generator) -> tuple[float, float]:
+def _scatter_click(place: tuple[float, float], rng: np.random.Generator) -> tuple[float, float]:
     """A click beside a place; a line is a twentieth of a row wide."""
     line = place[0] + float(rng.normal(0.0, 2.0))
     return round(line, 1), round(place[1] + float(rng.normal(0.0, CLICK_SIGMA_PX)), 2)

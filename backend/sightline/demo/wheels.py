@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from sightline.demo.clicks import Pass, beside
+from sightline.demo.clicks import Pass, scatter_click
 from sightline.demo.made import PassTruth
 from sightline.enums import Point
 from sightline.infra.database import Session
@@ -16,18 +16,18 @@ def click_wheels(session: Session, passes: list[Pass], *, actor: int) -> int:
     """Store both tyre contacts of each vehicle that shows both on one frame; how many did."""
     rng = np.random.default_rng(20200117)
     count = 0
-    for one in passes:
-        found = both_in_sight(one.truth)
+    for vehicle_pass in passes:
+        found = both_in_sight(vehicle_pass.truth)
         if found is None:
             continue
         frame, rear, front = found
         store_pair(
             session,
-            one.vehicle.id,
+            vehicle_pass.vehicle.id,
             frame=frame,
             frame_crc32=None,
-            first=beside(rear, rng, CLICK_NOISE_PX),
-            second=beside(front, rng, CLICK_NOISE_PX),
+            first=scatter_click(rear, rng, CLICK_NOISE_PX),
+            second=scatter_click(front, rng, CLICK_NOISE_PX),
             actor=actor,
         )
         count += 1

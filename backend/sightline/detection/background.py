@@ -65,15 +65,15 @@ class Sampler:
 def background_of(samples: NDArray[np.uint8]) -> Background:
     """The empty road that `samples` (n, h, w) show, in order of time.
 
-    Own method: `densest` of each pixel; noise from neighbouring samples, what moved between them clipped
-    away.
+    Own method: `densest_level` of each pixel; noise from neighbouring samples, what moved between them
+    clipped away.
     """
     noise = [_noise(one, other) for one, other in pairwise(samples)]
     return _background(samples, float(np.median(noise)) if noise else 1.0)
 
 
 def _background(samples: NDArray[np.uint8], noise: float) -> Background:
-    level = densest(samples)
+    level = densest_level(samples)
     smooth = cv2.GaussianBlur(level, (3, 3), 0)
     kernel = np.ones((3, 3), np.uint8)
     edges = cv2.dilate(smooth, kernel) - cv2.erode(smooth, kernel)
@@ -81,7 +81,7 @@ def _background(samples: NDArray[np.uint8], noise: float) -> Background:
     return Background(level, np.asarray(tolerance, np.float32))
 
 
-def densest(samples: NDArray[np.uint8]) -> NDArray[np.float32]:
+def densest_level(samples: NDArray[np.uint8]) -> NDArray[np.float32]:
     """Level (h, w) of each pixel, grey values: the middle of the shortest interval that holds a third of its
     `samples` (n, h, w).
 
@@ -136,10 +136,10 @@ def foreground(small: Small, road: Background, gain: float) -> tuple[Mask, Mask]
     mask = np.asarray(cv2.medianBlur(mask, 3), np.uint8)
     light = (apart > 0) & (step < STEEP * apart + np.maximum(road.tolerance, SOFT))
     solid = cv2.bitwise_and(mask, _mask(~light))
-    return _closed(mask), np.asarray(solid, np.uint8)
+    return _close_gaps(mask), np.asarray(solid, np.uint8)
 
 
-def _closed(mask: Mask) -> Mask:
+def _close_gaps(mask: Mask) -> Mask:
     """Small gaps filled; with a border, or what comes near the picture's edge would be taken to touch it."""
     wide = cv2.copyMakeBorder(mask, 4, 4, 4, 4, cv2.BORDER_CONSTANT, value=0)
     return np.asarray(

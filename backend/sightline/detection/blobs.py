@@ -50,10 +50,10 @@ class Box:
         return (self.x0 + self.x1) / 2, (self.y0 + self.y1) / 2
 
 
-def intersection_area(one: Box, other: Box) -> float:
+def intersection_area(box: Box, other: Box) -> float:
     """Area that two boxes share, px^2."""
-    across = min(one.x1, other.x1) - max(one.x0, other.x0)
-    down = min(one.y1, other.y1) - max(one.y0, other.y0)
+    across = min(box.x1, other.x1) - max(box.x0, other.x0)
+    down = min(box.y1, other.y1) - max(box.y0, other.y0)
     return max(0.0, across) * max(0.0, down)
 
 
@@ -67,23 +67,23 @@ def boxes_of(mask: Mask, solid: Mask, flow: Flow | None = None) -> list[Box]:
     (DECISIONS.md 23).
     """
     least = LEAST_AREA_SHARE * mask.size
-    found: list[Box] = []
+    boxes: list[Box] = []
     for (x, y, w, h), shape in _shapes(mask > 0, least):
         part = shape & (solid[y : y + h, x : x + w] > 0)
         if flow is None or not part.any():
-            found += _upright(part, x, y)
+            boxes += _upright(part, x, y)
             continue
-        way, ways = ways_of(flow[y : y + h, x : x + w], shape & _between(part))
+        way, ways = ways_of(flow[y : y + h, x : x + w], shape & _keep_enclosed(part))
         if ways is None:
-            found += [_going(box, way, flow) for box in _upright(part, x, y)]
+            boxes += [_going(box, way, flow) for box in _upright(part, x, y)]
         else:
             parts = {side: _parts(ways == side, x, y, least) for side in (1, -1)}
-            found += _meeting({side: [_going(box, side, flow) for box in parts[side]] for side in parts})
-    found = _stacked(sorted(found, key=lambda box: -box.area_px))
+            boxes += _meeting({side: [_going(box, side, flow) for box in parts[side]] for side in parts})
+    found = _stacked(sorted(boxes, key=lambda box: -box.area_px))
     return [box for box in found if box.area_px >= least]
 
 
-def _between(part: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def _keep_enclosed(part: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """What has something of the part above and below it: a bright side is no light on the road."""
     down = np.logical_or.accumulate(part, axis=0)
     up = np.logical_or.accumulate(part[::-1], axis=0)[::-1]
@@ -95,12 +95,12 @@ def _shapes(
 ) -> list[tuple[tuple[int, int, int, int], NDArray[np.bool_]]]:
     """Connected shapes of at least so many pixels: (x, y, width, height) and the shape in there."""
     _, labels, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)
-    found = []
+    shapes = []
     for label, (x, y, w, h, area) in enumerate(stats):
         if label and area >= least:
             place = int(x), int(y), int(w), int(h)
-            found.append((place, np.asarray(labels[y : y + h, x : x + w] == label, np.bool_)))
-    return found
+            shapes.append((place, np.asarray(labels[y : y + h, x : x + w] == label, np.bool_)))
+    return shapes
 
 
 def _parts(mask: NDArray[np.bool_], x: int, y: int, least: float) -> list[Box]:
@@ -118,13 +118,13 @@ def _going(box: Box, way: int, flow: Flow) -> Box:
 
 def _meeting(ways: dict[int, list[Box]]) -> list[Box]:
     """Boxes that meet; the nearer one, whose foot is lower, hides edges of the other that it touches."""
-    found = []
+    all_boxes = []
     for way, boxes in ways.items():
         for box in boxes:
             nearer = [other for other in ways[-way] if other.y1 > box.y1]
             edges = tuple(i for i, at in enumerate((box.x0, box.x1)) if any(_covers(o, at) for o in nearer))
-            found.append(replace(box, hidden=edges))
-    return found
+            all_boxes.append(replace(box, hidden=edges))
+    return all_boxes
 
 
 def _covers(box: Box, at: float) -> bool:

@@ -70,24 +70,24 @@ class View:
 
 def is_vehicle(track: Track, view: View) -> bool:
     """Whether it went by, straight, large enough, and not as narrow as somebody on foot."""
-    seen = _seen(track)
-    way = course(track, view.size) if len(seen) >= LEAST_SIGHTS else None
+    sights = _seen_detections(track)
+    way = course(track, view.size) if len(sights) >= LEAST_SIGHTS else None
     if way is None or abs(way.far_px) < LEAST_TRAVEL_SHARE * view.size[way.axis]:
         return False
     straight = straightness(track, way.axis)
     if not (enters(track, view.size) or leaves(track, view.size)):
-        if len(seen) < LEAST_SIGHTS_WITHIN or straight < LEAST_STRAIGHTNESS_WITHIN:
+        if len(sights) < LEAST_SIGHTS_WITHIN or straight < LEAST_STRAIGHTNESS_WITHIN:
             return False
     elif straight < (LEAST_STRAIGHTNESS_DOWN if way.axis else LEAST_STRAIGHTNESS):
         return False
-    if (way.axis == 1 or view.turned) and len(seen) < LEAST_SIGHTS_DOWN:
+    if (way.axis == 1 or view.turned) and len(sights) < LEAST_SIGHTS_DOWN:
         return False
-    sure = len(seen) >= LEAST_SIGHTS_WITHIN and straight >= LEAST_STRAIGHTNESS_WITHIN
+    sure = len(sights) >= LEAST_SIGHTS_WITHIN and straight >= LEAST_STRAIGHTNESS_WITHIN
     least = LEAST_AREA_SHARE_FAR if sure else LEAST_AREA_SHARE
-    if max(detection.box.area_px for detection in seen) < least * view.width * view.height:
+    if max(detection.box.area_px for detection in sights) < least * view.width * view.height:
         return False
     across = way.axis == 0 and not view.turned
-    return _breadth(seen, view, way.axis) >= (NARROWEST if across else SHORTEST)
+    return _breadth(sights, view, way.axis) >= (NARROWEST if across else SHORTEST)
 
 
 def _breadth(seen: list[Detection], view: View, axis: int) -> float:
@@ -108,7 +108,7 @@ def straightness(track: Track, axis: int) -> float:
 
     Looked at in a few steps, for what is hidden in part makes the middle jump.
     """
-    middles = [detection.box.middle[axis] for detection in _seen(track)]
+    middles = [detection.box.middle[axis] for detection in _seen_detections(track)]
     picked = [middles[i] for i in sorted({round(at) for at in np.linspace(0, len(middles) - 1, STEPS)})]
     went = sum(abs(b - a) for a, b in pairwise(picked))
     return abs(picked[-1] - picked[0]) / went if went else 0.0
@@ -137,12 +137,14 @@ def best_detection(track: Track, view: View, sharpness: Sharpness) -> tuple[Dete
 
     A vehicle that is never whole is taken where least of it is cut off.
     """
-    seen = [detection for detection in _seen(track) if detection.clear] or _seen(track)
-    whole = [detection for detection in seen if detection.clear and is_whole(detection.box, view)]
-    sharp = {detection.n: sharpness(detection.n, detection.box) for detection in whole or seen}
+    sights = [detection for detection in _seen_detections(track) if detection.clear] or _seen_detections(
+        track
+    )
+    whole = [detection for detection in sights if detection.clear and is_whole(detection.box, view)]
+    sharp = {detection.n: sharpness(detection.n, detection.box) for detection in whole or sights}
     most = max(sharp.values()) or 1.0
 
-    largest = max(detection.box.area_px for detection in whole or seen)
+    largest = max(detection.box.area_px for detection in whole or sights)
 
     def worth(detection: Detection) -> float:
         off = abs(detection.box.middle[0] / view.width - view.square_at)
@@ -151,8 +153,8 @@ def best_detection(track: Track, view: View, sharpness: Sharpness) -> tuple[Dete
 
     if whole:
         return max(whole, key=worth), True
-    return max(seen, key=lambda one: one.box.area_px / largest + worth(one)), False
+    return max(sights, key=lambda one: one.box.area_px / largest + worth(one)), False
 
 
-def _seen(track: Track) -> list[Detection]:
+def _seen_detections(track: Track) -> list[Detection]:
     return [detection for detection in track.detections if detection.seen]

@@ -17,10 +17,10 @@ from sightline.detection.background import WINDOW_S, Background, Sampler, Small,
 from sightline.detection.blobs import LEAST_AREA_SHARE, Box, boxes_of
 from sightline.detection.classify import FoundPass, View, best_detection, direction_of, is_vehicle, score_of
 from sightline.detection.flow import LEAST_STEP_PX, Flow, Motion
-from sightline.detection.long_vehicles import FullPicture, joined
+from sightline.detection.long_vehicles import FullPicture, join_long_vehicles
 from sightline.detection.steadiness import WIDTH_PX as STEADY_PX
-from sightline.detection.steadiness import Steadiness, Transform, Wander, back, laid
-from sightline.detection.stitch import stitched
+from sightline.detection.steadiness import Steadiness, Transform, Wander, map_back, warp_onto_first
+from sightline.detection.stitch import stitch_tracks
 from sightline.detection.tracks import Detection, Track, Tracker
 
 WIDTH_PX = 160
@@ -120,7 +120,7 @@ class PassFinder:
         picture = replace(picture, wide=picture.wide[:0])
         if place is not None:
             self._kept.place[picture.n] = place
-            picture = replace(picture, small=laid(picture.small, place))
+            picture = replace(picture, small=warp_onto_first(picture.small, place))
         self._sampler.offer(picture.small)
         self._waiting.append(picture)
         if len(self._waiting) >= self._ahead + self._chunk:
@@ -129,9 +129,9 @@ class PassFinder:
     def finish(self) -> tuple[FoundPass, ...]:
         """All passes, when there are no more pictures."""
         self._look(len(self._waiting))
-        tracks = stitched(self._tracker.finish(), self._view.size, self._lapse)
-        found = [self._found(track) for track in tracks if is_vehicle(track, self._view)]
-        found = joined(found, self._full.spans(), self._view)
+        tracks = stitch_tracks(self._tracker.finish(), self._view.size, self._lapse)
+        found = [self._make_pass(track) for track in tracks if is_vehicle(track, self._view)]
+        found = join_long_vehicles(found, self._full.spans(), self._view)
         return tuple(sorted(found, key=lambda one: (one.first_frame, one.last_frame)))
 
     def _look(self, count: int) -> None:
@@ -162,7 +162,7 @@ class PassFinder:
         moved = np.abs(flow[solid > 0])
         self._went += moved[moved.max(axis=1, initial=0.0) > LEAST_STEP_PX].sum(axis=0)
 
-    def _found(self, track: Track) -> FoundPass:
+    def _make_pass(self, track: Track) -> FoundPass:
         best, whole = best_detection(track, self._view, self._sharpness)
         return FoundPass(
             first_frame=track.detections[0].n,
@@ -173,7 +173,7 @@ class PassFinder:
             score=score_of(track, whole, self._view),
             sharpness=round(self._sharpness(best.n, best.box), 2),
             luminance=round(self._kept.luminance.get(best.n, 0.0), 1),
-            boxes=tuple(self._box(detection) for detection in _some(track.detections, best)),
+            boxes=tuple(self._box(detection) for detection in _spread_detections(track.detections, best)),
         )
 
     def _box(self, detection: Detection) -> tuple[int, float, float, float, float]:
@@ -195,7 +195,7 @@ class PassFinder:
         if place is None:
             return box.x0, box.y0, box.x1, box.y1
         w = self._view.width
-        (x0, y0), (x1, y1) = back(place, box.x0 / w, box.y0 / w), back(place, box.x1 / w, box.y1 / w)
+        (x0, y0), (x1, y1) = map_back(place, box.x0 / w, box.y0 / w), map_back(place, box.x1 / w, box.y1 / w)
         return w * x0, w * y0, w * x1, w * y1
 
     def _sharpness(self, n: int, box: Box) -> float:
@@ -209,7 +209,7 @@ class PassFinder:
         return float(part.mean()) if part.size else 0.0
 
 
-def _some(detections: list[Detection], best: Detection) -> Iterator[Detection]:
+def _spread_detections(detections: list[Detection], best: Detection) -> Iterator[Detection]:
     """A few sights spread over the track, the best among them."""
     picked = {round(i) for i in np.linspace(0, len(detections) - 1, BOXES_KEPT)}
     for index, detection in enumerate(detections):

@@ -74,7 +74,7 @@ class FullPicture:
         return out
 
 
-def joined(passes: Sequence[FoundPass], spans: Sequence[FullSpan], view: View) -> list[FoundPass]:
+def join_long_vehicles(passes: Sequence[FoundPass], spans: Sequence[FullSpan], view: View) -> list[FoundPass]:
     """The passes with those that lie in a full span made one vehicle, which need not have been found at all.
 
     Own method: INSIDE_SHARE of a piece lies in the span, or it goes the same way and was seen with it: the
@@ -86,27 +86,27 @@ def joined(passes: Sequence[FoundPass], spans: Sequence[FullSpan], view: View) -
         way = _direction(span, view)
         pieces = [one for one in left if _is_piece(one, span, way)]
         left = [one for one in left if one not in pieces]
-        out.append(_whole(pieces, span, view))
+        out.append(_join_pieces(pieces, span, view))
     return [*left, *out]
 
 
-def _is_piece(one: FoundPass, span: FullSpan, way: Direction | None) -> bool:
-    shared = min(one.last_frame, span.last) - max(one.first_frame, span.first) + 1
-    if shared >= INSIDE_SHARE * (one.last_frame - one.first_frame + 1):
+def _is_piece(piece: FoundPass, span: FullSpan, way: Direction | None) -> bool:
+    shared = min(piece.last_frame, span.last) - max(piece.first_frame, span.first) + 1
+    if shared >= INSIDE_SHARE * (piece.last_frame - piece.first_frame + 1):
         return True
-    return shared >= TOUCH and way is not None and one.direction == way
+    return shared >= TOUCH and way is not None and piece.direction == way
 
 
 def _direction(span: FullSpan, view: View) -> Direction | None:
     return None if view.turned else ("right" if span.way > 0 else "left")
 
 
-def _whole(pieces: Sequence[FoundPass], span: FullSpan, view: View) -> FoundPass:
+def _join_pieces(pieces: Sequence[FoundPass], span: FullSpan, view: View) -> FoundPass:
     """One pass over the span and its pieces; nowhere is all of it in view."""
     middle = (span.first + span.last) // 2
     w, h = view.width * view.scale, view.height * view.scale
     box = (middle, 0.0, 0.0, h, w) if view.turned else (middle, 0.0, 0.0, w, h)
-    found = FoundPass(
+    whole_pass = FoundPass(
         first_frame=min([span.first, *(one.first_frame for one in pieces)]),
         last_frame=max([span.last, *(one.last_frame for one in pieces)]),
         best_frame=middle,
@@ -118,6 +118,6 @@ def _whole(pieces: Sequence[FoundPass], span: FullSpan, view: View) -> FoundPass
         boxes=(box,),
     )
     if not pieces:
-        return found
+        return whole_pass
     largest = max(pieces, key=lambda one: one.last_frame - one.first_frame)
-    return replace(found, sharpness=largest.sharpness, luminance=largest.luminance)
+    return replace(whole_pass, sharpness=largest.sharpness, luminance=largest.luminance)

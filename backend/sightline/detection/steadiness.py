@@ -67,8 +67,8 @@ class Steadiness:
         self._reference: Small | None = None
         self._before: Small | None = None
         self._corners = np.zeros((0, 1, 2), np.float32)
-        self._base = _nothing()
-        self._now = _nothing()
+        self._base = _identity()
+        self._now = _identity()
         self._age = 0
         self._hidden = 0
         self._strayed = 0
@@ -107,7 +107,7 @@ class Steadiness:
         found = shared_motion(self._reference, picture, self._corners)
         if found is not None and found.share >= AGREE_SHARE:
             self._hidden = 0
-            self._now = self._believed(_after(self._base, found.transform), picture, tall)
+            self._now = self._reject_jump(_compose(self._base, found.transform), picture, tall)
             if self._age >= self._renewed and found.share >= CLEAR_SHARE:
                 self._renew(picture, tall)
             return
@@ -122,7 +122,7 @@ class Steadiness:
         step = shared_motion(self._before, picture, corners_by_cell(self._before))
         return step is None or step.share < CLEAR_SHARE or _reach(step.transform, tall) == 0
 
-    def _believed(self, found: Transform, picture: Small, tall: float) -> Transform:
+    def _reject_jump(self, found: Transform, picture: Small, tall: float) -> Transform:
         """`found`, unless it jumped away from the last while the picture before says that nothing moved."""
         jump = abs(_reach(found, tall) - _reach(self._now, tall))
         return self._now if jump > JUMP_SHARE and self._stands(picture, tall) else found
@@ -132,7 +132,7 @@ class Steadiness:
         self._reference, self._age, self._hidden = picture, 0, 0
         self._corners = corners_by_cell(picture)
         steady = _reach(self._now, tall) <= STEADY_SHARE
-        self._base = self._now = _nothing() if steady else self._now
+        self._base = self._now = _identity() if steady else self._now
 
 
 def corners_by_cell(picture: Small) -> NDArray[np.float32]:
@@ -165,7 +165,7 @@ def shared_motion(before: Small, after: Small, corners: NDArray[np.float32]) -> 
     Fischler and Bolles 1981, on corners that are found there and back (Bouguet 2000).
     """
     if len(corners) < LEAST_CELLS:
-        return Shared(_nothing(), 1.0)
+        return Shared(_identity(), 1.0)
     there, status, _ = cv2.calcOpticalFlowPyrLK(
         before, after, corners, np.zeros_like(corners), winSize=(15, 15), maxLevel=3
     )
@@ -176,7 +176,7 @@ def shared_motion(before: Small, after: Small, corners: NDArray[np.float32]) -> 
     good = (status[:, 0] > 0) & (again[:, 0] > 0) & same
     here, gone = corners[good, 0], there[good, 0]
     if (np.hypot(*(gone - here).T) < STANDS_PX).sum() >= STANDING_SHARE * len(corners):
-        return Shared(_nothing(), 1.0)
+        return Shared(_identity(), 1.0)
     if len(here) < LEAST_CELLS:
         return None
     found, agreeing = cv2.estimateAffinePartial2D(gone, here, ransacReprojThreshold=AGREE_PX)
@@ -187,7 +187,7 @@ def shared_motion(before: Small, after: Small, corners: NDArray[np.float32]) -> 
     return Shared(step, float(agreeing.sum()) / len(corners))
 
 
-def laid(small: Small, place: Transform) -> Small:
+def warp_onto_first(small: Small, place: Transform) -> Small:
     """`small` (h, w) as it would be seen by the camera of the first picture, (h, w); its border goes on
     outwards.
 
@@ -201,7 +201,7 @@ def laid(small: Small, place: Transform) -> Small:
     )
 
 
-def back(place: Transform, x: float, y: float) -> tuple[float, float]:
+def map_back(place: Transform, x: float, y: float) -> tuple[float, float]:
     """Where a point of the first picture lies in the picture that `place` (2, 3) lays on it; shares of the
     width.
 
@@ -211,11 +211,11 @@ def back(place: Transform, x: float, y: float) -> tuple[float, float]:
     return float(at[0]), float(at[1])
 
 
-def _nothing() -> Transform:
+def _identity() -> Transform:
     return np.eye(2, 3)
 
 
-def _after(second: Transform, first: Transform) -> Transform:
+def _compose(second: Transform, first: Transform) -> Transform:
     """The transform that does `first`, then `second`."""
     return np.column_stack([second[:, :2] @ first[:, :2], second[:, :2] @ first[:, 2] + second[:, 2]])
 

@@ -38,7 +38,7 @@ class Course:
         return self.axis == other.axis and (self.far_px > 0) == (other.far_px > 0)
 
 
-def stitched(tracks: Sequence[Track], size: tuple[int, int], lapse: int) -> list[Track]:
+def stitch_tracks(tracks: Sequence[Track], size: tuple[int, int], lapse: int) -> list[Track]:
     """The tracks that move, pieces joined to the whole; a piece may begin `lapse` frames off the other.
 
     `size` is the picture's width and height, px.
@@ -164,7 +164,7 @@ def _belongs(piece: Track, whole: Track, size: tuple[int, int], lapse: int) -> f
     if not way.same_way(course(piece, size)):
         return 0.0
     n = max(piece.detections[0].n, whole.detections[0].n)
-    here, there = _at(piece, n, way.axis, lapse), _at(whole, n, way.axis, lapse)
+    here, there = _extent_on_frame(piece, n, way.axis, lapse), _extent_on_frame(whole, n, way.axis, lapse)
     if here is None or there is None:
         return 0.0
     gap = max(here[0], there[0]) - min(here[1], there[1])
@@ -179,7 +179,7 @@ def _longest(track: Track, axis: int) -> float:
     )
 
 
-def _at(track: Track, n: int, axis: int, lapse: int) -> tuple[float, float] | None:
+def _extent_on_frame(track: Track, n: int, axis: int, lapse: int) -> tuple[float, float] | None:
     """From where to where it reaches on frame n; where it would, if it was lost shortly before."""
     earlier = [detection for detection in track.detections if detection.n <= n]
     if not earlier or n - earlier[-1].n > lapse:

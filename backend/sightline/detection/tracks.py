@@ -107,15 +107,15 @@ class Tracker:
             best = max(range(len(boxes)), key=likely.__getitem__, default=None)
             if best is not None and likely[best] > 0:
                 claims.setdefault(best, []).append((track, at))
-        told: set[int] = set()
+        keepers: set[int] = set()
         pieces = {i: _pieces(i, boxes, claims) for i in claims}
         for index, claimants in claims.items():
             whole = bounding_union([boxes[index], *(boxes[i] for i in pieces[index])])
-            told |= self._share(n, whole, claimants)
+            keepers |= self._share(n, whole, claimants)
         taken = set(claims).union(*pieces.values())
         self._open += [self._begun(n, box) for i, box in enumerate(boxes) if i not in taken]
         self._n = n
-        self._retire(n, told)
+        self._retire(n, keepers)
 
     def _begun(self, n: int, box: Box) -> Track:
         speed = self._speed_px(n, box) or 0.0

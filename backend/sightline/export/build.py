@@ -2,14 +2,14 @@
 
 from dataclasses import dataclass
 
-from sightline.export.contents import about_of, described
-from sightline.export.derived import drawn
+from sightline.export.contents import about_of, describe_package
+from sightline.export.derived import draw_derived_files
 from sightline.export.filling import Filling, Tell
 from sightline.export.package_tables import PACKAGE, tables_of
 from sightline.export.page import write_audit_script, write_page
 from sightline.export.query import audit_pages, count_measurements, most_frames
 from sightline.export.report.words import selection_words
-from sightline.export.seal import CHECKPOINT, sealed
+from sightline.export.seal import CHECKPOINT, sealed_hashes
 from sightline.export.store import seal_package
 from sightline.infra.audit import trail
 from sightline.infra.audit.checkpoints import checkpoint_of_chain, sign_checkpoint
@@ -31,7 +31,7 @@ from sightline.surveys.store import get_survey
 _ROW_BYTES, _CROP_BYTES = 6_000, 60_000
 
 
-def silent(_fraction: float, _words: Said) -> None:
+def ignore_progress(_fraction: float, _words: Said) -> None:
     """Progress that nobody follows."""
 
 
@@ -50,7 +50,7 @@ def build(
     session: Session,
     survey_id: int,
     services: Services,
-    tell: Tell = silent,
+    tell: Tell = ignore_progress,
     *,
     crops: bool = True,
     selection: Selection = Selection(),
@@ -83,13 +83,13 @@ def build(
     )
     for part in PACKAGE:
         part.fill(filling)
-    for path, content in drawn(staging.files(), filling.statistics, staging.written, language):
+    for path, content in draw_derived_files(staging.files(), filling.statistics, staging.written, language):
         staging.add(path, content)
     about = about_of(survey.name, survey.site, survey.description, filling.moment, selection_words(selection))
     tables = tables_of(most)
     write_parquet(staging, tables)
     write_page(staging, tables, language)
-    staging.add(DESCRIPTION, json_bytes(described(about, language, tables, staging.written)))
+    staging.add(DESCRIPTION, json_bytes(describe_package(about, language, tables, staging.written)))
     key = signing_key(services.settings)
     ends = {name: one for name, one in trail.heads(session).items() if name in ("people", "catalogue")}
     with services.writing() as writing:
@@ -113,7 +113,7 @@ def _seal(filled: Filling, session: Session, ends: dict[str, AuditHead], actor: 
         for page in audit_pages(session, survey_id, as_of):
             for event in page:
                 table.add(event)
-        files = sealed(files_before, table.written().sha256)
+        files = sealed_hashes(files_before, table.written().sha256)
         told = {"as_of": as_of, "files": files, "chains": ends}
         number = seal_package(session, survey_id, told, actor=actor)
         ((event,),) = audit_pages(session, survey_id, number - 1)

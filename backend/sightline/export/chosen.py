@@ -25,13 +25,13 @@ class ChosenVehicles:
 def chosen_vehicles(files: Files) -> ChosenVehicles:
     """The vehicles of the videos; one without lighting has its recording's."""
     names = ("id", "recording_id", "lighting", "category", "filmed_at")
-    return _chosen(files, "recordings.csv", read_columns(files, "vehicles.csv", names))
+    return _choose_vehicles(files, "recordings.csv", read_columns(files, "vehicles.csv", names))
 
 
 def chosen_scanned(files: Files) -> ChosenVehicles:
     """The vehicles of the line scans, likewise."""
     names = ("id", "scan_id", "lighting", "category", "filmed_at")
-    return _chosen(files, "line_scans.csv", read_columns(files, "scan_vehicles.csv", names))
+    return _choose_vehicles(files, "line_scans.csv", read_columns(files, "scan_vehicles.csv", names))
 
 
 def counting_vehicles(files: Files) -> frozenset[str]:
@@ -45,7 +45,7 @@ def is_accepted(withdrawn: str, status: str, verdict: str) -> bool:
     return withdrawn == "false" and status == "ok" and verdict in get_args(AcceptedVerdict)
 
 
-def _chosen(files: Files, filmed: str, vehicles: Iterable[Sequence[str]]) -> ChosenVehicles:
+def _choose_vehicles(files: Files, filmed: str, vehicles: Iterable[Sequence[str]]) -> ChosenVehicles:
     selection, sets = selection_in(files), class_sets_in(files)
     lit = dict(read_columns(files, filmed, ("id", "lighting")))
     of_kind = {

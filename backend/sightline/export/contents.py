@@ -46,7 +46,7 @@ _ABOUT = (
 )
 
 
-def described(
+def describe_package(
     about: About, language: str, tables: Sequence[AnyTable], written: Mapping[str, Written]
 ) -> dict[str, Any]:
     """`datapackage.json`. It comes before the seal, and so names no hash of the table that ends with it.

@@ -80,12 +80,12 @@ CROPS = Table(
 def spots_of(found: Sequence[Measurement]) -> Spots:
     """Where crops are to be taken: one record a frame of each measurement, compact (some 90 bytes)."""
     rows: list[tuple[Any, ...]] = []
-    for one in found:
-        values = one.values
+    for measurement in found:
+        values = measurement.values
         height, u95 = (np.nan if m is None else m for m in (values.height_m, values.U95_height_m))
         on_frames: tuple[MeasurementValues | FurtherFrame, ...] = (values, *values.more_frames)
         for k, on in enumerate(on_frames, start=1):
-            place = (one.recording_id, on.frame, one.vehicle_id, one.id, k)
+            place = (measurement.recording_id, on.frame, measurement.vehicle_id, measurement.id, k)
             on_what = (TARGETS.index(values.target), on.frame_crc32)
             rows.append((*place, *on_what, *on.contact, *on.target_point, height, u95))
     return np.array(rows, dtype=_RECORD)
@@ -202,13 +202,13 @@ def overlay(row: Mapping[str, Any], label: str) -> bytes:
     )
     for colour, thick in (("#000", 3), ("#fff", 1)):
         parts.append(f'<g fill="none" stroke="{colour}" stroke-width="{thick}">{shapes}</g>')
-    words = (*_words("tyre contact", cx, cy, width, height), *_words(label, tx, ty, width, height))
+    words = (*_draw_text("tyre contact", cx, cy, width, height), *_draw_text(label, tx, ty, width, height))
     style = 'font-family="sans-serif" font-size="11" fill="#fff" stroke="#000" stroke-width="3"'
     parts.append(f'<g {style} paint-order="stroke">{"".join(words)}</g>')
     return ("\n".join(parts) + "\n</svg>\n").encode()
 
 
-def _words(text: str, x: float, y: float, width: int, height: int) -> Iterator[str]:
+def _draw_text(text: str, x: float, y: float, width: int, height: int) -> Iterator[str]:
     """The text beside a point, on the side where there is room."""
     left = x > width / 2
     at, anchor = (x - 10, "end") if left else (x + 10, "start")

@@ -34,15 +34,17 @@ def derive_tables(staging: Staging) -> PackageStatistics:
     return found
 
 
-def drawn(
+def draw_derived_files(
     files: Files, found: PackageStatistics, written: dict[str, Written], language: str
 ) -> list[tuple[str, bytes]]:
     """Figures and report by path, in a language, from tables that are written already."""
     with speaking(language):
-        return _drawn(files, found, written)
+        return _draw_as_spoken(files, found, written)
 
 
-def _drawn(files: Files, found: PackageStatistics, written: dict[str, Written]) -> list[tuple[str, bytes]]:
+def _draw_as_spoken(
+    files: Files, found: PackageStatistics, written: dict[str, Written]
+) -> list[tuple[str, bytes]]:
     done = drawings(found.headline, scans=found.scans)
     figures = sorted((name, one.svg) for name, one in done.items() if isinstance(one, Drawing))
     listed = {path: one for path, one in written.items() if not path.startswith(_UNLISTED)}

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 
 from sightline.export.chosen import chosen_vehicles
 from sightline.infra.csv_package.columns import code_in, code_of, key, text
-from sightline.infra.csv_package.files import Files, read_columns, unsafe
+from sightline.infra.csv_package.files import Files, read_columns, undo_safe_text
 from sightline.infra.csv_package.schema import Cell, Table, ids_of
 from sightline.measurements.csv import TARGETS
 from sightline.measurements.sheets.csv import counting_in
@@ -68,7 +68,7 @@ def exclusion_rows(files: Files) -> Iterator[dict[str, Cell]]:
         apart[id_] = _TIMELESS if id_ in chosen.without_time else _OTHER
     for values in read_columns(files, "measurements.csv", _READ):
         row = dict(zip(_READ, values, strict=True))
-        why = _why(row) or apart.get(row["vehicle_id"])
+        why = _find_exclusion(row) or apart.get(row["vehicle_id"])
         if why is not None:
             yield {
                 "measurement_id": int(row["id"]),
@@ -81,7 +81,7 @@ def exclusion_rows(files: Files) -> Iterator[dict[str, Cell]]:
             }
 
 
-def _why(row: Mapping[str, str]) -> tuple[str, Said] | None:
+def _find_exclusion(row: Mapping[str, str]) -> tuple[str, Said] | None:
     if row["withdrawn"] == "true":
         return "withdrawn", Said("excluded-withdrawn")
     if row["status"] != "ok":
@@ -97,10 +97,10 @@ def _why(row: Mapping[str, str]) -> tuple[str, Said] | None:
 
 def reason_in(row: Mapping[str, str]) -> Said | None:
     """Of what is missing; a package of an earlier program may have its words alone."""
-    return code_in(unsafe(row["reason_code"])) or (
-        Said.read(unsafe(row["reason"])) if row["reason"] else None
+    return code_in(undo_safe_text(row["reason_code"])) or (
+        Said.read(undo_safe_text(row["reason"])) if row["reason"] else None
     )
 
 
 def _of_person(row: Mapping[str, str]) -> Said | None:
-    return Said("said", sentence=unsafe(row["review_reason"])) if row["review_reason"] else None
+    return Said("said", sentence=undo_safe_text(row["review_reason"])) if row["review_reason"] else None

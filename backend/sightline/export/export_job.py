@@ -80,7 +80,7 @@ def export(context: registry.JobContext) -> registry.Outcome:
     result = {"measurements": built.measurements, "vehicles": built.vehicles, "crops": built.crops}
 
     def store(session: Session) -> Mapping[str, Any]:
-        made = add_export(
+        stored = add_export(
             session,
             survey_id,
             media_key=key,
@@ -90,7 +90,7 @@ def export(context: registry.JobContext) -> registry.Outcome:
             **asked,
             actor=context.actor,
         )
-        return {"export_id": made.id, **result}
+        return {"export_id": stored.id, **result}
 
     return store
 

@@ -58,7 +58,7 @@ from sightline.recordings.frames.csv import ClickedFrame, clicked_frames
 from sightline.recordings.frames.store import get_frame_table
 from sightline.results.measured_columns_query import load_measured_columns
 from sightline.results.selection import Selection
-from sightline.results.survey_statistics import filter_of, filtered
+from sightline.results.survey_statistics import filter_measured, filter_of
 from sightline.reviews.lots.csv import LOT_ITEMS, LOTS, ItemOfLot
 from sightline.reviews.lots.query import items_of_deleted_vehicles, list_lots
 from sightline.reviews.lots.service import lots_with_items
@@ -107,10 +107,10 @@ class Filling:
         """What a store has of the survey."""
         return read(self.session, self.survey.id)
 
-    def mark(self, one: Measurement) -> None:
+    def mark(self, measurement: Measurement) -> None:
         """Note the frames that were clicked on."""
-        for n in (one.values.frame, *(more.frame for more in one.values.more_frames)):
-            marks = self.marks.setdefault(one.recording_id, bytearray())
+        for n in (measurement.values.frame, *(more.frame for more in measurement.values.more_frames)):
+            marks = self.marks.setdefault(measurement.recording_id, bytearray())
             if len(marks) <= n:
                 marks.extend(bytes(n + 1 - len(marks)))
             marks[n] = 1
@@ -120,33 +120,33 @@ class Filling:
         return lambda fraction: self.tell(start + (end - start) * min(max(fraction, 0.0), 1.0), words)
 
 
-def fill_survey(found: Filling) -> None:
+def fill_survey(filling: Filling) -> None:
     """The survey with its insets, classes and sample."""
-    survey = found.survey
-    found.staging.fill(SURVEY, (survey,))
-    found.staging.fill(INSETS, insets_in_force(survey))
-    found.staging.fill(CLASSES, survey.classes)
-    found.staging.fill(SAMPLING, (survey,))
-    found.staging.fill(QUOTAS, survey.sampling.quotas)
+    survey = filling.survey
+    filling.staging.fill(SURVEY, (survey,))
+    filling.staging.fill(INSETS, insets_in_force(survey))
+    filling.staging.fill(CLASSES, survey.classes)
+    filling.staging.fill(SAMPLING, (survey,))
+    filling.staging.fill(QUOTAS, survey.sampling.quotas)
 
 
-def fill_calibrations(found: Filling) -> None:
+def fill_calibrations(filling: Filling) -> None:
     """Calibrations: as a table, as files for the command line, and as the audit chain knows them."""
-    names = {camera.id: camera.name for camera in found.of_survey(list_cameras)}
-    lenses = found.of_survey(list_calibrations)
-    found.staging.fill(CALIBRATIONS, (NamedCalibration(lens, names.get(lens.camera_id)) for lens in lenses))
+    names = {camera.id: camera.name for camera in filling.of_survey(list_cameras)}
+    lenses = filling.of_survey(list_calibrations)
+    filling.staging.fill(CALIBRATIONS, (NamedCalibration(lens, names.get(lens.camera_id)) for lens in lenses))
     for lens in lenses:
-        found.staging.add(calibration_path(lens.id), json_bytes(lens.document))
-    _records(found.staging, "calibration", found.of_survey(calibration_contents))
+        filling.staging.add(calibration_path(lens.id), json_bytes(lens.document))
+    _records(filling.staging, "calibration", filling.of_survey(calibration_contents))
 
 
-def fill_poses(found: Filling) -> None:
+def fill_poses(filling: Filling) -> None:
     """Road poses, in the same three ways."""
-    poses = found.of_survey(list_whole_poses)
-    found.staging.fill(POSES, poses)
+    poses = filling.of_survey(list_whole_poses)
+    filling.staging.fill(POSES, poses)
     for pose in poses:
-        found.staging.add(pose_path(pose.id), json_bytes(pose.document))
-    _records(found.staging, "pose", found.of_survey(pose_contents))
+        filling.staging.add(pose_path(pose.id), json_bytes(pose.document))
+    _records(filling.staging, "pose", filling.of_survey(pose_contents))
 
 
 def _records(staging: Staging, kind: str, contents: Mapping[int, object]) -> None:
@@ -154,33 +154,33 @@ def _records(staging: Staging, kind: str, contents: Mapping[int, object]) -> Non
         staging.add(record_path(kind, row_id), json_bytes(content))
 
 
-def fill_measurements(found: Filling) -> None:
+def fill_measurements(filling: Filling) -> None:
     """Everything that is told of measurements and repeats, in one pass over the revisions."""
-    tick = found.part(0.0, 0.35, Said("job-export-measurements"))
+    tick = filling.part(0.0, 0.35, Said("job-export-measurements"))
     done = 0
-    stale = found.of_survey(measurements_out_of_date).measurements
-    measured = load_measured_columns(found.session, [found.survey.id])
-    evaluated, _ = filtered(measured, filter_of(found.selection))
+    stale = filling.of_survey(measurements_out_of_date).measurements
+    measured = load_measured_columns(filling.session, [filling.survey.id])
+    evaluated, _ = filter_measured(measured, filter_of(filling.selection))
     with ExitStack() as stack:
-        out = _Writers(found.staging, stack, found.most, set(evaluated.measurement_id.tolist()))
-        for page in found.of_survey(revision_pages):
+        out = _Writers(filling.staging, stack, filling.most, set(evaluated.measurement_id.tolist()))
+        for page in filling.of_survey(revision_pages):
             current: list[Measurement] = []
             for _, group in groupby(page, key=lambda pair: pair[0].id):
                 revisions = list(group)
                 done += 1
                 for one, _ in revisions:
-                    found.mark(one)
+                    filling.mark(one)
                 newest, car = revisions[-1]
                 if newest.repeat_of is not None:
                     out.repeats.add(replace(newest, out_of_date=stale.get(newest.id, ())))
                     continue
                 out.measurement([one for one, _ in revisions], car, stale.get(newest.id, ()))
-                found.measurements += 1
+                filling.measurements += 1
                 if not newest.withdrawn:
                     current.append(newest)
-            if found.with_crops:
-                found.spots.append(spots_of(current))
-            tick(done / max(found.count, 1))
+            if filling.with_crops:
+                filling.spots.append(spots_of(current))
+            tick(done / max(filling.count, 1))
 
 
 class _Writers:
@@ -189,11 +189,11 @@ class _Writers:
     def __init__(self, staging: Staging, stack: ExitStack, most: int, evaluated: Set[int]) -> None:
         self._staging, self._stack, self._evaluated = staging, stack, evaluated
         self._clicks_table = clicks_with_frames(most)
-        self._current = self._opened(with_frames(MEASUREMENTS, most))
-        self._all = self._opened(with_frames(REVISIONS, most))
-        self._budget, self._clicks = self._opened(BUDGET), self._opened(self._clicks_table)
+        self._current = self._open_writer(with_frames(MEASUREMENTS, most))
+        self._all = self._open_writer(with_frames(REVISIONS, most))
+        self._budget, self._clicks = self._open_writer(BUDGET), self._open_writer(self._clicks_table)
         self._of_poses: dict[int, TableWriter[Clicked]] = {}
-        self.repeats = self._opened(REPEATS)
+        self.repeats = self._open_writer(REPEATS)
 
     def measurement(
         self, revisions: Sequence[Measurement], car: OfVehicle, out_of_date: tuple[ComputingCause, ...]
@@ -220,36 +220,36 @@ class _Writers:
 
     def _of_pose(self, pose_id: int) -> TableWriter[Clicked]:
         if pose_id not in self._of_poses:
-            self._of_poses[pose_id] = self._opened(self._clicks_table, clicks_path(pose_id))
+            self._of_poses[pose_id] = self._open_writer(self._clicks_table, clicks_path(pose_id))
         return self._of_poses[pose_id]
 
-    def _opened(self, table: Table[Record], path: str | None = None) -> TableWriter[Record]:
+    def _open_writer(self, table: Table[Record], path: str | None = None) -> TableWriter[Record]:
         return self._stack.enter_context(self._staging.table(table, path))
 
 
-def fill_vehicles(found: Filling) -> None:
+def fill_vehicles(filling: Filling) -> None:
     """Vehicles, and what the catalogue says of their models."""
-    found.tell(0.35, Said("job-export-vehicles"))
-    with found.staging.table(VEHICLES) as table:
-        for page in found.of_survey(vehicle_pages):
+    filling.tell(0.35, Said("job-export-vehicles"))
+    with filling.staging.table(VEHICLES) as table:
+        for page in filling.of_survey(vehicle_pages):
             for vehicle in page:
                 table.add(vehicle)
                 if vehicle.make and vehicle.model:
-                    found.models.add((vehicle.make, vehicle.model))
-        found.vehicles = table.rows
-    found.staging.fill(CATALOGUE, catalogue_of_models(found.session, found.models))
+                    filling.models.add((vehicle.make, vehicle.model))
+        filling.vehicles = table.rows
+    filling.staging.fill(CATALOGUE, catalogue_of_models(filling.session, filling.models))
 
 
-def fill_lots(found: Filling) -> None:
+def fill_lots(filling: Filling) -> None:
     """Lots with their items; those of deleted vehicles are in no table."""
-    lots = found.of_survey(list_lots)
-    found.staging.fill(LOTS, lots)
-    gone = found.of_survey(items_of_deleted_vehicles)
-    found.staging.fill(
+    lots = filling.of_survey(list_lots)
+    filling.staging.fill(LOTS, lots)
+    gone = filling.of_survey(items_of_deleted_vehicles)
+    filling.staging.fill(
         LOT_ITEMS,
         (
             ItemOfLot(lot, item)
-            for lot, items in lots_with_items(found.session, lots)
+            for lot, items in lots_with_items(filling.session, lots)
             for item in items
             if item.measurement_id not in gone
         ),
@@ -263,26 +263,26 @@ def frames_clicked_on(found: Filling) -> Iterator[ClickedFrame]:
         yield from clicked_frames(recording_id, get_frame_table(found.session, recording_id), marked)
 
 
-def fill_photographs(found: Filling) -> None:
+def fill_photographs(filling: Filling) -> None:
     """Photographs of the set-up, with their pictures."""
-    photographs = found.of_survey(list_photographs)
+    photographs = filling.of_survey(list_photographs)
     for one in photographs:
-        found.staging.add(photograph_path(one.id), photograph_content(found.services, one))
-    found.staging.fill(PHOTOGRAPHS, enumerate(photographs, start=1))
+        filling.staging.add(photograph_path(one.id), photograph_content(filling.services, one))
+    filling.staging.fill(PHOTOGRAPHS, enumerate(photographs, start=1))
 
 
-def fill_audit(found: Filling) -> None:
+def fill_audit(filling: Filling) -> None:
     """The survey's chain, without the seal."""
-    with found.staging.table(AUDIT) as table:
-        found.events = table
-        for page in found.of_survey(audit_pages):
+    with filling.staging.table(AUDIT) as table:
+        filling.events = table
+        for page in filling.of_survey(audit_pages):
             for event in page:
                 table.add(event)
-                found.as_of = event["number"]
+                filling.as_of = event["number"]
                 if event["entity"] != ENTITY:
-                    found.moment = stamp(event["at"])
+                    filling.moment = stamp(event["at"])
                 if event["actor_id"] is not None:
-                    found.staging.named.add(str(event["actor_id"]))
+                    filling.staging.named.add(str(event["actor_id"]))
 
 
 def people_named(found: Filling) -> Iterator[Who]:
@@ -292,17 +292,17 @@ def people_named(found: Filling) -> Iterator[Who]:
     return (Who(id_, known.get(id_, "")) for id_ in ids)
 
 
-def fill_crops(found: Filling) -> None:
+def fill_crops(filling: Filling) -> None:
     """Pictures of the vehicles that the package is of."""
-    tick = found.part(0.45, 0.75, Said("job-export-crops"))
-    spots = [page for page in found.spots if len(page)]
-    if spots and not found.selection.is_all:
-        chosen = np.array([int(one) for one in chosen_vehicles(found.staging.files()).of], dtype=np.int64)
+    tick = filling.part(0.45, 0.75, Said("job-export-crops"))
+    spots = [page for page in filling.spots if len(page)]
+    if spots and not filling.selection.is_all:
+        chosen = np.array([int(one) for one in chosen_vehicles(filling.staging.files()).of], dtype=np.int64)
         spots = [kept for page in spots if len(kept := page[np.isin(page["vehicle"], chosen)])]
     if spots:
-        found.crops = take_crops(found.staging, found.services, np.concatenate(spots), tick)
+        filling.crops = take_crops(filling.staging, filling.services, np.concatenate(spots), tick)
     else:
-        found.staging.fill(CROPS, ())
+        filling.staging.fill(CROPS, ())
 
 
 def fill_statistics(found: Filling) -> None:

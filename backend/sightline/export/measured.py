@@ -16,7 +16,13 @@ from sightline.enums import Correction, Rounding, Target
 from sightline.export.scans import scan_heights_in, scanned_motions, scans_in
 from sightline.export.traffic import traffic_in
 from sightline.geometry.documents import camera_across_m
-from sightline.infra.csv_package.files import Files, columns_lacking, read_columns, unsafe, whole
+from sightline.infra.csv_package.files import (
+    Files,
+    columns_lacking,
+    read_columns,
+    read_integer,
+    undo_safe_text,
+)
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.forms import read_json
 from sightline.measurements.csv import MEASUREMENTS
@@ -34,7 +40,13 @@ from sightline.results.measured_columns_query import (
     day_of,
     measured_of,
 )
-from sightline.results.survey_statistics import Statistics, StatisticsOptions, filter_of, filtered, made_of
+from sightline.results.survey_statistics import (
+    Statistics,
+    StatisticsOptions,
+    filter_measured,
+    filter_of,
+    made_of,
+)
 from sightline.results.usual_standards import standards_in
 from sightline.scans.statistics.heights import ScannedHeights
 from sightline.scans.statistics.service import ScanStatistics
@@ -100,19 +112,19 @@ class PackageStatistics:
 def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()) -> PackageStatistics:
     """Statistics of the accepted measurements of a package's selection, from its tables, by correction."""
     filter_ = filter_of(selection_in(files))
-    measured, left_out = filtered(measured_in(files), filter_)
+    measured, left_out = filter_measured(measured_in(files), filter_)
     groupings = _groupings(files, measured)
     wanted: list[tuple[Correction, Rounding]] = [(one, "none") for one in CORRECTIONS]
     wanted.append(AS_PAPER)
     table = standards_in(files)
-    found = {}
+    statistics = {}
     for correction, rounding in wanted:
         chosen = StatisticsOptions(rounding, correction, choices.u_reference_m, choices.own_standards, table)
-        found[correction, rounding] = made_of(measured, left_out, filter_, chosen, groupings, {}, {})
+        statistics[correction, rounding] = made_of(measured, left_out, filter_, chosen, groupings, {}, {})
     scanned = list(scanned_motions(files))
     return PackageStatistics(
         measured.measurement_id,
-        found,
+        statistics,
         scans_in(files, scanned),
         scan_heights_in(files),
         traffic_in(files, scanned),
@@ -138,7 +150,7 @@ def measured_in(files: Files) -> Measured:
             "measurement_id": int(of["id"]),
             "vehicle_id": int(of["vehicle_id"]),
             "survey_id": 0,
-            "operator_id": whole(of[operator]),
+            "operator_id": read_integer(of[operator]),
             "day": _day(of["clicked_at"] or of["created_at"]),
             "target": of["target"],
             "verdict": of["verdict"],
@@ -204,7 +216,9 @@ def _day(at: str) -> int:
 
 def _groupings(files: Files, measured: Measured) -> dict[str, Grouping]:
     """By lighting, category, set and operator; a package is of one site."""
-    people = {int(id_): unsafe(name) for id_, name in read_columns(files, "people.csv", ("id", "name"))}
+    people = {
+        int(id_): undo_safe_text(name) for id_, name in read_columns(files, "people.csv", ("id", "name"))
+    }
     ids, at = np.unique(measured.operator_id, return_inverse=True)
     named = [f"{people[int(one)]} ({one})" if int(one) in people else "" for one in ids]
     words = sorted({name for name in named if name})

@@ -47,7 +47,7 @@ from sightline.quality.checks.csv import WHEEL_PAIRS
 from sightline.quality.checks.store import list_wheel_pairs
 from sightline.quality.checks.verify import check_wheel_pairs
 from sightline.quality.repeats.csv import REPEATS
-from sightline.recordings.csv import RECORDINGS, described
+from sightline.recordings.csv import RECORDINGS, describe_recording
 from sightline.recordings.frames.csv import FRAMES
 from sightline.recordings.store import list_recordings
 from sightline.recordings.verify import check_recordings
@@ -89,7 +89,7 @@ class Part:
         return self.tables if self.widened is None else self.widened(most)
 
 
-def _one(
+def _part_of_records(
     table: Table[Record],
     records: Callable[[Filling], Iterable[Record]],
     check: Callable[[Checking], object] | None = None,
@@ -112,12 +112,12 @@ _MEASURED = (MEASUREMENTS, REVISIONS, BUDGET, CLICKS, REPEATS)
 #: What is stored, held against the audit chain.
 STORED = (
     Part(_SURVEY, filling.fill_survey, lambda c: check_survey(c.files, c.told.survey)),
-    _one(
+    _part_of_records(
         STANDARDS,
         lambda f: f.of_survey(get_standards).standards,
         lambda c: check_standards(c.files, c.told.survey),
     ),
-    _one(CAMERAS, lambda f: f.of_survey(list_cameras), _replayed(check_cameras)),
+    _part_of_records(CAMERAS, lambda f: f.of_survey(list_cameras), _replayed(check_cameras)),
     Part((CALIBRATIONS,), filling.fill_calibrations, _replayed(check_calibrations)),
     Part((POSES,), filling.fill_poses, _replayed(check_poses)),
     Part(_MEASURED, filling.fill_measurements, checking.check_heights, _with_frames),
@@ -126,24 +126,28 @@ STORED = (
         filling.fill_vehicles,
         lambda c: check_vehicles(c.files, c.told.replay, c.recomputing, c.described.program),
     ),
-    _one(
+    _part_of_records(
         RECORDINGS,
-        lambda f: map(described, f.of_survey(list_recordings)),
+        lambda f: map(describe_recording, f.of_survey(list_recordings)),
         lambda c: check_recordings(c.files, c.told.replay, c.told.drift),
     ),
-    _one(
+    _part_of_records(
         WHEEL_PAIRS,
         lambda f: sorted(f.of_survey(list_wheel_pairs), key=attrgetter("id")),
         _replayed(check_wheel_pairs),
     ),
-    _one(COMPUTINGS, lambda f: reversed(f.of_survey(list_computings)), checking.check_computed_again),
-    _one(REVIEWS, lambda f: chain.from_iterable(f.of_survey(review_pages)), _replayed(check_verdicts)),
+    _part_of_records(
+        COMPUTINGS, lambda f: reversed(f.of_survey(list_computings)), checking.check_computed_again
+    ),
+    _part_of_records(
+        REVIEWS, lambda f: chain.from_iterable(f.of_survey(review_pages)), _replayed(check_verdicts)
+    ),
     Part(
         (LOTS, LOT_ITEMS),
         filling.fill_lots,
         lambda c: check_lots(c.files, c.told.lots, c.told.replay, c.told.measurements.of_vehicle),
     ),
-    _one(FRAMES, filling.frames_clicked_on, lambda c: check_frames(c.files, c.told.measurements)),
+    _part_of_records(FRAMES, filling.frames_clicked_on, lambda c: check_frames(c.files, c.told.measurements)),
     Part(SCANS, lambda f: fill_scans(f.staging, f.session, f.survey.id), checking.check_line_scans),
     Part(
         (PHOTOGRAPHS,),
@@ -151,8 +155,8 @@ STORED = (
         lambda c: check_photographs(c.files, c.told.replay, c.written),
     ),
     Part((AUDIT,), filling.fill_audit),
-    _one(PEOPLE, filling.people_named),
-    _one(SELECTION, lambda f: selection_rows(f.selection)),
+    _part_of_records(PEOPLE, filling.people_named),
+    _part_of_records(SELECTION, lambda f: selection_rows(f.selection)),
 )
 #: What is made of those, made again and compared.
 MADE = (

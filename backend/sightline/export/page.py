@@ -164,7 +164,7 @@ def _check_audit_script(files: Files) -> None:
         raise Damaged("export-page-carries-another", path=AUDIT_SCRIPT)
 
 
-def explained(tables: Sequence[AnyTable]) -> list[AnyTable]:
+def tables_of_page(tables: Sequence[AnyTable]) -> list[AnyTable]:
     """Those that the page shows, each column with its meaning, in the page's order."""
     known = {table.name: table for table in tables}
     return [known[name] for name in _NAMES if name in known]
@@ -179,7 +179,7 @@ def _blocks(rest: str, start: int) -> Iterator[re.Match[str]]:
 def _carried(tables: Sequence[AnyTable], written: Mapping[str, Written]) -> Iterator[str]:
     """The files that the page carries, in their order: its tables and the poses that are not too large."""
     poses = sorted(path for path in written if _POSES.fullmatch(path))
-    for path in (README, *(table.path for table in explained(tables)), *poses):
+    for path in (README, *(table.path for table in tables_of_page(tables)), *poses):
         if path in written and written[path].size <= MOST_BYTES:
             yield path
 
@@ -194,33 +194,40 @@ def _about_block(
     with speaking(language):
         only = selection_words(selection_in(files))
     carried = set(_carried(tables, written))
-    said = {one: _said(files, tables, carried, one) for one in languages()}
-    told = {"language": language, "only": only, "said": said, **_about(files, tables, written, version)}
+    said = {one: _translate_cells(files, tables, carried, one) for one in languages()}
+    told = {
+        "language": language,
+        "only": only,
+        "said": said,
+        **_describe_package(files, tables, written, version),
+    }
     text = json.dumps(told, ensure_ascii=False).replace("<", "\\u003c")
     return f'<script type="application/json" id="about">{text}</script>\n'
 
 
-def _said(files: Files, tables: Sequence[AnyTable], carried: Set[str], language: str) -> dict[str, str]:
+def _translate_cells(
+    files: Files, tables: Sequence[AnyTable], carried: Set[str], language: str
+) -> dict[str, str]:
     """What the tables say in English that the page shows as sentences, in a language: by the code beside it;
     what their columns mean; the words of the program's standards and insets.
     """
-    said: dict[str, str] = {}
+    translations: dict[str, str] = {}
     for one in standards_in(files):
         if one.code is not None:
-            said |= dict(zip(one.words, in_language(one, language).words, strict=True))
-    said |= {note: note_in(note, language) for (note,) in read_columns(files, INSETS.key, ("note",))}
-    for table in explained(tables):
+            translations |= dict(zip(one.words, in_language(one, language).words, strict=True))
+    translations |= {note: note_in(note, language) for (note,) in read_columns(files, INSETS.key, ("note",))}
+    for table in tables_of_page(tables):
         if table.path not in carried:
             continue
-        said |= {one.meaning: translated_meaning(one.meaning, language) for one in table.columns}
+        translations |= {one.meaning: translated_meaning(one.meaning, language) for one in table.columns}
         if table.key == "budget.csv":
             sources = {source for (source,) in read_columns(files, table.path, ("source",))}
-            said |= {source: name_of("budget-of", source, language) for source in sources}
+            translations |= {source: name_of("budget-of", source, language) for source in sources}
         names = [one.name for one in table.columns]
         for column in (one for one in names if f"{one}{CODE}" in names):
             for text, code in set(map(tuple, read_columns(files, table.path, (column, f"{column}{CODE}")))):
-                said[text] = words_of(said_in(code), language) or text
-    return {text: said[text] for text in sorted(said) if said[text] != text}
+                translations[text] = words_of(said_in(code), language) or text
+    return {text: translations[text] for text in sorted(translations) if translations[text] != text}
 
 
 def _figure(files: Files, path: str) -> dict[str, object]:
@@ -231,7 +238,7 @@ def _figure(files: Files, path: str) -> dict[str, object]:
     return {"path": path, "title": path if title is None else html.unescape(title[1]), "wide": wide}
 
 
-def _about(
+def _describe_package(
     files: Files, tables: Sequence[AnyTable], written: Mapping[str, Written], version: str | None
 ) -> dict[str, object]:
     """What the page says of the package: sizes by folder, figures, tables with their columns' meaning."""
@@ -241,7 +248,7 @@ def _about(
             size = folders[path.rpartition("/")[0].partition("/")[0] + "/" if "/" in path else ""]
             size[0], size[1] = size[0] + 1, size[1] + written[path].size
     carried = set(_carried(tables, written))
-    there = explained(tables)
+    there = tables_of_page(tables)
     return {
         "made_with": version or code_version(),
         "folders": [

@@ -9,12 +9,12 @@ from sqlalchemy.orm import Session
 from sightline.cameras.calibrations.tables import calibrations
 from sightline.cameras.tables import cameras
 from sightline.enums import JsonObject
-from sightline.infra.audit.hashing import event_hash, plain
+from sightline.infra.audit.hashing import event_hash, to_plain_json
 from sightline.infra.audit.records import survey_chain
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.database.rows import row_content
 from sightline.measurements.csv import OfVehicle
-from sightline.measurements.derived_query import derived
+from sightline.measurements.derived_query import add_filming_and_drift
 from sightline.measurements.query import (
     is_first,
     measurement_of_row,
@@ -69,7 +69,7 @@ def revision_pages(session: Session, survey_id: int) -> Iterator[list[tuple[Meas
     of_survey = select(measurement_series.c.id).where(measurement_series.c.survey_id == survey_id)
     for first, last in _spans(session, of_survey, measurement_series.c.id):
         rows = session.execute(chosen.where(measurement_series.c.id.between(first, last))).all()
-        found = tuple([measurement_of_row(row) for row in rows])
+        revisions = tuple([measurement_of_row(row) for row in rows])
         cars = [
             OfVehicle(
                 number=row.number,
@@ -81,7 +81,7 @@ def revision_pages(session: Session, survey_id: int) -> Iterator[list[tuple[Meas
             )
             for row in rows
         ]
-        yield list(zip(derived(session, found), cars, strict=True))
+        yield list(zip(add_filming_and_drift(session, revisions), cars, strict=True))
 
 
 def vehicle_pages(session: Session, survey_id: int) -> Iterator[list[VehicleSheet]]:
@@ -123,7 +123,7 @@ def audit_pages(session: Session, survey_id: int, after: int = 0) -> Iterator[li
 def pose_contents(session: Session, survey_id: int) -> dict[int, JsonObject]:
     """The whole content of each pose by id, as it was hashed for the audit chain."""
     query = select(road_poses).where(road_poses.c.survey_id == survey_id).order_by(road_poses.c.id)
-    return {row["id"]: plain(row_content(row)) for row in session.execute(query).mappings()}
+    return {row["id"]: to_plain_json(row_content(row)) for row in session.execute(query).mappings()}
 
 
 def calibration_contents(session: Session, survey_id: int) -> dict[int, JsonObject]:
@@ -134,7 +134,7 @@ def calibration_contents(session: Session, survey_id: int) -> dict[int, JsonObje
         .where(cameras.c.survey_id == survey_id)
         .order_by(calibrations.c.id)
     )
-    return {row["id"]: plain(row_content(row)) for row in session.execute(query).mappings()}
+    return {row["id"]: to_plain_json(row_content(row)) for row in session.execute(query).mappings()}
 
 
 def _ids(session: Session, query: Select[Any], column: Any) -> Iterator[list[int]]:

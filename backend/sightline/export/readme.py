@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 
 from sightline.export.report.conclusion import conclusion
 from sightline.export.report.facts import ReportFacts
-from sightline.export.report.said import said
+from sightline.export.report.said import sentence_of_key
 
 README = "README.txt"
 _WIDE = 100
@@ -24,16 +24,19 @@ _CONTENTS = (
 
 def readme(facts: ReportFacts) -> bytes:
     """The text, in the language that is spoken: a title, then parts of a heading and items."""
-    found = conclusion(facts)
-    title = _plain(", ".join(part for part in (facts.survey, facts.site) if part))
+    concluded = conclusion(facts)
+    title = _flatten_text(", ".join(part for part in (facts.survey, facts.site) if part))
     lines = [
         title,
         "=" * min(len(title), _WIDE),
-        *_part(said("report-conclusion"), found.found),
-        *_part(said("report-not-covered"), found.not_covered),
-        *_part(said("report-readme-contents"), (f"{path}: {said(key)}" for path, key in _CONTENTS)),
+        *_part(sentence_of_key("report-conclusion"), concluded.found),
+        *_part(sentence_of_key("report-not-covered"), concluded.not_covered),
+        *_part(
+            sentence_of_key("report-readme-contents"),
+            (f"{path}: {sentence_of_key(key)}" for path, key in _CONTENTS),
+        ),
         "",
-        *_wrapped(said("report-readme-check"), ""),
+        *_wrapped(sentence_of_key("report-readme-check"), ""),
     ]
     return ("\n".join(lines) + "\n").encode()
 
@@ -47,10 +50,14 @@ def _part(heading: str, items: Iterable[str]) -> Iterator[str]:
 def _wrapped(text: str, mark: str) -> list[str]:
     blank = " " * len(mark)
     return textwrap.wrap(
-        mark + _plain(text), _WIDE, subsequent_indent=blank, break_long_words=False, break_on_hyphens=False
+        mark + _flatten_text(text),
+        _WIDE,
+        subsequent_indent=blank,
+        break_long_words=False,
+        break_on_hyphens=False,
     )
 
 
-def _plain(text: str) -> str:
+def _flatten_text(text: str) -> str:
     """In one line; blanks that hold a number and its unit together stay."""
     return " ".join(text.split(" ")).replace("\n", " ").replace("\r", " ").replace("\t", " ").strip()

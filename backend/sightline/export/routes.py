@@ -104,17 +104,17 @@ def list_exports(survey_id: PathId, who: Viewer, services: Wired, session: Readi
     """The packages that were made of a survey, newest first."""
     name, key = get_survey(session, survey_id).name, signing_key(services.settings).public
     packages = store.list_exports(session, survey_id)
-    since = changes_since_packages(session, [made.id for made in packages])
+    since = changes_since_packages(session, [package.id for package in packages])
     return [
         filled_from(
             ExportBody,
-            made,
+            package,
             signing_key=key,
-            url=f"/api/exports/{made.id}.zip",
-            filename=filename_of(made, name),
-            since=since[made.id],
+            url=f"/api/exports/{package.id}.zip",
+            filename=filename_of(package, name),
+            since=since[package.id],
         )
-        for made in packages
+        for package in packages
     ]
 
 

@@ -25,7 +25,7 @@ from sightline.export.statistics_rows import (
     statistics_table,
 )
 from sightline.infra.csv_package.columns import integer, metres, number, text
-from sightline.infra.csv_package.files import Files, read_columns, read_rows, unsafe
+from sightline.infra.csv_package.files import Files, read_columns, read_rows, undo_safe_text
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.linescan.rig import rig_from
 from sightline.results.csv import selection_in
@@ -220,7 +220,7 @@ def scanned_motions(files: Files) -> Iterator[VehicleMotion]:
             run_of=row["run_of"] or None,
             references=tuple(references.get(row["id"], ())),
             direction=cast(ScanDirection, row["direction"]) if row["direction"] else None,
-            lane=unsafe(row["lane"]) or None,
+            lane=undo_safe_text(row["lane"]) or None,
             axles=int(row["axles"]) if row["axles"] else None,
             **(
                 {}
@@ -232,48 +232,48 @@ def scanned_motions(files: Files) -> Iterator[VehicleMotion]:
 
 def _standing(files: Files) -> dict[str, list[ReferenceValues]]:
     """The reference values that stand, by vehicle."""
-    found: dict[str, list[ReferenceValues]] = {}
+    references: dict[str, list[ReferenceValues]] = {}
     names = ("vehicle_id", "current", "withdrawn", "quantity", "source", "value", "u")
     for vehicle, current, withdrawn, quantity, source, value, u in read_columns(
         files, SCAN_REFERENCES.key, names
     ):
         if current == "true" and withdrawn == "false":
-            one = ReferenceValues(
+            reference = ReferenceValues(
                 cast(ReferenceQuantity, quantity), cast(ReferenceSource, source), float(value), float(u)
             )
-            found.setdefault(vehicle, []).append(one)
-    return found
+            references.setdefault(vehicle, []).append(reference)
+    return references
 
 
-def scan_rows(found: ScanStatistics, heights: tuple[ScannedHeights, ...]) -> dict[str, Iterator[Cells]]:
+def scan_rows(statistics: ScanStatistics, heights: tuple[ScannedHeights, ...]) -> dict[str, Iterator[Cells]]:
     """The rows of every table by its path; of motions none where no scanned vehicle is accepted."""
     return {
-        ERRORS.key: _error_rows(found),
-        BASELINES.key: _baseline_rows(found),
-        QUANTITIES.key: (vars(one) for one in found.spreads if one.n),
-        PERCENTILES.key: _percentile_rows(found),
-        ECDF.key: _ecdf_rows(found),
+        ERRORS.key: _error_rows(statistics),
+        BASELINES.key: _baseline_rows(statistics),
+        QUANTITIES.key: (vars(one) for one in statistics.spreads if one.n),
+        PERCENTILES.key: _percentile_rows(statistics),
+        ECDF.key: _ecdf_rows(statistics),
         HEIGHTS.key: (asdict(one) for one in heights),
-        REFERENCES.key: _reference_rows(found),
-        CARS.key: _car_rows(found),
+        REFERENCES.key: _reference_rows(statistics),
+        CARS.key: _car_rows(statistics),
     }
 
 
 def _reference_rows(found: ScanStatistics) -> Iterator[Cells]:
-    for one in found.references:
-        errors = one.errors
+    for reference in found.references:
+        errors = reference.errors
         ends = {"low": errors.share_low, "high": errors.share_high}
-        yield {**vars(one), "source": one.source or "all", **asdict(errors), **ends}
+        yield {**vars(reference), "source": reference.source or "all", **asdict(errors), **ends}
 
 
 _METRIC = ("mean", "u_mean", "U95_mean", "sd", "u_stated")
 
 
 def _car_rows(found: ScanStatistics) -> Iterator[Cells]:
-    for one in found.cars:
-        for size, together in one.sizes.items():
+    for car in found.cars:
+        for size, together in car.sizes.items():
             told = asdict(together)
-            yield {"car": one.car, "size": size, **told, **{f"{name}_m": told[name] for name in _METRIC}}
+            yield {"car": car.car, "size": size, **told, **{f"{name}_m": told[name] for name in _METRIC}}
 
 
 def _error_rows(found: ScanStatistics) -> Iterator[Cells]:

@@ -47,7 +47,7 @@ class Seal:
     before_sha256: str
 
 
-def sealed(written: Mapping[str, Written], before_sha256: str) -> dict[str, str]:
+def sealed_hashes(written: Mapping[str, Written], before_sha256: str) -> dict[str, str]:
     """The SHA-256 of every file by path; of audit.csv that of all lines but the seal's, of the crops that of
     their lines in SHA256SUMS.
     """
@@ -83,7 +83,7 @@ def read_seal(files: Files) -> Seal:
 
 def check_seal(seal: Seal, written: Mapping[str, Written]) -> None:
     """Every file is the one that the seal names, and there is no other. Raises Damaged."""
-    found = sealed(written, seal.before_sha256)
+    found = sealed_hashes(written, seal.before_sha256)
     for path in sorted({*found, *seal.files}, key=_told_first):
         if found.get(path) != seal.files.get(path):
             raise Damaged("export-seal-differs", path=path)

@@ -256,19 +256,19 @@ TABLES = (
 )
 
 
-def statistics_rows(found: PackageStatistics) -> dict[str, Iterator[Cells]]:
+def statistics_rows(package: PackageStatistics) -> dict[str, Iterator[Cells]]:
     """The rows of every table by its path."""
     made = [
         ({"heights": heights, "rounding": one.errors.rounding}, one)
-        for heights, one in (("inset", found.headline), (_PAPER, found.of[AS_PAPER]))
+        for heights, one in (("inset", package.headline), (_PAPER, package.of[AS_PAPER]))
     ]
     errors = [(key, one.errors) for key, one in made]
-    heights = [(correction, one) for (correction, rounding), one in found.of.items() if rounding == "none"]
+    heights = [(correction, one) for (correction, rounding), one in package.of.items() if rounding == "none"]
     return {
         ERROR_TABLE.key: chain.from_iterable(error_rows(key, one.groups) for key, one in errors),
         ERRORS_BY_TARGET.key: chain.from_iterable(
             _known_rows({"heights": heights}, one.known_errors)
-            for heights, one in (("inset", found.headline), (_PAPER, found.of["none", "none"]))
+            for heights, one in (("inset", package.headline), (_PAPER, package.of["none", "none"]))
         ),
         AGREEMENT.key: chain.from_iterable(_agreement_rows(key, one) for key, one in errors),
         ERROR_TREND.key: chain.from_iterable(_trend_rows(key, one) for key, one in errors),
@@ -277,22 +277,22 @@ def statistics_rows(found: PackageStatistics) -> dict[str, Iterator[Cells]]:
         CORRECTION_TABLE.key: chain.from_iterable(_correction_rows(*one) for one in heights),
         PERCENTILE_TABLE.key: chain.from_iterable(_percentile_rows(*one) for one in heights),
         TOTAL_TABLE.key: chain.from_iterable(_total_rows(one) for _, one in heights),
-        RULE_TABLE.key: _rule_rows(found.headline),
+        RULE_TABLE.key: _rule_rows(package.headline),
         HEIGHT_ECDF.key: chain.from_iterable(_height_ecdf_rows(*one) for one in heights),
         HEIGHT_DENSITY.key: chain.from_iterable(_height_density_rows(*one) for one in heights),
         SHARES.key: chain.from_iterable(_share_rows(*one) for one in heights),
-        LATERAL_TABLE.key: _lateral_rows(found.headline),
-        **scans.scan_rows(found.scans, found.scan_heights),
-        **traffic.traffic_rows(found.scan_traffic),
+        LATERAL_TABLE.key: _lateral_rows(package.headline),
+        **scans.scan_rows(package.scans, package.scan_heights),
+        **traffic.traffic_rows(package.scan_traffic),
     }
 
 
 def _known_rows(key: Row, found: Iterable[KnownErrors]) -> Iterator[Cells]:
-    for one in found:
-        of: Cells = {**key, "target": one.target, "check_target": one.check_target}
-        for part in one.groups:
+    for known in found:
+        of: Cells = {**key, "target": known.target, "check_target": known.check_target}
+        for part in known.groups:
             yield from error_rows({**of, "grouping": part.grouping}, {part.group: part.errors})
-        inside = one.inside
+        inside = known.inside
         row: Cells = {**of, "grouping": "all", "group": "all", "figure": "inside_u95"}
         if isinstance(inside, Said):
             yield {**row, "n": 0, "reason": inside}
@@ -341,38 +341,38 @@ def _error_density_rows(key: Row, errors: Errors) -> Iterator[Cells]:
 
 
 def _correction_rows(correction: Correction, found: Statistics) -> Iterator[Cells]:
-    for target, one in found.targets.items():
-        done = one.correction
-        said: Cells = {"reason": done} if isinstance(done, Said) else {"words": done.words}
+    for target, result in found.targets.items():
+        done = result.correction
+        stated: Cells = {"reason": done} if isinstance(done, Said) else {"words": done.words}
         if not isinstance(done, Said):
-            said["warning"] = done.warning
-        left = one.corrected
+            stated["warning"] = done.warning
+        left = result.corrected
         row: Cells = {"target": target, "correction": correction, "n": left.n}
-        yield {**row, "mean_m": left.mean_m, "sd_m": left.sd_m, **said}
+        yield {**row, "mean_m": left.mean_m, "sd_m": left.sd_m, **stated}
 
 
 def _distributions(
     correction: Correction, found: Statistics
 ) -> Iterator[tuple[StatisticsTarget, Cells, Distribution]]:
     """Each target's heights under a correction, and under the headline's by group, with what names them."""
-    for target, one in found.targets.items():
+    for target, result in found.targets.items():
         key: Cells = {"target": target, "correction": correction}
-        yield target, {**key, "grouping": "all", "group": "all"}, one.corrected
+        yield target, {**key, "grouping": "all", "group": "all"}, result.corrected
         if correction == "inset":
-            for grouping, groups in one.groups.items():
+            for grouping, groups in result.groups.items():
                 for word, part in groups.of.items():
                     yield target, {**key, "grouping": grouping, "group": word}, part
 
 
 def _percentile_rows(correction: Correction, found: Statistics) -> Iterator[Cells]:
-    for _, key, one in _distributions(correction, found):
-        for each in one.percentiles:
+    for _, key, distribution in _distributions(correction, found):
+        for each in distribution.percentiles:
             ends = {"height_m": each.value, "low_m": each.low, "high_m": each.high}
-            yield {**key, "n": one.n, **vars(each), **ends}
+            yield {**key, "n": distribution.n, **vars(each), **ends}
 
 
-def _total_rows(found: Statistics) -> Iterator[Cells]:
-    for target, one in found.targets.items():
+def _total_rows(statistics: Statistics) -> Iterator[Cells]:
+    for target, one in statistics.targets.items():
         total = one.total
         if total is None:
             continue
@@ -382,17 +382,17 @@ def _total_rows(found: Statistics) -> Iterator[Cells]:
             yield {**key, **of, **_total_cells(each)}
         yield {**key, "figure": "mean", **_total_cells(total.mean)}
         yield {**key, "figure": "sd", **_total_cells(total.sd)}
-        for standard, share in zip(standards_of(found.standards, target), total.shares, strict=True):
+        for standard, share in zip(standards_of(statistics.standards, target), total.shares, strict=True):
             yield {**key, "figure": "share_below", "limit_m": standard.height_m, **_total_cells(share)}
 
 
 def _rule_rows(found: Statistics) -> Iterator[Cells]:
-    for one in found.rules:
-        standard = one.standard
+    for rule in found.rules:
+        standard = rule.standard
         named: Cells = {"standard": standard.name, "standard_m": standard.height_m}
-        named |= {"class": standard.vehicle_class, "by_class": one.by_class}
-        ends = {"height_m": one.value_m, "low_m": one.U95_low_m, "high_m": one.U95_high_m}
-        yield {"what": standard.what, "percent": standard.percent, **vars(one), **named, **ends}
+        named |= {"class": standard.vehicle_class, "by_class": rule.by_class}
+        ends = {"height_m": rule.value_m, "low_m": rule.U95_low_m, "high_m": rule.U95_high_m}
+        yield {"what": standard.what, "percent": standard.percent, **vars(rule), **named, **ends}
 
 
 def _total_cells(one: Figure) -> Cells:
@@ -426,20 +426,20 @@ def _lateral_rows(found: Statistics) -> Iterator[Cells]:
     parts += [
         (lane, of, one) for lane, found_of in lateral.classes.items() for of, one in found_of.of.items()
     ]
-    for lane, category, one in parts:
-        key: Cells = {"lane": lane, "class": category, "n": one.n}
-        yield {**key, "figure": "mean", "value_m": one.mean_m}
-        yield {**key, "figure": "sd", "value_m": one.sd_m}
-        for each in one.percentiles:
+    for lane, category, distribution in parts:
+        key: Cells = {"lane": lane, "class": category, "n": distribution.n}
+        yield {**key, "figure": "mean", "value_m": distribution.mean_m}
+        yield {**key, "figure": "sd", "value_m": distribution.sd_m}
+        for each in distribution.percentiles:
             ends = {"value_m": each.value, "low_m": each.low, "high_m": each.high}
             yield {**key, "figure": "percentile", **vars(each), **ends}
 
 
-def same_cell(column: Column, told: str, found: str) -> bool:
+def same_cell(column: Column, stored: str, recomputed: str) -> bool:
     """Whether two cells say the same; numbers to a millionth: machines differ in the last bits."""
-    if told == found:
+    if stored == recomputed:
         return True
-    if column.type != "number" or not told or not found:
+    if column.type != "number" or not stored or not recomputed:
         return False
-    a, b = float(told), float(found)
+    a, b = float(stored), float(recomputed)
     return abs(a - b) <= 1.1e-6 * max(1.0, abs(a), abs(b))

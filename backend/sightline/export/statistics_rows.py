@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from sightline.infra.csv_package.columns import metres, number, said
+from sightline.infra.csv_package.columns import metres, number, said_columns
 from sightline.infra.csv_package.schema import Cell, Column, Row, Table
 from sightline.messages.said import Said
 from sightline.statistics.errors import ErrorGroup
@@ -32,7 +32,7 @@ def statistics_table(name: str, meaning: str, *columns: Column, **keys: Any) -> 
 
 def said_of(name: str, meaning: str) -> tuple[Column, Column]:
     """What is said in a cell of a row, which may leave it out, and beside it its codes and values."""
-    return said(name, meaning, lambda row: row.get(name))
+    return said_columns(name, meaning, lambda row: row.get(name))
 
 
 REASON = said_of("reason", "why a value or its interval is missing")

@@ -16,7 +16,7 @@ from sightline.infra.csv_package.columns import (
     text,
     words_of,
 )
-from sightline.infra.csv_package.files import Files, read_rows, unsafe
+from sightline.infra.csv_package.files import Files, read_rows, undo_safe_text
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.schema import Column, ids_of
 from sightline.linescan.traffic import MINUTES, Figure, Interval
@@ -131,10 +131,10 @@ _FIGURES = [name for name, kind in get_type_hints(Interval).items() if kind is F
 
 
 def traffic_in(
-    files: Files, found: Sequence[VehicleMotion], lengths: Sequence[int] = MINUTES
+    files: Files, vehicles: Sequence[VehicleMotion], lengths: Sequence[int] = MINUTES
 ) -> tuple[ScanTraffic, ...]:
-    """The traffic of a package's line scans, `found` all its vehicles; intervals of the first length first,
-    of `lengths` in minutes.
+    """The traffic of a package's line scans, `vehicles` all its vehicles; intervals of the first length
+    first, of `lengths` in minutes.
 
     Its days and hours alone limit it: without vehicles of other classes, flows and headways would be of an
     emptier road.
@@ -143,7 +143,7 @@ def traffic_in(
     return tuple(
         one
         for minutes in lengths
-        for one in traffic_of_seen(watched, found, minutes, accepted_only=True, filmed=filmed)
+        for one in traffic_of_seen(watched, vehicles, minutes, accepted_only=True, filmed=filmed)
     )
 
 
@@ -156,13 +156,15 @@ def _watched(row: Mapping[str, str]) -> Watched:
     clock = clock_of(
         {
             "started_at": row["started_at"] or None,
-            "time_zone": unsafe(row["time_zone"]),
+            "time_zone": undo_safe_text(row["time_zone"]),
             "u_start_s": figure_of(row["u_start_s"]),
         }
     )
     rate_hz = float(row["line_rate_hz"])
     watched_s = int(row["lines"]) / rate_hz if row["lines"] else None
-    return Watched(int(row["id"]), unsafe(row["name"]), clock.filming if clock else None, watched_s, rate_hz)
+    return Watched(
+        int(row["id"]), undo_safe_text(row["name"]), clock.filming if clock else None, watched_s, rate_hz
+    )
 
 
 def traffic_rows(found: Sequence[ScanTraffic]) -> dict[str, Iterator[Cells]]:
@@ -178,21 +180,21 @@ def _key(scan: ScanTraffic, one: ShownInterval) -> Cells:
     return {**key, "direction": scan.direction, "lane": scan.lane}
 
 
-def _interval_row(scan: ScanTraffic, one: ShownInterval) -> Cells:
-    row: Cells = {**_key(scan, one), **{name: getattr(one, name) for name in _PLAIN}}
+def _interval_row(scan: ScanTraffic, interval: ShownInterval) -> Cells:
+    row: Cells = {**_key(scan, interval), **{name: getattr(interval, name) for name in _PLAIN}}
     for name in _FIGURES:
-        figure: Figure = getattr(one, name)
+        figure: Figure = getattr(interval, name)
         row |= {name: figure.value, f"u_{name}": figure.u}
-    for each in one.percentiles:
+    for each in interval.percentiles:
         name = f"p{each.percent:g}_speed_mps"
         row |= {name: each.value, f"{name}_low": each.low, f"{name}_high": each.high}
-    return {**row, "reasons": words_of(one.reasons), f"reasons{CODE}": code_of(one.reasons)}
+    return {**row, "reasons": words_of(interval.reasons), f"reasons{CODE}": code_of(interval.reasons)}
 
 
-def _class_rows(scan: ScanTraffic, one: ShownInterval) -> Iterator[Cells]:
-    for kind in one.classes if one.vehicles else ():
+def _class_rows(scan: ScanTraffic, interval: ShownInterval) -> Iterator[Cells]:
+    for kind in interval.classes if interval.vehicles else ():
         yield {
-            **_key(scan, one),
+            **_key(scan, interval),
             "above_m": kind.above_m,
             "up_to_m": kind.up_to_m,
             "vehicles": kind.vehicles,

@@ -6,7 +6,7 @@ from numpy.typing import ArrayLike
 from sightline.arrays import Floats
 
 
-def frozen(values: ArrayLike) -> Floats:
+def freeze_array(values: ArrayLike) -> Floats:
     """A float64 copy, of the same shape as `values`, any shape, that cannot be written to."""
     array = np.array(values, dtype=np.float64)
     array.setflags(write=False)

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.polynomial.legendre import legvander
 
 from sightline.arrays import Floats
-from sightline.geometry.arrays import frozen
+from sightline.geometry.arrays import freeze_array
 from sightline.geometry.board import Board, board_points
 
 _TERMS = ((2, 0), (1, 1), (0, 2), (4, 0), (3, 1), (2, 2), (1, 3), (0, 4))
@@ -50,4 +50,4 @@ def shape_basis(board: Board, as_seen: Board) -> Floats:
     lying = as_seen.columns != board.columns
     x, y = (along, -across) if lying else (across, along)
     by_x, by_y = legvander(x, 4), legvander(y, 4)
-    return frozen(np.stack([by_x[:, i] * by_y[:, j] for i, j in _TERMS], axis=1))
+    return freeze_array(np.stack([by_x[:, i] * by_y[:, j] for i, j in _TERMS], axis=1))

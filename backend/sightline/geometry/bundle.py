@@ -52,7 +52,7 @@ def refine_bent(
     cost, damping = sum(p.cost for p in now), 1e-4
     for _ in range(_ROUNDS):
         step, turns = _step(now, damping)
-        tried_camera, tried_shape = _moved(camera, step[:n]), shape + step[n:]
+        tried_camera, tried_shape = _step_camera(camera, step[:n]), shape + step[n:]
         if tried_camera is None:
             damping *= 10.0
             continue
@@ -86,12 +86,12 @@ def _all_turned(
     bases: Sequence[Floats],
 ) -> tuple[PlanarPose, ...]:
     return tuple(
-        _turned(camera, pose, turn, raised(o, b, shape), s, b)
+        _step_pose(camera, pose, turn, apply_board_shape(o, b, shape), s, b)
         for pose, turn, o, s, b in zip(poses, turns, objects, seen, bases, strict=True)
     )
 
 
-def raised(points: Floats, basis: Floats, shape: Floats) -> Floats:
+def apply_board_shape(points: Floats, basis: Floats, shape: Floats) -> Floats:
     """The flat board's `points` (N, 3) with the heights of its shape, (N, 3), metres: z + `basis` (N, m)
     times `shape` (m,).
 
@@ -124,7 +124,7 @@ def _step(poses: Sequence[PlanarPose], damping: float) -> tuple[Floats, list[Flo
     return lens_step, [solved[:, n] - solved[:, :n] @ lens_step for solved in blocks]
 
 
-def _moved(camera: Camera, step: Floats) -> Camera | None:
+def _step_camera(camera: Camera, step: Floats) -> Camera | None:
     fx, fy = camera.fx_px + float(step[0]), camera.fy_px + float(step[1])
     if not (np.isfinite(step).all() and 0.05 * camera.width_px < fx and 0.05 * camera.width_px < fy):
         return None
@@ -132,7 +132,7 @@ def _moved(camera: Camera, step: Floats) -> Camera | None:
     return replace(camera, fx_px=fx, fy_px=fy, cx_px=cx, cy_px=cy, distortion=camera.distortion + step[4:])
 
 
-def _turned(
+def _step_pose(
     camera: Camera, pose: PlanarPose, step: Floats, points: Floats, seen: Floats, basis: Floats
 ) -> PlanarPose:
     turn = exp_rotation(step[:3])

@@ -12,7 +12,7 @@ import numpy as np
 from sightline.arrays import Floats
 from sightline.enums import LensModel
 from sightline.errors import BadInput
-from sightline.geometry.arrays import exp_rotation, frozen
+from sightline.geometry.arrays import exp_rotation, freeze_array
 from sightline.geometry.board import Board, board_points, require_board
 from sightline.geometry.board_shape import BoardShape, shape_basis
 from sightline.geometry.bundle import from_scratch, refine_all, refine_bent
@@ -135,7 +135,7 @@ def calibrate(
     other = _try_other(used, board, size, model, bent_board)
     rms = [float(np.sqrt(pose.cost / len(pose.residuals_px))) for pose in fit.poses]
     by_file = {name: View(name, value, True) for (name, _, _), value in zip(used, rms, strict=True)} | skipped
-    camera = replace(_known(fit), views=tuple(by_file[name] for name, _, _ in views))
+    camera = replace(_fitted_camera(fit), views=tuple(by_file[name] for name, _, _ in views))
     other_size = tuple(name for name, _, its in views if its != size)
     evidence = Evidence(
         camera=camera,
@@ -153,10 +153,10 @@ def calibrate(
     shapes = [c.points_px.shape for _, c, _ in used]
     return CalibrationResult(
         camera=camera,
-        coverage=frozen(evidence.coverage),
+        coverage=freeze_array(evidence.coverage),
         corners={name: c.points_px for name, c, _ in used},
         residuals_px={
-            name: frozen(pose.residuals_px.reshape(shape))
+            name: freeze_array(pose.residuals_px.reshape(shape))
             for (name, _, _), pose, shape in zip(used, fit.poses, shapes, strict=True)
         },
         warnings=warnings,
@@ -164,7 +164,7 @@ def calibrate(
         reshoot=reshoot_advice(evidence),
         flatness=None
         if bent is None or bent.shape is None
-        else BoardFlatness(bent.shape, _known(flat), _known(bent), bent_board),
+        else BoardFlatness(bent.shape, _fitted_camera(flat), _fitted_camera(bent), bent_board),
     )
 
 
@@ -184,10 +184,10 @@ def fitted_lens(
     fit = fit or _fit(used, board, used[0][2], model)
     if bent_board:
         fit = _bend(fit, used, board)
-    return _known(fit), fit.shape
+    return _fitted_camera(fit), fit.shape
 
 
-def _known(fit: _Fit) -> Camera:
+def _fitted_camera(fit: _Fit) -> Camera:
     """The fitted camera with its residual and covariance."""
     covariance = lens_covariance(fit.poses)
     n = len(fit.camera.parameters)
@@ -266,7 +266,7 @@ def _bend(flat: _Fit, used: Sequence[NamedCorners], board: Board) -> _Fit:
     seen = [c.points_px.reshape(-1, 2) for _, c, _ in used]
     bases = [shape_basis(board, one)[c.which] for (_, c, _), one in zip(used, seen_as, strict=True)]
     camera, poses, shape = refine_bent(flat.camera, flat.poses, objects, seen, bases)
-    return _Fit(camera, poses, BoardShape(board, frozen(shape)))
+    return _Fit(camera, poses, BoardShape(board, freeze_array(shape)))
 
 
 def _from_start(used: Sequence[NamedCorners], board: Board, start: Camera) -> _Fit | None:

@@ -76,17 +76,17 @@ def _size(d: HeightDifference) -> float:
     return abs(d.difference_m or 0.0)
 
 
-def cross_validation_to_dict(found: CrossValidation | Said) -> dict[str, Any]:
+def cross_validation_to_dict(validation: CrossValidation | Said) -> dict[str, Any]:
     """All keys are always there; where it could not be done, the numbers are null and `reason` says why."""
-    if isinstance(found, Said):
+    if isinstance(validation, Said):
         nothing = {"views": None, "fit_rms_px": None, "held_out_rms_px": None}
-        return {"reason": found, **nothing, "height_differences": []}
+        return {"reason": validation, **nothing, "height_differences": []}
     return {
         "reason": None,
-        "views": list(found.views),
-        "fit_rms_px": found.fit_rms_px,
-        "held_out_rms_px": found.all_held_out_rms_px,
-        "height_differences": [asdict(d) for d in found.height_differences],
+        "views": list(validation.views),
+        "fit_rms_px": validation.fit_rms_px,
+        "held_out_rms_px": validation.all_held_out_rms_px,
+        "height_differences": [asdict(d) for d in validation.height_differences],
     }
 
 

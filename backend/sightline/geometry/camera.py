@@ -10,7 +10,7 @@ from sightline.arrays import Bools, Floats
 from sightline.enums import LensModel
 from sightline.errors import BadInput
 from sightline.geometry import lens
-from sightline.geometry.arrays import frozen, points
+from sightline.geometry.arrays import freeze_array, points
 from sightline.geometry.lens_limit import LensLimit, lens_limit
 from sightline.messages.said import Said
 
@@ -57,9 +57,9 @@ class Camera:
     views: tuple[View, ...] = field(default=())
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "distortion", frozen(self.distortion))
+        object.__setattr__(self, "distortion", freeze_array(self.distortion))
         if self.covariance is not None:
-            object.__setattr__(self, "covariance", frozen(self.covariance))
+            object.__setattr__(self, "covariance", freeze_array(self.covariance))
 
     @cached_property
     def parameters(self) -> tuple[str, ...]:
@@ -74,7 +74,7 @@ class Camera:
     @cached_property
     def matrix(self) -> Floats:
         """K (3, 3), pixels: Dupuis et al. 2019, eq. (2), a focal length per axis for r f and f, and s = 0."""
-        return frozen([[self.fx_px, 0.0, self.cx_px], [0.0, self.fy_px, self.cy_px], [0.0, 0.0, 1.0]])
+        return freeze_array([[self.fx_px, 0.0, self.cx_px], [0.0, self.fy_px, self.cy_px], [0.0, 0.0, 1.0]])
 
     def inside(self, points_px: ArrayLike) -> Bools:
         """Which (N,) of `points_px` (N, 2) lie in the picture (outer pixels reach half a pixel out)."""

@@ -81,7 +81,7 @@ def find_charuco(
             break
         size: Any = gray if scale == 1.0 else cv2.resize(gray, None, fx=scale, fy=scale, interpolation=_CUBIC)
         for legacy in (False, True) if rows % 2 else (False,):
-            found = _found(_detector(charuco, columns, rows, square_m, legacy), size, columns)
+            found = _detect_corners(_detector(charuco, columns, rows, square_m, legacy), size, columns)
             if found is not None and (best is None or len(found[0]) > len(best[0])):
                 best = found[0], (found[1] + 0.5) / scale - 0.5
         if best is not None and len(best[0]) == columns * rows:
@@ -89,7 +89,7 @@ def find_charuco(
     return best
 
 
-def _found(detector: Any, gray: NDArray[np.uint8], columns: int) -> Found | None:
+def _detect_corners(detector: Any, gray: NDArray[np.uint8], columns: int) -> Found | None:
     points, ids, _, _ = detector.detectBoard(gray)
     if points is None or ids is None or len(ids) < LEAST_CORNERS:
         return None

@@ -94,7 +94,7 @@ def propose(picture: NDArray[np.uint8], pose: RoadPose, pointer_px: ArrayLike) -
         return layout
     best = _search(layout, at)
     found, edges = _refined(layout, best)
-    return _judged(layout, pose, found, edges, pointer)
+    return _judge_wheel(layout, pose, found, edges, pointer)
 
 
 def _layout(picture: NDArray[np.uint8], pose: RoadPose, at_m: Floats) -> _Layout | Said:
@@ -194,17 +194,17 @@ def _search(layout: _Layout, at_m: Floats) -> Floats:
 
 def _refined(layout: _Layout, start: Floats) -> tuple[Floats, _Edges]:
     """(x, bottom, r, rim) fitted to the edges round `start`, to a fraction of a pixel."""
-    found = start
+    wheel = start
     edges = _Edges(0.0, 0.0, np.inf)
     for reach in (4.0, 2.5, 2.0):
-        x, bottom, r, rim = (float(value) for value in found)
+        x, bottom, r, rim = (float(value) for value in wheel)
         arc = _edges(layout, x, bottom + r, r, layout.clean, 1.0, reach)
         disc = _edges(layout, x, bottom + r, r * rim, _ROUND, -1.0, reach)
         if len(arc) < 6 or len(disc) < 12:
-            return found, _Edges(len(arc) / len(layout.clean), len(disc) / len(_ROUND), np.inf)
-        found, scatter = _two_circles(layout, arc, disc, found)
+            return wheel, _Edges(len(arc) / len(layout.clean), len(disc) / len(_ROUND), np.inf)
+        wheel, scatter = _two_circles(layout, arc, disc, wheel)
         edges = _Edges(len(arc) / len(layout.clean), len(disc) / len(_ROUND), scatter)
-    return found, edges
+    return wheel, edges
 
 
 def _edges(
@@ -242,7 +242,7 @@ def _two_circles(layout: _Layout, arc: Floats, disc: Floats, start: Floats) -> t
     return np.array([x, z - r, r, inner / r]), scatter
 
 
-def _judged(
+def _judge_wheel(
     layout: _Layout, pose: RoadPose, found: Floats, edges: _Edges, pointer: Floats
 ) -> Proposal | Said:
     """The wheel as a proposal, or why it is not believed."""

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.arrays import Floats
-from sightline.geometry.arrays import frozen
+from sightline.geometry.arrays import freeze_array
 from sightline.geometry.board import Board, canonical_order, numbered_as_seen, require_board
 from sightline.geometry.charuco import Charuco, find_charuco
 from sightline.geometry.extent import goes_on
@@ -72,7 +72,7 @@ def not_found(board: Board, reason: Said) -> Corners:
     """A detection that did not succeed, and why."""
     return Corners(
         found=False,
-        points_px=frozen(np.empty((0, 0, 2))),
+        points_px=freeze_array(np.empty((0, 0, 2))),
         board_as_seen=board,
         reason=reason,
         sharpness=0.0,
@@ -199,8 +199,8 @@ def find_board(gray: Gray, board: Board, time_limit_s: float = 2.0) -> Corners:
 
 def _numbered(gray: Gray, board: Board, charuco: Charuco) -> Corners:
     """The corners seen of a board with markers: all of them as a grid, or a part with their ids."""
-    found = find_charuco(gray, charuco, board.columns, board.rows, board.square_m)
-    if found is None:
+    detected = find_charuco(gray, charuco, board.columns, board.rows, board.square_m)
+    if detected is None:
         return not_found(
             board,
             Said(
@@ -210,7 +210,7 @@ def _numbered(gray: Gray, board: Board, charuco: Charuco) -> Corners:
                 dictionary=charuco.dictionary,
             ),
         )
-    ids, rough, as_seen = numbered_as_seen(*found, board)
+    ids, rough, as_seen = numbered_as_seen(*detected, board)
     if spacing_px(rough) < 3.0:
         return not_found(board, Said("board-markers-tiny"))
     right, down = neighbours(ids, rough, as_seen)
@@ -219,7 +219,7 @@ def _numbered(gray: Gray, board: Board, charuco: Charuco) -> Corners:
     grid = points.reshape(as_seen.rows, as_seen.columns, 2) if whole else points
     return Corners(
         found=True,
-        points_px=frozen(grid),
+        points_px=freeze_array(grid),
         board_as_seen=as_seen,
         reason=None,
         sharpness=0.0,
@@ -265,7 +265,7 @@ def _accepted(gray: Gray, points: Floats, board: Board, name: str) -> Corners:
         return not_found(board, Said("board-goes-on", side=side, columns=board.columns, rows=board.rows))
     return Corners(
         found=True,
-        points_px=frozen(ordered),
+        points_px=freeze_array(ordered),
         board_as_seen=as_seen,
         reason=None,
         sharpness=_sharpness(gray, ordered),

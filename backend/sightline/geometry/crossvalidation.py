@@ -94,25 +94,25 @@ def _residual(
     squares, count = 0.0, 0
     for _, corners, _ in views:
         seen_as = Board(corners.board_as_seen.columns, corners.board_as_seen.rows, board.square_m)
-        seen = corners.points_px.reshape(-1, 2)
+        pixels = corners.points_px.reshape(-1, 2)
         flat = board_points(seen_as)[corners.which]
         points = flat if shape is None else shape.points(seen_as)[corners.which]
-        roots = planar_roots(whole, flat, seen)
+        roots = planar_roots(whole, flat, pixels)
         if not roots:
             return float("inf")
-        pose = refine(half, roots[0].rotation, roots[0].translation, points, seen)
-        squares, count = squares + pose.cost, count + len(seen)
+        pose = refine(half, roots[0].rotation, roots[0].translation, points, pixels)
+        squares, count = squares + pose.cost, count + len(pixels)
     return float(np.sqrt(squares / count))
 
 
-def cross_validation_warnings(found: CrossValidation) -> tuple[Said, ...]:
+def cross_validation_warnings(validation: CrossValidation) -> tuple[Said, ...]:
     """What the comparison says against the calibration, with what to do; empty where nothing.
 
     A difference counts where it is more than 2.5 times its standard uncertainty and over 2 mm, or over 3 mm
     at the board's distance.
     """
     out = []
-    worst = _worst(found)
+    worst = _worst(validation)
     if worst is not None and worst.difference_m is not None:
         difference_m, distance_m = round(abs(worst.difference_m), 4), worst.distance_m
         out.append(
@@ -125,7 +125,7 @@ def cross_validation_warnings(found: CrossValidation) -> tuple[Said, ...]:
                 expected_m=round(worst.expected_m, 4),
             )
         )
-    held_out, fit = found.all_held_out_rms_px, found.fit_rms_px
+    held_out, fit = validation.all_held_out_rms_px, validation.fit_rms_px
     if held_out > _HELD_OUT_RATIO * fit:
         out.append(Said("calibration-held-out-worse", held_out_px=round(held_out, 2), fit_px=round(fit, 2)))
     return tuple(out)

@@ -26,7 +26,7 @@ POSE_FORMAT = "sightline-pose-1"
 _LENGTHS: dict[LensModel, tuple[int, ...]] = {"brown": (4, 5, 8), "fisheye": (4,)}
 
 
-def _rows(matrix: Floats | None) -> list[list[float]] | None:
+def _to_lists(matrix: Floats | None) -> list[list[float]] | None:
     return None if matrix is None else [[float(v) for v in row] for row in matrix]
 
 
@@ -62,7 +62,7 @@ def camera_to_dict(camera: Camera) -> dict[str, Any]:
         "distortion": [float(v) for v in camera.distortion],
         "rms_px": camera.rms_px,
         "parameters": list(camera.parameters),
-        "covariance": _rows(camera.covariance),
+        "covariance": _to_lists(camera.covariance),
         "views": [
             {
                 "file": v.file,
@@ -100,11 +100,11 @@ def pose_to_dict(pose: RoadPose) -> dict[str, Any]:
         "format": POSE_FORMAT,
         "camera": camera_to_dict(pose.camera),
         "cam_from_road": {
-            "rotation": _rows(pose.rotation),
+            "rotation": _to_lists(pose.rotation),
             "translation_m": [float(v) for v in pose.translation_m],
         },
         "parameters": list(pose.parameters),
-        "covariance": _rows(pose.covariance),
+        "covariance": _to_lists(pose.covariance),
         "board": board,
         "frames_used": pose.frames_used,
         "rms_px": pose.rms_px,

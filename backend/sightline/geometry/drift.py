@@ -143,17 +143,17 @@ def _solve(design: Floats, moves: Floats, weights: Floats) -> Floats:
 
 def _weights(design: Floats, moves: Floats) -> Floats:
     """Tukey's weights (N,) of the last round; the first round starts from the median shift."""
-    found = np.array([*np.median(moves, axis=0), 0.0, 0.0])
+    motion = np.array([*np.median(moves, axis=0), 0.0, 0.0])
     weights = np.ones(len(moves))
     for step in range(_ROUNDS):
-        rest = np.linalg.norm(moves - design @ found, axis=1)
+        rest = np.linalg.norm(moves - design @ motion, axis=1)
         # a turn is not in the median shift: the first rounds must not throw its corners away
         widest = 1.0 * 0.5**step
         scale = max(robust_scale(rest) / 1.18, _FINEST_PX, widest)
         weights = np.square(np.clip(1.0 - np.square(rest / (_TUKEY * scale)), 0.0, None))
         if float(weights.sum()) < 3.0:
             break
-        found = _solve(design, moves, weights)
+        motion = _solve(design, moves, weights)
     return weights
 
 
@@ -169,14 +169,14 @@ def _jackknife(
     moves: Floats,
     weights: Floats,
     blocks: NDArray[np.intp],
-    found: Floats,
+    motion: Floats,
     size_px: tuple[int, int],
 ) -> float:
     """Standard uncertainty of the displacement: the fit without each block in turn."""
     own = np.unique(blocks[weights > 0.1])
     changes = [
         displacement_px(
-            _solve(design[blocks != b], moves[blocks != b], weights[blocks != b]) - found, size_px
+            _solve(design[blocks != b], moves[blocks != b], weights[blocks != b]) - motion, size_px
         )
         for b in own
     ]

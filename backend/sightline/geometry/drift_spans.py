@@ -69,24 +69,24 @@ def course(looks: Sequence[Look], last_frame: int, size_px: Size, look_at: LookA
 
     last_frame: the recording's last frame. Where fewer than two looks told a motion there is only a reason.
     """
-    told = [(look.frame, look.motion) for look in looks if isinstance(look.motion, Motion)]
-    told = _confirmed(told, size_px, look_at)
-    if len(told) < 2:
+    motions = [(look.frame, look.motion) for look in looks if isinstance(look.motion, Motion)]
+    motions = _confirmed(motions, size_px, look_at)
+    if len(motions) < 2:
         reasons = [look.motion for look in looks if isinstance(look.motion, Said)]
         return Course(None, (), (), max(reasons, key=reasons.count) if reasons else Said("drift-no-frame"))
-    floor = floor_px(float(np.median([motion.u_px for _, motion in told])))
+    floor = floor_px(float(np.median([motion.u_px for _, motion in motions])))
     bumps = [
         _located(before, after, size_px, look_at)
-        for before, after in pairwise(told)
+        for before, after in pairwise(motions)
         if _differ(before[1], after[1], size_px)
     ]
     # frames that tell nothing beside a bump count as moved: their heights may be off
-    cuts = [-1, *(_cut(bump, told, floor) for bump in bumps), last_frame]
+    cuts = [-1, *(_cut(bump, motions, floor) for bump in bumps), last_frame]
     spans: list[Span] = []
     for first, last in pairwise(cuts):
-        own = [one for one in told if first < one[0] <= last]
+        own = [one for one in motions if first < one[0] <= last]
         spans += _spans_of(own, first + 1, last, floor, size_px)
-    return Course(floor, tuple(bumps), tuple(_joined(spans, size_px)), None)
+    return Course(floor, tuple(bumps), tuple(_join_spans(spans, size_px)), None)
 
 
 def _cut(bump: Bump, told: list[tuple[int, Motion]], floor: float) -> int:
@@ -99,25 +99,27 @@ def _parameters(motion: Motion) -> Floats:
     return np.array([motion.x_px, motion.y_px, motion.scale - 1.0, motion.turn_rad])
 
 
-def _apart(one: Motion, other: Motion, size_px: Size) -> float:
+def _difference_px(one: Motion, other: Motion, size_px: Size) -> float:
     return displacement_px(_parameters(one) - _parameters(other), size_px)
 
 
 def _differ(one: Motion, other: Motion, size_px: Size) -> bool:
-    return _apart(one, other, size_px) > floor_px(float(np.hypot(one.u_px, other.u_px)))
+    return _difference_px(one, other, size_px) > floor_px(float(np.hypot(one.u_px, other.u_px)))
 
 
-def _confirmed(told: list[tuple[int, Motion]], size_px: Size, look_at: LookAt) -> list[tuple[int, Motion]]:
+def _confirmed(motions: list[tuple[int, Motion]], size_px: Size, look_at: LookAt) -> list[tuple[int, Motion]]:
     """Without looks that jump away and whose next frames do not: something else moved before the camera."""
     kept: list[tuple[int, Motion]] = []
-    for index, (frame, motion) in enumerate(told):
+    for index, (frame, motion) in enumerate(motions):
         before = kept[-1][1] if kept else None
-        stays = index + 1 < len(told) and not _differ(motion, told[index + 1][1], size_px)
+        stays = index + 1 < len(motions) and not _differ(motion, motions[index + 1][1], size_px)
         if before is None or stays or not _differ(before, motion, size_px):
             kept.append((frame, motion))
             continue
         near = [one for n in (frame + 1, frame - 1, frame + 3) if isinstance(one := look_at(n), Motion)]
-        votes = sum(_apart(one, motion, size_px) < _apart(one, before, size_px) for one in near)
+        votes = sum(
+            _difference_px(one, motion, size_px) < _difference_px(one, before, size_px) for one in near
+        )
         if near and 2 * votes > len(near):
             kept.append((frame, motion))
     return kept
@@ -132,11 +134,11 @@ def _located(before: tuple[int, Motion], after: tuple[int, Motion], size_px: Siz
         if found is None:
             break
         n, motion = found
-        if _apart(motion, before[1], size_px) < _apart(motion, after[1], size_px):
+        if _difference_px(motion, before[1], size_px) < _difference_px(motion, after[1], size_px):
             low = n
         else:
             high = n
-    return Bump(low, high, _apart(before[1], after[1], size_px))
+    return Bump(low, high, _difference_px(before[1], after[1], size_px))
 
 
 def _nearest_told(middle: int, low: int, high: int, look_at: LookAt) -> tuple[int, Motion] | None:
@@ -162,7 +164,7 @@ def _spans_of(
         return []
     motions = [motion for _, motion in own]
     smooth = [_mean(motions[max(0, i - _SMOOTH) : i + _SMOOTH + 1], size_px) for i in range(len(motions))]
-    if max(_apart(smooth[0], one, size_px) for one in smooth) <= floor:
+    if max(_difference_px(smooth[0], one, size_px) for one in smooth) <= floor:
         mean = _mean(motions, size_px)
         return [Span(first, last, mean.moved_px > floor, mean)]
     frames = [first, *(frame for frame, _ in own[1:]), last + 1]
@@ -173,7 +175,7 @@ def _spans_of(
     ]
 
 
-def _joined(spans: Sequence[Span], size_px: Size) -> list[Span]:
+def _join_spans(spans: Sequence[Span], size_px: Size) -> list[Span]:
     """Neighbours of one state become one; frames between spans go to the one that moved."""
     out: list[Span] = []
     for span in spans:
@@ -187,4 +189,6 @@ def _joined(spans: Sequence[Span], size_px: Size) -> list[Span]:
 
 def _creeps(one: Span, two: Span, size_px: Size) -> bool:
     """Whether two moved spans differ by so little that they are told as one."""
-    return _apart(one.motion, two.motion, size_px) < 0.5 * min(one.motion.moved_px, two.motion.moved_px)
+    return _difference_px(one.motion, two.motion, size_px) < 0.5 * min(
+        one.motion.moved_px, two.motion.moved_px
+    )

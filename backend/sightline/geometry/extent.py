@@ -43,7 +43,7 @@ def goes_on(gray: NDArray[np.uint8], grid: Floats) -> PatternSide | None:
     as half of those found. Sides out of the picture are not judged. Own method: a crossing is a ring whose
     brightness has a second harmonic, and no first.
     """
-    for side, turned in zip(_SIDES, _turned(grid), strict=True):
+    for side, turned in zip(_SIDES, _grids_from_each_side(grid), strict=True):
         # (rows, columns, 2) with the asked side first: the next line of corners, carried on with its bend
         third = turned[2] if len(turned) > 2 else 2.0 * turned[1] - turned[0]
         beyond = 3.0 * turned[0] - 3.0 * turned[1] + third
@@ -60,7 +60,7 @@ def goes_on(gray: NDArray[np.uint8], grid: Floats) -> PatternSide | None:
     return None
 
 
-def _turned(grid: Floats) -> tuple[Floats, ...]:
+def _grids_from_each_side(grid: Floats) -> tuple[Floats, ...]:
     """The grid with its left, right, upper and lower line first."""
     columns = grid.transpose(1, 0, 2)
     return columns, columns[::-1], grid, grid[::-1]

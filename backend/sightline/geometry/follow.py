@@ -44,7 +44,7 @@ def reach_px(gray: Gray) -> float:
     return 14.0 * 2.0 ** (_levels(gray) - _LEVELS)
 
 
-def textured(gray: Gray, box_px: tuple[float, float, float, float]) -> Floats:
+def find_textured_spots(gray: Gray, box_px: tuple[float, float, float, float]) -> Floats:
     """Spots (N, 2), pixels, of `gray` (H, W) that are worth following in a box (left, top, right, bottom); N
     may be 0.
 
@@ -61,7 +61,7 @@ def textured(gray: Gray, box_px: tuple[float, float, float, float]) -> Floats:
     return np.asarray(np.asarray(found).reshape(-1, 2) + np.array([left, top]), dtype=np.float64)
 
 
-def followed(first: Gray, second: Gray, points_px: Floats, guess_px: Floats) -> Step:
+def follow_points(first: Gray, second: Gray, points_px: Floats, guess_px: Floats) -> Step:
     """The points of the first frame, `points_px` (N, 2), on the second, each searched for round its guess,
     `guess_px` (N, 2), pixels; `first`, `second` (H, W).
 
@@ -76,7 +76,7 @@ def followed(first: Gray, second: Gray, points_px: Floats, guess_px: Floats) -> 
     ends = there[0].reshape(-1, 2).astype(np.float64)
     ok = there[1] & back[1] & (away < _BACK_PX) & _inside(second, ends)
     if ok.any():
-        ok[ok] = _alike(first, second, start.reshape(-1, 2)[ok], ends[ok]) > _ALIKE
+        ok[ok] = _correlate_patches(first, second, start.reshape(-1, 2)[ok], ends[ok]) > _ALIKE
     return Step(ends, ok)
 
 
@@ -84,14 +84,14 @@ def best_guess(
     first: Gray, second: Gray, points_px: Floats, guesses_px: Sequence[Floats]
 ) -> tuple[int, Step] | None:
     """Of several guesses, `guesses_px` (N, 2) each, the one that most points follow, and where they went;
-    `points_px` (N, 2), pixels; `first`, `second` (H, W). Each guess is tried as `followed` tries one.
+    `points_px` (N, 2), pixels; `first`, `second` (H, W). Each guess is tried as `follow_points` tries one.
 
     None where no guess is followed by three points or more. Points that stay where they are belong to the
     road, not to the vehicle, and count for nothing.
     """
     best: tuple[int, Step] | None = None
     for index, guess in enumerate(guesses_px):
-        step = followed(first, second, points_px, guess)
+        step = follow_points(first, second, points_px, guess)
         moved = np.linalg.norm(step.points_px - points_px, axis=1) > _STILL_PX
         near = np.linalg.norm(step.points_px - guess, axis=1) < 0.35 * _reach(points_px, guess)
         ok = step.ok & moved & near
@@ -143,7 +143,7 @@ def _inside(gray: Gray, points: Floats) -> Bools:
     return np.asarray(((points >= edge) & (points < np.array([width, height]) - edge)).all(axis=1))
 
 
-def _alike(first: Gray, second: Gray, a: NDArray[Any], b: NDArray[Any]) -> Floats:
+def _correlate_patches(first: Gray, second: Gray, a: NDArray[Any], b: NDArray[Any]) -> Floats:
     """Normalised correlation of the patches round a (N, 2) and b (N, 2)."""
     out = np.zeros(len(a))
     size = (_PATCH_PX, _PATCH_PX)

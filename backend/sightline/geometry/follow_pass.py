@@ -17,7 +17,7 @@ import numpy as np
 from sightline.arrays import Floats
 from sightline.enums import FollowedPoint, Target
 from sightline.geometry.camera import project
-from sightline.geometry.follow import Gray, textured
+from sightline.geometry.follow import Gray, find_textured_spots
 from sightline.geometry.followed_tracks import (
     CONTACT,
     POINT_NAMES,
@@ -34,7 +34,7 @@ from sightline.geometry.patch_shift import (
     Window,
     light_of,
     noise_grey,
-    registered,
+    register_patch,
     template_of,
 )
 from sightline.geometry.road import road_point
@@ -186,17 +186,17 @@ def _travels(
     tall = max(abs(contact[1] - target[1]), 0.05 * pose.camera.height_px)
     (left, top), (right, bottom) = pixels.min(axis=0), pixels.max(axis=0)
     box = (left - 0.6 * tall, top + 0.15 * tall, right + 0.6 * tall, bottom - 0.12 * tall)
-    spots = textured(frames[start].gray, box)
+    spots = find_textured_spots(frames[start].gray, box)
     body = body_of(pose, contact, target, inset_m, spots)
     if isinstance(body, Said):
         return None
-    seen = np.concatenate([[contact, target], spots])
+    followed_px = np.concatenate([[contact, target], spots])
     times = np.array([one.time_s for one in frames])
     known = {start: 0.0}
     speed: float | None = None
     ways = [range(start + 1, len(frames)), range(start - 1, -1, -1)]
     for way in sorted(ways, key=len, reverse=True):
-        found, speed = _tracked(pose, body, seen, frames, start, way, speed)
+        found, speed = _tracked(pose, body, followed_px, frames, start, way, speed)
         known |= found
     if len(known) < _LEAST_FRAMES:
         return None
@@ -331,13 +331,13 @@ def _followed_point(
     apart = _apart_px(chase, usable)
     begun = chase.shift_m[start].copy()
     for i in usable:
-        one = shifts[i]
-        sigma = _sigma_px(chase, i, one, scatter)
-        if one.alike < _ALIKE:
+        shift = shifts[i]
+        sigma = _sigma_px(chase, i, shift, scatter)
+        if shift.alike < _ALIKE:
             chase.why[i] = UNLIKE
         elif apart[i] > _APART_PX + _APART_U * sigma.max():
             chase.why[i] = ELSEWHERE
-        elif one.slope < _SHARP * slope:
+        elif shift.slope < _SHARP * slope:
             chase.why[i] = BLURRED
         elif sigma[1] > _WEAK_PX:
             chase.why[i] = WEAK
@@ -412,7 +412,7 @@ def _settled(chase: _Chase, i: int, mean: Floats, weight: Floats) -> Said | None
     """Moves the shift of a frame to where it lies on the mean; or says why it does not."""
     shift, onto = None, template_of(mean)
     for _ in range(_FIRST_STEPS):
-        shift = registered(onto, chase.patch(i), weight)
+        shift = register_patch(onto, chase.patch(i), weight)
         if shift is None:
             return OUTSIDE
         chase.moved(i, shift.step)
@@ -427,7 +427,7 @@ def _against_mean(chase: _Chase, usable: Sequence[int]) -> dict[int, Shift]:
     """Every frame registered against the mean of all, by cells that are steady along the pass."""
     base = chase.patch(chase.start)
     patches = {i: chase.patch(i) for i in usable}
-    seen = np.stack([patches[i].seen for i in usable])
+    visible = np.stack([patches[i].seen for i in usable])
     taper = _taper(chase.window)
     stack = []
     for i in usable:
@@ -435,14 +435,14 @@ def _against_mean(chase: _Chase, usable: Sequence[int]) -> dict[int, Shift]:
         gain, offset = light_of(base.light, patches[i].light, of_cell)
         stack.append(gain * patches[i].light + offset)
     laid = np.stack(stack)
-    count = np.maximum(seen.sum(axis=0), 1)
-    mean = np.where(seen.any(axis=0), (laid * seen).sum(axis=0) / count, base.light)
-    spread = (np.square(laid - mean) * seen).sum(axis=0) / np.maximum(count - 1, 1)
+    count = np.maximum(visible.sum(axis=0), 1)
+    mean = np.where(visible.any(axis=0), (laid * visible).sum(axis=0) / count, base.light)
+    spread = (np.square(laid - mean) * visible).sum(axis=0) / np.maximum(count - 1, 1)
     spread = cv2.GaussianBlur(np.where(count > 1, spread, spread.max()), (0, 0), 1.0)
     weight = chase.steady / (FLOOR_GREY**2 + spread)
     out, onto = {}, template_of(mean)
     for i in usable:
-        shift = registered(onto, patches[i], weight)
+        shift = register_patch(onto, patches[i], weight)
         if shift is None:
             chase.why[i] = OUTSIDE
             continue

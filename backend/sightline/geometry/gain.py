@@ -45,32 +45,32 @@ def second_frame_gain(
     single = measure_height(pose, contact[0], target[0], sigma_px, inset_m, u_inset_m)
     if single.u_height_m is None or abs(travel_m) < LEAST_TRAVEL_M:
         return None
-    second = _moved(pose, contact, target, travel_m, inset_m)
+    second = _move_clicks(pose, contact, target, travel_m, inset_m)
     if not np.isfinite(second).all() or not pose.camera.inside(second).all():
         return None
-    found = measure_frames(
+    both_frames = measure_frames(
         pose, np.stack([contact[0], second[0]]), np.stack([target[0], second[1]]), sigma_px
     )
-    if found.height.u_height_m is None or found.u_solved_inset_m is None:
+    if both_frames.height.u_height_m is None or both_frames.u_solved_inset_m is None:
         return None
     (cx, cy), (tx, ty) = second.tolist()
     return Gain(
         travel_m=travel_m,
         u_single_m=single.u_height_m,
-        u_double_m=found.height.u_height_m,
-        u_inset_m=found.u_solved_inset_m,
+        u_double_m=both_frames.height.u_height_m,
+        u_inset_m=both_frames.u_solved_inset_m,
         contact_px=(cx, cy),
         target_px=(tx, ty),
     )
 
 
-def _moved(pose: RoadPose, contact: Floats, target: Floats, travel_m: float, inset_m: float) -> Floats:
+def _move_clicks(pose: RoadPose, contact: Floats, target: Floats, travel_m: float, inset_m: float) -> Floats:
     """Pixels (2, 2) of contact and target after the travel; NaN where the first frame has no height."""
-    seen = intersect_rays(pose, contact, target, inset_m)
-    if seen.code[0] != OK:
+    intersection = intersect_rays(pose, contact, target, inset_m)
+    if intersection.code[0] != OK:
         return np.full((2, 2), np.nan)
-    x, y, _ = (float(v[0]) for v in contact_on_road(pose, seen))
-    ray = pose.rotation.T @ np.array([seen.target[0][0], seen.target[1][0], 1.0])
-    at = pose.centre_m + ray * (float(seen.plane_m[0]) / float(seen.w_target_y[0]))
+    x, y, _ = (float(v[0]) for v in contact_on_road(pose, intersection))
+    ray = pose.rotation.T @ np.array([intersection.target[0][0], intersection.target[1][0], 1.0])
+    at = pose.centre_m + ray * (float(intersection.plane_m[0]) / float(intersection.w_target_y[0]))
     shift = np.array([travel_m, 0.0, 0.0])
     return project(pose.camera, pose.to_camera(np.stack([np.array([x, y, 0.0]), at]) + shift))

@@ -46,21 +46,21 @@ def _by_click(
     return px, py
 
 
-def gradient(pose: RoadPose, seen: RayIntersection) -> Gradient:
-    """All first derivatives of the N heights in `seen`; garbage where `seen.code` is not 0."""
+def gradient(pose: RoadPose, intersection: RayIntersection) -> Gradient:
+    """All first derivatives of the N heights in `intersection`; garbage where its `code` is not 0."""
     r, centre = pose.rotation, pose.centre_m
     c_z = float(centre[2])
-    s, q, plane = seen.s, seen.q, seen.plane_m
+    s, q, plane = intersection.s, intersection.q, intersection.plane_m
     lever = 1.0 - s * q
-    a = -c_z * q / seen.w_contact_z  # dh/ds * ds/dw
-    b = plane / seen.w_target_y
+    a = -c_z * q / intersection.w_contact_z  # dh/ds * ds/dw
+    b = plane / intersection.w_target_y
     g_contact = [a * (r[i, 1] - s * r[i, 2]) for i in range(3)]
     g_target = [b * (r[i, 2] - q * r[i, 1]) for i in range(3)]
     n = 4 + len(pose.camera.distortion)
     parameters = np.zeros((n + 6, len(s)))
-    contact = _by_click(pose, seen.contact, g_contact[0], g_contact[1], parameters[:n])
-    target = _by_click(pose, seen.target, g_target[0], g_target[1], parameters[:n])
-    for g, (x, y) in ((g_contact, seen.contact), (g_target, seen.target)):
+    contact = _by_click(pose, intersection.contact, g_contact[0], g_contact[1], parameters[:n])
+    target = _by_click(pose, intersection.target, g_target[0], g_target[1], parameters[:n])
+    for g, (x, y) in ((g_contact, intersection.contact), (g_target, intersection.target)):
         parameters[n] += g[1] - g[2] * y  # g x (x, y, 1)
         parameters[n + 1] += g[2] * x - g[0]
         parameters[n + 2] += g[0] * y - g[1] * x

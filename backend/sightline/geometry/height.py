@@ -171,17 +171,17 @@ def left_out(pose: RoadPose) -> list[Said]:
     return out if missing is None else [*out, missing]
 
 
-def _doubts(pose: RoadPose, seen: RayIntersection, u_m: Floats) -> NDArray[np.bool_]:
+def _doubts(pose: RoadPose, intersection: RayIntersection, u_m: Floats) -> NDArray[np.bool_]:
     """Which of `_DOUBTS` holds for each height, (4, N); `u_m` (N,)."""
-    norm = np.sqrt(seen.target[0] ** 2 + seen.target[1] ** 2 + 1.0)
-    radius = np.maximum(np.hypot(*seen.contact), np.hypot(*seen.target))
+    norm = np.sqrt(intersection.target[0] ** 2 + intersection.target[1] ** 2 + 1.0)
+    radius = np.maximum(np.hypot(*intersection.contact), np.hypot(*intersection.target))
     far_from_board = np.zeros(len(u_m), dtype=np.bool_)
     if pose.board is not None and pose.board.distance_m > 0:
-        ratio = seen.plane_m / pose.board.distance_m
+        ratio = intersection.plane_m / pose.board.distance_m
         far_from_board = (ratio <= 0.4) | (ratio >= 2.5)
     return np.stack(
         [
-            np.abs(seen.w_target_y) < _EDGE_FLAG * norm,
+            np.abs(intersection.w_target_y) < _EDGE_FLAG * norm,
             radius > 0.9 * pose.camera.limit.radius,
             far_from_board,
             u_m > _LARGE_U_M,
@@ -263,16 +263,16 @@ def measure_with_budgets(
 def _with_budgets(
     pose: RoadPose, contacts: Floats, targets: Floats, sigma: Floats, inset: Floats, u_inset: Floats
 ) -> list[Height]:
-    seen = intersect_rays(pose, contacts, targets, inset)
+    intersection = intersect_rays(pose, contacts, targets, inset)
     bad = ~(np.isfinite(sigma) & np.isfinite(inset) & np.isfinite(u_inset) & (sigma >= 0) & (u_inset >= 0))
     with np.errstate(all="ignore"):  # rows without a height have numbers that nobody reads
-        variances = _entries(pose, gradient(pose, seen), sigma, u_inset)
+        variances = _entries(pose, gradient(pose, intersection), sigma, u_inset)
         squares = np.stack(list(variances.values()))
         u_m, parts_m = np.sqrt(squares.sum(axis=0)), np.sqrt(squares)
-        doubts = _doubts(pose, seen, u_m)
-    x_m, y_m, distance_m = contact_on_road(pose, seen)
+        doubts = _doubts(pose, intersection, u_m)
+    x_m, y_m, distance_m = contact_on_road(pose, intersection)
     out: list[Height] = []
-    for n, code in enumerate(np.where(bad, BAD_SIGMA, seen.code).tolist()):
+    for n, code in enumerate(np.where(bad, BAD_SIGMA, intersection.code).tolist()):
         if code == BAD_SIGMA:
             out.append(not_measurable(REASONS[BAD_SIGMA]))
         elif code != OK:
@@ -282,7 +282,7 @@ def _with_budgets(
                 Height(
                     status="ok",
                     reason=None,
-                    height_m=float(seen.height_m[n]),
+                    height_m=float(intersection.height_m[n]),
                     u_height_m=float(u_m[n]),
                     U95_height_m=COVERAGE_95 * float(u_m[n]),
                     x_m=float(x_m[n]),
@@ -367,17 +367,17 @@ def measure_heights(
     systematic = systematic_covariance(pose) if with_uncertainty else None
     for start in range(0, n, _CHUNK):
         part = slice(start, start + _CHUNK)
-        seen = intersect_rays(pose, contacts[part], targets[part], inset[part])
-        told, found = code[part], out[:, part]  # views: filled in place
+        intersection = intersect_rays(pose, contacts[part], targets[part], inset[part])
+        codes, results = code[part], out[:, part]  # views: filled in place
         u_px, u_m = sigma[part], u_inset[part]
-        told[:] = seen.code
+        codes[:] = intersection.code
         fine = np.isfinite(u_px) & np.isfinite(inset[part]) & np.isfinite(u_m) & (u_px >= 0) & (u_m >= 0)
-        told[~fine] = BAD_SIGMA
-        found[0] = seen.height_m
-        found[2], found[3], found[4] = contact_on_road(pose, seen)
+        codes[~fine] = BAD_SIGMA
+        results[0] = intersection.height_m
+        results[2], results[3], results[4] = contact_on_road(pose, intersection)
         with np.errstate(all="ignore"):
             if systematic is not None:
-                found[1] = np.sqrt(_variance(gradient(pose, seen), systematic, u_px, u_m))
-            doubts[:, part] = _doubts(pose, seen, found[1])
-        found[:, told != OK] = np.nan
+                results[1] = np.sqrt(_variance(gradient(pose, intersection), systematic, u_px, u_m))
+            doubts[:, part] = _doubts(pose, intersection, results[1])
+        results[:, codes != OK] = np.nan
     return Heights(pose, doubts, code, *out)

@@ -44,7 +44,7 @@ def height_differences(whole: Camera, first: Camera, second: Camera) -> tuple[He
         return tuple(HeightDifference(d, None, None) for d in DISTANCES_M)
     poses = _pose(first, seen), _pose(second, seen)
     doubtful = _doubtful(truth, seen, points, first, second)
-    return tuple(_at(truth, poses, doubtful, d) for d in DISTANCES_M)
+    return tuple(_difference_at(truth, poses, doubtful, d) for d in DISTANCES_M)
 
 
 def _pose(camera: Camera, seen: Floats) -> RoadPose | None:
@@ -73,7 +73,7 @@ def _doubtful(
     return RoadPose(lens, truth.rotation, truth.translation_m, joint_covariance(lens, at, 0.0))
 
 
-def _at(
+def _difference_at(
     truth: RoadPose,
     poses: tuple[RoadPose | None, RoadPose | None],
     doubtful: RoadPose | None,

@@ -170,18 +170,18 @@ def read_camera(
     documents = _parsed(text, file_name)
     notes: list[Said] = []
     cameras = _cameras(documents)
-    data = _chosen(cameras, file_name, which, notes)
+    data = _choose_camera(cameras, file_name, which, notes)
     if data.get("format") == CAMERA_FORMAT:
         camera = camera_from_dict(data, file_name)
         require_plausible(camera, file_name)
         return Imported(camera)
     if "lensmodel" in data:
-        found = _mrcal(data, file_name)
+        stated = _mrcal(data, file_name)
     elif "camera_model" in data:
-        found = _kalibr(data, file_name)
+        stated = _kalibr(data, file_name)
     else:
-        found = _opencv_or_ros(data, file_name, size, notes)
-    camera = _checked(found, file_name, model, size, notes)
+        stated = _opencv_or_ros(data, file_name, size, notes)
+    camera = _make_camera(stated, file_name, model, size, notes)
     return Imported(camera, (*notes, *lens_warnings(camera)))
 
 
@@ -212,13 +212,13 @@ def _parsed(text: str, file_name: str) -> list[dict[str, Any]]:
 
 def _cameras(documents: list[dict[str, Any]]) -> dict[str, dict[str, Any]]:
     """Every camera by its name. Messages of one topic that say the same are one camera."""
-    found: dict[str, dict[str, Any]] = {}
+    cameras: dict[str, dict[str, Any]] = {}
     for place, document in enumerate(documents, start=1):
-        for name, one in (_within(document) or {_own_name(document): document}).items():
-            if any(_intrinsics(one) == _intrinsics(other) for other in found.values()):
+        for name, camera in (_within(document) or {_own_name(document): document}).items():
+            if any(_intrinsics(camera) == _intrinsics(other) for other in cameras.values()):
                 continue
-            found[str(place) if name in found or not name else name] = one
-    return found
+            cameras[str(place) if name in cameras or not name else name] = camera
+    return cameras
 
 
 def _own_name(document: Mapping[str, Any]) -> str:
@@ -274,20 +274,20 @@ def _side_of(key: str) -> tuple[str, str]:
     return lower, ""
 
 
-def _chosen(
+def _choose_camera(
     cameras: Mapping[str, dict[str, Any]], file_name: str, which: str | None, notes: list[Said]
 ) -> dict[str, Any]:
     """The camera that is asked for, or the first; of several, which one is said."""
     names = {name or "1": name for name in cameras}
-    told = ", ".join(names)
+    listed = ", ".join(names)
     wanted = next(iter(names)) if which is None else which.strip().lower()
     if set(names) == set(_SIDES.values()):
         wanted = _SIDES.get(wanted, wanted)
     key = next((one for one in names if one.lower() == wanted.lower()), None)
     if key is None:
-        raise BadInput("geometry-camera-not-named", file_name=file_name, which=which, cameras=told)
+        raise BadInput("geometry-camera-not-named", file_name=file_name, which=which, cameras=listed)
     if which is None and len(names) > 1:
-        notes.append(Said("import-several-cameras", file_name=file_name, cameras=told, key=key))
+        notes.append(Said("import-several-cameras", file_name=file_name, cameras=listed, key=key))
     name = names[key]
     one = cameras[name]
     return one if not name or _first(one, _NAMES) else {**one, "camera_name": name}
@@ -439,13 +439,13 @@ def _part_read(
     return left, top, width, height
 
 
-def _kalibr(one: Mapping[str, Any], file_name: str) -> _Found:
-    if one["camera_model"] != "pinhole":
-        raise BadInput("geometry-model-unsupported", file_name=file_name, camera_model=one["camera_model"])
-    intrinsics = _numbers(one.get("intrinsics"), "intrinsics", file_name)
+def _kalibr(camera: Mapping[str, Any], file_name: str) -> _Found:
+    if camera["camera_model"] != "pinhole":
+        raise BadInput("geometry-model-unsupported", file_name=file_name, camera_model=camera["camera_model"])
+    intrinsics = _numbers(camera.get("intrinsics"), "intrinsics", file_name)
     if len(intrinsics) != 4:
         raise BadInput("geometry-intrinsics-count", file_name=file_name)
-    word, lens = one.get("distortion_model"), one.get("distortion_coeffs")
+    word, lens = camera.get("distortion_model"), camera.get("distortion_coeffs")
     if word == "none":
         word, lens = "radtan", []
     if word is None or lens is None:
@@ -454,8 +454,8 @@ def _kalibr(one: Mapping[str, Any], file_name: str) -> _Found:
         matrix=intrinsics,
         lens=_numbers(lens, "distortion_coeffs", file_name),
         model=_model_word(word, file_name),
-        size=_size(one, file_name),
-        name=str(one.get("camera_name") or ""),
+        size=_size(camera, file_name),
+        name=str(camera.get("camera_name") or ""),
     )
 
 
@@ -477,18 +477,18 @@ def _mrcal(data: Mapping[str, Any], file_name: str) -> _Found:
     return _Found(values[:4], lens, "brown", _size(data, file_name), "")
 
 
-def _checked(
-    found: _Found, file_name: str, model: LensModel | None, size: tuple[int, int] | None, notes: list[Said]
+def _make_camera(
+    stated: _Found, file_name: str, model: LensModel | None, size: tuple[int, int] | None, notes: list[Said]
 ) -> Camera:
-    fx, fy, cx, cy = (float(v) for v in found.matrix)
-    size = found.size or size
+    fx, fy, cx, cy = (float(v) for v in stated.matrix)
+    size = stated.size or size
     if size is None:
         raise BadInput("geometry-no-image-size", file_name=file_name)
     if fx <= 0 or fy <= 0:
         raise BadInput("geometry-focal-not-positive", file_name=file_name)
-    chosen = found.model or model or _guess(found.lens, file_name, notes)
-    name = found.name or file_name.rsplit("/", 1)[-1].rsplit(".", 1)[0]
-    lens = _trimmed(found.lens, chosen, file_name)
+    chosen = stated.model or model or _guess(stated.lens, file_name, notes)
+    name = stated.name or file_name.rsplit("/", 1)[-1].rsplit(".", 1)[0]
+    lens = _trimmed(stated.lens, chosen, file_name)
     camera = Camera(
         name=name,
         width_px=size[0],
@@ -499,7 +499,7 @@ def _checked(
         cx_px=cx,
         cy_px=cy,
         distortion=lens,
-        rms_px=found.rms_px,
+        rms_px=stated.rms_px,
     )
     if not lens.any():
         notes.append(Said("import-no-distortion", file_name=file_name))

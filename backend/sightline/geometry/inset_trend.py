@@ -86,15 +86,17 @@ def sightings(
     targets = np.asarray(targets_px, dtype=np.float64).reshape(-1, 2)
     sigma = np.broadcast_to(np.asarray(sigma_px, dtype=np.float64), (len(contacts),))
     fine = np.asarray(intersect_rays(pose, contacts, targets, 0.0).code == OK, dtype=np.bool_)
-    seen = intersect_rays(pose, contacts[fine], targets[fine], 0.0)
-    g = gradient(pose, seen)
+    intersection = intersect_rays(pose, contacts[fine], targets[fine], 0.0)
+    g = gradient(pose, intersection)
     own = sigma[fine] * np.sqrt((g.target**2).sum(axis=0) + (g.contact**2).sum(axis=0))
     shared = g.parameters.T @ systematic_covariance(pose) @ g.parameters
     camera = np.full(int(fine.sum()), float(pose.centre_m[2]))
-    return Sightings(camera, seen.plane_m, seen.height_m, np.asarray(own), np.asarray(shared)), fine
+    return Sightings(
+        camera, intersection.plane_m, intersection.height_m, np.asarray(own), np.asarray(shared)
+    ), fine
 
 
-def together(parts: Sequence[Sightings]) -> Sightings:
+def combine_sightings(parts: Sequence[Sightings]) -> Sightings:
     """Sightings under several poses as one; different poses share nothing that counts here."""
     total = sum(len(part) for part in parts)
     shared = np.zeros((total, total))
@@ -258,14 +260,14 @@ def inset_from_solved(
     if len(values) < LEAST_KNOWN:
         return Said("inset-few-solved", least=LEAST_KNOWN, count=len(values))
     gone = outliers(values, u)
-    found = mean_and_spread(values[~gone], u[~gone], shared[np.ix_(~gone, ~gone)])
-    spread = found.between if found.count >= LEAST_FOR_SPREAD else None
+    estimate = mean_and_spread(values[~gone], u[~gone], shared[np.ix_(~gone, ~gone)])
+    spread = estimate.between if estimate.count >= LEAST_FOR_SPREAD else None
     left_out = tuple(int(i) for i in np.flatnonzero(gone))
-    caution = Said("inset-solved-close-frames") if found.u_mean > _WIDE_U_M else None
+    caution = Said("inset-solved-close-frames") if estimate.u_mean > _WIDE_U_M else None
     return InsetEstimate(
-        inset_m=found.mean,
-        u_inset_m=found.u_mean,
-        vehicles=found.count,
+        inset_m=estimate.mean,
+        u_inset_m=estimate.u_mean,
+        vehicles=estimate.count,
         spread_m=spread,
         caution=caution,
         left_out=left_out,

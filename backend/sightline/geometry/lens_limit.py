@@ -10,7 +10,7 @@ import numpy as np
 
 from sightline.arrays import Floats
 from sightline.enums import LensModel
-from sightline.geometry.arrays import frozen
+from sightline.geometry.arrays import freeze_array
 from sightline.geometry.lens import distort, radial_gain
 
 _FARTHEST = 11.43  # tan 85 degrees: further off the axis, x/z is no sensible coordinate
@@ -71,4 +71,4 @@ def _table(model: LensModel, k: Floats, limit: float, picture_radius: float) -> 
     radius = np.interp(wanted, bent, r)
     gain = np.ones_like(wanted)
     gain[1:] = radius[1:] / wanted[1:]
-    return end / 2048, frozen(gain)
+    return end / 2048, freeze_array(gain)

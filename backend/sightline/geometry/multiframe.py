@@ -296,16 +296,16 @@ def _reported(
 ) -> MultiHeight:
     frames = len(contacts)
     at = _linearise(pose, contacts, targets, theta)
-    found = _budget(pose, at, sigma, u_heading)
+    budget = _budget(pose, at, sigma, u_heading)
     heading, _, inset, height = (float(v) for v in theta[frames + 1 :])
-    if found is None:
+    if budget is None:
         return MultiHeight(not_measurable(Said("height-inset-undetermined")))
     if height <= 0:
         return MultiHeight(not_measurable(REASONS[BELOW_ROAD]))
     reason = implausible_inset(inset)
     if reason is not None:
         return MultiHeight(not_measurable(reason))
-    sources, moved, turned = found
+    sources, moved, turned = budget
     variances = np.sum(list(sources.values()), axis=0)
     u_heading_out, _, u_inset, u_height = (float(v) for v in np.sqrt(variances[frames + 1 :]))
     x, y = float(theta[0]), float(theta[1])

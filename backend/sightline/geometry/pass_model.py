@@ -50,7 +50,7 @@ def since_middle(tracks: Tracks) -> Floats:
     return np.asarray(tracks.time_s - middle_s(tracks), dtype=np.float64)
 
 
-def seen(pose: RoadPose, tracks: Tracks, t_s: Floats, row_time_s: float, unknowns: Floats) -> Seen:
+def predict_tracks(pose: RoadPose, tracks: Tracks, t_s: Floats, row_time_s: float, unknowns: Floats) -> Seen:
     """What the model shows for `tracks` (N) at `t_s` (N,), `since_middle`, with `unknowns` (9,).
 
     The equations of this module; projection after Brown 1966 or Kannala and Brandt 2006.

@@ -102,7 +102,7 @@ def template_of(light: Floats) -> Template:
     return Template(light, np.stack([along, up, light, np.ones_like(light)], axis=-1))
 
 
-def registered(onto: Template, patch: Patch, weight: Floats) -> Shift | None:
+def register_patch(onto: Template, patch: Patch, weight: Floats) -> Shift | None:
     """How far the patch (h, w) is to be moved to lie on the template, with gain and offset of its light, by
     cells of `weight` (h, w); None where too little of it is in the picture.
 
@@ -134,14 +134,14 @@ def registered(onto: Template, patch: Patch, weight: Floats) -> Shift | None:
     return Shift(
         step=solved[:2],
         covariance=covariance[:2, :2],
-        alike=_alike(template, patch.light, of_cell),
+        alike=_correlate_patches(template, patch.light, of_cell),
         slope=_slope(patch.light, of_cell),
     )
 
 
 def light_of(template: Floats, light: Floats, weight: Floats) -> tuple[float, float]:
     """Gain and offset that bring light (h, w) to template (h, w), cells weighted by weight (h, w): weighted
-    least squares (as `registered`), the gain within 0.3 to 3.
+    least squares (as `register_patch`), the gain within 0.3 to 3.
     """
     total = weight.sum()
     a, b = (weight * light).sum() / total, (weight * template).sum() / total
@@ -151,7 +151,7 @@ def light_of(template: Floats, light: Floats, weight: Floats) -> tuple[float, fl
     return gain, float(b - gain * a)
 
 
-def _alike(one: Floats, two: Floats, weight: Floats) -> float:
+def _correlate_patches(one: Floats, two: Floats, weight: Floats) -> float:
     """Weighted correlation of two patches (h, w), smoothed: noise makes nothing unlike."""
     smooth = [cv2.GaussianBlur(of, (0, 0), _CORRELATED_CELLS) for of in (one, two)]
     a, b = (of - (weight * of).sum() / weight.sum() for of in smooth)

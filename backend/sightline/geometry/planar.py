@@ -92,13 +92,13 @@ def planar_roots(camera: Camera, flat_points: Floats, seen: Floats) -> list[Plan
     rays = undistort(camera, seen)
     if not rays.ok.all():
         return []
-    found = []
+    roots = []
     for turn, translation in _starts(flat_points, rays.points):
         rotation = nearest_rotation(np.asarray(cv2.Rodrigues(turn)[0], dtype=np.float64))
         if (flat_points @ rotation[2] + translation[2] > 0).all():
-            found.append(refine(camera, rotation, translation, flat_points, seen))
-    found.sort(key=lambda pose: pose.cost)
-    return [pose for i, pose in enumerate(found) if i == 0 or _turn_between(pose, found[0]) > _SAME_RAD]
+            roots.append(refine(camera, rotation, translation, flat_points, seen))
+    roots.sort(key=lambda pose: pose.cost)
+    return [pose for i, pose in enumerate(roots) if i == 0 or _turn_between(pose, roots[0]) > _SAME_RAD]
 
 
 def _starts(flat_points: Floats, rays: Floats) -> list[tuple[Floats, Floats]]:

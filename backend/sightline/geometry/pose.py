@@ -96,7 +96,7 @@ def pose_from_corners(
     if not roots:
         raise BadInput("geometry-pose-misfit")
     best = roots[0]
-    warnings = _checked(best, roots, still, seen_board, len(frames) - len(used))
+    warnings = _check_pose(best, roots, still, seen_board, len(frames) - len(used))
     return _on_road(camera, best, seen_board, reference, still, warnings)
 
 
@@ -138,7 +138,7 @@ def _on_mean(mean_picture: Floats, still: Still, board: Board) -> Still:
     return replace(still, mean_px=fitted.points_px)
 
 
-def _checked(
+def _check_pose(
     best: PlanarPose, roots: list[PlanarPose], still: Still, board: Board, missed: int
 ) -> tuple[Said, ...]:
     """Refuse what cannot be a pose of this board, and say what is doubtful."""

@@ -107,15 +107,15 @@ def _ink(board: Board) -> tuple[Floats, Floats]:
     name = getattr(cv2.aruco, f"DICT_{board.charuco.dictionary}")
     dictionary = cv2.aruco.getPredefinedDictionary(name)
     size = (board.columns + 1, board.rows + 1)
-    made = cv2.aruco.CharucoBoard(size, square, board.charuco.marker_m, dictionary)
-    corners = np.asarray(made.getObjPoints(), dtype=np.float64)[:, 0, :2]
+    charuco_board = cv2.aruco.CharucoBoard(size, square, board.charuco.marker_m, dictionary)
+    corners = np.asarray(charuco_board.getObjPoints(), dtype=np.float64)[:, 0, :2]
     with_marker = np.zeros((board.rows + 1, board.columns + 1), dtype=bool)
     with_marker[tuple((corners // square).astype(int).T[::-1])] = True
     row, column = np.nonzero(~with_marker)
     side, cells = board.charuco.marker_m, dictionary.markerSize + 2
     white = [
         _holes(_marker(dictionary, int(number), cells), side) + np.array([*at, 0.0, 0.0])
-        for number, at in zip(made.getIds(), corners, strict=True)
+        for number, at in zip(charuco_board.getIds(), corners, strict=True)
     ]
     black = [_squares(np.column_stack([column, row]) * square, square), _squares(corners, side)]
     return np.concatenate(black), np.concatenate(white)

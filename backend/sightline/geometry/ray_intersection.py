@@ -135,17 +135,17 @@ def intersect_rays(
     )
 
 
-def contact_on_road(pose: RoadPose, seen: RayIntersection) -> tuple[Floats, Floats, Floats]:
+def contact_on_road(pose: RoadPose, intersection: RayIntersection) -> tuple[Floats, Floats, Floats]:
     """X and Y of the contact points on the road and their distance from the camera's centre, (N,) each,
     metres.
 
     The contact ray meets the road plane where C_z + lambda w_z = 0: p_l of Dupuis et al. 2019, section 2,
     between (12) and (13), where it has no number.
     """
-    x, y = seen.contact
+    x, y = intersection.contact
     with np.errstate(all="ignore"):
-        scale = -float(pose.centre_m[2]) / seen.w_contact_z
-        across = seen.s * seen.w_contact_z
+        scale = -float(pose.centre_m[2]) / intersection.w_contact_z
+        across = intersection.s * intersection.w_contact_z
         along = _component(pose.rotation, 0, x, y)
         distance = scale * np.sqrt(x * x + y * y + 1.0)
     return pose.centre_m[0] + scale * along, pose.centre_m[1] + scale * across, distance

@@ -4,7 +4,7 @@ import numpy as np
 
 from sightline.arrays import Floats
 from sightline.geometry.verdict import Evidence
-from sightline.messages.said import Said, listed
+from sightline.messages.said import Said, join_with_and
 
 _TILT_RAD = np.deg2rad(15.0)
 _THIN = 36  # a ninth of the picture with less than a quarter of an even share is thin
@@ -46,7 +46,7 @@ def places_missing(coverage: Floats) -> tuple[Said, ...]:
     """Where in the picture the board should be held more; coverage (12, 16). As `thin_parts`."""
     parts = thin_parts(coverage)
     named = [Said("image-part", place=one) for one in parts]
-    return (Said("calibration-hold-in", parts=listed(named)),) if named else ()
+    return (Said("calibration-hold-in", parts=join_with_and(named)),) if named else ()
 
 
 def _tilts(normals: tuple[Floats, ...]) -> tuple[Said, ...]:
@@ -59,7 +59,7 @@ def _tilts(normals: tuple[Floats, ...]) -> tuple[Said, ...]:
     named = [Said("board-edge", edge=edge) for edge in missing]
     if len(named) == 1:
         return (Said("calibration-tilt-edge", edge=named[0]),)
-    return (Said("calibration-tilt-edges", edges=listed(named)),)
+    return (Said("calibration-tilt-edges", edges=join_with_and(named)),)
 
 
 def _nearness(evidence: Evidence) -> tuple[Said, ...]:

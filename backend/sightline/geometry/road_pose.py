@@ -12,7 +12,7 @@ import numpy as np
 
 from sightline.arrays import Floats
 from sightline.enums import BoardSide
-from sightline.geometry.arrays import frozen
+from sightline.geometry.arrays import freeze_array
 from sightline.geometry.camera import Camera
 from sightline.messages.said import Said
 
@@ -75,10 +75,10 @@ class RoadPose:
     warnings: tuple[Said, ...] = field(default=())
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "rotation", frozen(self.rotation))
-        object.__setattr__(self, "translation_m", frozen(self.translation_m))
+        object.__setattr__(self, "rotation", freeze_array(self.rotation))
+        object.__setattr__(self, "translation_m", freeze_array(self.translation_m))
         if self.covariance is not None:
-            object.__setattr__(self, "covariance", frozen(self.covariance))
+            object.__setattr__(self, "covariance", freeze_array(self.covariance))
 
     @cached_property
     def parameters(self) -> tuple[str, ...]:
@@ -87,7 +87,7 @@ class RoadPose:
     @cached_property
     def centre_m(self) -> Floats:
         """Camera centre in the road frame, (3,); its Z is the camera height."""
-        return frozen(-self.rotation.T @ self.translation_m)
+        return freeze_array(-self.rotation.T @ self.translation_m)
 
     def to_camera(self, points_road_m: Floats) -> Floats:
         """Camera-frame points (N, 3) of road points, `points_road_m` (N, 3): R x + t, metres."""

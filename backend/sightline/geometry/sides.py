@@ -35,7 +35,7 @@ def direction_beside_camera(facts: TrafficFacts) -> Direction | None:
 
 
 def driver_side(
-    said: DriverSide | None, direction: Direction | None, facts: TrafficFacts
+    stated: DriverSide | None, direction: Direction | None, facts: TrafficFacts
 ) -> FoundSide | None:
     """The driver's side of one vehicle: as said, else by its direction, else by the lane beside the camera.
 
@@ -43,8 +43,8 @@ def driver_side(
     the left. Only from the median all that it sees goes one way: from a verge a pass without a direction may
     be in the opposite lane. None where the side cannot be told.
     """
-    if said is not None:
-        return FoundSide(said, "said")
+    if stated is not None:
+        return FoundSide(stated, "said")
     one_way = direction_beside_camera(facts) if facts.camera_place == "median" else None
     shown = direction or one_way
     if shown is None or facts.steering_side is None:

@@ -54,14 +54,14 @@ def within_reach(click_px: ArrayLike, contact_px: ArrayLike) -> bool:
     return bool(abs(across) <= ACROSS_PX and -UP_PX <= down <= DOWN_PX)
 
 
-def _doubt(picture: NDArray[np.uint8], pose: RoadPose, click: Floats, found: Proposal) -> str | None:
+def _doubt(picture: NDArray[np.uint8], pose: RoadPose, click: Floats, proposal: Proposal) -> str | None:
     """Why a click does not go to what was found; None: it does."""
-    if not within_reach(click, found.contact_px):
+    if not within_reach(click, proposal.contact_px):
         return "snap-out-of-reach"
-    if found.expected_px > LARGEST_EXPECTED_PX:
+    if proposal.expected_px > LARGEST_EXPECTED_PX:
         return "snap-not-sure"
-    again = propose(picture, pose, found.contact_px)
-    same = isinstance(again, Proposal) and _apart_px(again.contact_px, found.contact_px) <= AGAIN_PX
+    again = propose(picture, pose, proposal.contact_px)
+    same = isinstance(again, Proposal) and _apart_px(again.contact_px, proposal.contact_px) <= AGAIN_PX
     return None if same else "snap-not-sure"
 
 

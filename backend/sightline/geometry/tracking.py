@@ -3,7 +3,7 @@
 import cv2
 import numpy as np
 
-from sightline.geometry.arrays import frozen
+from sightline.geometry.arrays import freeze_array
 from sightline.geometry.corners import Corners, Gray, find_board, flaw, not_found, refine_subpixel, spacing_px
 from sightline.messages.said import Said
 
@@ -30,7 +30,7 @@ def track(gray: Gray, last: Corners) -> Corners:
         return not_found(last.board_as_seen, reason)
     return Corners(
         found=True,
-        points_px=frozen(grid),
+        points_px=freeze_array(grid),
         board_as_seen=last.board_as_seen,
         reason=None,
         sharpness=last.sharpness,

@@ -8,7 +8,7 @@ import scipy
 from numpy.typing import ArrayLike
 
 from sightline.arrays import Bools, Floats
-from sightline.geometry.arrays import frozen, skew
+from sightline.geometry.arrays import freeze_array, skew
 from sightline.geometry.camera import project_with_jacobians, undistort
 from sightline.geometry.height import Parts, shared_covariance
 from sightline.geometry.ray_intersection import MIN_DEPRESSION
@@ -119,13 +119,13 @@ def heading_of_pair(
 
 def _road_points(pose: RoadPose, clicks: Floats) -> Floats:
     """X and Y (N, 2) on the road under clicks (N, 2), NaN where `road_point` has a reason."""
-    seen = undistort(pose.camera, clicks)
-    direction = np.column_stack([seen.points, np.ones(len(clicks))]) @ pose.rotation
+    undistorted = undistort(pose.camera, clicks)
+    direction = np.column_stack([undistorted.points, np.ones(len(clicks))]) @ pose.rotation
     centre = pose.centre_m
     with np.errstate(all="ignore"):
         below = direction[:, 2] < -MIN_DEPRESSION * np.linalg.norm(direction, axis=1)
         out = centre[:2] - direction[:, :2] * (centre[2] / direction[:, 2:])
-    out[~(below & seen.ok & pose.camera.inside(clicks))] = np.nan
+    out[~(below & undistorted.ok & pose.camera.inside(clicks))] = np.nan
     return np.asarray(out, dtype=np.float64)
 
 
@@ -159,21 +159,21 @@ def summary_of_headings(pose: RoadPose, headings: Sequence[Heading]) -> Headings
     if used.sum() < LEAST_VEHICLES:
         return Said("traffic-few-vehicles", least=LEAST_VEHICLES, usable=int(used.sum()))
     shared = shared_covariance(pose, [one.parts for one, good in zip(headings, used, strict=True) if good])
-    found = mean_and_spread(values[used], u[used], shared)
-    away = abs(found.mean) / found.u_mean
-    freedom = (found.count - 1) * (found.u_mean / found.u_own) ** 4
+    estimate = mean_and_spread(values[used], u[used], shared)
+    away = abs(estimate.mean) / estimate.u_mean
+    freedom = (estimate.count - 1) * (estimate.u_mean / estimate.u_own) ** 4
     proposed = bool(away > scipy.stats.t.ppf(0.975, freedom))
     return Headings(
-        heading_rad=frozen(values),
+        heading_rad=freeze_array(values),
         used=used,
-        mean_rad=found.mean,
-        u_mean_rad=found.u_mean,
-        spread_rad=found.between,
+        mean_rad=estimate.mean,
+        u_mean_rad=estimate.u_mean,
+        spread_rad=estimate.between,
         proposed=proposed,
     )
 
 
-def turned(pose: RoadPose, heading_rad: float, u_heading_rad: float = 0.0) -> RoadPose:
+def turn_pose_to_heading(pose: RoadPose, heading_rad: float, u_heading_rad: float = 0.0) -> RoadPose:
     """The pose with the road's X axis turned about Z to a heading found in the traffic.
 
     The road's origin, its plane and the camera's height stay. Increments of a pose act in the camera frame,

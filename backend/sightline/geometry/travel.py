@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from sightline.arrays import Floats
 from sightline.geometry.camera import project, undistort
-from sightline.geometry.follow import Gray, Step, best_guess, followed, reach_px
+from sightline.geometry.follow import Gray, Step, best_guess, follow_points, reach_px
 from sightline.geometry.height import measure_height
 from sightline.geometry.multiframe import LEAST_TRAVEL_M, MultiHeight, measure_frames
 from sightline.geometry.ray_intersection import OK, contact_on_road, intersect_rays
@@ -39,14 +39,14 @@ class Body:
 
     def travels_m(self, pose: RoadPose, points_px: Floats) -> Floats:
         """How far each point (N,) has come if it is now seen at points_px (N, 2); NaN where it cannot be."""
-        seen = undistort(pose.camera, points_px)
-        rays = np.column_stack([seen.points, np.ones(len(seen.points))]) @ pose.rotation
+        undistorted = undistort(pose.camera, points_px)
+        rays = np.column_stack([undistorted.points, np.ones(len(undistorted.points))]) @ pose.rotation
         across = np.array([-self.along[1], self.along[0]])
         with np.errstate(all="ignore"):
             reach = (self.points_m[:, :2] - pose.centre_m[:2]) @ across / (rays[:, :2] @ across)
             there = pose.centre_m[:2] + reach[:, None] * rays[:, :2]
             out = (there - self.points_m[:, :2]) @ self.along
-        out[~seen.ok | ~(reach > 0)] = np.nan
+        out[~undistorted.ok | ~(reach > 0)] = np.nan
         return np.asarray(out, dtype=np.float64)
 
 
@@ -97,16 +97,16 @@ class BodyTracker:
         index = np.flatnonzero(self._alive)
         if len(index) < _LEAST_POINTS or dt_s == 0:
             return None
-        found = self._search(picture, dt_s, index)
-        if found is None:
+        searched = self._search(picture, dt_s, index)
+        if searched is None:
             return None
         travels = np.full(len(self._points), np.nan)
         moved = self._points.copy()
-        moved[index] = found.points_px
+        moved[index] = searched.points_px
         travels[index] = Body(self._body.points_m[index], self._body.along).travels_m(
-            self._pose, found.points_px
+            self._pose, searched.points_px
         )
-        travels[index[~found.ok]] = np.nan
+        travels[index[~searched.ok]] = np.nan
         if not np.isfinite(travels).any():
             return None
         middle = float(np.nanmedian(travels))
@@ -128,7 +128,7 @@ class BodyTracker:
         body = Body(self._body.points_m[index], self._body.along)
         if self.speed_mps is not None:
             guess = body.pixels(self._pose, self.travel_m + self.speed_mps * dt_s)
-            return followed(self._picture, picture, points, np.where(np.isfinite(guess), guess, points))
+            return follow_points(self._picture, picture, points, np.where(np.isfinite(guess), guess, points))
         furthest = _FASTEST_MPS * abs(dt_s)
         away = np.abs(body.pixels(self._pose, 0.1) - points).max(initial=1.0, where=np.isfinite(points))
         apart = max(0.1 * reach_px(picture) / float(away), 2.0 * furthest / _MOST_GUESSES)
@@ -175,20 +175,25 @@ def further_gain(
     return Further(travel_m, (cx, cy), (tx, ty), then.height.u_height_m, then.u_solved_inset_m)
 
 
-def solved_body(pose: RoadPose, target_px: Floats, found: MultiHeight) -> Body | None:
+def solved_body(pose: RoadPose, target_px: Floats, solved: MultiHeight) -> Body | None:
     """Contact and target at the first frame as the frames together have them, `target_px` (2,) there; None
     without a height.
 
     The target's ray meets the vertical plane along the solved heading, the solved inset behind the contact
     (CONVENTIONS.md, Several frames).
     """
-    height = found.height
-    if height.x_m is None or height.y_m is None or found.solved_inset_m is None or found.heading_rad is None:
+    height = solved.height
+    if (
+        height.x_m is None
+        or height.y_m is None
+        or solved.solved_inset_m is None
+        or solved.heading_rad is None
+    ):
         return None
-    along = np.array([np.cos(found.heading_rad), np.sin(found.heading_rad)])
+    along = np.array([np.cos(solved.heading_rad), np.sin(solved.heading_rad)])
     across = np.array([-along[1], along[0]])
     foot = np.array([height.x_m, height.y_m])
     ray = pose.rotation.T @ np.array([*undistort(pose.camera, target_px.reshape(1, 2)).points[0], 1.0])
-    plane = (foot - pose.centre_m[:2]) @ across + found.solved_inset_m
+    plane = (foot - pose.centre_m[:2]) @ across + solved.solved_inset_m
     at = pose.centre_m + ray * (plane / float(ray[:2] @ across))
     return Body(np.array([[foot[0], foot[1], 0.0], at]), along)

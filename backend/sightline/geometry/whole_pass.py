@@ -42,7 +42,7 @@ from sightline.geometry.pass_model import (
     Y,
     first_estimate,
     middle_s,
-    seen,
+    predict_tracks,
     since_middle,
 )
 from sightline.geometry.ray_intersection import BELOW_ROAD, CAMERA_BELOW, MIN_DEPRESSION, REASONS
@@ -170,14 +170,14 @@ def measure_pass(
         reason = _too_little(part)
         if reason is not None:
             return WholePass(not_measurable(reason), dropped=tuple(dropped))
-        found = _fitted(pose, part, following, priors)
-        if isinstance(found, Said):
-            return WholePass(not_measurable(found), dropped=tuple(dropped))
-        worst = _worst(found, part)
+        fit = _fitted(pose, part, following, priors)
+        if isinstance(fit, Said):
+            return WholePass(not_measurable(fit), dropped=tuple(dropped))
+        worst = _worst(fit, part)
         if worst is None:
             middle_row = 0.5 * (pose.camera.height_px - 1)
             since_s = clicked_at_s(tracks, following, middle_row) - middle_s(part)
-            return _reported(pose, part, following, priors, found, since_s, tuple(dropped))
+            return _reported(pose, part, following, priors, fit, since_s, tuple(dropped))
         row, off_px, times = worst
         index = int(np.flatnonzero(kept)[row])
         off = Said("followed-off", off_px=round(off_px, 1), times=round(times, 1))
@@ -285,7 +285,9 @@ def _minimum(
     def looked(values: Floats) -> Seen:
         """Residuals and slopes are asked for at the same values, one after the other."""
         if not last or not np.array_equal(last[0][0], values):
-            last[:] = [(values.copy(), seen(pose, tracks, t_s, following.row_time_s, filled(values)))]
+            last[:] = [
+                (values.copy(), predict_tracks(pose, tracks, t_s, following.row_time_s, filled(values)))
+            ]
         return last[0][1]
 
     def residual(values: Floats) -> Floats:
@@ -302,18 +304,18 @@ def _minimum(
 
     depends = _depends_on_speed(following)
     for _ in range(_NOISE_ROUNDS if depends else 1):
-        at = seen(pose, tracks, t_s, following.row_time_s, unknowns)
+        at = predict_tracks(pose, tracks, t_s, following.row_time_s, unknowns)
         if not np.isfinite(at.pixels).all():
             return _UNSETTLED
         noise = noise_parts(tracks, following, at.speed_px_s)
         root = np.linalg.cholesky(np.sum(list(noise.values()), axis=0))
-        found = scipy.optimize.least_squares(
+        solution = scipy.optimize.least_squares(
             residual, unknowns[index], slope, method="lm", x_scale="jac", xtol=1e-12, ftol=1e-12, gtol=1e-12,
             max_nfev=200
         )  # fmt: skip
-        if not found.success or not np.isfinite(found.x).all():
+        if not solution.success or not np.isfinite(solution.x).all():
             return _UNSETTLED
-        unknowns = filled(found.x)
+        unknowns = filled(solution.x)
     return _at_minimum(pose, tracks, t_s, following, priors, unknowns, index, noise)
 
 
@@ -334,7 +336,7 @@ def _at_minimum(
     free: NDArray[np.intp],
     noise: dict[str, Floats],
 ) -> _Fit | Said:
-    at = seen(pose, tracks, t_s, following.row_time_s, unknowns)
+    at = predict_tracks(pose, tracks, t_s, following.row_time_s, unknowns)
     jacobian = at.by_unknowns[:, free]
     if not np.isfinite(jacobian).all():
         return _UNSETTLED
@@ -424,14 +426,14 @@ def _as_told(fit: _Fit, since_s: float) -> tuple[Floats, Floats]:
     along = np.array([np.cos(heading), np.sin(heading)])
     way = speed * since_s + 0.5 * acceleration * since_s**2
     facing = -1.0 if fit.unknowns[WHEELBASE] < 0 else 1.0
-    told, by = np.array(fit.unknowns), np.eye(9)
-    told[[X, Y]] += way * along
-    told[WHEELBASE] *= facing
+    reported, by = np.array(fit.unknowns), np.eye(9)
+    reported[[X, Y]] += way * along
+    reported[WHEELBASE] *= facing
     by[[X, Y], HEADING] = -way * along[1], way * along[0]
     by[[X, Y], SPEED] = since_s * along
     by[[X, Y], ACCELERATION] = 0.5 * since_s**2 * along
     by[WHEELBASE, WHEELBASE] = facing
-    return told, by[np.ix_(fit.free, fit.free)]
+    return reported, by[np.ix_(fit.free, fit.free)]
 
 
 def _reported(
@@ -450,7 +452,7 @@ def _reported(
         return WholePass(not_measurable(reason), dropped=dropped)
     own, shared = _sources(pose, following, priors, fit)
     alone = np.sum(list(own.values()), axis=0)
-    told, by = _as_told(fit, clicked_since_s)
+    reported, by = _as_told(fit, clicked_since_s)
     total = by @ np.sum([alone, *shared.values()], axis=0) @ by.T
     freedom = 2 * len(tracks.frame) - len(fit.free) + len(priors)
     chance = float(scipy.stats.chi2.sf(fit.cost, freedom))
@@ -459,14 +461,14 @@ def _reported(
     def solved(which: int) -> Solved | None:
         if which not in place:
             return None
-        return Solved(float(told[which]), _root(total[place[which], place[which]]))
+        return Solved(float(reported[which]), _root(total[place[which], place[which]]))
 
     def of_height(part: Floats) -> float:
         return _root(part[HEIGHT, HEIGHT])
 
     u_height, inset = of_height(total), solved(INSET)
     assert inset is not None  # every pass is solved for its inset
-    x, y = float(told[X]), float(told[Y])
+    x, y = float(reported[X]), float(reported[Y])
     height = Height(
         status="ok",
         reason=None,

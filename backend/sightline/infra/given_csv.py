@@ -121,7 +121,7 @@ def read_table(data: bytes | str, name: object, most_bytes: int = MOST_BYTES) ->
 
     Raises BadInput for what is no UTF-8 text, or whose header is not sound.
     """
-    lines = enumerate(_LINE_END.split(_text(data, str(name), most_bytes)), start=1)
+    lines = enumerate(_LINE_END.split(_decode_text(data, str(name), most_bytes)), start=1)
     written = ((at, line) for at, line in lines if line.strip(" \t,;"))
     at, first = next((one for one in written if not _NAMES_ITS_SEPARATOR.fullmatch(one[1])), (0, ""))
     delimiter = _delimiter(first)
@@ -134,7 +134,7 @@ def read_table(data: bytes | str, name: object, most_bytes: int = MOST_BYTES) ->
     twice = next((one for one in header if one and header.count(one) > 1), None)
     if twice is not None:
         raise BadInput("csv-column-twice", name=str(name), line=at, column=twice[:60])
-    return GivenTable(str(name), header, list(_rows(lines, str(name), header, delimiter)))
+    return GivenTable(str(name), header, list(_split_rows(lines, str(name), header, delimiter)))
 
 
 def given_number(cell: str) -> float | None:
@@ -164,12 +164,12 @@ def unit_of(value: float, usual_m: float = _USUAL_M) -> str:
     return min(_UNITS_M, key=lambda unit: abs(math.log(abs(value) * _UNITS_M[unit] / usual_m)))
 
 
-def undefused(cell: str) -> str:
+def strip_formula_apostrophe(cell: str) -> str:
     """Take back the apostrophe that our own export puts before what a spreadsheet would run."""
     return cell[1:] if cell[:1] == "'" and cell[1:2] in ("=", "+", "-", "@") else cell
 
 
-def _text(data: bytes | str, name: str, most_bytes: int) -> str:
+def _decode_text(data: bytes | str, name: str, most_bytes: int) -> str:
     if len(data) > most_bytes:
         raise BadInput("csv-too-large", name=name, most_bytes=most_bytes // 1000000)
     try:
@@ -186,7 +186,7 @@ def _delimiter(header: str) -> str:
     return there[0] if len(there) == 1 else ","
 
 
-def _rows(
+def _split_rows(
     lines: Iterator[tuple[int, str]], name: str, header: list[str], delimiter: str
 ) -> Iterator[GivenRow]:
     width = len(header)

@@ -13,7 +13,7 @@ from sqlalchemy import Engine, event, make_url, text
 
 from sightline.errors import BadInput
 from sightline.infra.audit.signing import signing_key
-from sightline.infra.database.engine import explained
+from sightline.infra.database.engine import translate_database_errors
 from sightline.infra.database.types import now
 from sightline.infra.private import made_once
 from sightline.infra.web.secret import signing_secret
@@ -42,7 +42,7 @@ def require_alike(engine: Engine, settings: Settings, *, app: bool) -> None:
     if engine.dialect.name != "postgresql":
         return
     marks = show_settings(engine, settings, app=app)
-    with explained(), engine.connect() as connection:
+    with translate_database_errors(), engine.connect() as connection:
         others = [name.split()[2:] for name in connection.execute(_NAMES).scalars()]
         shown: datetime = connection.execute(_CLOCK).scalar_one()
     off_s = abs((now() - shown).total_seconds())
@@ -71,7 +71,7 @@ def show_settings(engine: Engine, settings: Settings, *, app: bool) -> dict[str,
         connection.commit()
 
     engine.dispose()
-    with explained(), engine.connect():
+    with translate_database_errors(), engine.connect():
         return marks
 
 

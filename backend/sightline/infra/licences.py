@@ -24,21 +24,21 @@ class Library:
 @cache
 def libraries() -> tuple[Library, ...]:
     """What Sightline needs and what that needs, as it is installed, by name."""
-    found: dict[str, Library] = {}
-    seen: set[tuple[str, str]] = set()
+    installed: dict[str, Library] = {}
+    visited: set[tuple[str, str]] = set()
     waiting = [("sightline", "")]
     while waiting:
         name, extras = wanted = waiting.pop()
-        if wanted in seen:
+        if wanted in visited:
             continue
-        seen.add(wanted)
+        visited.add(wanted)
         try:
-            found[name] = Library(name, version(name), stated_licence(name))
+            installed[name] = Library(name, version(name), stated_licence(name))
         except PackageNotFoundError:
             continue  # for another system or another Python
         waiting += _needed(name, extras.split(","))
-    del found["sightline"]
-    return tuple(found[name] for name in sorted(found))
+    del installed["sightline"]
+    return tuple(installed[name] for name in sorted(installed))
 
 
 def _needed(name: str, extras: list[str]) -> Iterator[tuple[str, str]]:
@@ -59,11 +59,13 @@ def plain_name(name: str) -> str:
 def stated_licence(name: str) -> str | None:
     """What an installed package states: an expression, else its classifiers, else a short text."""
     try:
-        told = metadata(name)
+        stated = metadata(name)
     except PackageNotFoundError:
         return None
-    classes = [one.removeprefix(_LEGAL) for one in told.get_all("Classifier") or () if one.startswith(_LEGAL)]
-    text, *_ = told.get_all("License") or [""]
+    classes = [
+        one.removeprefix(_LEGAL) for one in stated.get_all("Classifier") or () if one.startswith(_LEGAL)
+    ]
+    text, *_ = stated.get_all("License") or [""]
     short = text if len(text) <= _SHORT and "\n" not in text else ""
-    expression, *_ = told.get_all("License-Expression") or [""]
+    expression, *_ = stated.get_all("License-Expression") or [""]
     return expression or " AND ".join(classes) or short or None

@@ -26,7 +26,7 @@ def instant_of(local: str, zone: str) -> datetime:
     Raises BadInput: no time, a time that clocks skip, one that comes twice without saying which, an offset
     that the zone does not have then.
     """
-    of, shown = zone_of(zone), _read(local)
+    of, shown = zone_of(zone), _read_local_time(local)
     bare = shown.replace(tzinfo=None)
     first, second = (bare.replace(tzinfo=of, fold=fold) for fold in (0, 1))
     try:
@@ -52,7 +52,7 @@ def instant_of(local: str, zone: str) -> datetime:
     return passes[0].astimezone(UTC)
 
 
-def _read(local: str) -> datetime:
+def _read_local_time(local: str) -> datetime:
     try:
         return datetime.fromisoformat(local.strip())
     except ValueError as error:

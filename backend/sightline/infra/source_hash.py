@@ -33,18 +33,18 @@ def import_closure(*modules: str) -> frozenset[Path]:
     """The files of modules, of all modules of the program that they import, directly or not, and of the
     packages that hold them. Raises ModuleNotFoundError for a module without a file.
     """
-    found: dict[str, Path] = {}
+    paths: dict[str, Path] = {}
     waiting = list(modules)
     while waiting:
         name = waiting.pop()
-        if name in found:
+        if name in paths:
             continue
         path = _file_of(name)
         if path is None:
             raise ModuleNotFoundError(name)
-        found[name] = path
+        paths[name] = path
         waiting += [one for one in {*_holders(name), *_imports(name)} if _file_of(one) is not None]
-    return frozenset(found.values())
+    return frozenset(paths.values())
 
 
 def _with_texts(files: Collection[Path], texts: tuple[str, ...]) -> Iterator[Path]:
@@ -72,21 +72,21 @@ def _imports(name: str) -> frozenset[str]:
     """What a module names in imports: modules, and names in modules, which may be modules too."""
     path = _file_of(name)
     assert path is not None
-    found: set[str] = set()
+    names: set[str] = set()
     waiting: list[ast.AST] = [ast.parse(path.read_bytes())]
     while waiting:
         node = waiting.pop()
         if isinstance(node, ast.Import):
-            found.update(one.name for one in node.names)
+            names.update(one.name for one in node.names)
         elif isinstance(node, ast.ImportFrom) and node.module:
-            found.add(node.module)
-            found.update(f"{node.module}.{one.name}" for one in node.names)
+            names.add(node.module)
+            names.update(f"{node.module}.{one.name}" for one in node.names)
         elif _is_for_type_checkers(node):
             waiting += node.orelse
         else:
             # imports are statements: expressions, most of a file's tree, are left out
             waiting += [one for part in _STATEMENTS for one in getattr(node, part, ())]
-    return frozenset(found)
+    return frozenset(names)
 
 
 def _is_for_type_checkers(node: ast.AST) -> TypeGuard[ast.If]:

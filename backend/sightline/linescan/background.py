@@ -136,7 +136,7 @@ def _unrest(block: Pixels, line: Floats, upper_part: float) -> float:
     return float(np.sqrt(max(together, 0.0))) / max(float(np.median(line)), 1.0)
 
 
-def blended(old: Road, new: Road, weight: float) -> Road:
+def blend_roads(old: Road, new: Road, weight: float) -> Road:
     """The old road moved towards the new one; scatter follows more slowly, upwards as downwards."""
     slow = 0.2 * weight
 

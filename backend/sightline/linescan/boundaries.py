@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.arrays import Floats
-from sightline.linescan.outline import BEFORE_M, DOUBT_M, TOLD_M, Bands, Edge, Seen, foremost
+from sightline.linescan.outline import BEFORE_M, DOUBT_M, TOLD_M, Bands, Edge, Seen, fit_foremost_edge
 from sightline.linescan.parts import USUAL_SHADOW_SHARE, Crossings, Passage, Pixels, Rig
 from sightline.linescan.rig import baseline_of
 
@@ -58,7 +58,7 @@ FAINT_TIMES, FAINT_SHARE = 4.0, 4.0
 U_LINE_LINES = 0.06
 
 
-def refined(passage: Passage, rig: Rig) -> tuple[Crossings, float]:
+def refine_crossings(passage: Passage, rig: Rig) -> tuple[Crossings, float]:
     """The crossings to a fraction of a line, and what they bring to the length's u, metres.
 
     A boundary that is not clear at all keeps its rough line. The length is the mean of both cameras' lengths,
@@ -119,7 +119,9 @@ def edge_near(
     edges, u, ahead, clear = _with_faint(_band_edges(smooth, sigma, limits, lines_per_m), faint, long)
     uneven = _uneven(smooth, edges, lines_per_m)
     bands = Bands(edges, np.hypot(u, BUMPY_M * lines_per_m), uneven, ahead, clear)
-    found = foremost(bands, Seen(differs, 1.15 * noise_dn / sqrt(height), limits[0] / 2, lines_per_m))
+    found = fit_foremost_edge(
+        bands, Seen(differs, 1.15 * noise_dn / sqrt(height), limits[0] / 2, lines_per_m)
+    )
     if found.line is None:
         return found
     return Edge(hi - 1 - found.line if rear else lo + found.line, found.doubtful, found.u_lines)

@@ -26,17 +26,17 @@ def passage_at(crossings: Crossings, rig: Rig, rows: int, reads: tuple[Read, Rea
     bits: of the cameras, see `in_8_bits`.
     """
     finder = Finder(rows, rig)
-    one = _cut(finder, crossings.front_line_1, crossings.rear_line_1, reads[0])
-    two = _cut(finder, crossings.front_line_2, crossings.rear_line_2, reads[1])
-    noise_dn = max(one.road.noise_dn, two.road.noise_dn)
+    first_cut = _cut(finder, crossings.front_line_1, crossings.rear_line_1, reads[0])
+    second_cut = _cut(finder, crossings.front_line_2, crossings.rear_line_2, reads[1])
+    noise_dn = max(first_cut.road.noise_dn, second_cut.road.noise_dn)
     passage = Passage(
         crossings=crossings,
-        first=one.picture,
-        second=two.picture,
-        start_1=one.start,
-        start_2=two.start,
-        background_1=one.road.line,
-        background_2=two.road.line,
+        first=first_cut.picture,
+        second=second_cut.picture,
+        start_1=first_cut.start,
+        start_2=second_cut.start,
+        background_1=first_cut.road.line,
+        background_2=second_cut.road.line,
         noise_dn=noise_dn,
     )
     return in_8_bits(passage, bits)
@@ -82,14 +82,14 @@ def seen_by_camera_2(
     start, stop = max(0, int(front_1)), int(rear_1) + 1
     roads = [road_beside(finder, front_1, rear_1, read) for read in reads]
     first = _unlike(reads[0](start, stop), roads[0], finder)
-    found = [
+    candidates = [
         _most_like(first, start, _unlike(reads[1](begin, end), roads[1], finder), begin, finder.grid.step)
         for begin, end in (
             (start + nearest, stop + farthest),
             (max(0, start - farthest), max(0, stop - nearest)),
         )
     ]
-    likeness, shift = max(found)
+    likeness, shift = max(candidates)
     if not likeness >= LEAST_LIKENESS:
         raise LookupError
     return Crossings(front_1, rear_1, front_1 + shift, rear_1 + shift)

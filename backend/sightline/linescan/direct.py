@@ -13,10 +13,10 @@ from sightline.linescan.masks import (
     ROWS,
     Points,
     Sheet,
-    chosen,
-    coarser,
+    choose_points,
+    coarsen_sheet,
     points_at,
-    pooled,
+    pool_picture,
     silhouette,
     softened_noise,
     softness,
@@ -108,24 +108,24 @@ def measure_direct(passage: Passage, rig: Rig) -> Motion:
     """
     crossings = passage.crossings
     if passage.reason:
-        return _none(crossings, passage.reason)
+        return _not_measurable(crossings, passage.reason)
     ordered = (
         crossings.front_line_1 < crossings.rear_line_1 and crossings.front_line_2 < crossings.rear_line_2
     )
     later = crossings.front_line_2 + crossings.rear_line_2 > crossings.front_line_1 + crossings.rear_line_1
     if not (ordered and later):
-        return _none(crossings, NO_ORDER)
+        return _not_measurable(crossings, NO_ORDER)
     scene, start, prior = _prepared(passage, rig)
     if len(scene.points) < FEWEST_POINTS:
-        return _none(crossings, NO_TEXTURE)
+        return _not_measurable(crossings, NO_TEXTURE)
     whole, fit = _coarse_to_fine(scene, start, prior)
     reason = _distrusted(fit, scene, start, rig)
     if reason:
-        return _none(crossings, reason)
+        return _not_measurable(crossings, reason)
     return _answer(passage, rig, scene, prior, whole, fit)
 
 
-def _none(crossings: Crossings, reason: Said) -> Motion:
+def _not_measurable(crossings: Crossings, reason: Said) -> Motion:
     return Motion("direct", crossings, "not_measurable", reason)
 
 
@@ -140,13 +140,13 @@ def _prepared(passage: Passage, rig: Rig) -> tuple[Scene, State, Prior]:
     band = max(1, passage.first.shape[1] // ROWS)
     noise = passage.noise_dn / float(np.sqrt(step * band))
     soft = softness(noise)
-    first = pooled(passage.first, passage.start_1, step, band, soft)
-    second = pooled(passage.second, passage.start_2, step, band, soft)
+    first = pool_picture(passage.first, passage.start_1, step, band, soft)
+    second = pool_picture(passage.second, passage.start_2, step, band, soft)
     inside = silhouette(first, passage.background_1, passage.noise_dn)
     span = first.place(np.array([c.front_line_1, c.rear_line_1]))
     inside[: max(round(span[0]) - 4, 0)] = False
     inside[max(round(span[1]) + 5, 0) :] = False
-    points = chosen(first, inside, MOST_POINTS, noise)
+    points = choose_points(first, inside, MOST_POINTS, noise)
     per_m = lines_per_m / step
     block = _blocks(points, BLOCK_M * per_m, BLOCK_ROWS)
     cell = _blocks(points, CELL_M * per_m, int(np.clip(round(noise / 2.5), 1, 4)))
@@ -185,7 +185,7 @@ def _coarse_to_fine(scene: Scene, start: State, prior: Prior) -> tuple[Fit, Fit]
     """
     state, free = start, (True, True, False, True, True)
     if len(scene.first.values) >= 40 * COARSE:
-        first, second = coarser(scene.first, COARSE), coarser(scene.second, COARSE)
+        first, second = coarsen_sheet(scene.first, COARSE), coarsen_sheet(scene.second, COARSE)
         few = max(1, len(scene.points) // COARSE_POINTS)
         points = points_at(first, scene.points.place[::few] / COARSE, scene.points.row[::few])
         block = _blocks(points, 8, BLOCK_ROWS)
@@ -208,11 +208,11 @@ def _distrusted(fit: Fit, scene: Scene, start: State, rig: Rig) -> Said | None:
         return NO_TEXTURE
     if not GAINS[0] < fit.state.gain < GAINS[1]:  # the search ended at its wall, not at an answer
         return NO_MATCH
-    told, began = fit.state.course, start.course
-    moved = abs(told.speed_mps / began.speed_mps - 1)
+    course, began = fit.state.course, start.course
+    moved = abs(course.speed_mps / began.speed_mps - 1)
     # so much of its speed has the vehicle's rear gained otherwise than the boundaries say
     seconds = float(np.ptp(fit.look.first_s[used]))
-    bent = abs(told.acceleration_mps2 - began.acceleration_mps2) * seconds / began.speed_mps
+    bent = abs(course.acceleration_mps2 - began.acceleration_mps2) * seconds / began.speed_mps
     # by how many samples the pictures typically miss each other, noise taken off
     noise = 1.5 * softened_noise(scene.noise_dn)
     left = np.sqrt(max(fit.scale_dn**2 - noise**2, 0.0))
@@ -223,7 +223,7 @@ def _distrusted(fit: Fit, scene: Scene, start: State, rig: Rig) -> Said | None:
     lines = began.baseline_m / began.speed_mps * rig.line_rate_hz
     if moved > MOST_MOVED and 2 / lines > MOST_MOVED:
         return too_few_lines(lines)
-    return NO_MATCH if moved > MOST_MOVED or apart or abs(told.acceleration_mps2) > 11.5 else None
+    return NO_MATCH if moved > MOST_MOVED or apart or abs(course.acceleration_mps2) > 11.5 else None
 
 
 def _answer(passage: Passage, rig: Rig, scene: Scene, prior: Prior, whole: Fit, fit: Fit) -> Motion:
@@ -271,14 +271,14 @@ def _u_shift(scene: Scene, prior: Prior, whole: Fit) -> float:
 
 def _warnings(passage: Passage, fit: Fit, apart_m: float) -> tuple[Said, ...]:
     """What a person should look at before believing the numbers."""
-    said = []
+    warnings = []
     if not fit.settled:
-        said.append(Said("scan-motion-not-converged"))
+        warnings.append(Said("scan-motion-not-converged"))
     if apart_m > UNLIKE_M:
-        said.append(Said("scan-motion-cameras-disagree", apart_cm=round(100 * apart_m)))
+        warnings.append(Said("scan-motion-cameras-disagree", apart_cm=round(100 * apart_m)))
     if max(_saturated(passage.first), _saturated(passage.second)) > MOST_SATURATED:
-        said.append(Said("scan-motion-saturated"))
-    return tuple(said)
+        warnings.append(Said("scan-motion-saturated"))
+    return tuple(warnings)
 
 
 def _saturated(picture: Pixels) -> float:
@@ -289,7 +289,7 @@ def _saturated(picture: Pixels) -> float:
 
 def _profile(scene: Scene, fit: Fit, rig: Rig) -> Profile:
     """What the points of each piece of the vehicle say alone, beside the fitted motion."""
-    seen = fit.look
+    look = fit.look
     size = max(2, round(PROFILE_M * scene.lines_per_m / scene.first.step))
     piece = scene.points.place.astype(int) // size
     piece -= piece.min()
@@ -298,17 +298,21 @@ def _profile(scene: Scene, fit: Fit, rig: Rig) -> Profile:
     def total(values: Floats) -> Floats:
         return np.asarray(np.bincount(piece, weights=values, minlength=count))
 
-    weight = fit.weight * seen.inside
-    told = total(weight * seen.along**2)
+    weight = fit.weight * look.inside
+    information = total(weight * look.along**2)
     # residual = -gradient * error: the lines of the second sheet by which each piece strays
-    stray = -total(weight * seen.along * seen.residual) / np.maximum(told, 1e-9) * scene.second.step
+    stray = -total(weight * look.along * look.residual) / np.maximum(information, 1e-9) * scene.second.step
     share = np.maximum(total(weight), 1e-9)
-    first_s, second_s = total(weight * seen.first_s) / share, total(weight * seen.second_s) / share
+    first_s, second_s = total(weight * look.first_s) / share, total(weight * look.second_s) / share
     baseline, _ = baseline_of(rig)
     fitted = baseline / np.maximum(second_s - first_s, 1e-9)
     own = baseline / np.maximum(second_s + stray / rig.line_rate_hz - first_s, 1e-9)
-    clear = told > 0.1 * np.median(told[told > 0]) if (told > 0).any() else told > 0
-    kept = told > 0
+    clear = (
+        information > 0.1 * np.median(information[information > 0])
+        if (information > 0).any()
+        else information > 0
+    )
+    kept = information > 0
     away = np.abs(own / fitted - 1)
     spread = robust_scale(away[clear]) if clear.any() else 0.0
     used = clear & (away <= 4 * spread + 1e-12)

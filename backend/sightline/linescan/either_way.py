@@ -31,13 +31,13 @@ def either_way(measure: Measure) -> Measure:
     def measured(passage: Passage, rig: Rig) -> Motion:
         if passage.crossings.direction == "camera_1_first":
             return measure(passage, rig)
-        motion = measure(exchanged(passage), _exchanged_rig(rig))
+        motion = measure(exchange_cameras(passage), _exchanged_rig(rig))
         return seen_from_camera_1(motion, rig)
 
     return measured
 
 
-def exchanged(passage: Passage) -> Passage:
+def exchange_cameras(passage: Passage) -> Passage:
     """The same vehicle with camera 2 as camera 1."""
     return replace(
         passage,

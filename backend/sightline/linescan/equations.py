@@ -30,10 +30,10 @@ class ExactMotion:
     length_m: float
 
 
-def printed(crossings: Crossings, baseline_m: float, line_rate_hz: float) -> PaperMotion:
+def solve_as_printed(crossings: Crossings, baseline_m: float, line_rate_hz: float) -> PaperMotion:
     """Equations (3) and (4) as printed. (4) lacks f^2, so what it gives is no acceleration (its unit is m).
 
-    For comparison with the paper only: use `corrected` or `solve_crossings`.
+    For comparison with the paper only: use `solve_corrected` or `solve_crossings`.
     """
     speed, length = _equation_3(crossings, baseline_m, line_rate_hz)
     slower = 1 / _transit(crossings.rear_line_1, crossings.rear_line_2)
@@ -42,7 +42,7 @@ def printed(crossings: Crossings, baseline_m: float, line_rate_hz: float) -> Pap
     return PaperMotion(speed, length, baseline_m * (slower - faster) / over)
 
 
-def corrected(crossings: Crossings, baseline_m: float, line_rate_hz: float) -> PaperMotion:
+def solve_corrected(crossings: Crossings, baseline_m: float, line_rate_hz: float) -> PaperMotion:
     """Equations (3) and (4) with what (4) lacks: f^2, and the mean crossing times as its time base.
 
     The two speeds of (4) are means over the baseline, so they hold midway between the cameras: at the mean

@@ -103,9 +103,9 @@ def _require(camera: LineCamera) -> None:
 
 def _hints(light: float, width: float, shape: float) -> tuple[ExposureHint, ...]:
     """Too little light; pixels wider, or higher, than what is travelled from line to line can use."""
-    found: dict[ExposureHint, bool] = {
+    hints: dict[ExposureHint, bool] = {
         "dark": light < _LITTLE_LIGHT,
         "wide": width > _WIDE,
         "tall": shape > _TALL,
     }
-    return tuple(hint for hint, holds in found.items() if holds)
+    return tuple(hint for hint, holds in hints.items() if holds)

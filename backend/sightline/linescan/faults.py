@@ -23,16 +23,16 @@ SATURATED_SHARE = 0.02
 def notes_of(finder: Finder) -> list[Said]:
     """A saying for each thing that a finder saw besides vehicles, after `finish`; empty if nothing."""
     seconds = max(finder.watchers[0].lines / finder.rig.line_rate_hz, 1e-9)
-    said = [_none_found(finder), _swapped(finder), _alone(finder)]
-    said += [_in_front(finder), _jumps(finder), _moves(finder)]
+    notes = [_none_found(finder), _swapped(finder), _too_many_alone(finder)]
+    notes += [_in_front(finder), _jumps(finder), _moves(finder)]
     for number, watcher in enumerate(finder.watchers, 1):
-        said += [
+        notes += [
             _unrest(number, watcher),
             _blips(number, watcher, seconds),
             _flicker(number, watcher),
             _saturated(number, watcher),
         ]
-    return [one for one in said if one]
+    return [one for one in notes if one]
 
 
 def lines_lost(passage: Passage, lost: Sequence[Said]) -> Passage:
@@ -55,7 +55,7 @@ def _swapped(finder: Finder) -> Said | None:
     return Said("scan-run-swapped", reversed=finder.reversed, found=finder.found)
 
 
-def _alone(finder: Finder) -> Said | None:
+def _too_many_alone(finder: Finder) -> Said | None:
     if finder.alone <= max(2, 0.2 * finder.found):
         return None
     return Said("scan-run-alone", alone=finder.alone)

@@ -12,7 +12,7 @@ import numpy as np
 
 from sightline.errors import BadInput
 from sightline.linescan.background import MOST_UNREST, Grid, Road, enough_lines
-from sightline.linescan.boundaries import refined
+from sightline.linescan.boundaries import refine_crossings
 from sightline.linescan.depth import brightest_of, depth_of, in_8_bits
 from sightline.linescan.lanes import lane_of
 from sightline.linescan.parts import (
@@ -27,7 +27,7 @@ from sightline.linescan.parts import (
     Rig,
 )
 from sightline.linescan.rig import at_lane, baseline_of
-from sightline.linescan.watching import Event, Spans, Watcher, present
+from sightline.linescan.watching import Event, Spans, Watcher, find_occupied_steps
 from sightline.messages.said import Said
 
 BANDS = 64
@@ -177,11 +177,11 @@ class Finder:
         """What both cameras gave up, and how many one camera alone did."""
         ones, twos = (watcher.given_up for watcher in self.watchers)
         pairs = []
-        for one in ones:
-            partner = next((two for two in twos if self._direction(one, two) is not None), None)
+        for event in ones:
+            partner = next((two for two in twos if self._direction(event, two) is not None), None)
             if partner is not None:
                 twos.remove(partner)
-                pairs.append((one, partner))
+                pairs.append((event, partner))
         return pairs, len(ones) - len(pairs) + len(twos)
 
     def finish(self) -> list[Passage]:
@@ -235,37 +235,41 @@ class Finder:
     def _paired(self, last: bool) -> list[Passage]:
         """Takes pairs off both queues; an event that its partner's camera can no longer see stays alone."""
         out: list[Passage] = []
-        one, two = self._waiting
-        while one and two:
-            way = self._direction(one[0], two[0])
+        queue_1, queue_2 = self._waiting
+        while queue_1 and queue_2:
+            way = self._direction(queue_1[0], queue_2[0])
             if way is None:
-                if self._parted(last, out):
+                if self._part_first_events(last, out):
                     continue
                 break
-            if not last and min(reel.stop for reel in self._buffers) < self._needed_to(one[0], two[0]):
+            if not last and min(reel.stop for reel in self._buffers) < self._needed_to(
+                queue_1[0], queue_2[0]
+            ):
                 break
-            out.append(self._passage(one.popleft(), two.popleft()))
+            out.append(self._passage(queue_1.popleft(), queue_2.popleft()))
             self.reversed += way < 0 and out[-1].reason is None
         self._drop_late(out)
         return out
 
-    def _parted(self, last: bool, out: list[Passage]) -> bool:
+    def _part_first_events(self, last: bool, out: list[Passage]) -> bool:
         """Of first events that are not of one vehicle, the one that ends first stays alone. Where one passed
         while another stood before one camera alone, camera 1's first event goes on with its own partner, so
         that vehicles stay in the order of their fronts there; False until that has come.
         """
-        one, two = self._waiting
-        stood, passed = (one[0], two[0]) if one[0].front < two[0].front else (two[0], one[0])
+        queue_1, queue_2 = self._waiting
+        stood, passed = (
+            (queue_1[0], queue_2[0]) if queue_1[0].front < queue_2[0].front else (queue_2[0], queue_1[0])
+        )
         if not (stood.still or stood.cut) or stood.rear <= passed.rear:
-            self._leave_alone(0 if one[0].rear < two[0].rear else 1, out)
+            self._leave_alone(0 if queue_1[0].rear < queue_2[0].rear else 1, out)
             return True
-        partner = next((event for event in two if self._direction(one[0], event) is not None), None)
+        partner = next((event for event in queue_2 if self._direction(queue_1[0], event) is not None), None)
         if partner is not None:
-            two.remove(partner)
-            two.appendleft(partner)
+            queue_2.remove(partner)
+            queue_2.appendleft(partner)
             return True
         kept = self._buffers[0].stop - passed.front <= self.spans.longest
-        if not last and kept and self._may_come(1, one[0]):
+        if not last and kept and self._may_come(1, queue_1[0]):
             return False
         self._leave_alone(0, out)
         return True
@@ -294,95 +298,97 @@ class Finder:
     def _needed_to(self, one: Event, two: Event) -> float:
         return max(one.rear, two.rear) + 2 * self.margin
 
-    def _direction(self, one: Event, two: Event) -> int | None:
+    def _direction(self, event_1: Event, event_2: Event) -> int | None:
         """1: camera 1 came first; -1: camera 2 did; None: not the same vehicle."""
-        delay = two.front - one.front
-        if one.still or two.still or one.cut or two.cut:
-            overlap = min(one.rear, two.rear) - max(one.front, two.front)
-            return 1 if overlap > -self.spans.guard and not self._overtaken(one, two) else None
-        shift = self._shift(one, two)
+        delay = event_2.front - event_1.front
+        if event_1.still or event_2.still or event_1.cut or event_2.cut:
+            overlap = min(event_1.rear, event_2.rear) - max(event_1.front, event_2.front)
+            return 1 if overlap > -self.spans.guard and not self._overtaken(event_1, event_2) else None
+        shift = self._shift(event_1, event_2)
         lines = self.baseline_m * self.rig.line_rate_hz
         # a step of uncertainty in the delay matters where it is only a few steps long
         most_mps = lines / max(shift - 2 * self.grid.step, 0.5)
         least_mps = lines / (shift + 2 * self.grid.step)
-        duration = (one.rear - one.front + two.rear - two.front) / 2 / self.rig.line_rate_hz
+        duration = (event_1.rear - event_1.front + event_2.rear - event_2.front) / 2 / self.rig.line_rate_hz
         if most_mps < SPEEDS_MPS[0] or least_mps > SPEEDS_MPS[1] or most_mps * duration < LENGTHS_M[0]:
             return None
-        apart = min(one.rear, two.rear) <= max(one.front, two.front)
-        leaving = one.leaving or two.leaving
-        if not self._alike(one, two) and (apart or leaving or least_mps * duration > LENGTHS_M[1]):
+        apart = min(event_1.rear, event_2.rear) <= max(event_1.front, event_2.front)
+        leaving = event_1.leaving or event_2.leaving
+        if not self._have_equal_duration(event_1, event_2) and (
+            apart or leaving or least_mps * duration > LENGTHS_M[1]
+        ):
             return None
         if apart and least_mps * duration > LENGTHS_M[1]:
             return None
-        return 1 if delay + two.rear - one.rear > 0 else -1
+        return 1 if delay + event_2.rear - event_1.rear > 0 else -1
 
-    def _overtaken(self, one: Event, two: Event) -> bool:
+    def _overtaken(self, event_1: Event, event_2: Event) -> bool:
         """Whether one camera's event lies within the other's, so that front and rear tell opposite ways: what
         stood before one camera, and another that passed. An event that was cut ends no earlier than that.
         """
-        fronts, rears = two.front - one.front, two.rear - one.rear
-        rears = min(rears, 0.0) if one.cut else rears
-        rears = max(rears, 0.0) if two.cut else rears
+        fronts, rears = event_2.front - event_1.front, event_2.rear - event_1.rear
+        rears = min(rears, 0.0) if event_1.cut else rears
+        rears = max(rears, 0.0) if event_2.cut else rears
         return fronts * rears < 0 and min(abs(fronts), abs(rears)) > self.spans.guard
 
     def _shift(self, one: Event, two: Event) -> float:
         """Lines from camera to camera, the mean of front and rear, whichever way."""
         return abs(two.front - one.front + two.rear - one.rear) / 2
 
-    def _alike(self, one: Event, two: Event) -> bool:
+    def _have_equal_duration(self, one: Event, two: Event) -> bool:
         """Whether both cameras saw something for the same length of time."""
         first, second = one.rear - one.front, two.rear - two.front
         return abs(first - second) - 6 * self.grid.step <= 0.12 * max(first, second)
 
-    def _long(self, one: Event, two: Event) -> Said | None:
+    def _long(self, event_1: Event, event_2: Event) -> Said | None:
         """That it is longer than any vehicle, whatever its ends' rough lines may be off by."""
-        lines = (one.rear - one.front + two.rear - two.front) / 2
-        shift = self._shift(one, two)
+        lines = (event_1.rear - event_1.front + event_2.rear - event_2.front) / 2
+        shift = self._shift(event_1, event_2)
         if lines * self.baseline_m / (shift + 2 * self.grid.step) <= LENGTHS_M[1]:
             return None
         length_m = lines * self.baseline_m / shift
         return Said("scan-motion-too-long", length_m=round(length_m), most_m=LENGTHS_M[1])
 
-    def _reason(self, one: Event, two: Event) -> Said | None:
-        if max(one.road.unrest, two.road.unrest) > MOST_UNREST:
+    def _reason(self, event_1: Event, event_2: Event) -> Said | None:
+        if max(event_1.road.unrest, event_2.road.unrest) > MOST_UNREST:
             return NO_ROAD
         stop = min(reel.stop for reel in self._buffers)
-        given_up = any(event.cut and stop - event.rear >= 2 * self.margin for event in (one, two))
-        if one.still or two.still:
+        given_up = any(event.cut and stop - event.rear >= 2 * self.margin for event in (event_1, event_2))
+        if event_1.still or event_2.still:
             return STOOD if given_up else STOPPED
-        if one.cut or two.cut:
+        if event_1.cut or event_2.cut:
             return TOO_LONG if given_up else CUT
-        shift = self._shift(one, two)
+        shift = self._shift(event_1, event_2)
         if shift <= 2 * self.grid.step:
             return too_few_lines(shift)
-        if min(one.front, two.front) < self.margin:
+        if min(event_1.front, event_2.front) < self.margin:
             return CUT
-        return self._long(one, two) if self._alike(one, two) else TWO_AT_ONCE
+        return self._long(event_1, event_2) if self._have_equal_duration(event_1, event_2) else TWO_AT_ONCE
 
-    def _passage(self, one: Event, two: Event) -> Passage:
-        reason = self._reason(one, two)
+    def _passage(self, event_1: Event, event_2: Event) -> Passage:
+        reason = self._reason(event_1, event_2)
         self.found += 1
         cuts = []
-        for event, reel in zip((one, two), self._buffers, strict=True):
+        for event, reel in zip((event_1, event_2), self._buffers, strict=True):
             stop = int(event.rear) + self.margin + 1
             if reason in (STOPPED, STOOD, TOO_LONG):
                 stop = min(stop, int(event.front) + self.spans.longest // 4)
             cuts.append(reel.cut(int(event.front) - self.margin, stop))
         (first, start_1), (second, start_2) = cuts
         # where one camera alone saw it leave, it was before the other until then
-        rear_1 = max(one.rear, two.rear) if one.cut else one.rear
-        rear_2 = max(one.rear, two.rear) if two.cut else two.rear
+        rear_1 = max(event_1.rear, event_2.rear) if event_1.cut else event_1.rear
+        rear_2 = max(event_1.rear, event_2.rear) if event_2.cut else event_2.rear
         passage = Passage(
-            crossings=Crossings(one.front, rear_1, two.front, rear_2),
+            crossings=Crossings(event_1.front, rear_1, event_2.front, rear_2),
             first=first,
             second=second,
             start_1=start_1,
             start_2=start_2,
-            background_1=one.road.line,
-            background_2=two.road.line,
-            noise_dn=max(one.road.noise_dn, two.road.noise_dn),
+            background_1=event_1.road.line,
+            background_2=event_2.road.line,
+            noise_dn=max(event_1.road.noise_dn, event_2.road.noise_dn),
             reason=reason,
-            beside=self.watchers[0].one_stands_before(one.front),
+            beside=self.watchers[0].one_stands_before(event_1.front),
         )
         if reason:
             return passage
@@ -393,15 +399,20 @@ class Finder:
         name = None if lane is None else lane.name
         rig = at_lane(self.rig, name, passage.crossings.direction)
         if rig.shadow_share > self.rig.shadow_share:
-            ends = [self._above(*one, 1 - rig.shadow_share) for one in zip((one, two), cuts, strict=True)]
+            ends = [
+                self._ends_above_shadow(*one, 1 - rig.shadow_share)
+                for one in zip((event_1, event_2), cuts, strict=True)
+            ]
             passage = replace(passage, crossings=Crossings(*ends[0], *ends[1]))
         return _bounded(passage, rig)
 
-    def _above(self, event: Event, cut: tuple[Pixels, int], upper_part: float) -> tuple[float, float]:
+    def _ends_above_shadow(
+        self, event: Event, cut: tuple[Pixels, int], upper_part: float
+    ) -> tuple[float, float]:
         """Front and rear, roughly, by the rows above a lane's own shadow zone alone."""
         picture, start = cut
         step = self.grid.step
-        there = np.flatnonzero(present(self.grid.pooled(picture), event.road, upper_part))
+        there = np.flatnonzero(find_occupied_steps(self.grid.pooled(picture), event.road, upper_part))
         lines = start + there * step
         lines = lines[(lines > event.front - step) & (lines < event.rear)]
         if not len(lines):
@@ -416,5 +427,5 @@ def too_few_lines(lines: float) -> Said:
 
 def _bounded(passage: Passage, rig: Rig) -> Passage:
     """The passage with its boundaries to a fraction of a line."""
-    crossings, u_boundaries_m = refined(passage, rig)
+    crossings, u_boundaries_m = refine_crossings(passage, rig)
     return replace(passage, crossings=crossings, u_boundaries_m=u_boundaries_m)

@@ -36,7 +36,9 @@ def too_coarse(passage: Passage, rig: Rig) -> Said | None:
     c = passage.crossings
     delay = (c.front_line_2 - c.front_line_1 + c.rear_line_2 - c.rear_line_1) / 2
     carried = [
-        carried_on(_between(picture, front - start, rear - start, 1.0 - rig.shadow_share), passage.noise_dn)
+        carried_on(
+            _cut_between(picture, front - start, rear - start, 1.0 - rig.shadow_share), passage.noise_dn
+        )
         for picture, start, front, rear in (
             (passage.first, passage.start_1, c.front_line_1, c.rear_line_1),
             (passage.second, passage.start_2, c.front_line_2, c.rear_line_2),
@@ -90,7 +92,7 @@ def lines_apart(passage: Passage, delay: float, upper_part: float) -> float | No
         passage.start_1 + len(passage.first),
         passage.start_2 + len(passage.second) - most,
     )
-    first = _between(passage.first, start - passage.start_1, stop - 1 - passage.start_1, upper_part)
+    first = _cut_between(passage.first, start - passage.start_1, stop - 1 - passage.start_1, upper_part)
     start += max(stop - start - MOST_LINES, 0) // 2
     if len(first) < FEWEST_LINES:
         return None
@@ -115,7 +117,7 @@ def _correlation(first: Pixels, second: Pixels) -> float:
     return float(np.vdot(a, b)) / size if size > 0 else 0.0
 
 
-def _between(picture: Pixels, front: float, rear: float, upper_part: float) -> Pixels:
+def _cut_between(picture: Pixels, front: float, rear: float, upper_part: float) -> Pixels:
     """The upper rows of the lines from front to rear, of the middle ones MOST_LINES at most."""
     start, stop = max(int(np.ceil(front)), 0), min(int(rear) + 1, len(picture))
     more = max(stop - start - MOST_LINES, 0) // 2

@@ -53,15 +53,15 @@ def in_its_lane(measure: Callable[[Passage, Rig], Motion]) -> Callable[[Passage,
     def measured(passage: Passage, rig: Rig) -> Motion:
         if not rig.lanes:
             return measure(passage, rig)
-        found = lane_of(passage, rig)
-        if found.lane is not None:
-            motion = measure(passage, at_lane(rig, found.lane.name))
-            return replace(motion, lane=found.lane.name, lane_by="machine", tyres_px=found.tyres_px)
+        located = lane_of(passage, rig)
+        if located.lane is not None:
+            motion = measure(passage, at_lane(rig, located.lane.name))
+            return replace(motion, lane=located.lane.name, lane_by="machine", tyres_px=located.tyres_px)
         motion = measure(passage, at_lane(rig, None, passage.crossings.direction))
         if motion.status == "ok":
-            said = Said("scan-motion-lane-unknown", why=found.why)
+            said = Said("scan-motion-lane-unknown", why=located.why)
             motion = replace(motion, warnings=(*motion.warnings, said))
-        return replace(motion, tyres_px=found.tyres_px)
+        return replace(motion, tyres_px=located.tyres_px)
 
     return measured
 

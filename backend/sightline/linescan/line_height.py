@@ -80,15 +80,15 @@ def line_height(
     (1.45, 3.0)
     """
     if not np.all(np.isfinite([contact_row_px, target_row_px, sigma_px, inset_m, u_inset_m])):
-        return _refused(Said("line-height-click-no-number"))
+        return _not_measurable(Said("line-height-click-no-number"))
     contact, target = (float(pose.slopes_of(row)) for row in (contact_row_px, target_row_px))
     if contact >= 0:
-        return _refused(Said("line-height-contact-above-horizon"))
+        return _not_measurable(Said("line-height-contact-above-horizon"))
     if target_row_px >= contact_row_px:
-        return _refused(Said("line-height-target-below-contact"))
+        return _not_measurable(Said("line-height-target-below-contact"))
     distance = -pose.camera_height_m / contact
     if distance + inset_m <= 0:
-        return _refused(Said("line-height-target-behind-camera"))
+        return _not_measurable(Said("line-height-target-behind-camera"))
     height = pose.camera_height_m + target * (distance + inset_m)
     by_pose, by_contact, by_target = _gradients(pose, contact_row_px, target_row_px, inset_m)
     pose_distance, pose_height = (float(np.sqrt(max(g @ pose.covariance @ g, 0.0))) for g in by_pose)
@@ -156,5 +156,5 @@ def _flags(pose: LinePose, *rows: float) -> tuple[Said, ...]:
     return (Said("line-height-extrapolated"),)
 
 
-def _refused(reason: Said) -> LineHeight:
+def _not_measurable(reason: Said) -> LineHeight:
     return LineHeight("not_measurable", reason)

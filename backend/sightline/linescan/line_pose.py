@@ -66,7 +66,7 @@ class LinePose:
     def rows_of(self, distance_m: ArrayLike, height_m: ArrayLike) -> Floats:
         """(N,) rows of points at `distance_m` (N,), horizontal, and `height_m` (N,) above the road, m."""
         slopes = _slopes(np.asarray(distance_m, float), np.asarray(height_m, float), self.camera_height_m)
-        return _rows(self.parameters, slopes)
+        return _project_rows(self.parameters, slopes)
 
     def slopes_of(self, row: ArrayLike) -> Floats:
         """(N,) slopes under which the rows `row` (N,) look out."""
@@ -124,12 +124,12 @@ def solve_line_pose(
     scale = np.array([max(np.ptp(row), 1.0), abs(start[1]), 1.0, 1.0])
 
     def residuals(x: Floats) -> Floats:
-        return _rows(x * scale, _slopes(distance, height, x[3] * scale[3])) - row
+        return _project_rows(x * scale, _slopes(distance, height, x[3] * scale[3])) - row
 
-    found = scipy.optimize.least_squares(
+    solution = scipy.optimize.least_squares(
         residuals, start / scale, method="lm", xtol=1e-15, ftol=1e-15, gtol=1e-15
     )
-    jacobian = found.jac
+    jacobian = solution.jac
     norms = np.linalg.norm(jacobian, axis=0)
     if (
         not np.all(np.isfinite(norms))
@@ -137,11 +137,11 @@ def solve_line_pose(
         or np.linalg.cond(jacobian / norms) > _WORST_CONDITION
     ):
         raise LinePoseError("line-pose-open")
-    parameters = found.x * scale
+    parameters = solution.x * scale
     if parameters[3] <= 0:
         raise LinePoseError("line-pose-below-road")
     freedom = len(row) - 4
-    squares = float(found.fun @ found.fun)
+    squares = float(solution.fun @ solution.fun)
     variance = sigma_px**2 if sigma_px is not None else squares / freedom
     shifts = (
         scale[:, None]
@@ -157,12 +157,12 @@ def _stand_shifts(
     parameters: Floats, distance: Floats, height: Floats, u_distance_m: float, u_lean_rad: float
 ) -> Floats:
     """(N, 2 stands) changes of rows with one standard uncertainty of each stand's distance and lean."""
-    before = _rows(parameters, _slopes(distance, height, parameters[3]))
+    before = _project_rows(parameters, _slopes(distance, height, parameters[3]))
     columns = []
     for stand in np.unique(distance):
         for moved_m in (np.full_like(height, u_distance_m), u_lean_rad * height):
             there = distance + np.where(distance == stand, moved_m, 0.0)
-            columns.append(_rows(parameters, _slopes(there, height, parameters[3])) - before)
+            columns.append(_project_rows(parameters, _slopes(there, height, parameters[3])) - before)
     return np.column_stack(columns)
 
 
@@ -193,6 +193,6 @@ def _slopes(distance: Floats, height: Floats, camera_height_m: float) -> Floats:
     return np.asarray((height - camera_height_m) / distance, dtype=np.float64)
 
 
-def _rows(parameters: Floats, slopes: Floats) -> Floats:
+def _project_rows(parameters: Floats, slopes: Floats) -> Floats:
     p0, p1, p2, _ = parameters
     return np.asarray((p0 + p1 * slopes) / (1 + p2 * slopes), dtype=np.float64)

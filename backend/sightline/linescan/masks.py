@@ -55,7 +55,7 @@ def softened_noise(noise_dn: float) -> float:
     return noise_dn / float(np.sqrt(4 * np.pi * along * across))
 
 
-def pooled(picture: Pixels, start: int, step: int, band: int, soft: tuple[float, float]) -> Sheet:
+def pool_picture(picture: Pixels, start: int, step: int, band: int, soft: tuple[float, float]) -> Sheet:
     """Means over step x band pixels of a `picture` (lines, rows) that begins at line `start`, then softened.
 
     Softening keeps the error of interpolating between coarse samples small; both strips get the same. Own
@@ -95,7 +95,7 @@ def _means_of_lines(values: Floats, times: int) -> Floats:
     return np.asarray(values[: count * times].reshape(count, times, -1).mean(axis=1), np.float32)
 
 
-def coarser(sheet: Sheet, times: int) -> Sheet:
+def coarsen_sheet(sheet: Sheet, times: int) -> Sheet:
     """The same, `times` lines pooled to one."""
     small = _means_of_lines(sheet.values, times)
     start = sheet.start_line + (times - 1) / 2 * sheet.step
@@ -140,7 +140,7 @@ class Points:
         return Points(*(part[::nth] for part in parts))
 
 
-def chosen(sheet: Sheet, inside: NDArray[np.bool_], most: int, noise_dn: float) -> Points:
+def choose_points(sheet: Sheet, inside: NDArray[np.bool_], most: int, noise_dn: float) -> Points:
     """The `most` pixels with the clearest change along time, every part of the vehicle getting its share;
     `inside` (n, rows): the silhouette.
 
@@ -181,7 +181,7 @@ def points_at(sheet: Sheet, place: NDArray[np.generic], row: NDArray[np.generic]
     )
 
 
-def sampled(sheet: Sheet, place: NDArray[np.float64], row: NDArray[np.float64]) -> NDArray[np.float64]:
+def sample_sheet(sheet: Sheet, place: NDArray[np.float64], row: NDArray[np.float64]) -> NDArray[np.float64]:
     """Values (n,) of a sheet between its lines at `place` (n,), at whole rows `row` (n,); the rim's outside.
 
     Cubic B-splines (Unser 1999). With cubic convolution (Keys 1981) a fast vehicle's speed was off by 0.011 %
@@ -202,7 +202,7 @@ def sampled(sheet: Sheet, place: NDArray[np.float64], row: NDArray[np.float64]) 
     return total
 
 
-def shifted(sheet: Sheet, shift: float) -> Sheet:
+def shift_sheet(sheet: Sheet, shift: float) -> Sheet:
     """The sheet whose row r shows what this one has at row r + shift: cubic splines, the rim repeated."""
     if shift == 0.0:
         return sheet

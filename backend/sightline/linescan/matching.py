@@ -86,13 +86,13 @@ def _block_sums(
     rows = first.shape[1] - abs(vertical)
     left, right = max(0, -vertical), max(0, vertical)
     low, high = int(starts[0]), int(starts[-1]) + BLOCK_LINES
-    one = first[low:high, left : left + rows]
+    base = first[low:high, left : left + rows]
     out = np.empty((len(shifts), len(starts)))
     # whole numbers are summed 40 times as fast; those of 16 bits cannot be
     kind = cv2.CV_32S if first.dtype == np.uint8 else cv2.CV_64F
     for number, shift in enumerate(shifts):
         other = second[low + shift : high + shift, right : right + rows]
-        difference = cv2.absdiff(one, other)
+        difference = cv2.absdiff(base, other)
         along = cv2.reduce(difference, 1, cv2.REDUCE_SUM, dtype=kind).ravel()
         summed = np.concatenate([[0.0], np.cumsum(along)])
         out[number] = summed[starts - low + BLOCK_LINES] - summed[starts - low]

@@ -26,7 +26,7 @@ MOST_ACCELERATION_MPS2 = 11.5
 MOST_U95_SHARE = 0.25
 
 
-def unlikely(motion: Motion, rig: Rig) -> Said | None:
+def unlikely_motion_reason(motion: Motion, rig: Rig) -> Said | None:
     """Why a computed motion is no road vehicle's or too unsure to be one; None where it may be.
 
     Speed within 1 to 85 m/s as the front reaches camera 1, still forward as the rear leaves it; acceleration
@@ -63,7 +63,7 @@ def unlikely(motion: Motion, rig: Rig) -> Said | None:
     return None
 
 
-def believed(measure: Callable[[Passage, Rig], Motion]) -> Callable[[Passage, Rig], Motion]:
+def refuse_unlikely(measure: Callable[[Passage, Rig], Motion]) -> Callable[[Passage, Rig], Motion]:
     """A method whose unlikely results are refusals, as are vehicles for which the lines are too slow."""
 
     def measured(passage: Passage, rig: Rig) -> Motion:
@@ -71,7 +71,7 @@ def believed(measure: Callable[[Passage, Rig], Motion]) -> Callable[[Passage, Ri
         coarse = too_coarse(passage, rig) if passage.reason is None else None
         if coarse is not None:
             return Motion(motion.method, motion.crossings, "not_measurable", coarse)
-        reason = unlikely(motion, rig)
+        reason = unlikely_motion_reason(motion, rig)
         return motion if reason is None else Motion(motion.method, motion.crossings, "not_measurable", reason)
 
     return measured
@@ -86,7 +86,7 @@ def with_doubt(measure: Callable[[Passage, Rig], Motion]) -> Callable[[Passage, 
     return measured
 
 
-def axled(measure: Callable[[Passage, Rig], Motion]) -> Callable[[Passage, Rig], Motion]:
+def with_axle_lines(measure: Callable[[Passage, Rig], Motion]) -> Callable[[Passage, Rig], Motion]:
     """A method whose motions tell the wheels that strip 1 shows."""
 
     def measured(passage: Passage, rig: Rig) -> Motion:
@@ -99,6 +99,6 @@ def axled(measure: Callable[[Passage, Rig], Motion]) -> Callable[[Passage, Rig],
 
 
 MEASURE: dict[ScanMethod, Callable[[Passage, Rig], Motion]] = {
-    "direct": with_doubt(in_its_lane(axled(either_way(believed(measure_direct))))),
-    "paper": with_doubt(in_its_lane(axled(either_way(believed(measure_paper))))),
+    "direct": with_doubt(in_its_lane(with_axle_lines(either_way(refuse_unlikely(measure_direct))))),
+    "paper": with_doubt(in_its_lane(with_axle_lines(either_way(refuse_unlikely(measure_paper))))),
 }

@@ -95,12 +95,12 @@ class Seen:
         return float(part.mean()) / hypot(self.sigma_dn / sqrt(len(part)), self.least_dn)
 
 
-def foremost(bands: Bands, seen: Seen) -> Edge:
+def fit_foremost_edge(bands: Bands, view: Seen) -> Edge:
     """The smallest line of the outline through the edges around the foremost bands.
 
     Own method: an upright line or a weighted parabola through them, whichever is enough (Schwarz 1978).
     """
-    edges, u, uneven, clear, lines_per_m = bands.edges, bands.u, bands.uneven, bands.clear, seen.lines_per_m
+    edges, u, uneven, clear, lines_per_m = bands.edges, bands.u, bands.uneven, bands.clear, view.lines_per_m
     notches = _notches(bands, lines_per_m)
     used = np.flatnonzero(clear & ~notches)
     if len(used) < 3:
@@ -121,7 +121,7 @@ def foremost(bands: Bands, seen: Seen) -> Edge:
     bend = min(4 * HIDDEN_M * lines_per_m, end.bend)
     hidden = max(
         bend / 4 * (2 * REACH + 1 - len(kept)) ** 2,
-        _may_hide(bands, seen, notches, end.line, bend),
+        _may_hide(bands, view, notches, end.line, bend),
     )
     other = float(np.max(bands.ahead[kept[np.abs(kept - middle) <= 1]], initial=0.0)) / 2
     line, u_lines = end.line, hypot(end.u_lines, hidden, other)
@@ -151,7 +151,7 @@ def _notches(bands: Bands, lines_per_m: float) -> NDArray[np.bool_]:
     return np.asarray(np.isfinite(beside) & (place > beside + NOTCH_M * lines_per_m))
 
 
-def _may_hide(bands: Bands, seen: Seen, notches: NDArray[np.bool_], line: float, bend: float) -> float:
+def _may_hide(bands: Bands, view: Seen, notches: NDArray[np.bool_], line: float, bend: float) -> float:
     """Lines by which the outline may lie before its foremost `line` where it is not seen: in `notches`
     (bands,), over which it may bend by `bend` (lines per band squared).
 
@@ -168,13 +168,13 @@ def _may_hide(bands: Bands, seen: Seen, notches: NDArray[np.bool_], line: float,
         apart = band + 2 - first
         # the vertex of a parabola through both bands beside the notch, in bands from the foremost of them
         vertex = max(apart / 2 - (far - near) / (2 * max(bend, 1e-6) * apart), 0.0)
-        start = max(line, near) + NOTCH_M / 2 * seen.lines_per_m
+        start = max(line, near) + NOTCH_M / 2 * view.lines_per_m
         told = [
-            seen.told(one, start, place[one] - TOLD_M * seen.lines_per_m) for one in range(first, band + 1)
+            view.told(one, start, place[one] - TOLD_M * view.lines_per_m) for one in range(first, band + 1)
         ]
         if np.mean(np.square(told)) > THERE**2:
             most = max(most, bend * vertex**2 - (near - line))
-    return min(most, DOUBT_M * seen.lines_per_m)
+    return min(most, DOUBT_M * view.lines_per_m)
 
 
 @dataclass(frozen=True)

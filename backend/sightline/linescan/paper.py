@@ -40,29 +40,32 @@ def measure_paper(passage: Passage, rig: Rig) -> Motion:
     of them widen u as Student's t is wider), baseline, clock; for the length the crossings besides.
     """
     if passage.reason:
-        return _refused(passage.crossings, passage.reason)
+        return _not_measurable(passage.crossings, passage.reason)
     baseline_m, _ = baseline_of(rig)
     try:
         solve_crossings(passage.crossings, baseline_m, rig.line_rate_hz)
     except ValueError:
-        return _refused(passage.crossings, NO_ORDER)
+        return _not_measurable(passage.crossings, NO_ORDER)
     matches = _match(passage, baseline_m)
     seconds, speeds = _speeds(matches, passage, baseline_m, rig.line_rate_hz)
     used = matches.used
     if np.count_nonzero(used) / OVERLAP - 2 < LEAST_FREEDOM:
-        return _refused(passage.crossings, TOO_FEW_BLOCKS)
+        return _not_measurable(passage.crossings, TOO_FEW_BLOCKS)
     return _regression(passage, rig, baseline_m, matches, seconds, speeds)
 
 
 def _match(passage: Passage, baseline_m: float) -> Matches:
-    seen = passage.crossings
-    front, rear = seen.front_line_2 - seen.front_line_1, seen.rear_line_2 - seen.rear_line_1
+    crossings = passage.crossings
+    front, rear = (
+        crossings.front_line_2 - crossings.front_line_1,
+        crossings.rear_line_2 - crossings.rear_line_1,
+    )
     margin = max(MARGIN_SHARE * max(front, rear), MARGIN_LINES)
     apart = passage.start_2 - passage.start_1
     low = int(np.floor(min(front, rear) - margin)) - apart
     high = int(np.ceil(max(front, rear) + margin)) - apart
-    at = max(0, int(np.ceil(seen.front_line_1)) - passage.start_1)
-    until = min(len(passage.first), int(seen.rear_line_1) + 1 - passage.start_1)
+    at = max(0, int(np.ceil(crossings.front_line_1)) - passage.start_1)
+    until = min(len(passage.first), int(crossings.rear_line_1) + 1 - passage.start_1)
     low += at
     high += at
     second = passage.second
@@ -97,8 +100,8 @@ def _regression(
     freedom = len(residuals) / OVERLAP - 2
     variance = float(residuals @ residuals) / (OVERLAP * freedom)
     covariance = variance * normal * OVERLAP * widening(freedom) ** 2
-    seen = passage.crossings
-    rear_s = (seen.rear_line_1 - seen.front_line_1) / rig.line_rate_hz
+    crossings = passage.crossings
+    rear_s = (crossings.rear_line_1 - crossings.front_line_1) / rig.line_rate_hz
     length = float(travelled_m(speed, acceleration, rear_s))
     budget = _budget(rig, baseline_m, (float(speed), float(acceleration), length), covariance, rear_s)
     u_speed, u_acceleration, u_length = (
@@ -107,7 +110,7 @@ def _regression(
     )
     return Motion(
         method="paper",
-        crossings=seen,
+        crossings=crossings,
         status="ok",
         speed_mps=float(speed),
         u_speed_mps=u_speed,
@@ -150,5 +153,5 @@ def _budget(
     )
 
 
-def _refused(crossings: Crossings, reason: Said) -> Motion:
+def _not_measurable(crossings: Crossings, reason: Said) -> Motion:
     return Motion("paper", crossings, "not_measurable", reason)

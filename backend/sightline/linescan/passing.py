@@ -58,7 +58,7 @@ class Follower:
         )
 
 
-def measured(
+def measure_passages(
     passages: Iterable[Passage], rig: Rig, method: ScanMethod, columns: Columns = lambda crossings: crossings
 ) -> Iterator[Vehicle]:
     """Every vehicle in order; only one passage is held at a time."""

@@ -182,7 +182,7 @@ def plan_lines(
         u_speed_mps=speed.u,
         U95_speed_mps=speed.U95,
         values=values,
-        words=_words(error, expected.lines, speed, speed_mps / rate_hz, fine_hz),
+        words=_list_advice(error, expected.lines, speed, speed_mps / rate_hz, fine_hz),
     )
 
 
@@ -263,7 +263,7 @@ class _Rig:
         )
 
 
-def _words(
+def _list_advice(
     error: float, lines: float, speed: PlannedValue, line_m: float, fine_hz: float
 ) -> tuple[Said, ...]:
     """What to do about it, what stops the work first."""

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.arrays import Floats
-from sightline.linescan.masks import Points, Sheet, sampled, shifted
+from sightline.linescan.masks import Points, Sheet, sample_sheet, shift_sheet
 from sightline.linescan.middle import median
 from sightline.linescan.warp import Course
 from sightline.robust import robust_scale
@@ -90,7 +90,7 @@ def look(first: Sheet, second: Sheet, points: Points, clock: Clock, state: State
     first_s = clock.seconds(first.line(points.place))
     second_s = state.course.second_s(first_s)
     place = second.place(clock.lines(second_s))
-    seen = sampled(second, place, points.row)
+    seen = sample_sheet(second, place, points.row)
     margin = 2 + abs(state.shift)
     inside = (place > 2) & (place < len(second.values) - 3)
     inside &= (points.row > margin) & (points.row < second.values.shape[1] - 1 - margin)
@@ -123,14 +123,14 @@ def _scale(residual: Floats) -> float:
     return max(robust_scale(residual), 0.05) if len(residual) else 1.0
 
 
-def _weights(seen: Look, block: NDArray[np.intp]) -> tuple[Floats, float]:
+def _weights(observed: Look, block: NDArray[np.intp]) -> tuple[Floats, float]:
     """Tukey's weight of each pixel times that of its block, which falls where a whole block disagrees."""
-    use, blocks = seen.inside, int(block.max()) + 1
-    scale = _scale(seen.residual[use])
-    part = np.clip(np.abs(seen.residual) / (TUKEY * scale), 0, 1)
+    use, blocks = observed.inside, int(block.max()) + 1
+    scale = _scale(observed.residual[use])
+    part = np.clip(np.abs(observed.residual) / (TUKEY * scale), 0, 1)
     pixel = np.where(use, (1 - part**2) ** 2, 0.0)
     count = np.bincount(block, weights=use.astype(float), minlength=blocks)
-    capped = np.minimum((seen.residual / scale) ** 2, 36.0) * use
+    capped = np.minimum((observed.residual / scale) ** 2, 36.0) * use
     energy = np.bincount(block, weights=capped, minlength=blocks) / np.maximum(count, 1)
     known = count > 8
     usual = float(median(energy[known])[0]) if known.any() else 1.0
@@ -161,23 +161,23 @@ def register(
     state, fit = start, None
     weight = np.ones(len(points))
     held = np.flatnonzero(~np.array(free)) if cell is None else np.array([2, 3, 4])
-    moved, at = shifted(second, state.shift), state.shift
+    moved, at = shift_sheet(second, state.shift), state.shift
     for _ in range(most_rounds):
         if abs(state.shift - at) > 5e-4:
-            moved, at = shifted(second, state.shift), state.shift
-        seen = look(first, moved, points, clock, state)
+            moved, at = shift_sheet(second, state.shift), state.shift
+        observed = look(first, moved, points, clock, state)
         if cell is not None:
-            seen = levelled(seen, points.value, weight * seen.inside, cell)
-        weight, scale = _weights(seen, block)
-        normal, right = _normal(seen, weight, prior, state, scale)
+            observed = level_cells(observed, points.value, weight * observed.inside, cell)
+        weight, scale = _weights(observed, block)
+        normal, right = _normal(observed, weight, prior, state, scale)
         bound = normal.copy()
         bound[held], bound[:, held], right[held] = 0, 0, 0
         bound[held, held] = 1
         step = _solved(bound, right)
         small = abs(step[0]) < SETTLED * state.course.speed_mps and bool((np.abs(step[1:3]) < 2e-3).all())
         # the last look is one small step behind the state, which no uncertainty would notice
-        state = stepped(state, step)
-        fit = Fit(state=state, look=seen, weight=weight, normal=normal, scale_dn=scale, settled=small)
+        state = apply_step(state, step)
+        fit = Fit(state=state, look=observed, weight=weight, normal=normal, scale_dn=scale, settled=small)
         if small:
             break
     assert fit is not None
@@ -198,15 +198,15 @@ def scores(
     multiplied, all of them under `state`, near the fit's. `moved`: strip 2, shifted by the state's rows;
     `block`, `cell` (n,) as in `register`. Own method: the estimating function of DECISIONS.md 144.
     """
-    seen, weight = look(first, moved, points, clock, state), fit.weight
+    observed, weight = look(first, moved, points, clock, state), fit.weight
     if cell is not None:
-        weight, _ = _weights(levelled(seen, points.value, weight * seen.inside, cell), block)
-        seen = levelled(seen, points.value, weight * seen.inside, cell)
-    weight, _ = _weights(seen, block)
-    return np.asarray(seen.jacobian * (weight * seen.residual)[:, None])
+        weight, _ = _weights(level_cells(observed, points.value, weight * observed.inside, cell), block)
+        observed = level_cells(observed, points.value, weight * observed.inside, cell)
+    weight, _ = _weights(observed, block)
+    return np.asarray(observed.jacobian * (weight * observed.residual)[:, None])
 
 
-def levelled(seen: Look, value: Floats, weight: Floats, cell: NDArray[np.intp]) -> Look:
+def level_cells(observed: Look, value: Floats, weight: Floats, cell: NDArray[np.intp]) -> Look:
     """The look with every cell's own gain and offset taken out of residuals and derivatives; `value`,
     `weight`, `cell` (n,).
 
@@ -230,11 +230,11 @@ def levelled(seen: Look, value: Floats, weight: Floats, cell: NDArray[np.intp]) 
         y = y - (total(weight * y) / mass)[cell]
         return np.asarray(y - x * (total(wx * y) / power)[cell])
 
-    jacobian = seen.jacobian.copy(order="K")
+    jacobian = observed.jacobian.copy(order="K")
     for k in range(3):
         jacobian[:, k] = cleared(jacobian[:, k])
     jacobian[:, 3:] = 0.0
-    return replace(seen, residual=cleared(seen.residual), jacobian=jacobian)
+    return replace(observed, residual=cleared(observed.residual), jacobian=jacobian)
 
 
 def _normal(seen: Look, weight: Floats, prior: Prior, state: State, scale: float) -> tuple[Floats, Floats]:
@@ -253,7 +253,7 @@ def _solved(normal: Floats, right: Floats) -> Floats:
     return np.asarray(np.linalg.lstsq(normal / np.outer(size, size), right / size, rcond=1e-12)[0] / size)
 
 
-def stepped(state: State, step: Floats) -> State:
+def apply_step(state: State, step: Floats) -> State:
     """The state after a `step` (5,), kept from leaving what a vehicle can do. Own method: limits of each."""
     most = most_step(state)
     speed, acceleration, shift, gain, offset = (float(one) for one in np.clip(step, -most, most))

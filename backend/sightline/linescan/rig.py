@@ -241,15 +241,15 @@ def misalignment(motions: Sequence[Registered]) -> RigEstimate:
     A warning where vehicles differ by much more than their own uncertainties: then it is no constant of the
     rig (a camera moved, or it changes along the rows).
     """
-    found = [
+    shifts = [
         (one.misalignment_px, one.u_misalignment_px or 0.0)
         for one in motions
         if one.status == "ok" and one.misalignment_px is not None
     ]
-    estimate = _median([value for value, _ in found], "misalignment")
+    estimate = _median([value for value, _ in shifts], "misalignment")
     if estimate.spread is None:
         return estimate
-    claimed = float(np.median([u for _, u in found]))
+    claimed = float(np.median([u for _, u in shifts]))
     if estimate.spread > max(3 * claimed, 0.1):
         warning = Said("rig-misalignments-scatter", sd_px=round(estimate.spread, 2))
         return replace(estimate, warning=warning)
@@ -261,7 +261,7 @@ def gain(motions: Sequence[Registered]) -> RigEstimate:
     return _median([one.gain for one in motions if one.status == "ok" and one.gain is not None], "gain")
 
 
-def alone(size_m: float, u_m: float | None, baseline_m: float, u_baseline_m: float) -> float:
+def u_without_baseline_m(size_m: float, u_m: float | None, baseline_m: float, u_baseline_m: float) -> float:
     """The uncertainty of a length or wheelbase without the baseline's part, which all vehicles share, m; at
     least LEAST_U_M, for a size without any would outweigh all others.
     """
@@ -356,16 +356,16 @@ def _require_lanes(lanes: tuple[Lane, ...]) -> None:
     names = [one.name.strip() for one in lanes]
     if not all(names):
         raise BadInput("linescan-lane-needs-name")
-    for number, one in enumerate(lanes):
-        if names.count(one.name) > 1 or one.name != names[number]:
+    for number, lane in enumerate(lanes):
+        if names.count(lane.name) > 1 or lane.name != names[number]:
             raise BadInput("linescan-lanes-same-name", name=names[number])
-        DISTANCE_M.require(one.distance_m)
-        U_DISTANCE_M.require(one.u_distance_m)
-        SHADOW_SHARE.require(_shadow_share(Rig(1.0, 1.0), one))
-        if (one.tyres_from_px is None) != (one.tyres_to_px is None):
-            raise BadInput("linescan-lane-rows-both", name=one.name)
-        if one.tyres_from_px is not None and not 0 <= one.tyres_from_px < (one.tyres_to_px or 0.0):
-            raise BadInput("linescan-lane-rows-order", name=one.name)
+        DISTANCE_M.require(lane.distance_m)
+        U_DISTANCE_M.require(lane.u_distance_m)
+        SHADOW_SHARE.require(_shadow_share(Rig(1.0, 1.0), lane))
+        if (lane.tyres_from_px is None) != (lane.tyres_to_px is None):
+            raise BadInput("linescan-lane-rows-both", name=lane.name)
+        if lane.tyres_from_px is not None and not 0 <= lane.tyres_from_px < (lane.tyres_to_px or 0.0):
+            raise BadInput("linescan-lane-rows-order", name=lane.name)
 
 
 def _median(values: Sequence[float], of: str) -> RigEstimate:

@@ -171,26 +171,28 @@ class RigCalibration:
     warnings: tuple[Said, ...] = ()
 
 
-def kind_of(one: RigPass) -> RigPassKind:
+def kind_of(rig_pass: RigPass) -> RigPassKind:
     """Which way a pass has the values of. Raises RigPassError where none is whole or two are begun."""
-    begun = [kind for kind, names in VALUES.items() if any(getattr(one, name) is not None for name in names)]
+    begun = [
+        kind for kind, names in VALUES.items() if any(getattr(rig_pass, name) is not None for name in names)
+    ]
     if not begun:
         raise RigPassError("rig-pass-no-way")
     if len(begun) > 1:
         raise RigPassError("rig-pass-two-ways", one=begun[0], two=begun[1])
-    lacking = [name for name in VALUES[begun[0]] if getattr(one, name) is None]
+    lacking = [name for name in VALUES[begun[0]] if getattr(rig_pass, name) is None]
     if lacking:
         raise RigPassError("rig-pass-lacks", column=lacking[0])
     return begun[0]
 
 
-def span_of(one: RigPass, common: Common) -> Span:
+def span_of(rig_pass: RigPass, common: Common) -> Span:
     """What a pass says of the baseline at its distance. Raises RigPassError saying what is wrong."""
-    kind = kind_of(one)
-    _require_values(one, kind)
+    kind = kind_of(rig_pass)
+    _require_values(rig_pass, kind)
     if kind == "positions":
-        return _by_positions(one, common)
-    return _by_speed(one, common) if kind == "speed" else _by_board(one)
+        return _by_positions(rig_pass, common)
+    return _by_speed(rig_pass, common) if kind == "speed" else _by_board(rig_pass)
 
 
 def calibrate_rig(passes: Sequence[RigPass], common: Common | None = None) -> RigCalibration:
@@ -207,21 +209,21 @@ def calibrate_rig(passes: Sequence[RigPass], common: Common | None = None) -> Ri
     # b and q by way of the middle of the distances, where they are hardly correlated: better conditioned
     pivot = float(distance.mean())
     design = np.column_stack([np.ones_like(distance), distance - pivot])
-    found = np.linalg.lstsq(design, span, rcond=None)[0]
+    coefficients = np.linalg.lstsq(design, span, rcond=None)[0]
     for _ in range(_ROUNDS):
-        spread = _spread(spans, design @ found, float(found[1]), shared)
+        spread = _spread(spans, design @ coefficients, float(coefficients[1]), shared)
         weighted = np.linalg.solve(spread, design)
         covariance = np.linalg.inv(design.T @ weighted)
-        found = covariance @ (weighted.T @ span)
+        coefficients = covariance @ (weighted.T @ span)
     to_cameras = np.array([[1.0, -pivot], [0.0, 1.0]])
-    baseline, divergence = (float(one) for one in to_cameras @ found)
+    baseline, divergence = (float(one) for one in to_cameras @ coefficients)
     covariance = to_cameras @ covariance @ to_cameras.T
     BASELINE_M.require(baseline)
     DIVERGENCE_RAD.require(divergence)
-    fitted = _beside(
-        spans, design @ found, spread, spread - design @ np.linalg.solve(design.T @ weighted, design.T)
+    fitted = _compare_with_fit(
+        spans, design @ coefficients, spread, spread - design @ np.linalg.solve(design.T @ weighted, design.T)
     )
-    residual = span - design @ found
+    residual = span - design @ coefficients
     chi2, degrees = float(residual @ np.linalg.solve(spread, residual)), len(spans) - 2
     p_value = float(scipy.stats.chi2.sf(chi2, degrees))
     if p_value < CONTRADICTION:
@@ -243,72 +245,72 @@ def calibrate_rig(passes: Sequence[RigPass], common: Common | None = None) -> Ri
     )
 
 
-def lane_baseline(found: RigCalibration, distance_m: float, u_distance_m: float = 0.0) -> LaneBaseline:
+def lane_baseline(calibration: RigCalibration, distance_m: float, u_distance_m: float = 0.0) -> LaneBaseline:
     """The baseline at a lane's distance: B = b + q D, u by the joint covariance and the distance's own u.
 
     Raises BadInput for a distance that cannot be. A warning where the lane lies far outside the passes.
     """
     DISTANCE_M.require(distance_m)
     baseline, u = baseline_at(
-        (found.baseline_m, found.u_baseline_m),
-        (found.divergence_rad, found.u_divergence_rad),
-        found.correlation,
+        (calibration.baseline_m, calibration.u_baseline_m),
+        (calibration.divergence_rad, calibration.u_divergence_rad),
+        calibration.correlation,
         (distance_m, u_distance_m),
     )
-    beyond = max(found.nearest_m - distance_m, distance_m - found.farthest_m)
+    beyond = max(calibration.nearest_m - distance_m, distance_m - calibration.farthest_m)
     warning = None
-    if beyond > _BEYOND * (found.farthest_m - found.nearest_m):
+    if beyond > _BEYOND * (calibration.farthest_m - calibration.nearest_m):
         warning = Said(
             "rig-passes-outside",
             distance_m=round(distance_m, 2),
-            nearest_m=round(found.nearest_m, 2),
-            farthest_m=round(found.farthest_m, 2),
+            nearest_m=round(calibration.nearest_m, 2),
+            farthest_m=round(calibration.farthest_m, 2),
         )
     return LaneBaseline(distance_m, u_distance_m, baseline, u, warning)
 
 
-def _span_by_name(one: RigPass, common: Common) -> Span:
+def _span_by_name(rig_pass: RigPass, common: Common) -> Span:
     try:
-        return span_of(one, common)
+        return span_of(rig_pass, common)
     except RigPassError as error:
-        raise BadInput("linescan-rig-pass", name=one.name, sentence=error.said) from None
+        raise BadInput("linescan-rig-pass", name=rig_pass.name, sentence=error.said) from None
 
 
-def _by_positions(one: RigPass, common: Common) -> Span:
-    first, second, u = _numbers(one, "position_1_m", "position_2_m", "u_position_m")
+def _by_positions(rig_pass: RigPass, common: Common) -> Span:
+    first, second, u = _numbers(rig_pass, "position_1_m", "position_2_m", "u_position_m")
     return Span(
-        name=one.name,
+        name=rig_pass.name,
         kind="positions",
-        distance_m=one.distance_m,
-        u_distance_m=one.u_distance_m,
+        distance_m=rig_pass.distance_m,
+        u_distance_m=rig_pass.u_distance_m,
         span_m=_span(abs(second - first)),
         u_span_m=sqrt(2.0) * u,
         shared={"tape": common.u_tape_ratio},
     )
 
 
-def _by_speed(one: RigPass, common: Common) -> Span:
-    speed, u_speed, first, second = _numbers(one, *VALUES["speed"])
+def _by_speed(rig_pass: RigPass, common: Common) -> Span:
+    speed, u_speed, first, second = _numbers(rig_pass, *VALUES["speed"])
     if common.line_rate_hz is None:
         raise RigPassError("rig-pass-no-rate")
     return Span(
-        name=one.name,
+        name=rig_pass.name,
         kind="speed",
-        distance_m=one.distance_m,
-        u_distance_m=one.u_distance_m,
+        distance_m=rig_pass.distance_m,
+        u_distance_m=rig_pass.u_distance_m,
         span_m=_span(speed * abs(second - first) / common.line_rate_hz),
-        u_span_m=sqrt(2.0) * one.u_line * speed / common.line_rate_hz,
+        u_span_m=sqrt(2.0) * rig_pass.u_line * speed / common.line_rate_hz,
         u_ratio=u_speed / speed,
         shared={"speed": common.u_speed_ratio, "line rate": common.u_line_rate_ratio},
     )
 
 
-def _by_board(one: RigPass) -> Span:
+def _by_board(rig_pass: RigPass) -> Span:
     """Way, speed and acceleration by lines: the line rate cancels.
 
     An error of a crossing acts as the way gone in it, v(t) dt; one of f_1 shifts all the others back.
     """
-    width, u_width, *lines = _numbers(one, *VALUES["board"])
+    width, u_width, *lines = _numbers(rig_pass, *VALUES["board"])
     if lines[2] < lines[0]:
         lines = [*lines[2:], *lines[:2]]  # it went the other way: camera 2 saw it first
     rear_1, front_2, rear_2 = (line - lines[0] for line in lines[1:])
@@ -326,12 +328,12 @@ def _by_board(one: RigPass) -> Span:
     due = np.array([-by_width[0] * gone[1], gone[2] * (1 + by_width[1]), -by_width[1] * gone[3]])
     span = _span(float(reach @ motion))
     return Span(
-        name=one.name,
+        name=rig_pass.name,
         kind="board",
-        distance_m=one.distance_m,
-        u_distance_m=one.u_distance_m,
+        distance_m=rig_pass.distance_m,
+        u_distance_m=rig_pass.u_distance_m,
         span_m=span,
-        u_span_m=one.u_line * float(np.sqrt(due @ due + due.sum() ** 2)),
+        u_span_m=rig_pass.u_line * float(np.sqrt(due @ due + due.sum() ** 2)),
         shared={f"width {width!r}": u_width / width},
     )
 
@@ -347,17 +349,17 @@ def _span(span_m: float) -> float:
     return span_m
 
 
-def _require_values(one: RigPass, kind: RigPassKind) -> None:
+def _require_values(rig_pass: RigPass, kind: RigPassKind) -> None:
     """All are numbers; what cannot be 0 or less is more (also the u of a line and of a position)."""
     names = ("distance_m", "u_distance_m", "u_line", *VALUES[kind])
     for name in names:
-        value = getattr(one, name)
+        value = getattr(rig_pass, name)
         positive = name in ("distance_m", "speed_mps", "width_m", "u_line", "u_position_m")
         least = 0.0 if name.startswith("u_") or positive else -np.inf
         if not isfinite(value) or value < least or (positive and value == 0):
             raise RigPassError("rig-pass-value", column=name, value=f"{value:.6g}")
-    if not DISTANCE_M.least <= one.distance_m <= DISTANCE_M.most:
-        raise RigPassError("rig-pass-value", column="distance_m", value=f"{one.distance_m:.6g}")
+    if not DISTANCE_M.least <= rig_pass.distance_m <= DISTANCE_M.most:
+        raise RigPassError("rig-pass-value", column="distance_m", value=f"{rig_pass.distance_m:.6g}")
 
 
 def _require_common(common: Common) -> None:
@@ -404,23 +406,23 @@ def _spread(spans: Sequence[Span], fitted: Floats, divergence: float, common: Co
     return np.asarray(np.diag(own) + together @ together.T)
 
 
-def _beside(
+def _compare_with_fit(
     spans: Sequence[Span], fitted: Floats, spread: Floats, of_residuals: Floats
 ) -> tuple[FittedPass, ...]:
     """`of_residuals` (n, n): the covariance that the residuals have, V - A (A' V^-1 A)^-1 A'."""
     left = np.sqrt(np.maximum(np.diag(of_residuals), 1e-3 * np.diag(spread)))
     return tuple(
         FittedPass(
-            name=one.name,
-            kind=one.kind,
-            distance_m=one.distance_m,
-            span_m=one.span_m,
+            name=span.name,
+            kind=span.kind,
+            distance_m=span.distance_m,
+            span_m=span.span_m,
             u_span_m=sqrt(spread[at, at]),
             fitted_m=float(fitted[at]),
-            residual_m=float(one.span_m - fitted[at]),
-            normalised=float((one.span_m - fitted[at]) / left[at]),
+            residual_m=float(span.span_m - fitted[at]),
+            normalised=float((span.span_m - fitted[at]) / left[at]),
         )
-        for at, one in enumerate(spans)
+        for at, span in enumerate(spans)
     )
 
 
@@ -438,11 +440,11 @@ def _contradict(fitted: Sequence[FittedPass], chi2: float, degrees: int) -> None
 
 def _warnings(p_value: float, fitted: Sequence[FittedPass]) -> tuple[Said, ...]:
     worst = max(fitted, key=lambda one: abs(one.normalised))
-    said = []
+    warnings = []
     if p_value < DOUBT:
-        said.append(Said("rig-passes-differ", chance=float(f"{100 * p_value:.2g}"), name=worst.name))
+        warnings.append(Said("rig-passes-differ", chance=float(f"{100 * p_value:.2g}"), name=worst.name))
     if p_value > 1 - DOUBT:
-        said.append(Said("rig-passes-too-wide"))
+        warnings.append(Said("rig-passes-too-wide"))
     if len({one.distance_m for one in fitted}) == 2:
-        said.append(Said("rig-passes-two-distances"))
-    return tuple(said)
+        warnings.append(Said("rig-passes-two-distances"))
+    return tuple(warnings)

@@ -22,8 +22,8 @@ from numpy.typing import NDArray
 
 from sightline.arrays import Floats
 from sightline.coverage import COVERAGE_95
-from sightline.linescan.masks import Points, Sheet, shifted
-from sightline.linescan.registration import Clock, Fit, Prior, most_step, scores, stepped
+from sightline.linescan.masks import Points, Sheet, shift_sheet
+from sightline.linescan.registration import Clock, Fit, Prior, apply_step, most_step, scores
 
 # about as wide as neighbouring pixels' noise, which is not their own, makes u
 STEPS = 4.0
@@ -62,9 +62,9 @@ def slopes_of(
     moved = dict[float, Sheet]()
 
     def at(by: Floats) -> Floats:
-        state = stepped(fit.state, by)
+        state = apply_step(fit.state, by)
         if state.shift not in moved:
-            moved[state.shift] = shifted(second, state.shift)
+            moved[state.shift] = shift_sheet(second, state.shift)
         every = scores(first, moved[state.shift], points, clock, state, fit, block, cell)
         return np.asarray(every[:, :free] * step[:free])
 

@@ -96,12 +96,12 @@ def streams_of(vehicles: Sequence[V]) -> dict[Stream, list[V]]:
     has none last. Those of no known direction are of the first stream; where nobody's is known, they are
     taken to reach camera 1 first.
     """
-    found: dict[Stream, list[V]] = {}
+    by_stream: dict[Stream, list[V]] = {}
     for one in vehicles:
         if one.direction is not None:
-            found.setdefault((one.direction, one.lane), []).append(one)
-    in_order = sorted(found, key=lambda key: (key[0], key[1] is None, key[1] or ""))
-    streams = {key: found[key] for key in in_order} or {("camera_1_first", None): []}
+            by_stream.setdefault((one.direction, one.lane), []).append(one)
+    in_order = sorted(by_stream, key=lambda key: (key[0], key[1] is None, key[1] or ""))
+    streams = {key: by_stream[key] for key in in_order} or {("camera_1_first", None): []}
     next(iter(streams.values())).extend(one for one in vehicles if one.direction is None)
     for stream in streams.values():
         stream.sort(key=lambda one: (one.since_s is None, one.since_s or 0.0))
@@ -116,13 +116,13 @@ def strays_s(streams: Mapping[Stream, Sequence[V]], way: ScanDirection) -> list[
 
 
 def headways_s(
-    fronts_s: Sequence[float], seen: Sequence[bool], strays_s: Sequence[float] = ()
+    fronts_s: Sequence[float], front_seen: Sequence[bool], strays_s: Sequence[float] = ()
 ) -> list[float | None]:
     """From the front before to each of a stream's fronts (N,), rising; None for the first, where one of the
-    two was not `seen` (N,), and where one of unknown lane (`strays_s`, rising) came since.
+    two was not `front_seen` (N,), and where one of unknown lane (`strays_s`, rising) came since.
     """
     since = np.searchsorted(np.array(strays_s), np.array(fronts_s)).tolist()
-    known = [all(both) for both in pairwise(seen)]
+    known = [all(both) for both in pairwise(front_seen)]
     none_since = [behind == ahead for ahead, behind in pairwise(since)]
     found = zip(pairwise(fronts_s), known, none_since, strict=True)
     return [None, *(b - a if known and none else None for (a, b), known, none in found)][: len(fronts_s)]
@@ -346,7 +346,7 @@ def class_names(limits_m: Sequence[float]) -> list[str]:
 def length_classes(measured: Sequence[Passed], limits_m: Sequence[float]) -> tuple[LengthClass, ...]:
     """How many vehicles lie between the limits, by the rule of `class_names`."""
     edges = (None, *limits_m, None)
-    return _nobody(edges) if not measured else _classes(measured, edges)
+    return _empty_classes(edges) if not measured else _classes(measured, edges)
 
 
 def _classes(measured: Sequence[Passed], edges: tuple[float | None, ...]) -> tuple[LengthClass, ...]:
@@ -354,29 +354,29 @@ def _classes(measured: Sequence[Passed], edges: tuple[float | None, ...]) -> tup
 
 
 @lru_cache(maxsize=100)
-def _nobody(edges: tuple[float | None, ...]) -> tuple[LengthClass, ...]:
+def _empty_classes(edges: tuple[float | None, ...]) -> tuple[LengthClass, ...]:
     """The classes of an interval without traffic: most of those of a long recording."""
     return _classes((), edges)
 
 
 def _class_between(measured: Sequence[Passed], above: float | None, up_to: float | None) -> LengthClass:
     inside = [
-        one
-        for one in measured
-        if one.length_m is not None
-        and (above is None or one.length_m > above)
-        and (up_to is None or one.length_m <= up_to)
+        vehicle
+        for vehicle in measured
+        if vehicle.length_m is not None
+        and (above is None or vehicle.length_m > above)
+        and (up_to is None or vehicle.length_m <= up_to)
     ]
     near = [
-        one
-        for one in inside
-        if one.length_m is not None
+        vehicle
+        for vehicle in inside
+        if vehicle.length_m is not None
         and any(
-            limit is not None and abs(one.length_m - limit) <= COVERAGE_95 * (one.u_length_m or 0.0)
+            limit is not None and abs(vehicle.length_m - limit) <= COVERAGE_95 * (vehicle.u_length_m or 0.0)
             for limit in (above, up_to)
         )
     ]
-    axles = [one.axles or 0 for one in inside]
+    axles = [vehicle.axles or 0 for vehicle in inside]
     known = (axles.count(2), axles.count(3), axles.count(4), sum(count >= MANY_AXLES for count in axles))
     return LengthClass(above, up_to, len(inside), len(near), (*known, len(axles) - sum(known)))
 
@@ -396,7 +396,7 @@ def _near_edge(one: Passed, edges: tuple[float, float], largest_u_s: float) -> b
 
 def _still_there(passed: Sequence[Passed], spans: Sequence[tuple[float, float]]) -> list[list[Passed]]:
     """For each of the spans of time, rising, the vehicles that came before it and stand in it."""
-    found: list[list[Passed]] = [[] for _ in spans]
+    standing: list[list[Passed]] = [[] for _ in spans]
     begins_s = np.array([begin_s for begin_s, _ in spans])
     fronts_s = np.array([max(one.since_s, 0.0) for one in passed])
     rears_s = np.array([one.since_s + (one.occupied_s or 0.0) for one in passed])
@@ -404,8 +404,8 @@ def _still_there(passed: Sequence[Passed], spans: Sequence[tuple[float, float]])
     last = np.searchsorted(begins_s, rears_s)
     for one in np.flatnonzero(first < last).tolist():
         for at in range(first[one], last[one]):
-            found[at].append(passed[one])
-    return found
+            standing[at].append(passed[one])
+    return standing
 
 
 def _u_occupancy(standing: Sequence[Passed], watched_s: float) -> float | None:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from sightline.linescan.background import (
     Grid,
     Road,
-    blended,
+    blend_roads,
     first_road,
     road_from,
     same_but_for_light,
@@ -71,7 +71,7 @@ class _Open:
         return Event(max(self.front - 0.5, 0.0), rear - 0.5, self.road, self.still, cut)
 
 
-def present(cells: NDArray[np.float32], road: Road, upper_part: float) -> NDArray[np.bool_]:
+def find_occupied_steps(cells: NDArray[np.float32], road: Road, upper_part: float) -> NDArray[np.bool_]:
     """(steps,) whether enough cells, `cells` (steps, bands), of the upper part differ from the road under the
     light of the moment.
 
@@ -138,7 +138,7 @@ class Watcher:
         assert self.road is not None
         cells = self.grid.pooled(block)
         events = self._look_behind(cells)
-        there = present(cells, self.road, self.grid.upper_part)
+        there = find_occupied_steps(cells, self.road, self.grid.upper_part)
         events += self._follow(there)
         events += self._watch_stillness(cells, there, block)
         self._before = cells
@@ -196,10 +196,10 @@ class Watcher:
 
     def given_up_beside(self, event: Event) -> Event | None:
         """What was given up while the other camera saw this `event`, and did not leave as that did."""
-        for one in self._given_up:
-            if not one.told and one.front < event.rear and event.front < one.given_up:
-                one.told = True
-                return one.event(one.given_up, cut=True)
+        for candidate in self._given_up:
+            if not candidate.told and candidate.front < event.rear and event.front < candidate.given_up:
+                candidate.told = True
+                return candidate.event(candidate.given_up, cut=True)
         return None
 
     def _in_order(self, events: list[Event]) -> list[Event]:
@@ -242,12 +242,12 @@ class Watcher:
         """
         for stood in (*([self._standing] if self._standing else []), *reversed(self._given_up)):
             step = self.grid.step
-            absent = ~present(cells, stood.road, self.grid.upper_part)
+            absent = ~find_occupied_steps(cells, stood.road, self.grid.upper_part)
             edges = np.flatnonzero(np.diff(np.concatenate([[0], absent.astype(np.int8), [0]]))).reshape(-1, 2)
             if not (edges @ [-step, step] > self.spans.close).any():
                 continue
             last = cells[:0] if self._before is None else self._before
-            before = np.flatnonzero(present(last, stood.road, self.grid.upper_part))
+            before = np.flatnonzero(find_occupied_steps(last, stood.road, self.grid.upper_part))
             seen = len(last) - (int(before[-1]) + 1 if len(before) else 0)
             gone = self._has_left(stood)
             stood.last = self.lines - step * seen
@@ -388,4 +388,4 @@ class Watcher:
         enough = self.spans.road
         if count >= enough // 4:
             seen = road_from(block[best[1] - min(count, 2 * enough) : best[1]], self.grid)
-            self.road = blended(self.road, seen, min(1.0, count / enough))
+            self.road = blend_roads(self.road, seen, min(1.0, count / enough))

@@ -45,15 +45,15 @@ def store_measurements(
     by_recording: dict[int, list[int]] = defaultdict(list)
     for n, one in enumerate(fresh):
         by_recording[contexts[one.vehicle_id].recording_id].append(n)
-    made: dict[int, NewMeasurement] = {}
+    measured: dict[int, NewMeasurement] = {}
     for places in by_recording.values():
         pose, _, _ = pose_in_force(session, contexts[fresh[places[0]].vehicle_id])
         filled = [clicks_in_context(fresh[n].clicks, contexts[fresh[n].vehicle_id]) for n in places]
         for n, clicks, found in zip(places, filled, answers(pose, filled), strict=True):
             one = fresh[n]
             values = values_of_answer(contexts[one.vehicle_id], clicks, found)
-            made[n] = NewMeasurement(vehicle_id=one.vehicle_id, client_key=one.client_key, values=values)
-    ids = add_measurements(session, survey_id, [made[n] for n in range(len(fresh))], actor=actor)
+            measured[n] = NewMeasurement(vehicle_id=one.vehicle_id, client_key=one.client_key, values=values)
+    ids = add_measurements(session, survey_id, [measured[n] for n in range(len(fresh))], actor=actor)
     for one in fresh:
         if gone := gone_by_measuring(contexts[one.vehicle_id], one.clicks.target):
             update_vehicle(session, one.vehicle_id, gone, version=None, actor=actor)
@@ -66,10 +66,10 @@ def _contexts(
     """The contexts of the vehicles that are measured, with the frames clicked on and the person's sigma."""
     known = contexts_of_survey(session, survey_id)
     numbers: dict[int, set[int]] = defaultdict(set)
-    for one in fresh:
-        if one.vehicle_id not in known:
-            raise missing("vehicle", one.vehicle_id)
-        numbers[known[one.vehicle_id].recording_id] |= set(one.clicks.frames)
+    for height in fresh:
+        if height.vehicle_id not in known:
+            raise missing("vehicle", height.vehicle_id)
+        numbers[known[height.vehicle_id].recording_id] |= set(height.clicks.frames)
     frames = {id_: frames_by_number(session, id_, sorted(wanted)) for id_, wanted in numbers.items()}
     own = of_person(session, survey_id, actor)
     return {
@@ -78,5 +78,5 @@ def _contexts(
             frames=frames[known[id_].recording_id],
             own_sigma_px=None if own is None else own.sigma_px,
         )
-        for id_ in {one.vehicle_id for one in fresh}
+        for id_ in {height.vehicle_id for height in fresh}
     }

@@ -168,13 +168,13 @@ def context_of_row(row: Any, insets: Mapping[str, Inset], traffic: TrafficFacts,
 
 def frames_by_number(session: Session, recording_id: int, numbers: Sequence[int]) -> dict[int, Frame]:
     """Some of a recording's frames; those that it does not have are left out."""
-    found: dict[int, Frame] = {}
+    by_number: dict[int, Frame] = {}
     for at in range(0, len(numbers), _SOME):
         query = select(*(frames.c[name] for name in ("n", "pts", "time_s", "key", "crc32"))).where(
             frames.c.recording_id == recording_id, frames.c.n.in_(numbers[at : at + _SOME])
         )
-        found |= {row.n: Frame(**row._mapping) for row in session.execute(query)}
-    return found
+        by_number |= {row.n: Frame(**row._mapping) for row in session.execute(query)}
+    return by_number
 
 
 def _own_sigma() -> ScalarSelect[float | None]:

@@ -23,6 +23,7 @@ from sightline.enums import (
     VerdictBasis,
 )
 from sightline.infra.csv_package.columns import (
+    columns_within,
     flag,
     integer,
     key,
@@ -31,9 +32,8 @@ from sightline.infra.csv_package.columns import (
     number,
     person,
     pixel,
-    said,
+    said_columns,
     text,
-    within,
 )
 from sightline.infra.csv_package.schema import Cell, Column, Table, ids_of
 from sightline.measurements.again.csv import out_of_date
@@ -94,7 +94,7 @@ PASS: Columns = (
     key("vehicle_id", "vehicle that was measured"),
     key("recording_id", "recording in which the points were clicked"),
 )
-FRAME: Columns = within(
+FRAME: Columns = columns_within(
     "values",
     integer("frame", "frame number: the n-th decoded frame, from 0", required=True, minimum=0),
     integer("pts", "presentation time stamp of that frame, in the stream's own time base"),
@@ -102,9 +102,9 @@ FRAME: Columns = within(
 )
 _WHERE: Columns = (
     *PASS,
-    *within("values", text("target", "what was measured", required=True, enum=TARGETS)),
+    *columns_within("values", text("target", "what was measured", required=True, enum=TARGETS)),
     *FRAME,
-    *within(
+    *columns_within(
         "values",
         integer("frame_crc32", "CRC-32 of the decoded luma of that frame: proof of what was clicked on"),
     ),
@@ -131,35 +131,39 @@ POINTS: Columns = (
 )
 
 
-def _known(name: str, meaning: str, more: str = "") -> Columns:
+def _optional_point_columns(name: str, meaning: str, more: str = "") -> Columns:
     """A point that may be told of, by both coordinates."""
     return tuple(pixel(f"{name}_{axis}_px", f"{meaning}, {way}{more}", required=False) for axis, way in WAYS)
 
 
 def _proposed(which: str) -> Columns:
     """Where a point was proposed; of no height."""
-    return _known(f"proposed_{which}", f"where the {which} was proposed", "; not used for any height")
+    return _optional_point_columns(
+        f"proposed_{which}", f"where the {which} was proposed", "; not used for any height"
+    )
 
 
-_MADE: Columns = within(
+_MADE: Columns = columns_within(
     "values",
     text("made", "column-measurements-made", required=True, enum=get_args(Made)),
-    *_known("snapped_from", "where a person clicked before the contact went to the tyre found there"),
+    *_optional_point_columns(
+        "snapped_from", "where a person clicked before the contact went to the tyre found there"
+    ),
     text("proposal", "column-measurements-proposal", enum=get_args(ProposalKept)),
     *_proposed("contact"),
     *_proposed("target"),
 )
-POSE: Columns = within("values", key("pose_id", "camera pose used"))
-_INSET: Columns = within(
+POSE: Columns = columns_within("values", key("pose_id", "camera pose used"))
+_INSET: Columns = columns_within(
     "values",
     metres("inset_m", "column-measurements-inset-m"),
     metres("u_inset_m", "standard uncertainty of the inset (k = 1)"),
 )
-_SIDE: Columns = within(
+_SIDE: Columns = columns_within(
     "values",
     text("side", "column-measurements-side", enum=get_args(DriverSide)),
 )
-_SIDE_FROM: Columns = within(
+_SIDE_FROM: Columns = columns_within(
     "values",
     text("side_from", "column-measurements-side-from", enum=get_args(SideBasis)),
     text("inset_from", "column-measurements-inset-from", required=True, enum=get_args(InsetSource)),
@@ -212,7 +216,7 @@ _SEVERAL: Columns = (
     integer("frames", "column-measurements-frames", _frames_used, required=True, minimum=1),
     _frame_number(2),
     *_further_points(2),
-    *within(
+    *columns_within(
         "values",
         text("followed", "column-measurements-followed"),
         metres("solved_inset_m", "column-measurements-solved-inset-m"),
@@ -221,10 +225,12 @@ _SEVERAL: Columns = (
 )
 
 
-REASON: Columns = within("values", *said("reason", "why there is no height"))
-_FLAGS: Columns = said("flags", "warnings on this height, separated by semicolons", attrgetter("all_flags"))
+REASON: Columns = columns_within("values", *said_columns("reason", "why there is no height"))
+_FLAGS: Columns = said_columns(
+    "flags", "warnings on this height, separated by semicolons", attrgetter("all_flags")
+)
 _HEIGHT: Columns = (
-    *within(
+    *columns_within(
         "values",
         metres("height_m", "height of the target above the road along its normal, corrected for the inset"),
         metres("uncorrected_height_m", "column-measurements-uncorrected-height-m"),
@@ -239,7 +245,9 @@ _HEIGHT: Columns = (
     ),
     *REASON,
     *_FLAGS,
-    *within("values", text("code_version", "version of the program that computed the height", required=True)),
+    *columns_within(
+        "values", text("code_version", "version of the program that computed the height", required=True)
+    ),
     person("created_by_id", "column-measurements-created-by-id"),
     moment("created_at", "when the revision was stored"),
     flag("withdrawn", "true if the measurement was withdrawn", required=True),
@@ -251,7 +259,7 @@ _MEASURED: Columns = (
     *POINTS,
     *_MADE,
     *POSE,
-    *within("values", key("calibration_id", "calibration behind that pose")),
+    *columns_within("values", key("calibration_id", "calibration behind that pose")),
     *_INSET,
     *_SIDE,
     *_SIDE_FROM,
@@ -297,14 +305,14 @@ MEASUREMENTS: Table[Measurement] = Table(
         key("revision", "number of the current revision, from 1"),
         *_MEASURED,
         *_FILMED,
-        *within("review", *standing_verdict(get_args(Verdict))),
+        *columns_within("review", *standing_verdict(get_args(Verdict))),
         text(
             "verdict_by",
             "column-measurements-verdict-by",
             lambda m: verdict_basis(m.review.verdict, m.review.lot_id),
             enum=get_args(VerdictBasis),
         ),
-        *within("review", integer("lot_id", "of a verdict by lot: the lot")),
+        *columns_within("review", integer("lot_id", "of a verdict by lot: the lot")),
         out_of_date("recording's road pose"),
         person("operator_id", "column-measurements-operator-id"),
         moment("clicked_at", "when the points that stand were clicked: the day of measuring"),
@@ -368,15 +376,19 @@ CLICKS: Table[Clicked] = Table(
     "alone are in clicks/pose-N.csv, to be used with poses/pose-N.json.",
     (
         text("id", "measurement the clicks belong to", lambda c: f"m{c.measurement.id}", required=True),
-        *within("measurement", *POINTS, *_INSET, *_SIDE, *_further_points(2)),
-        *within("vehicle", text("lighting", "light at the time of the pass", enum=get_args(Lighting))),
+        *columns_within("measurement", *POINTS, *_INSET, *_SIDE, *_further_points(2)),
+        *columns_within(
+            "vehicle", text("lighting", "light at the time of the pass", enum=get_args(Lighting))
+        ),
         metres(
             "reference_height_m",
             "known height of the target; empty where the model was chosen by size",
             _reference_height_m,
         ),
-        *within("measurement.values", text("target", "what was measured", required=True, enum=TARGETS)),
-        *within(
+        *columns_within(
+            "measurement.values", text("target", "what was measured", required=True, enum=TARGETS)
+        ),
+        *columns_within(
             "vehicle",
             text("category", "body of the vehicle", enum=get_args(Category)),
             flag(
@@ -399,7 +411,7 @@ CLICKS: Table[Clicked] = Table(
             lambda c: c.evaluated,
             required=True,
         ),
-        *within("measurement.values", key("pose_id", "camera pose for the height")),
+        *columns_within("measurement.values", key("pose_id", "camera pose for the height")),
         text(
             "pose_file",
             "that pose as a file of this package",
@@ -427,7 +439,7 @@ def with_frames(table: Table[Measurement], most: int) -> Table[Measurement]:
 
 def clicks_with_frames(most: int) -> Table[Clicked]:
     """The table of clicks with the columns of frames 3 to `most`."""
-    return _with_frames(CLICKS, most, lambda columns: within("measurement", *columns))
+    return _with_frames(CLICKS, most, lambda columns: columns_within("measurement", *columns))
 
 
 def _with_frames(

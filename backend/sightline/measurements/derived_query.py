@@ -26,31 +26,35 @@ from sightline.recordings.tables import recordings
 TELLING = (recordings.c.drift, recordings.c.drift_decision, recordings.c.started_at, recordings.c.time_zone)
 
 
-def derived(session: Session, found: tuple[Measurement, ...]) -> tuple[Measurement, ...]:
+def add_filming_and_drift(session: Session, revisions: tuple[Measurement, ...]) -> tuple[Measurement, ...]:
     """The measurements with when they were filmed, those on a frame after a bump with a sentence of it."""
-    told = _told_by_recordings(session, {one.recording_id for one in found})
-    if not told:
-        return found
+    recording_rows = _told_by_recordings(session, {one.recording_id for one in revisions})
+    if not recording_rows:
+        return revisions
     spans = {
-        (id_, pose): open_spans(told[id_]["drift"], told[id_]["drift_decision"], pose)
-        for id_, pose in {(one.recording_id, one.values.pose_id) for one in found}
-        if id_ in told
+        (id_, pose): open_spans(recording_rows[id_]["drift"], recording_rows[id_]["drift_decision"], pose)
+        for id_, pose in {(one.recording_id, one.values.pose_id) for one in revisions}
+        if id_ in recording_rows
     }
-    filmed = {id_: filming_of(row) for id_, row in told.items()}
+    filmed = {id_: filming_of(row) for id_, row in recording_rows.items()}
     of_pose = defaultdict[tuple[int, int], list[int]](list)
-    for at, one in enumerate(found):
+    for at, one in enumerate(revisions):
         of_pose[one.recording_id, one.values.pose_id].append(at)
     flags: dict[int, Said | None] = {}
     for key, places in of_pose.items():
-        flags |= zip(places, _flags(session, [found[at] for at in places], spans.get(key, [])), strict=True)
-    return tuple([_with(one, flags[at], filmed.get(one.recording_id)) for at, one in enumerate(found)])
+        flags |= zip(
+            places, _flags(session, [revisions[at] for at in places], spans.get(key, [])), strict=True
+        )
+    return tuple(
+        [_add_flag_and_time(one, flags[at], filmed.get(one.recording_id)) for at, one in enumerate(revisions)]
+    )
 
 
-def derived_from(session: Session, one: Measurement, row: Mapping[Any, Any]) -> Measurement:
-    """`derived` of one measurement with whose row the recording's `TELLING` was read."""
-    spans = open_spans(row["drift"], row["drift_decision"], one.values.pose_id)
-    (flag,) = _flags(session, [one], spans)
-    return _with(one, flag, filming_of(row))
+def derived_from(session: Session, measurement: Measurement, row: Mapping[Any, Any]) -> Measurement:
+    """`add_filming_and_drift` of one measurement with whose row the recording's `TELLING` was read."""
+    spans = open_spans(row["drift"], row["drift_decision"], measurement.values.pose_id)
+    (flag,) = _flags(session, [measurement], spans)
+    return _add_flag_and_time(measurement, flag, filming_of(row))
 
 
 def _told_by_recordings(session: Session, wanted: Iterable[int]) -> dict[int, Mapping[Any, Any]]:
@@ -64,16 +68,16 @@ def _told_by_recordings(session: Session, wanted: Iterable[int]) -> dict[int, Ma
     return {row["id"]: row for row in session.execute(query).mappings()}
 
 
-def _flags(session: Session, found: Sequence[Measurement], spans: list[MovedSpan]) -> list[Said | None]:
+def _flags(session: Session, revisions: Sequence[Measurement], spans: list[MovedSpan]) -> list[Said | None]:
     """What is said of measurements with one pose where the camera had moved in `spans`."""
     if not spans:
-        return [None] * len(found)
-    clicks = [filled_from(Clicks, one.values) for one in found]
-    return drift_flags(road_pose(session, found[0].values.pose_id), clicks, spans)
+        return [None] * len(revisions)
+    clicks = [filled_from(Clicks, one.values) for one in revisions]
+    return drift_flags(road_pose(session, revisions[0].values.pose_id), clicks, spans)
 
 
-def _with(one: Measurement, flag: Said | None, filmed: Filming | None) -> Measurement:
-    if flag == one.drift_flag and filmed is None:
-        return one
-    at = None if filmed is None else filmed.at(one.values.time_s)
-    return replace(one, drift_flag=flag, filmed_at=at)
+def _add_flag_and_time(measurement: Measurement, flag: Said | None, filmed: Filming | None) -> Measurement:
+    if flag == measurement.drift_flag and filmed is None:
+        return measurement
+    at = None if filmed is None else filmed.at(measurement.values.time_s)
+    return replace(measurement, drift_flag=flag, filmed_at=at)

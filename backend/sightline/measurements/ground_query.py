@@ -133,7 +133,7 @@ def ground_of(
 
 def grounds_of(session: Session, survey_id: int, fresh: Sequence[NewMeasurement]) -> list[Ground]:
     """`ground_of` each of some hundred in a survey. Raises NotFound for a vehicle that is not in it."""
-    ids = {one.vehicle_id for one in fresh}
+    ids = {measurement.vehicle_id for measurement in fresh}
     cars = select(vehicles.c.id, vehicles.c.recording_id).where(
         vehicles.c.id.in_(ids), vehicles.c.survey_id == survey_id, vehicles.c.deleted_at.is_(None)
     )
@@ -142,7 +142,7 @@ def grounds_of(session: Session, survey_id: int, fresh: Sequence[NewMeasurement]
         raise missing("vehicle", min(lost))
     series = measurement_series.c
     keys = select(series.client_key, series.id, series.vehicle_id).where(
-        series.client_key.in_({one.client_key for one in fresh})
+        series.client_key.in_({measurement.client_key for measurement in fresh})
     )
     known = {row.client_key: (row.id, row.vehicle_id) for row in session.execute(keys)}
     standing = (
@@ -153,28 +153,28 @@ def grounds_of(session: Session, survey_id: int, fresh: Sequence[NewMeasurement]
     )
     stands = {(row.vehicle_id, row.target): row.id for row in session.execute(standing)}
     of_poses = select(road_poses.c.id, road_poses.c.survey_id).where(
-        road_poses.c.id.in_({one.values.pose_id for one in fresh})
+        road_poses.c.id.in_({measurement.values.pose_id for measurement in fresh})
     )
     poses = {row.id: row.survey_id for row in session.execute(of_poses)}
     of_lenses = select(calibrations.c.id).where(
-        calibrations.c.id.in_({one.values.calibration_id for one in fresh})
+        calibrations.c.id.in_({measurement.values.calibration_id for measurement in fresh})
     )
     lenses = set(session.execute(of_lenses).scalars())
     frames_of = _frames_of(session, fresh, recording_of)
     return [
         Ground(
             survey_id=survey_id,
-            recording_id=recording_of[one.vehicle_id],
+            recording_id=recording_of[measurement.vehicle_id],
             vehicle_deleted=False,
-            known_id=known.get(one.client_key, (None, None))[0],
-            known_vehicle_id=known.get(one.client_key, (None, None))[1],
-            standing_id=stands.get((one.vehicle_id, one.values.target)),
+            known_id=known.get(measurement.client_key, (None, None))[0],
+            known_vehicle_id=known.get(measurement.client_key, (None, None))[1],
+            standing_id=stands.get((measurement.vehicle_id, measurement.values.target)),
             judged=False,
-            pose_survey_id=poses.get(one.values.pose_id),
-            has_calibration=one.values.calibration_id in lenses,
-            frames=frames_of[recording_of[one.vehicle_id]],
+            pose_survey_id=poses.get(measurement.values.pose_id),
+            has_calibration=measurement.values.calibration_id in lenses,
+            frames=frames_of[recording_of[measurement.vehicle_id]],
         )
-        for one in fresh
+        for measurement in fresh
     ]
 
 

@@ -117,7 +117,7 @@ def filled_in(
     elif inset_m is not None and u_inset_m is None:
         u_inset_m = max(insets[name].u_inset_m for name in ("driver_eye_near", "driver_eye_far"))
     inset_m, u_inset_m = _rounded(inset_m), _rounded(u_inset_m if inset_m is not None else None)
-    is_usual = inset_m is None or (usual is not None and _same(usual, inset_m, u_inset_m))
+    is_usual = inset_m is None or (usual is not None and _is_usual_inset(usual, inset_m, u_inset_m))
     return replace(
         clicks,
         sigma_px=usual_sigma_px if clicks.sigma_px is None else clicks.sigma_px,
@@ -131,7 +131,7 @@ def _rounded(length_m: float | None) -> float | None:
     return None if length_m is None else round(length_m, _INSET_DECIMALS)
 
 
-def _same(usual: Inset, inset_m: float, u_inset_m: float | None) -> bool:
+def _is_usual_inset(usual: Inset, inset_m: float, u_inset_m: float | None) -> bool:
     return (inset_m, u_inset_m) == (_rounded(usual.inset_m), _rounded(usual.u_inset_m))
 
 
@@ -154,17 +154,17 @@ def answer(pose: RoadPose, clicks: Clicks) -> Answer:
     if clicks.followed is not None:
         return _of_whole_pass(clicks, height, uncorrected, measured_pass(pose, clicks))
     if not clicks.more_frames:
-        return _answered(clicks, height, uncorrected)
-    found = measured_frames(pose, clicks)
+        return _make_answer(clicks, height, uncorrected)
+    measured = measured_frames(pose, clicks)
     alone = SingleFrame(height.height_m, height.u_height_m, height.U95_height_m)
     return replace(
-        _answered(clicks, found.height, uncorrected),
+        _make_answer(clicks, measured.height, uncorrected),
         frames=len(clicks.frames),
-        solved_inset_m=found.solved_inset_m,
-        u_solved_inset_m=found.u_solved_inset_m,
-        heading_rad=found.heading_rad,
-        u_heading_rad=found.u_heading_rad,
-        travel_m=found.travel_m,
+        solved_inset_m=measured.solved_inset_m,
+        u_solved_inset_m=measured.u_solved_inset_m,
+        heading_rad=measured.heading_rad,
+        u_heading_rad=measured.u_heading_rad,
+        travel_m=measured.travel_m,
         single=alone,
     )
 
@@ -180,7 +180,7 @@ def answers(pose: RoadPose, asked: Sequence[Clicks]) -> list[Answer]:
     nothing = np.zeros(len(given))
     uncorrected = measure_with_budgets(pose, contacts, targets, assumed[0], nothing, nothing)
     found = {
-        n: _answered(one, _with_flags(one, height), flat)
+        n: _make_answer(one, _with_flags(one, height), flat)
         for n, one, height, flat in zip(alone, given, corrected, uncorrected, strict=True)
     }
     return [found[n] if n in found else answer(pose, one) for n, one in enumerate(asked)]
@@ -241,25 +241,25 @@ def inset_alone(pose: RoadPose, clicks: Clicks) -> SolvedInset | None:
     return None if inset_m is None or parts is None else SolvedInset(inset_m, parts)
 
 
-def _of_whole_pass(clicks: Clicks, first: Height, uncorrected: Height, found: WholePass) -> Answer:
+def _of_whole_pass(clicks: Clicks, first: Height, uncorrected: Height, whole_pass: WholePass) -> Answer:
     out = replace(
-        _answered(clicks, _with_flags(clicks, found.height), uncorrected),
-        frames=found.frames,
+        _make_answer(clicks, _with_flags(clicks, whole_pass.height), uncorrected),
+        frames=whole_pass.frames,
         single=SingleFrame(first.height_m, first.u_height_m, first.U95_height_m),
     )
-    if found.inset_m is None or found.heading_rad is None or found.speed_mps is None:
+    if whole_pass.inset_m is None or whole_pass.heading_rad is None or whole_pass.speed_mps is None:
         return out
-    base = found.wheelbase_m
+    base = whole_pass.wheelbase_m
     return replace(
         out,
-        solved_inset_m=found.inset_m.value,
-        u_solved_inset_m=found.inset_m.u,
-        heading_rad=found.heading_rad.value,
-        u_heading_rad=found.heading_rad.u,
-        speed_mps=found.speed_mps.value,
+        solved_inset_m=whole_pass.inset_m.value,
+        u_solved_inset_m=whole_pass.inset_m.u,
+        heading_rad=whole_pass.heading_rad.value,
+        u_heading_rad=whole_pass.heading_rad.u,
+        speed_mps=whole_pass.speed_mps.value,
         wheelbase_m=None if base is None else base.value,
         u_wheelbase_m=None if base is None else base.u,
-        chance=found.chance,
+        chance=whole_pass.chance,
     )
 
 
@@ -277,7 +277,7 @@ def part_of_budget(budget: Sequence[BudgetEntry], sources: Sequence[str]) -> flo
     return math.sqrt(sum(entry.u_m**2 for entry in budget if entry.source in sources))
 
 
-def _answered(clicks: Clicks, height: Height, uncorrected: Height) -> Answer:
+def _make_answer(clicks: Clicks, height: Height, uncorrected: Height) -> Answer:
     return Answer(
         status=height.status,
         reason=height.reason,

@@ -97,10 +97,10 @@ def _undone(clicks: Clicks, spans: Sequence[MovedSpan], size_px: tuple[int, int]
 
     def back(frame: NDArray[np.int64], points_px: Floats) -> Floats:
         out = np.array(points_px)
-        for one in spans:
-            on = (frame >= one.first_frame) & (frame <= one.last_frame)
-            if one.motion is not None and on.any():
-                out[on] = one.motion.undo(points_px[on], size_px)
+        for span in spans:
+            on = (frame >= span.first_frame) & (frame <= span.last_frame)
+            if span.motion is not None and on.any():
+                out[on] = span.motion.undo(points_px[on], size_px)
         return out
 
     clicked = np.array([*clicks.contacts, *clicks.target_points], dtype=np.float64)

@@ -14,7 +14,7 @@ from sightline.infra.audit.written import written_rows
 from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import who
-from sightline.measurements.derived_query import derived
+from sightline.measurements.derived_query import add_filming_and_drift
 from sightline.measurements.records import (
     FoundHeight,
     FurtherFrame,
@@ -135,7 +135,7 @@ _m = measurements.c
 _POINTS = ("contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
 
 
-def _stored(values: type[FoundHeight]) -> list[str]:
+def _stored_fields(values: type[FoundHeight]) -> list[str]:
     """The fields that are a column of the same name."""
     return [field.name for field in fields(values) if field.name not in ("contact", "target_point")]
 
@@ -144,7 +144,7 @@ def _revision_rows(values: type[FoundHeight], *place: Any) -> Select[Any]:
     """Whole revisions with such values, of vehicles that passed in such a place."""
     return (
         with_verdict(
-            *(_m[name] for name in (*_stored(values), *_POINTS)),
+            *(_m[name] for name in (*_stored_fields(values), *_POINTS)),
             *(_m.series_id, _m.revision, _m.id.label("revision_id"), series.c.survey_id, *place),
             *(series.c.repeat_of, _m.created_by, _maker.c.name.label("maker_name")),
             *(_m.created_at, _m.withdrawn, reviews.c.verdict, reviews.c.reason.label("review_reason")),
@@ -176,7 +176,9 @@ def scan_height_rows(category: ColumnElement[Any]) -> Select[Any]:
 
 def fetch_measurements(session: Session, query: Select[Any]) -> tuple[Measurement, ...]:
     """Run a `measurement_revision_rows()` query."""
-    return derived(session, tuple([measurement_of_row(row) for row in session.execute(query).all()]))
+    return add_filming_and_drift(
+        session, tuple([measurement_of_row(row) for row in session.execute(query).all()])
+    )
 
 
 def reviews_of_series(session: Session, condition: ColumnElement[bool]) -> tuple[Review, ...]:
@@ -225,7 +227,7 @@ class Reader(Generic[_Made]):
 
         self._kind: Callable[..., _Made] = kind
         self._values = values
-        self._stored, self._outer = _stored(values), (*_OUTER, *place)
+        self._stored, self._outer = _stored_fields(values), (*_OUTER, *place)
         self._stored_of, self._points_of = getter(self._stored), getter(_POINTS)
         self._outer_of = getter((*_OUTER.values(), *place))
         self._maker_of, self._review_of = getter(("created_by", "maker_name")), getter(_REVIEW)

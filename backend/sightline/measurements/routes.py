@@ -33,7 +33,7 @@ router = APIRouter()
 _Body = NewMeasurement | ChangedMeasurement
 
 
-async def _found(
+async def _find_origin(
     vehicle_id: PathId, body: NewMeasurement, who: SignedIn, services: Wired
 ) -> tuple[Origin, str | None]:
     """How the points came about, held against what Sightline finds, and what is followed from them: found
@@ -60,7 +60,7 @@ def _find(
 async def _found_of_change(
     measurement_id: PathId, body: ChangedMeasurement, who: SignedIn, services: Wired
 ) -> tuple[Origin, str | None]:
-    """`_found` of a revision; a contact that stays is what it was."""
+    """`_find_origin` of a revision; a contact that stays is what it was."""
     if body.follow is None and body.snapped_from is None:
         return Origin(), None
     return await run_in_threadpool(_find_of_change, measurement_id, body, who, services)
@@ -113,7 +113,7 @@ async def add_measurement(
     vehicle_id: PathId,
     body: NewMeasurement,
     who: Operator,
-    found: Annotated[tuple[Origin, str | None], Depends(_found)],
+    found: Annotated[tuple[Origin, str | None], Depends(_find_origin)],
     writes: Writes,
 ) -> MeasurementBody:
     """Store one height; sending the same `client_key` again gives back the one that is stored.
@@ -125,7 +125,7 @@ async def add_measurement(
 
     def work(session: Session) -> MeasurementBody:
         key, again = str(body.client_key), body.repeat_of
-        return _answered(
+        return _answer_with_body(
             lambda: service.store_measurement(session, vehicle_id, key, clicks, repeat_of=again, actor=who.id)
         )
 
@@ -155,7 +155,7 @@ async def revise_measurement(
         before = store.require_measurement_revision(session, measurement_id, body.revision)
         clicks = clicks_of(body, body.target or before.values.target)
         clicks = replace(clicks, **asdict(found[0]), followed=found[1])
-        return _answered(lambda: service.store_revision(session, before, clicks, actor=who.id))
+        return _answer_with_body(lambda: service.store_revision(session, before, clicks, actor=who.id))
 
     return await writes.to(SurveyOf("measurement_series", measurement_id), work)
 
@@ -184,7 +184,7 @@ async def restore_measurement(
     """A new revision that brings a withdrawn measurement back."""
 
     def work(session: Session) -> MeasurementBody:
-        return _answered(
+        return _answer_with_body(
             lambda: store.restore_measurement(
                 session, measurement_id, seen_revision=body.revision, actor=who.id
             )
@@ -193,7 +193,7 @@ async def restore_measurement(
     return await writes.to(SurveyOf("measurement_series", measurement_id), work)
 
 
-def _answered(work: Callable[[], Measurement]) -> MeasurementBody:
+def _answer_with_body(work: Callable[[], Measurement]) -> MeasurementBody:
     """What is stored, as it goes out; so does the measurement that a conflict carries."""
     try:
         return measurement_body(work())

@@ -15,7 +15,7 @@ import numpy.typing as npt
 from sightline.coverage import COVERAGE_95
 from sightline.enums import Point, Target, TravelSource
 from sightline.errors import BadInput
-from sightline.geometry.follow import textured
+from sightline.geometry.follow import find_textured_spots
 from sightline.geometry.gain import second_frame_gain
 from sightline.geometry.height import measure_height
 from sightline.geometry.insets import EITHER_SIDE_M, U_EITHER_SIDE_M
@@ -138,10 +138,10 @@ def proposal(
     vehicle = get_sheet(session, vehicle_id)
     if vehicle.recording_id != recording_id:
         raise BadInput("measurements-vehicle-other-recording")
-    now = [_now(pose, one) for one in asked]
+    now = [_current_u_m(pose, one) for one in asked]
     first = next((one for one, (u_m, _) in zip(asked, now, strict=True) if u_m is not None), None)
     if first is None:
-        return _answered([_refused(one.target, *of) for one, of in zip(asked, now, strict=True)])
+        return _make_proposal([_refuse_target(one.target, *of) for one, of in zip(asked, now, strict=True)])
     opened = stills_of(services).open(recording_id)
     span = _span(vehicle, first.frame, len(opened.media))
     known = _known_travels(services, opened, pose, first, vehicle, span)
@@ -151,7 +151,7 @@ def proposal(
         _offered(one, frame, len(span) > len(set(of.frames)))
         for one, frame, of in zip(candidates, frames, asked, strict=True)
     ]
-    return _answered(found, known[0].source)
+    return _make_proposal(found, known[0].source)
 
 
 def _with_an_inset(clicks: Clicks) -> Clicks:
@@ -170,23 +170,25 @@ def candidates_of(
     """Where each of the targets could be clicked again; `now`: the uncertainty of each so far, or why there
     is none. Of many frames some are looked at closely: the same ones of all, and as many that show them all.
     """
-    seen = [[_in_sight(pose, one, travels.by_frame) for travels in known] for one in asked]
-    sure = [frozenset.intersection(*of_one) or of_one[_usual(known)] for of_one in seen]
+    in_sight = [[_in_sight(pose, one, travels.by_frame) for travels in known] for one in asked]
+    sure = [frozenset.intersection(*of_one) or of_one[_usual(known)] for of_one in in_sight]
     shown = [one for one, (u_m, _) in zip(sure, now, strict=True) if one and u_m is not None]
     for_all = frozenset.intersection(*shown) if shown else frozenset()
     step = -(-max(map(len, sure)) // _MOST_SPOTS) or 1
     out = []
-    for one, of_one, certain, (u_m, reason) in zip(asked, seen, sure, now, strict=True):
+    for clicks, of_one, certain, (u_m, reason) in zip(asked, in_sight, sure, now, strict=True):
         some = {frame for frame in certain if frame % step == 0} or _thinned(certain)
         close = frozenset(some) | _thinned(for_all) if u_m is not None else frozenset()
         spots = [
             spot
             for travels, visible in zip(known, of_one, strict=True)
             for frame in sorted(close & visible)
-            if (spot := _spot(pose, one, frame, travels.by_frame[frame], travels.kmh)) is not None
+            if (spot := _spot(pose, clicks, frame, travels.by_frame[frame], travels.kmh)) is not None
         ]
         spots.sort(key=lambda spot: spot.frame)
-        out.append(Candidate(target=one.target, u_now_m=u_m, reason=reason, spots=tuple(spots), sure=certain))
+        out.append(
+            Candidate(target=clicks.target, u_now_m=u_m, reason=reason, spots=tuple(spots), sure=certain)
+        )
     return out
 
 
@@ -244,13 +246,13 @@ def _best(rated: dict[int, tuple[float, float]]) -> int:
     return min((n for n in rated if rated[n][0] <= _AS_GOOD * least), key=lambda n: (rated[n][1], n))
 
 
-def _refused(target: Target, u_now_m: float | None, reason: Said | None) -> FrameForTarget:
+def _refuse_target(target: Target, u_now_m: float | None, reason: Said | None) -> FrameForTarget:
     U95 = None if u_now_m is None else COVERAGE_95 * u_now_m
     reason = reason or Said("second-frame-no-height")
     return FrameForTarget(target=target, ok=False, reason=reason, u_now_m=u_now_m, U95_now_m=U95)
 
 
-def _answered(found: Sequence[FrameForTarget], source: TravelSource | None = None) -> Proposal:
+def _make_proposal(found: Sequence[FrameForTarget], source: TravelSource | None = None) -> Proposal:
     first, *others = found
     said = filled_from(Proposal, first, source=None, words=None, others=tuple(others))
     if source is None or not any(one.ok for one in found):
@@ -258,7 +260,7 @@ def _answered(found: Sequence[FrameForTarget], source: TravelSource | None = Non
     return replace(said, source=source, words=_WORDS[source])
 
 
-def _now(pose: RoadPose, clicks: Clicks) -> tuple[float | None, Said | None]:
+def _current_u_m(pose: RoadPose, clicks: Clicks) -> tuple[float | None, Said | None]:
     """The uncertainty of what is clicked so far, or why there is none."""
     if clicks.more_frames:
         height = measured_frames(pose, clicks).height
@@ -334,24 +336,24 @@ def follow(
     recording_id = opened.recording.id
     until = time.monotonic() + PATIENCE_S
     gray = stills_of(services).gray(recording_id, n)
-    spots = textured(gray, _box(clicks, gray.shape))
+    spots = find_textured_spots(gray, _box(clicks, gray.shape))
     body = body_of(pose, clicks.contact, clicks.target_point, clicks.assumed()[1], spots)
     if isinstance(body, Said) or len(body.points_m) < 5:
         return {}
     pixels = np.concatenate([[clicks.contact, clicks.target_point], spots])
-    found: dict[int, float] = {}
+    travels: dict[int, float] = {}
     speed: float | None = None
     for way in _ways(n, span):
         chase, before = BodyTracker(pose, body, pixels, gray, speed), n
         for frame in way:
             dt_s = float(opened.time_s[frame] - opened.time_s[before])
             travel = None
-            if time.monotonic() < until or len(found) < _LEAST_LOOKS:
+            if time.monotonic() < until or len(travels) < _LEAST_LOOKS:
                 travel = chase.step(stills_of(services).gray(recording_id, frame), dt_s)
             if travel is None:
                 break
-            found[frame], before, speed = travel, frame, chase.speed_mps
-    return _completed(found, opened.time_s, n, span)
+            travels[frame], before, speed = travel, frame, chase.speed_mps
+    return _completed(travels, opened.time_s, n, span)
 
 
 def _ways(n: int, span: range) -> Iterator[range]:
@@ -361,12 +363,12 @@ def _ways(n: int, span: range) -> Iterator[range]:
 
 
 def _completed(
-    found: dict[int, float], times: npt.NDArray[np.float64], n: int, span: range
+    travels: dict[int, float], times: npt.NDArray[np.float64], n: int, span: range
 ) -> dict[int, float]:
     """The frames in between and beyond, at the speed of what was seen."""
-    if not found:
+    if not travels:
         return {}
-    known = sorted({n: 0.0, **found}.items())
+    known = sorted({n: 0.0, **travels}.items())
     t = np.array([times[frame] for frame, _ in known])
     x = np.array([travel for _, travel in known])
     speed = float((x[-1] - x[0]) / (t[-1] - t[0]))
@@ -446,29 +448,31 @@ def _spot(pose: RoadPose, clicks: Clicks, frame: int, travel_m: float, kmh: floa
     )
 
 
-def _offered(one: Candidate, frame: int | None, more_frames: bool) -> FrameForTarget:
+def _offered(candidate: Candidate, frame: int | None, more_frames: bool) -> FrameForTarget:
     """The frame with what it would give, or in words why none does."""
-    if one.u_now_m is None:
-        return _refused(one.target, None, one.reason)
+    if candidate.u_now_m is None:
+        return _refuse_target(candidate.target, None, candidate.reason)
     if not more_frames:
-        return _refused(one.target, one.u_now_m, Said("second-frame-no-other"))
-    if not one.spots:
-        return _refused(one.target, one.u_now_m, Said("second-frame-not-shown"))
+        return _refuse_target(candidate.target, candidate.u_now_m, Said("second-frame-no-other"))
+    if not candidate.spots:
+        return _refuse_target(candidate.target, candidate.u_now_m, Said("second-frame-not-shown"))
     if frame is None:
-        least = min(spot.u_height_m for spot in one.spots)
-        now_m, then_m = (round(COVERAGE_95 * u, 3) for u in (one.u_now_m, least))
-        return _refused(one.target, one.u_now_m, Said("second-frame-no-gain", now_m=now_m, then_m=then_m))
-    best = one.helpful[frame]
+        least = min(spot.u_height_m for spot in candidate.spots)
+        now_m, then_m = (round(COVERAGE_95 * u, 3) for u in (candidate.u_now_m, least))
+        return _refuse_target(
+            candidate.target, candidate.u_now_m, Said("second-frame-no-gain", now_m=now_m, then_m=then_m)
+        )
+    best = candidate.helpful[frame]
     return FrameForTarget(
-        target=one.target,
+        target=candidate.target,
         ok=True,
         frame=frame,
-        u_now_m=one.u_now_m,
-        U95_now_m=COVERAGE_95 * one.u_now_m,
+        u_now_m=candidate.u_now_m,
+        U95_now_m=COVERAGE_95 * candidate.u_now_m,
         u_then_m=best.u_height_m,
         U95_then_m=best.U95_height_m,
         u_solved_inset_m=best.u_solved_inset_m,
-        spots=one.spots,
+        spots=candidate.spots,
     )
 
 

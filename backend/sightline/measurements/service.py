@@ -90,13 +90,13 @@ def store_measurement(
         first = get_measurement(session, repeat_of)
         clicks = replace(clicks, **_inset_of(first.values))
     values = values_of_clicks(session, context, clicks)
-    made = add_measurement(
+    measurement = add_measurement(
         session, vehicle_id, client_key=client_key, values=values, repeat_of=repeat_of, actor=actor
     )
     gone = gone_by_measuring(context, clicks.target)
     if gone and repeat_of is None:
         update_vehicle(session, vehicle_id, gone, version=None, actor=actor)
-    return made
+    return measurement
 
 
 def origin_of(session: Session, vehicle_id: int, client_key: str, clicks: Clicks) -> Clicks:
@@ -108,18 +108,18 @@ def origin_of(session: Session, vehicle_id: int, client_key: str, clicks: Clicks
     """
     placed = [one for one in proposals_of_vehicle(session, vehicle_id) if one.frame == clicks.frame]
     places = {one.point: one.point_px for one in placed if one.point_px is not None}
-    made = made_of(clicks, places)
-    if made is None and not is_stored_key(session, client_key):
+    origin = made_of(clicks, places)
+    if origin is None and not is_stored_key(session, client_key):
         raise Conflict("measurements-proposals-not-these")
     contacts = [one for one in placed if one.point.startswith("contact") and one.point_px is not None]
     best = min(contacts, key=lambda one: one.expected_px or 0.0, default=None)
     target = places.get(cast(ProposedPoint, clicks.target))
-    made = made or clicks.made
+    origin = origin or clicks.made
     if best is None or best.point_px is None or target is None:
-        return replace(clicks, made=made)
+        return replace(clicks, made=origin)
     return replace(
         clicks,
-        made=made,
+        made=origin,
         proposal="withheld" if best.withheld else "shown",
         proposed_contact_x_px=best.point_px[0],
         proposed_contact_y_px=best.point_px[1],
@@ -134,8 +134,10 @@ def made_of(clicks: Clicks, places: Mapping[ProposedPoint, Point]) -> Made | Non
     """
     if cast(ProposedPoint, clicks.target) not in places:
         return None if clicks.made in ("confirmed", "moved") else clicks.made
-    contact = any(_same(clicks.contact, at) for point, at in places.items() if point.startswith("contact"))
-    target = _same(clicks.target_point, places.get(cast(ProposedPoint, clicks.target)))
+    contact = any(
+        _is_same_point(clicks.contact, at) for point, at in places.items() if point.startswith("contact")
+    )
+    target = _is_same_point(clicks.target_point, places.get(cast(ProposedPoint, clicks.target)))
     if contact and target:
         return "confirmed"
     if clicks.made == "snapped":
@@ -145,7 +147,7 @@ def made_of(clicks: Clicks, places: Mapping[ProposedPoint, Point]) -> Made | Non
     return "moved" if contact or target or clicks.made == "moved" else "clicked"
 
 
-def _same(clicked: Point, proposed: Point | None) -> bool:
+def _is_same_point(clicked: Point, proposed: Point | None) -> bool:
     """Whether it is that point, but for the rounding of its way to a page and back."""
     return proposed is not None and all(abs(a - b) < 1e-6 for a, b in zip(clicked, proposed, strict=True))
 
@@ -200,12 +202,12 @@ def values_of_clicks(session: Session, context: ClickContext, clicks: Clicks) ->
     return values_of_answer(context, clicks, answer(pose, clicks))
 
 
-def values_of_answer(context: ClickContext, clicks: Clicks, found: Answer) -> MeasurementValues:
+def values_of_answer(context: ClickContext, clicks: Clicks, answered: Answer) -> MeasurementValues:
     """What is stored of clicks that `clicks_in_context` filled in and of the height that they gave."""
     frame = context.frame(clicks.frame)
     return filled_from(
         MeasurementValues,
-        found,
+        answered,
         clicks,
         pts=frame.pts,
         time_s=frame.time_s,

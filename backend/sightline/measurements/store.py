@@ -13,7 +13,7 @@ from sqlalchemy.sql.dml import ReturningInsert
 from sightline.enums import AuditAction, JsonObject
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
-from sightline.infra.audit.hashing import content_hash, plain
+from sightline.infra.audit.hashing import content_hash, to_plain_json
 from sightline.infra.audit.records import Who, name_or_somebody
 from sightline.infra.database.rows import add_row, add_rows, missing, name_of, row_content, who
 from sightline.infra.database.types import now
@@ -94,7 +94,9 @@ def add_measurement(
     place: dict[str, Any] = {"survey_id": ground.survey_id, "recording_id": ground.recording_id}
     place |= {"vehicle_id": vehicle_id, "repeat_of": _repeated(session, vehicle_id, repeat_of, values.target)}
     series_id = add_row(session, measurement_series, {**place, "client_key": client_key})
-    known = partial(_known, session, _first_revision(series_id, 0, values, place, now()), ground, actor)
+    known = partial(
+        _complete_revision, session, _first_revision(series_id, 0, values, place, now()), ground, actor
+    )
     return append_revision(
         session, series_id, 1, values, before=None, action="create", actor=actor, made_of=known
     )
@@ -119,20 +121,20 @@ def _add_some(
     session: Session, survey_id: int, fresh: Sequence[NewMeasurement], actor: int | None
 ) -> list[int]:
     grounds = grounds_of(session, survey_id, fresh)
-    for one, ground in zip(fresh, grounds, strict=True):
+    for measurement, ground in zip(fresh, grounds, strict=True):
         if ground.known_id is not None:
             raise Conflict("measurements-other-vehicle")
-        check_ground(ground, one.values)
+        check_ground(ground, measurement.values)
         if ground.standing_id is not None:
             raise _already_measured(session, ground.standing_id)
     places: list[dict[str, Any]] = [
         {
             "survey_id": survey_id,
             "recording_id": ground.recording_id,
-            "vehicle_id": one.vehicle_id,
+            "vehicle_id": measurement.vehicle_id,
             "repeat_of": None,
         }
-        for one, ground in zip(fresh, grounds, strict=True)
+        for measurement, ground in zip(fresh, grounds, strict=True)
     ]
     keyed = [{**place, "client_key": one.client_key} for place, one in zip(places, fresh, strict=True)]
     ids = add_rows(session, measurement_series, keyed)
@@ -142,7 +144,7 @@ def _add_some(
     revision_ids = add_rows(session, measurements, rows)
     content_of = _contents(session, revision_ids)
     events = [
-        (id_, None, _after(_first_revision(id_, number, one.values, place, moment), content_of[number]))
+        (id_, None, _event_after(_first_revision(id_, number, one.values, place, moment), content_of[number]))
         for id_, number, one, place in zip(ids, revision_ids, fresh, places, strict=True)
     ]
     trail.record_many(session, actor, "create", "measurement", survey_id, events)
@@ -169,7 +171,7 @@ def _first_revision(
 def _contents(session: Session, revision_ids: Sequence[int]) -> dict[int, JsonObject]:
     """The rows of revisions as the database gives them back, by id: what a verification hashes."""
     rows = session.execute(select(measurements).where(measurements.c.id.in_(revision_ids))).mappings()
-    return {row["id"]: plain(row_content(row)) for row in rows}
+    return {row["id"]: to_plain_json(row_content(row)) for row in rows}
 
 
 def revise_measurement(
@@ -364,7 +366,7 @@ def append_measurement_revision(
         verdict_of_revision=carried,
         # a verdict that comes with it is read, and another person's name
         made_of=(
-            partial(_known, session, to_come, ground, actor)
+            partial(_complete_revision, session, to_come, ground, actor)
             if carried is None and clicked_by is None
             else partial(_as_stored, session)
         ),
@@ -406,8 +408,8 @@ def append_revision(
     stamps |= {"created_at": now(), "created_by": actor if clicked_by is None else clicked_by.id}
     row = session.execute(_insert_revision(), {**_row_of(values), **stamps}).one()
     made = made_of(row)
-    then = None if before is None else _told(before)
-    after = _after(made, plain(row_content(row._mapping)))
+    then = None if before is None else _event_words(before)
+    after = _event_after(made, to_plain_json(row_content(row._mapping)))
     trail.record(session, actor, action, "measurement", series_id, made.survey_id, then, after)
     return made
 
@@ -418,7 +420,7 @@ def _insert_revision() -> ReturningInsert[Any]:
     return insert(measurements).returning(measurements)
 
 
-def _known(
+def _complete_revision(
     session: Session, to_come: Measurement, ground: Ground, actor: int | None, row: Row[Any]
 ) -> Measurement:
     """A revision with the number that it was given, and what the ground tells of it."""
@@ -429,10 +431,10 @@ def _known(
 
 # Every column of a content: what is said of frames is said of no line, and the other way round.
 _EMPTY: dict[str, Any] = {
-    one.name: None
+    column.name: None
     for kind in (MeasurementValues, ScanHeightValues)
-    for one in fields(kind)
-    if one.name not in ("contact", "target_point")
+    for column in fields(kind)
+    if column.name not in ("contact", "target_point")
 }
 
 
@@ -440,28 +442,28 @@ def _row_of(values: MeasurementValues | ScanHeightValues) -> dict[str, Any]:
     row: dict[str, Any] = {one.name: getattr(values, one.name) for one in fields(values)}
     (row["contact_x_px"], row["contact_y_px"]) = row.pop("contact")
     (row["target_x_px"], row["target_y_px"]) = row.pop("target_point")
-    row["more_frames"] = [plain(one) for one in values.more_frames]
+    row["more_frames"] = [to_plain_json(one) for one in values.more_frames]
     return {**_EMPTY, "made": "clicked", **row}
 
 
-def _told(one: Measurement | ScanHeight) -> JsonObject:
+def _event_words(revision: Measurement | ScanHeight) -> JsonObject:
     """The few words of an event on a revision."""
-    words = {name: getattr(one.values, name) for name in _IN_EVENTS if hasattr(one.values, name)}
-    return {**words, "revision": one.revision}
+    words = {name: getattr(revision.values, name) for name in _IN_EVENTS if hasattr(revision.values, name)}
+    return {**words, "revision": revision.revision}
 
 
-def _after(made: Measurement | ScanHeight, content: JsonObject) -> JsonObject:
+def _event_after(revision: Measurement | ScanHeight, content: JsonObject) -> JsonObject:
     """An event's words of a revision, and the whole row, to hold every input and figure to the chain."""
     after: JsonObject = {
-        **_told(made),
-        "revision_id": made.revision_id,
-        **made.place,
-        "withdrawn": made.withdrawn,
+        **_event_words(revision),
+        "revision_id": revision.revision_id,
+        **revision.place,
+        "withdrawn": revision.withdrawn,
         "row": content,
         "content_sha256": content_hash(content),
     }
-    if made.repeat_of is not None:
-        after["repeat_of"] = made.repeat_of
+    if revision.repeat_of is not None:
+        after["repeat_of"] = revision.repeat_of
     return after
 
 
@@ -493,22 +495,26 @@ def append_computed_again(
         ids = add_rows(session, measurements, [_row_again(one, computing_id, moment) for one in some])
         content_of = _contents(session, ids)
         events = [
-            (one.before.id, _told(one.before), _after(_made_again(one, row_id), content_of[row_id]))
+            (
+                one.before.id,
+                _event_words(one.before),
+                _event_after(_made_again(one, row_id), content_of[row_id]),
+            )
             for one, row_id in zip(some, ids, strict=True)
         ]
         trail.record_many(session, actor, action, "measurement", survey_id, events)
 
 
-def _row_again(one: ComputedAgain, computing_id: int, moment: datetime) -> dict[str, Any]:
+def _row_again(computed: ComputedAgain, computing_id: int, moment: datetime) -> dict[str, Any]:
     return {
-        **_row_of(one.values),
-        "series_id": one.before.id,
-        "revision": one.before.revision + 1,
+        **_row_of(computed.values),
+        "series_id": computed.before.id,
+        "revision": computed.before.revision + 1,
         "withdrawn": False,
         "computing_id": computing_id,
-        "verdict_of_revision": one.verdict_of_revision,
+        "verdict_of_revision": computed.verdict_of_revision,
         "created_at": moment,
-        "created_by": one.before.created_by.id if one.before.created_by else None,
+        "created_by": computed.before.created_by.id if computed.before.created_by else None,
     }
 
 

@@ -15,12 +15,12 @@ from sqlalchemy import (
 )
 
 from sightline.enums import ComputingKind, ReviewVerdict, Target
-from sightline.infra.audit.vouched import WrittenOnceApart, table_written_once, vouched
-from sightline.infra.database.types import HOLDS, CanonicalJson, columns_for, enum_check, numbered
+from sightline.infra.audit.vouched import WrittenOnceApart, table_written_once, vouched_info
+from sightline.infra.database.types import HOLDS, CanonicalJson, columns_for, enum_check, numbered_table
 from sightline.measurements.records import HeightOfClicks, Origin
 
 # What stays the same over all revisions of one measurement; append-only like them.
-measurement_series = numbered(
+measurement_series = numbered_table(
     "measurement_series",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     # of a frame: recording and vehicle; of a line scan: the scan and its vehicle
@@ -37,7 +37,7 @@ measurement_series = numbered(
         "AND (vehicle_id IS NULL) <> (scan_vehicle_id IS NULL)",
         name="of_one_vehicle",
     ),
-    info=vouched(WrittenOnceApart("series")),
+    info=vouched_info(WrittenOnceApart("series")),
 )
 
 

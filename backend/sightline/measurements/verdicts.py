@@ -7,19 +7,19 @@ from sightline.measurements.records import ReviewState
 
 
 def require_verdict(
-    standing: ReviewState, seen: Verdict | None, verdict: ReviewVerdict, reason: str | None
+    standing: ReviewState, seen_verdict: Verdict | None, verdict: ReviewVerdict, reason: str | None
 ) -> str | None:
     """The reason of a verdict that may be given, without blanks around it.
 
-    Raises Conflict if somebody gave another verdict since `seen` (None: not compared), or for reopening what
-    waits already, BadInput for a rejection without a reason.
+    Raises Conflict if somebody gave another verdict since `seen_verdict` (None: not compared), or
+    for reopening what waits already, BadInput for a rejection without a reason.
     """
-    if seen is not None and standing.verdict != seen:
+    if seen_verdict is not None and standing.verdict != seen_verdict:
         name = name_or_somebody(standing.reviewer)
         raise Conflict("reviews-verdict-given-meanwhile", name=name, verdict=standing.verdict)
-    told = (reason or "").strip() or None
-    if verdict == "rejected" and told is None:
+    given_reason = (reason or "").strip() or None
+    if verdict == "rejected" and given_reason is None:
         raise BadInput("reviews-rejection-no-reason")
     if verdict == "reopened" and standing.verdict in ("to_review", "reopened"):
         raise Conflict("reviews-waits-review-already")
-    return told
+    return given_reason

@@ -62,10 +62,10 @@ _HEIGHT_TOLERANCE_M = 0.51e-6
 _FURTHER = re.compile(r"(?:contact|target)(\d+)_[xy]_px")
 # Lengths that the clicks give; an inset is given with them, uncertainties are held against their budget.
 _RECOMPUTED = tuple(
-    one.name
-    for one in fields(HeightOfClicks)
-    if (one.name.endswith("_m") and not one.name.startswith(("u_", "U95_", "inset")))
-    or one.name in ("u_clicks_m", "u_by_inset_m")
+    column.name
+    for column in fields(HeightOfClicks)
+    if (column.name.endswith("_m") and not column.name.startswith(("u_", "U95_", "inset")))
+    or column.name in ("u_clicks_m", "u_by_inset_m")
 )
 _FIRST_CLICKS = ("frame", "contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
 _VERDICT = ("verdict", "review_reason", "reviewer_id", "reviewed_at", "verdict_by", "lot_id")
@@ -97,21 +97,28 @@ class MeasurementEvents:
         """An event of a measurement; `after` with the person who did it as `by`. Raises Damaged."""
         if content_hash(after["row"]) != after["content_sha256"]:
             raise Damaged("measurements-event-another-row", id=number)
-        made = _told(number, after)
-        self.of_vehicle[number] = made.vehicle_id
-        clicked_on: tuple[MeasurementValues | FurtherFrame, ...] = (made.values, *made.values.more_frames)
-        for one in clicked_on:
-            known = [str(one.pts), repr(one.time_s), str(one.frame_crc32)]
-            if self.frames.setdefault((made.recording_id, one.frame), known) != known:
-                raise Damaged("measurements-events-two-frames", recording=made.recording_id, frame=one.frame)
-        self.follows_from[number] = made.values.target, facts_of(made.values, made.values.pose_id)
-        if made.repeat_of is not None:
-            self.repeats[number] = self._of_record(self.table_of_repeats, made)
-            self.programs_of_repeats[number] = made.values.code_version
+        revision = _revision_of_event(number, after)
+        self.of_vehicle[number] = revision.vehicle_id
+        clicked_on: tuple[MeasurementValues | FurtherFrame, ...] = (
+            revision.values,
+            *revision.values.more_frames,
+        )
+        for on_frame in clicked_on:
+            known = [str(on_frame.pts), repr(on_frame.time_s), str(on_frame.frame_crc32)]
+            if self.frames.setdefault((revision.recording_id, on_frame.frame), known) != known:
+                raise Damaged(
+                    "measurements-events-two-frames", recording=revision.recording_id, frame=on_frame.frame
+                )
+        self.follows_from[number] = revision.values.target, facts_of(revision.values, revision.values.pose_id)
+        if revision.repeat_of is not None:
+            self.repeats[number] = self._of_record(self.table_of_repeats, revision)
+            self.programs_of_repeats[number] = revision.values.code_version
         else:
-            most = max(2, len(made.values.frames))
-            self.revisions[number, made.revision] = self._of_record(with_frames(REVISIONS, most), made)
-            self.budgets[number] = _digest([cells_of(BUDGET, one) for one in budget_entries(made)])
+            most = max(2, len(revision.values.frames))
+            self.revisions[number, revision.revision] = self._of_record(
+                with_frames(REVISIONS, most), revision
+            )
+            self.budgets[number] = _digest([cells_of(BUDGET, one) for one in budget_entries(revision)])
 
     def _of_record(self, table: Table[Measurement], made: Measurement) -> bytes:
         header = _without_words(self.headers[table.key])
@@ -134,7 +141,7 @@ def _without_words(header: Collection[str]) -> frozenset[str]:
     return frozenset(name for name in header if f"{name}{CODE}" not in header)
 
 
-def _told(number: int, after: Mapping[str, Any]) -> Measurement:
+def _revision_of_event(number: int, after: Mapping[str, Any]) -> Measurement:
     """The revision as its event tells it."""
     row = {name: _as_stored(name, value) for name, value in after["row"].items()}
     points: dict[str, Any] = {
@@ -241,7 +248,7 @@ class Recomputed:
     def check(self, name: str, row: Row, by: str) -> None:
         """The figures of a row, computed by this version, are those that its clicks give. Raises Damaged."""
         with self._recomputing.of(HEIGHTS, by):
-            _same(name, row, self._answer(row))
+            _compare_figures(name, row, self._answer(row))
 
     def without_drift(self, name: str, row: Row, open_spans: OpenSpans) -> dict[str, str]:
         """The cells of a row that are not empty, its flags as they were stored.
@@ -249,23 +256,23 @@ class Recomputed:
         What is added to them where the camera had moved follows from events of the recording and from the
         row's own clicks. Raises Damaged where it is another.
         """
-        told = {name: text for name, text in row.items() if text}
+        cells = {name: text for name, text in row.items() if text}
         spans = open_spans(int(row["recording_id"]), int(row["pose_id"]))
         clicks = clicks_of_row(row)
         if not spans_clicked_on(clicks, spans):
-            return told
+            return cells
         (error_m,) = errors_of_motion(self._pose(row), [clicks], spans)
         flag = drift_flag(clicks, spans, error_m)
         code = f"flags{CODE}"
         if code not in row:  # its program had no codes, and other words
-            return {**told, "flags": told.get("flags", "").partition("The camera moved ")[0].rstrip("; ")}
-        *stored, last = json.loads(told.pop(code, "[null]"))
+            return {**cells, "flags": cells.get("flags", "").partition("The camera moved ")[0].rstrip("; ")}
+        *stored, last = json.loads(cells.pop(code, "[null]"))
         earlier = earlier_drift_flag(clicks, spans)
         same = _rounded_alike(last, flag, error_m) or (earlier is not None and last == earlier.document)
         if not same:
             with self._recomputing.of(HEIGHTS, self._program):
                 raise Damaged("measurements-drift-differs", name=name, computed=flag)
-        return {**told, code: canonical_json(stored) if stored else ""}
+        return {**cells, code: canonical_json(stored) if stored else ""}
 
     def _answer(self, row: Row) -> Answer:
         return answer(self._pose(row), clicks_of_row(row))
@@ -308,11 +315,11 @@ def clicks_of_row(row: Row) -> Clicks:
         side=cast(DriverSide | None, row.get("side") or None),
         side_from=cast(SideBasis | None, row.get("side_from") or None),
         followed=row.get("followed") or None,
-        more_frames=tuple(_on_further(row, number, k) for k in further(row)),
+        more_frames=tuple(_on_further(row, number, k) for k in further_frame_numbers(row)),
     )
 
 
-def further(row: Row) -> list[int]:
+def further_frame_numbers(row: Row) -> list[int]:
     """Numbers of the frames, from 2, on which the points of a row were clicked too."""
     found = (_FURTHER.fullmatch(name) for name in row if row[name])
     return sorted({int(one[1]) for one in found if one})
@@ -326,22 +333,24 @@ def _on_further(row: Row, number: Mapping[str, float], k: int) -> ClickedFrame:
     )
 
 
-def _same(name: str, row: Row, found: Answer) -> None:
+def _compare_figures(name: str, row: Row, answered: Answer) -> None:
     """The figures of a row are those that its clicks give."""
-    if row["status"] != found.status:
-        raise Damaged("measurements-status-differs", name=name, status=row["status"], status_2=found.status)
+    if row["status"] != answered.status:
+        raise Damaged(
+            "measurements-status-differs", name=name, status=row["status"], status_2=answered.status
+        )
     for column in _RECOMPUTED:
-        told, value = row.get(column), getattr(found, column)
-        if told is None or (not told and value is None):
+        stored, value = row.get(column), getattr(answered, column)
+        if stored is None or (not stored and value is None):
             continue
-        if not told or value is None or math.fabs(float(told) - value) > _HEIGHT_TOLERANCE_M:
+        if not stored or value is None or math.fabs(float(stored) - value) > _HEIGHT_TOLERANCE_M:
             words = column.removesuffix("_m").replace("_", " ")
             computed = f"no {words}" if value is None else f"{value:.6f} m"
             raise Damaged(
                 "measurements-result-differs",
                 name=name,
                 words=words,
-                told=told or "none",
+                told=stored or "none",
                 computed=computed,
             )
 
@@ -451,15 +460,15 @@ class _Budget:
             mine = [dict(row) for row in self._next[1]]
             self._next = self._take()
         total = math.sqrt(sum(float(row["u_m"]) ** 2 for row in mine))
-        told, u95 = (figure_of(current[name]) or 0.0 for name in ("u_height_m", "U95_height_m"))
-        if math.fabs(u95 - COVERAGE_95 * told) > 2e-6:
+        u_m, u95 = (figure_of(current[name]) or 0.0 for name in ("u_height_m", "U95_height_m"))
+        if math.fabs(u95 - COVERAGE_95 * u_m) > 2e-6:
             raise Damaged("measurements-u95-wrong", id=current["id"])
-        if math.fabs(total - told) > 1e-6 * max(2, len(mine)):
+        if math.fabs(total - u_m) > 1e-6 * max(2, len(mine)):
             raise Damaged(
                 "measurements-budget-sum",
                 id=current["id"],
                 total=total,
-                told=told,
+                told=u_m,
             )
         if self._told.get(int(current["id"])) != _digest(mine):
             raise Damaged("measurements-budget-differs", id=current["id"])

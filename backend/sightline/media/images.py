@@ -23,15 +23,15 @@ def read_image(source: bytes | Path, name: str | None = None) -> Gray:
     `name` is what people call the file. Raises BadInput, naming it, if it is empty, no picture, damaged, or
     larger than 16384 pixels on a side or 100 million in all (looked up in the header, before decoding).
     """
-    return _read(source, name, cv2.IMREAD_GRAYSCALE)
+    return _decode_image(source, name, cv2.IMREAD_GRAYSCALE)
 
 
 def read_image_bgr(source: bytes | Path, name: str | None = None) -> Bgr:
     """Like `read_image`, but (height, width, 3) in BGR."""
-    return _read(source, name, cv2.IMREAD_COLOR)
+    return _decode_image(source, name, cv2.IMREAD_COLOR)
 
 
-def _read(source: bytes | Path, name: str | None, flags: int) -> NDArray[np.uint8]:
+def _decode_image(source: bytes | Path, name: str | None, flags: int) -> NDArray[np.uint8]:
     name = name or (source.name if isinstance(source, Path) else "The picture")
     data = _bytes_of(source, name)
     width, height = image_size(data, name)
@@ -133,13 +133,13 @@ def _tiff_size(data: bytes) -> tuple[int, int] | None:
     order = "<" if data[:2] == b"II" else ">"
     (offset,) = struct.unpack(order + "I", data[4:8])
     (count,) = struct.unpack(order + "H", data[offset : offset + 2])
-    found: dict[int, int] = {}
+    tags: dict[int, int] = {}
     for i in range(count):
         entry = data[offset + 2 + 12 * i : offset + 14 + 12 * i]
         tag, kind = struct.unpack(order + "HH", entry[:4])
         value = entry[8:10] if kind == 3 else entry[8:12]
-        found[tag] = struct.unpack(order + ("H" if kind == 3 else "I"), value)[0]
-    return (found[256], found[257]) if 256 in found and 257 in found else None
+        tags[tag] = struct.unpack(order + ("H" if kind == 3 else "I"), value)[0]
+    return (tags[256], tags[257]) if 256 in tags and 257 in tags else None
 
 
 def _pnm_size(data: bytes) -> tuple[int, int]:

@@ -32,8 +32,8 @@ def say(key: str, values: Mapping[str, Value], language: str = SOURCE) -> str:
     for bundle in dict.fromkeys((language, SOURCE)):
         found = _bundle(bundle)
         if found.has(key):
-            return _text(
-                found.with_message(key), key, {name: _given(value) for name, value in values.items()}
+            return _format_message(
+                found.with_message(key), key, {name: _fluent_value(value) for name, value in values.items()}
             )
     raise KeyError(key)
 
@@ -70,7 +70,7 @@ def entries(text: str) -> dict[str, str]:
     return {found[1]: found[0] for found in _ENTRY.finditer(text)}
 
 
-def _text(bundle: FluentBundle, key: str, values: Mapping[str, Any]) -> str:
+def _format_message(bundle: FluentBundle, key: str, values: Mapping[str, Any]) -> str:
     pattern = bundle.get_message(key).value
     assert pattern is not None, key
     text, errors = bundle.format_pattern(pattern, dict(values))
@@ -79,7 +79,7 @@ def _text(bundle: FluentBundle, key: str, values: Mapping[str, Any]) -> str:
     return str(text)
 
 
-def _given(value: Value) -> Any:
+def _fluent_value(value: Value) -> Any:
     from fluent.runtime.types import fluent_number
 
     if isinstance(value, str):
@@ -127,13 +127,13 @@ class _Bundle:
         return self._parsed
 
     def _needed(self, key: str) -> list[str]:
-        found, waiting = dict[str, str](), [key]
+        texts, waiting = dict[str, str](), [key]
         while waiting:
             name = waiting.pop()
-            if name in self._texts and name not in found:
-                found[name] = self._texts[name]
-                waiting += _NAMED.findall(found[name])
-        return list(found.values())
+            if name in self._texts and name not in texts:
+                texts[name] = self._texts[name]
+                waiting += _NAMED.findall(texts[name])
+        return list(texts.values())
 
 
 @cache

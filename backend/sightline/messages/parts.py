@@ -49,25 +49,25 @@ def _parsed(beginning: str, language: str) -> dict[str, Parts]:
 
 
 def _parts(pattern: ftl.Pattern) -> Parts:
-    found: Parts = []
+    parts: Parts = []
     for element in pattern.elements:
         if isinstance(element, ftl.TextElement):
-            found += _marked(element.value.replace("\n", " "))
+            parts += _split_marks(element.value.replace("\n", " "))
         elif isinstance(element.expression, ftl.VariableReference):
-            found.append({"value": element.expression.id.name})
+            parts.append({"value": element.expression.id.name})
         elif isinstance(element.expression, ftl.SelectExpression):
-            found.append(_choice(element.expression))
-    return found
+            parts.append(_choice(element.expression))
+    return parts
 
 
-def _marked(text: str) -> Parts:
+def _split_marks(text: str) -> Parts:
     """A text, with its marked parts apart."""
-    found: Parts = []
+    parts: Parts = []
     start = 0
     for part in _MARKED.finditer(text):
-        found += [text[start : part.start()], {part[1]: part[2]}]
+        parts += [text[start : part.start()], {part[1]: part[2]}]
         start = part.end()
-    return [one for one in [*found, text[start:]] if one]
+    return [one for one in [*parts, text[start:]] if one]
 
 
 def _choice(expression: ftl.SelectExpression) -> dict[str, str | Parts | dict[str, Parts]]:

@@ -18,7 +18,7 @@ COLUMNS = "column-"
 _VALUE = re.compile(r"\{ \$(\w+) \}")
 
 
-def translated(text: str, language: str) -> str:
+def translate_text(text: str, language: str) -> str:
     """A text of the program in a language; as it is where the catalogue has none that says so."""
     key = None if language == messages.SOURCE else _english(TOLD).get(text)
     return text if key is None else messages.say(key, {}, language)

@@ -136,7 +136,7 @@ def _sentence(said: Said, language: str) -> str:
         return said.code
 
 
-def listed(each: Sequence[Said]) -> Said:
+def join_with_and(each: Sequence[Said]) -> Said:
     """`a, b and c`, of one or more."""
     *before, last = each
     return Said("words-both", first=with_commas(before), second=last) if before else last

@@ -68,7 +68,7 @@ def sign_in_by_link(body: LinkToken, request: Request, response: Response, servi
 @router.get("/session")
 def who_am_i(who: Viewer, request: Request, services: Wired) -> Me:
     """The signed-in person and what the front end needs to begin."""
-    return _me(request, services, who, _cookies(request).by_link(request))
+    return _answer_me(request, services, who, _cookies(request).by_link(request))
 
 
 @router.delete("/session", status_code=204, dependencies=[OPEN])
@@ -102,7 +102,7 @@ def change_password(
 def change_name(body: OwnName, who: InPerson, request: Request, services: Wired) -> Me:
     """Say what one is called: the name stands beside everything that one does."""
     person = service.change_name(services, who, body.name)
-    return _me(request, services, person, _cookies(request).by_link(request))
+    return _answer_me(request, services, person, _cookies(request).by_link(request))
 
 
 def _cookies(request: Request) -> SignIn:
@@ -116,10 +116,10 @@ def _welcome(
     cookies = _cookies(request)
     cookies.forget()
     cookies.remember(response, person, by_link=by_link)
-    return _me(request, services, person, by_link)
+    return _answer_me(request, services, person, by_link)
 
 
-def _me(request: Request, services: Services, person: Person, by_link: bool) -> Me:
+def _answer_me(request: Request, services: Services, person: Person, by_link: bool) -> Me:
     demo_survey_id: Callable[[Session], int | None] = request.app.state.demo_survey_id
     with services.reading() as session:
         demonstration = demo_survey_id(session)

@@ -12,7 +12,7 @@ from sqlalchemy.orm import Session
 from sightline.enums import Role
 from sightline.errors import BadInput, Conflict, NotSignedIn
 from sightline.infra.audit import trail
-from sightline.infra.audit.hashing import plain
+from sightline.infra.audit.hashing import to_plain_json
 from sightline.infra.by_name import record_of
 from sightline.infra.database.people import people, sign_in_links
 from sightline.infra.database.rows import add_row, change_row, get_row
@@ -51,7 +51,7 @@ def list_people(session: Session) -> tuple[Person, ...]:
 
 def create_person(session: Session, *, name: str, email: str, role: Role, actor: int | None) -> Person:
     """A new account without a password; give them a link. Raises Conflict if the address is taken."""
-    name, email = _checked(name, role), email.strip().lower()
+    name, email = _check_person(name, role), email.strip().lower()
     if "@" not in email:
         raise BadInput("people-email-form", email=email)
     if person_by_email(session, email) is not None:
@@ -71,7 +71,7 @@ def update_person(
     Switching off ends sessions, one-time links and tokens for good.
     """
     before = get_person(session, person_id)
-    name = _checked(name, role)
+    name = _check_person(name, role)
     if before.role == "admin" and before.active and not (role == "admin" and active):
         _keep_an_admin(session, person_id)
     change: dict[str, Any] = {"name": name, "role": role, "active": active}
@@ -82,7 +82,7 @@ def update_person(
             revoke_api_token(session, person_id, token.id, actor=actor)
     change_row(session, people, person_id, change)
     after = get_person(session, person_id)
-    what = trail.changed(plain(before), plain(after), ("name", "role", "active"))
+    what = trail.changed_fields(to_plain_json(before), to_plain_json(after), ("name", "role", "active"))
     trail.record(session, actor, "update", "person", person_id, None, *what)
     return after
 
@@ -186,7 +186,7 @@ def _end_links(session: Session, person_id: int) -> None:
     )
 
 
-def _checked(name: str, role: str) -> str:
+def _check_person(name: str, role: str) -> str:
     if not name.strip():
         raise BadInput("people-no-name")
     if role not in get_args(Role):

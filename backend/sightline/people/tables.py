@@ -2,9 +2,9 @@
 
 from sqlalchemy import Column, ForeignKey, String, UniqueConstraint
 
-from sightline.infra.database.types import CanonicalJson, UtcDateTime, numbered
+from sightline.infra.database.types import CanonicalJson, UtcDateTime, numbered_table
 
-api_tokens = numbered(
+api_tokens = numbered_table(
     "api_tokens",
     Column("person_id", ForeignKey("people.id"), nullable=False, index=True),
     Column("name", String(200), nullable=False),

@@ -127,7 +127,7 @@ def solve_pose(context: registry.JobContext) -> registry.Outcome:
     with services.reading() as session:
         recording = get_recording(session, wanted.recording_id)
         camera = fitting_camera(session, recording, wanted.calibration_id)
-    seen = board_in_span(
+    board_seen = board_in_span(
         lambda n: stills_of(services).gray(wanted.recording_id, n),
         wanted.first_frame,
         wanted.last_frame,
@@ -135,7 +135,7 @@ def solve_pose(context: registry.JobContext) -> registry.Outcome:
         context.progress,
     )
     context.progress(0.85, Said("job-pose-computing"))
-    solved = solve(camera, seen, wanted.board, wanted.tape)
+    solved = solve(camera, board_seen, wanted.board, wanted.tape)
     return storing(wanted, solved, context.actor)
 
 

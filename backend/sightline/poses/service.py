@@ -61,31 +61,31 @@ class BoardSeen:
 
 def preview_board(pictures: Iterable[Gray], board: Board) -> BoardSeen:
     """Detect the board in grey pictures in time order; where it is not found, the reason stays."""
-    mean, found = MeanPicture(), []
+    mean, detections = MeanPicture(), []
     for gray in pictures:
         corners = find_board(gray, board)
-        found.append(corners)
+        detections.append(corners)
         if corners.found and corners.ids is None:
             mean.add(gray, corners)
-    return BoardSeen(tuple(found), mean.result())
+    return BoardSeen(tuple(detections), mean.result())
 
 
 def board_view(gray: Gray, board: Board) -> BoardView:
     """Look for the board in one grey picture (H, W). Raises BadInput for an impossible board."""
     corners = find_board(gray, board)
-    found, seen, notes = corners.found, corners.board_as_seen, [_ORDER]
-    if (seen.columns, seen.rows) != (board.columns, board.rows):
-        notes.append(Said("board-order-turned", columns=seen.columns, rows=seen.rows))
+    is_found, board_as_seen, notes = corners.found, corners.board_as_seen, [_ORDER]
+    if (board_as_seen.columns, board_as_seen.rows) != (board.columns, board.rows):
+        notes.append(Said("board-order-turned", columns=board_as_seen.columns, rows=board_as_seen.rows))
     ids = None if corners.ids is None else corners.ids.tolist()
     if ids is not None:
-        notes.insert(0, Said("board-order-part", seen=len(ids), all=seen.corners))
+        notes.insert(0, Said("board-order-part", seen=len(ids), all=board_as_seen.corners))
     return BoardView(
-        found=found,
-        reason=None if found else corners.reason,
-        columns=seen.columns,
-        rows=seen.rows,
+        found=is_found,
+        reason=None if is_found else corners.reason,
+        columns=board_as_seen.columns,
+        rows=board_as_seen.rows,
         corners_px=polyline(corners.points_px.reshape(-1, 2)),
-        outline_px=outline(corners) if found else [],
+        outline_px=outline(corners) if is_found else [],
         ids=ids,
         order_notes=notes,
     )
@@ -161,25 +161,25 @@ def board_in_span(
             progress(0.05 + 0.75 * index / len(wanted), Said("job-board-searching-frame", frame=n))
             yield gray_of(n)
 
-    seen = preview_board(pictures(), board)
-    if not any(corners.found for corners in seen.corners):
-        reasons = Counter(corners.reason or Said("board-not-found") for corners in seen.corners)
+    board_seen = preview_board(pictures(), board)
+    if not any(corners.found for corners in board_seen.corners):
+        reasons = Counter(corners.reason or Said("board-not-found") for corners in board_seen.corners)
         reason, _ = reasons.most_common(1)[0]
         raise BadInput("poses-board-not-shown", first=first, last=last, reason=reason)
-    return seen
+    return board_seen
 
 
-def solve(camera: Camera, seen: BoardSeen, board: Board, reference: Reference) -> SolvedPose:
+def solve(camera: Camera, board_seen: BoardSeen, board: Board, reference: Reference) -> SolvedPose:
     """The camera pose from the board as seen, with its verdict and drawing.
 
     Raises BadInput with the reason (board or camera moved, board seen edge-on, height that cannot be).
     """
-    pose = pose_from_corners(camera, list(seen.corners), board, reference, seen.mean_picture)
-    found = [corners for corners in seen.corners if corners.found and corners.ids is None]
-    return described(pose, found[len(found) // 2].points_px.reshape(-1, 2))
+    pose = pose_from_corners(camera, list(board_seen.corners), board, reference, board_seen.mean_picture)
+    found = [corners for corners in board_seen.corners if corners.found and corners.ids is None]
+    return describe_pose(pose, found[len(found) // 2].points_px.reshape(-1, 2))
 
 
-def described(pose: RoadPose, corners_px: Floats) -> SolvedPose:
+def describe_pose(pose: RoadPose, corners_px: Floats) -> SolvedPose:
     """A pose with its verdict and drawing; corners_px (N, 2): the board on the frame that is drawn over."""
     expected = [_expected(*at) for at in expected_u(pose, EXPECTED_AT_M)]
     distance_m = None if pose.board is None else pose.board.distance_m

@@ -40,12 +40,12 @@ def add_pose(
 
 def get_pose(session: Session, pose_id: int) -> Pose:
     """One pose, whole. Raises NotFound."""
-    return the_one(_whole(session, road_poses.c.id == pose_id), "camera pose", pose_id)
+    return the_one(_fetch_poses(session, road_poses.c.id == pose_id), "camera pose", pose_id)
 
 
 def list_whole_poses(session: Session, survey_id: int) -> tuple[Pose, ...]:
     """Every pose of a survey, whole, for the export."""
-    return _whole(session, road_poses.c.survey_id == survey_id)
+    return _fetch_poses(session, road_poses.c.survey_id == survey_id)
 
 
 def list_poses(session: Session, survey_id: int) -> tuple[PoseSummary, ...]:
@@ -55,7 +55,7 @@ def list_poses(session: Session, survey_id: int) -> tuple[PoseSummary, ...]:
     return tuple(record_of(PoseSummary, row) for row in rows)
 
 
-def _whole(session: Session, condition: ColumnElement[bool]) -> tuple[Pose, ...]:
+def _fetch_poses(session: Session, condition: ColumnElement[bool]) -> tuple[Pose, ...]:
     return tuple(record_of(Pose, row) for row in written_rows(session, road_poses, condition))
 
 

@@ -51,7 +51,7 @@ class Canvas:
         return np.asarray(found.reshape(*grid_x.shape, 2), dtype=np.float64)
 
 
-def laid(canvas: Canvas, picture: Bgr, change: Plane, pose: RoadPose) -> Values:
+def lay_on_canvas(canvas: Canvas, picture: Bgr, change: Plane, pose: RoadPose) -> Values:
     """`picture` (H, W, 3) BGR and `change` (H, W) against the empty road over its tolerance, laid out:
     (4, rows, columns), colour with mean 0 and spread 1 over what is seen, then the change, 0 to 1.
 
@@ -60,22 +60,22 @@ def laid(canvas: Canvas, picture: Bgr, change: Plane, pose: RoadPose) -> Values:
     """
     pixels = canvas.pixels(pose)
     height, width = change.shape
-    seen = np.isfinite(pixels).all(axis=-1) & (pixels >= 0).all(axis=-1)
-    seen &= (pixels[..., 0] <= width - 1) & (pixels[..., 1] <= height - 1)
-    maps = np.where(seen[..., None], pixels, -9.0).astype(np.float32)
-    if not seen.any():
-        return np.full((4, *seen.shape), UNSEEN, np.float32)
-    part, corner = _part(maps, seen, picture, change)
+    visible = np.isfinite(pixels).all(axis=-1) & (pixels >= 0).all(axis=-1)
+    visible &= (pixels[..., 0] <= width - 1) & (pixels[..., 1] <= height - 1)
+    maps = np.where(visible[..., None], pixels, -9.0).astype(np.float32)
+    if not visible.any():
+        return np.full((4, *visible.shape), UNSEEN, np.float32)
+    part, corner = _part(maps, visible, picture, change)
     maps = maps - corner
     cell_px = [_apart_px(pixels, axis) for axis in (1, 0)]
     colour, apart = (_smoothed(one, cell_px) for one in part)
     border = cv2.BORDER_REPLICATE
     laid_out = cv2.remap(colour, maps[..., 0], maps[..., 1], cv2.INTER_LINEAR, borderMode=border)
     moved = cv2.remap(apart, maps[..., 0], maps[..., 1], cv2.INTER_LINEAR, borderMode=border)
-    usual, spread = laid_out[seen].mean(), laid_out[seen].std() + _LEAST_SPREAD
-    out = np.zeros((4, *seen.shape), np.float32)
-    out[:3] = np.moveaxis((laid_out - usual) / spread, -1, 0) * seen
-    out[3] = np.where(seen, moved, UNSEEN)
+    usual, spread = laid_out[visible].mean(), laid_out[visible].std() + _LEAST_SPREAD
+    out = np.zeros((4, *visible.shape), np.float32)
+    out[:3] = np.moveaxis((laid_out - usual) / spread, -1, 0) * visible
+    out[3] = np.where(visible, moved, UNSEEN)
     return out
 
 

@@ -40,18 +40,18 @@ class Motion:
         return self.at(n) + (ahead * (self.wheelbase_m or 0.0) if end == "front" else 0.0)
 
 
-def motion_of(found: Mapping[int, Wheels], ahead: int) -> Motion | str:
-    """The motion that most wheels of `found` (by frame) agree on, or why there is none.
+def motion_of(wheels: Mapping[int, Wheels], ahead: int) -> Motion | str:
+    """The motion that most wheels of `wheels` (by frame) agree on, or why there is none.
 
     Own method: the line through two of the places that most others lie on, then least squares through those.
     """
-    bases = [abs(p.front.x_m - p.rear.x_m) for p in found.values() if p.front and p.rear]
+    bases = [abs(p.front.x_m - p.rear.x_m) for p in wheels.values() if p.front and p.rear]
     base = float(np.median(bases)) if bases else None
     if base is not None:
         near = sum(abs(one - base) < STRAY_M for one in bases)
         base = base if near * 2 > len(bases) else None
-    only = _only(found) if base is None else None
-    at = _stands(found, ahead, base, only)
+    only = _more_seen_end(wheels) if base is None else None
+    at = _stands(wheels, ahead, base, only)
     line = _line(at[:, 0], at[:, 1])
     if line is None:
         return NOT_ONE_VEHICLE
@@ -80,7 +80,7 @@ def _stands(found: Mapping[int, Wheels], ahead: int, base: float | None, only: W
     return np.array(at, dtype=np.float64).reshape(-1, 3)
 
 
-def _only(found: Mapping[int, Wheels]) -> WheelEnd:
+def _more_seen_end(found: Mapping[int, Wheels]) -> WheelEnd:
     rears = sum(pair.rear is not None for pair in found.values())
     return "rear" if rears * 2 >= len(found) else "front"
 

@@ -77,59 +77,59 @@ class _Base:
 
 
 def propose_points(
-    networks: Networks, seen: Sequence[FrameSeen], pose: RoadPose, direction: Direction, usual_frame: int
+    networks: Networks, frames: Sequence[FrameSeen], pose: RoadPose, direction: Direction, usual_frame: int
 ) -> Proposals | str:
-    """All that can be proposed of a vehicle that goes in `direction` through the frames `seen`; or the key
+    """All that can be proposed of a vehicle that goes in `direction` through the frames `frames`; or the key
     (of the catalogue of messages) of why nothing can. `usual_frame`: where it is best seen, as far as known.
 
     Own method, as the module says.
     """
     ahead = 1 if direction == "right" else -1
-    looks = _first_looks(networks, seen, pose, ahead)
-    found: dict[int, Wheels] = {}
-    for one in seen:
-        pair = _wheels(one, looks.get(one.n), pose, direction)
+    looks = _first_looks(networks, frames, pose, ahead)
+    wheels: dict[int, Wheels] = {}
+    for frame in frames:
+        pair = _wheels(frame, looks.get(frame.n), pose, direction)
         if isinstance(pair, Wheels):
-            found[one.n] = pair
-    if len(found) < LEAST_FRAMES:
+            wheels[frame.n] = pair
+    if len(wheels) < LEAST_FRAMES:
         return "proposals-wheels-on-few-frames"
-    motion = motion_of(found, ahead)
+    motion = motion_of(wheels, ahead)
     if isinstance(motion, str):
         return motion
-    places = targets_of(networks, seen, looks, pose, motion, ahead)
-    best = _Best(seen=seen, looks=looks, pose=pose, motion=motion, found=found, places=places, ahead=ahead)
+    places = targets_of(networks, frames, looks, pose, motion, ahead)
+    best = _Best(seen=frames, looks=looks, pose=pose, motion=motion, found=wheels, places=places, ahead=ahead)
     return best.proposals(usual_frame)
 
 
 def _first_looks(
-    networks: Networks, seen: Sequence[FrameSeen], pose: RoadPose, ahead: int
+    networks: Networks, frames: Sequence[FrameSeen], pose: RoadPose, ahead: int
 ) -> dict[int, Look]:
     """The first look at each frame, on the side plane that the boxes' lower edges give."""
     sides = []
-    for one in seen:
+    for one in frames:
         at = road_point(pose, (0.5 * (one.box[0] + one.box[2]), one.box[3]))
         if not isinstance(at, Said):
             sides.append(float(at[1]))
     if not sides:
         return {}
     y = max(float(np.median(sides)), float(pose.centre_m[1]) + LEAST_AWAY_M)
-    looks = {one.n: first_look(networks, one, pose, y, ahead) for one in seen}
+    looks = {one.n: first_look(networks, one, pose, y, ahead) for one in frames}
     return {n: look for n, look in looks.items() if look is not None}
 
 
-def _wheels(one: FrameSeen, look: Look | None, pose: RoadPose, direction: Direction) -> Wheels | str:
+def _wheels(frame: FrameSeen, look: Look | None, pose: RoadPose, direction: Direction) -> Wheels | str:
     """The wheels where the first look saw them; where it saw none, along the vehicle's lower edge."""
     if look is None:
-        return wheels_on(one.gray, one.change > 1, pose, one.box, direction)
+        return wheels_on(frame.gray, frame.change > 1, pose, frame.box, direction)
     at: list[tuple[float, float] | None] = []
     for name, _ in ENDS:
         place = look.places[name]
         x = look.canvas.ahead * place.along_m
         pixel = pixel_of(pose, x, look.canvas.y_m, place.z_m)
-        at.append(pixel if place.sure >= LEAST_CONTACT and _inside(pixel, one, 0.0) else None)
+        at.append(pixel if place.sure >= LEAST_CONTACT and _inside(pixel, frame, 0.0) else None)
     if at == [None, None]:
-        return wheels_on(one.gray, one.change > 1, pose, one.box, direction)
-    return wheels_at(one.gray, pose, one.box, at[0], at[1])
+        return wheels_on(frame.gray, frame.change > 1, pose, frame.box, direction)
+    return wheels_at(frame.gray, pose, frame.box, at[0], at[1])
 
 
 def _inside(at: tuple[float, float], one: FrameSeen, edge_px: float = EDGE_PX) -> bool:
@@ -151,13 +151,13 @@ class _Best:
     ahead: int
 
     def proposals(self, usual_frame: int) -> Proposals:
-        def score(one: FrameSeen) -> tuple[float, float]:
-            contacts = [self.contact(one, name, end) for name, end in ENDS]
+        def score(frame: FrameSeen) -> tuple[float, float]:
+            contacts = [self.contact(frame, name, end) for name, end in ENDS]
             if all(isinstance(contact, str) for contact in contacts):
-                return 0.0, -abs(one.n - usual_frame)
+                return 0.0, -abs(frame.n - usual_frame)
             found = sum(0.5 if isinstance(contact, _Base) else 0.0 for contact in contacts)
-            targets = sum(not isinstance(self.pixel(name, one), str) for name in FINE_POINTS)
-            return found + targets, -abs(one.n - usual_frame)
+            targets = sum(not isinstance(self.pixel(name, frame), str) for name in FINE_POINTS)
+            return found + targets, -abs(frame.n - usual_frame)
 
         best = max(self.seen, key=score)
         points: dict[ProposedPoint, Proposed | str] = {}
@@ -175,32 +175,32 @@ class _Best:
         points = {name: points[name] for name in POINTS}
         return Proposals(best.n, len(self.motion.used), self.motion.wheelbase_m, points)
 
-    def contact(self, one: FrameSeen, name: ProposedPoint, end: WheelEnd) -> _Base | str:
+    def contact(self, frame: FrameSeen, name: ProposedPoint, end: WheelEnd) -> _Base | str:
         """A wheel's contact on a frame: as found there, or where those on the other frames say that it is."""
-        pair = self.found.get(one.n)
+        pair = self.found.get(frame.n)
         wheel: Wheel | None = None if pair is None else pair.rear if end == "rear" else pair.front
-        x = self.motion.wheel_at(one.n, end, self.ahead)
+        x = self.motion.wheel_at(frame.n, end, self.ahead)
         if x is None:
             return "proposals-wheel-on-best-frame"
         at = pixel_of(self.pose, x, self.motion.y_m, 0.0)
         if wheel is not None and np.hypot(*np.subtract(at, wheel.contact_px)) < 4.0:
             return _Base(wheel.contact_px, wheel.expected_px)
-        look = self.looks.get(one.n)
-        if not _inside(at, one) or look is None or look.places[name].sure < LEAST_CONTACT:
+        look = self.looks.get(frame.n)
+        if not _inside(at, frame) or look is None or look.places[name].sure < LEAST_CONTACT:
             return "proposals-wheel-on-best-frame"
         return _Base(at, BY_MOTION_PX)
 
-    def pixel(self, name: ProposedPoint, one: FrameSeen) -> tuple[float, float] | str:
+    def pixel(self, name: ProposedPoint, frame: FrameSeen) -> tuple[float, float] | str:
         """Where a target is on a frame, or why it is not to be clicked there."""
         place = self.places[name]
         if isinstance(place, str):
             return place
-        at = self._seen(place, one, place.z_m)
-        if not _inside(at, one):
+        at = self._project_place(place, frame, place.z_m)
+        if not _inside(at, frame):
             return "proposals-not-in-picture"
-        return at if place.sure.get(one.n, 0.0) >= LEAST_FINE else "proposals-hidden-here"
+        return at if place.sure.get(frame.n, 0.0) >= LEAST_FINE else "proposals-hidden-here"
 
-    def _seen(self, place: Place, one: FrameSeen, z_m: float) -> tuple[float, float]:
+    def _project_place(self, place: Place, one: FrameSeen, z_m: float) -> tuple[float, float]:
         wheel = self.motion.at(one.n)
         x = wheel + self.ahead * place.along(wheel)
         return pixel_of(self.pose, x, self.motion.y_m, z_m)
@@ -210,7 +210,7 @@ class _Best:
         place, at = self.places[name], self.pixel(name, best)
         if isinstance(place, str) or isinstance(at, str):
             return str(at)
-        above = self._seen(place, best, place.z_m + place.u_z_m)
+        above = self._project_place(place, best, place.z_m + place.u_z_m)
         sigma = float(np.hypot(REST_PX, TRUST[name] * np.hypot(*np.subtract(above, at))))
         height = measure_height(self.pose, base.contact_px, at, 1.0, INSETS_M[name])
         if height.status != "ok":

@@ -12,7 +12,7 @@ import numpy as np
 from sightline.arrays import Floats
 from sightline.enums import ProposedPoint, ProposedTarget
 from sightline.geometry.road_pose import RoadPose
-from sightline.proposals.canvas import Canvas, laid
+from sightline.proposals.canvas import Canvas, lay_on_canvas
 from sightline.proposals.keypoints import (
     FINE_POINTS,
     Networks,
@@ -70,12 +70,14 @@ class Look:
     places: Mapping[ProposedPoint, Seen]
 
 
-def first_look(networks: Networks, one: FrameSeen, pose: RoadPose, y_m: float, ahead: int) -> Look | None:
+def first_look(networks: Networks, frame: FrameSeen, pose: RoadPose, y_m: float, ahead: int) -> Look | None:
     """Where points may be on a frame, the side plane taken to be Y = `y_m`; None: the box is off it."""
-    canvas = coarse_canvas(pose, one.box, y_m, ahead)
+    canvas = coarse_canvas(pose, frame.box, y_m, ahead)
     if canvas is None:
         return None
-    return Look(canvas, coarse_places(networks, canvas, laid(canvas, one.picture, one.change, pose)))
+    return Look(
+        canvas, coarse_places(networks, canvas, lay_on_canvas(canvas, frame.picture, frame.change, pose))
+    )
 
 
 def targets_of(
@@ -113,13 +115,13 @@ def _coarse(
 ) -> Floats:
     """X of the wheel, along from it, Z, and how sure, (k, 4): of each frame that may show the point."""
     rows = []
-    for one in frames:
-        look = looks.get(one.n)
+    for frame in frames:
+        look = looks.get(frame.n)
         if look is None or look.places[name].sure < LEAST_SURE:
             continue
         at = look.places[name]
         x, z = moved_to_plane(pose, (ahead * at.along_m, at.z_m), look.canvas.y_m, motion.y_m)
-        wheel = motion.at(one.n)
+        wheel = motion.at(frame.n)
         rows.append((wheel, ahead * (x - wheel), z, at.sure))
     return np.array(rows, dtype=np.float64).reshape(-1, 4)
 
@@ -161,15 +163,15 @@ def _closely(
     for _ in range(2):
         canvases: list[Canvas] = []
         views, about = [], []
-        for one in frames:
-            wheel = motion.at(one.n)
+        for frame in frames:
+            wheel = motion.at(frame.n)
             along = ahead * wheel + start.along(wheel)
             canvas = fine_canvas(name, along, start.z_m, motion.y_m, ahead)
-            view = laid(canvas, one.picture, one.change, pose)
+            view = lay_on_canvas(canvas, frame.picture, frame.change, pose)
             if (view[3] >= 0).mean() > 0.6:
                 canvases.append(canvas)
                 views.append(view)
-                about.append((one.n, wheel))
+                about.append((frame.n, wheel))
         seen = fine_places(networks, [name] * len(views), canvases, views)
         # frame, X of the wheel, and what is seen about `start`, along from the wheel
         found = [
@@ -183,9 +185,9 @@ def _closely(
     return start
 
 
-def _combined(name: str, found: Sequence[tuple[int, float, Seen]]) -> Place | None:
+def _combined(name: str, sightings: Sequence[tuple[int, float, Seen]]) -> Place | None:
     """The weighted mean of the frames that see the point, what strays left out."""
-    some = [one for one in found if one[2].sure >= LEAST_FINE]
+    some = [one for one in sightings if one[2].sure >= LEAST_FINE]
     fewest = FEWEST_CLOSELY.get(name, FEWEST)
     if len(some) < fewest:
         return None
@@ -205,4 +207,4 @@ def _combined(name: str, found: Sequence[tuple[int, float, Seen]]) -> Place | No
     if spread > MOST_APART_M:
         return None
     own = float(np.sqrt(keep.sum() / weight[keep].sum()))
-    return Place(along, drift, mean, float(np.hypot(own, spread)), {n: one.sure for n, _, one in found})
+    return Place(along, drift, mean, float(np.hypot(own, spread)), {n: one.sure for n, _, one in sightings})

@@ -64,12 +64,12 @@ def wheels_at(
 
     Own method: the contact assistant at both places; two that do not belong together leave the surer one.
     """
-    found: list[Wheel | None] = []
+    wheels: list[Wheel | None] = []
     for pointer in (rear_px, front_px):
         one = None if pointer is None else propose(gray, pose, np.array(pointer))
         wheel = _wheel(pose, one) if isinstance(one, Proposal) else None
-        found.append(wheel if wheel is not None and _within(wheel, box) else None)
-    rear, front = found
+        wheels.append(wheel if wheel is not None and _within(wheel, box) else None)
+    rear, front = wheels
     if rear is not None and front is not None and not _belong(rear, front):
         rear, front = (rear, None) if rear.expected_px <= front.expected_px else (None, front)
     if rear is None and front is None:
@@ -86,16 +86,18 @@ def wheels_on(
     Own method: the contact assistant is asked along the lower edge of what stands there; of what it finds,
     the pair that stands on one line along the road, with like radii, farthest apart.
     """
-    found: list[Wheel] = []
+    wheels: list[Wheel] = []
     for pointer in _pointers(standing, box):
-        if any(np.hypot(pointer[0] - w.contact_px[0], pointer[1] - w.contact_px[1]) < SAME_PX for w in found):
+        if any(
+            np.hypot(pointer[0] - w.contact_px[0], pointer[1] - w.contact_px[1]) < SAME_PX for w in wheels
+        ):
             continue
         one = propose(gray, pose, np.array(pointer))
         if isinstance(one, Proposal):
-            found = _with(found, _wheel(pose, one), box)
-    if not found:
+            wheels = _add_wheel(wheels, _wheel(pose, one), box)
+    if not wheels:
         return NO_WHEEL
-    return _paired(found, box, direction)
+    return _paired(wheels, box, direction)
 
 
 def _pointers(standing: NDArray[np.bool_], box: Box) -> list[tuple[float, float]]:
@@ -116,37 +118,37 @@ def _pointers(standing: NDArray[np.bool_], box: Box) -> list[tuple[float, float]
     return out
 
 
-def _wheel(pose: RoadPose, one: Proposal) -> Wheel | None:
-    contact = one.contact_px[0], one.contact_px[1] - FOOT_PX
+def _wheel(pose: RoadPose, proposal: Proposal) -> Wheel | None:
+    contact = proposal.contact_px[0], proposal.contact_px[1] - FOOT_PX
     at = road_point(pose, contact)
     if isinstance(at, Said):
         return None
-    scatter = float(np.sqrt(max(one.expected_px**2 - SYSTEMATIC_PX**2, 0.0)))
+    scatter = float(np.sqrt(max(proposal.expected_px**2 - SYSTEMATIC_PX**2, 0.0)))
     expected = float(np.hypot(U_FOOT_PX, OF_SCATTER * scatter))
-    return Wheel(contact, float(at[0]), float(at[1]), one.radius_m, expected)
+    return Wheel(contact, float(at[0]), float(at[1]), proposal.radius_m, expected)
 
 
-def _with(found: list[Wheel], one: Wheel | None, box: Box) -> list[Wheel]:
+def _add_wheel(wheels: list[Wheel], wheel: Wheel | None, box: Box) -> list[Wheel]:
     """The list with a wheel more, the surer one of two at the same place."""
-    if one is None or not _within(one, box):
-        return found
-    for i, other in enumerate(found):
-        if np.hypot(*np.subtract(one.contact_px, other.contact_px)) < SAME_PX:
-            return [*found[:i], min(one, other, key=lambda w: w.expected_px), *found[i + 1 :]]
-    return [*found, one]
+    if wheel is None or not _within(wheel, box):
+        return wheels
+    for i, other in enumerate(wheels):
+        if np.hypot(*np.subtract(wheel.contact_px, other.contact_px)) < SAME_PX:
+            return [*wheels[:i], min(wheel, other, key=lambda w: w.expected_px), *wheels[i + 1 :]]
+    return [*wheels, wheel]
 
 
 def _within(one: Wheel, box: Box) -> bool:
     return box[0] - 4 <= one.contact_px[0] <= box[2] + 4
 
 
-def _paired(found: list[Wheel], box: Box, direction: Direction) -> Wheels:
-    pairs = [(one, two) for one, two in combinations(found, 2) if _belong(one, two)]
+def _paired(wheels: list[Wheel], box: Box, direction: Direction) -> Wheels:
+    pairs = [(one, two) for one, two in combinations(wheels, 2) if _belong(one, two)]
     if pairs:
         first, second = max(pairs, key=lambda pair: abs(pair[0].x_m - pair[1].x_m))
         behind = (first.x_m < second.x_m) == (direction == "right")
         return Wheels(first, second) if behind else Wheels(second, first)
-    one = min(found, key=lambda w: w.expected_px)
+    one = min(wheels, key=lambda w: w.expected_px)
     left = one.contact_px[0] < (box[0] + box[2]) / 2
     return Wheels(one, None) if left == (direction == "right") else Wheels(None, one)
 

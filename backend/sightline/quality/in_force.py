@@ -30,10 +30,10 @@ def replace_in_force(
     if not users:
         raise Conflict("quality-pose-unused")
     as_before: SolvedPose = {**solved, "rms_px": before.rms_px, "distance_m": before.distance_m}
-    made = add_pose(
+    pose = add_pose(
         session,
         before.recording_id,
-        attach=any(one.id == before.recording_id for one in users),
+        attach=any(recording.id == before.recording_id for recording in users),
         calibration_id=before.calibration_id,
         first_frame=before.first_frame,
         last_frame=before.last_frame,
@@ -43,8 +43,8 @@ def replace_in_force(
         actor=actor,
         **as_before,
     )
-    for one in users:
-        if one.id != before.recording_id:
-            update_recording(session, one.id, {"pose_id": made.id}, actor=actor)
-        request_if_posed(session, one.id, actor=actor)
-    return made
+    for recording in users:
+        if recording.id != before.recording_id:
+            update_recording(session, recording.id, {"pose_id": pose.id}, actor=actor)
+        request_if_posed(session, recording.id, actor=actor)
+    return pose

@@ -7,8 +7,8 @@ from typing import TypeVar, get_args
 
 from sightline.enums import DriftState, Lighting, StreetLighting
 from sightline.infra.csv_package.chain import stamp
-from sightline.infra.csv_package.columns import flag, integer, key, metres, number, text, within
-from sightline.infra.csv_package.files import Files, read_columns, unsafe, whole
+from sightline.infra.csv_package.columns import columns_within, flag, integer, key, metres, number, text
+from sightline.infra.csv_package.files import Files, read_columns, read_integer, undo_safe_text
 from sightline.infra.csv_package.files import number as figure
 from sightline.infra.csv_package.schema import Cell, Cells, Column, Table, ids_of
 from sightline.infra.local_time import local_text
@@ -35,7 +35,7 @@ class DescribedRecording:
     drift: Drift
 
 
-def described(recording: Recording) -> DescribedRecording:
+def describe_recording(recording: Recording) -> DescribedRecording:
     """The recording with the figures of its drift."""
     check = drift_check_of(recording.drift, recording.pose_id)
     found = None if check is None else drift_figures(check)
@@ -53,15 +53,15 @@ def drift_cells(drift: Drift) -> Cells:
     return {column.name: column.of_object(drift) for column in _DRIFT}
 
 
-def _found(name: str) -> Callable[[Drift], Cell]:
-    return lambda drift: _held(drift.found, name)
+def _found_getter(name: str) -> Callable[[Drift], Cell]:
+    return lambda drift: _cell_of(drift.found, name)
 
 
-def _decided(name: str) -> Callable[[Drift], Cell]:
-    return lambda drift: _held(drift.decision, name)
+def _decision_getter(name: str) -> Callable[[Drift], Cell]:
+    return lambda drift: _cell_of(drift.decision, name)
 
 
-def _held(document: Mapping[str, object] | None, name: str) -> Cell:
+def _cell_of(document: Mapping[str, object] | None, name: str) -> Cell:
     value = None if document is None else document.get(name)
     return value if isinstance(value, str | int | float) else None
 
@@ -75,17 +75,27 @@ def _time(of: Callable[[Drift], Cell]) -> Callable[[Drift], Cell]:
 
 
 _DRIFT: tuple[Column[Drift], ...] = (
-    text("drift_state", "column-recordings-drift-state", _found("state"), enum=get_args(DriftState)),
-    number("drift_floor_px", "detection limit of camera movement", "px", _found("floor_px")),
-    number("drift_moved_px", "largest motion found, where it moved", "px", _found("moved_px")),
-    metres("drift_height_m", "column-recordings-drift-height-m", _found("height_m")),
-    metres("drift_distance_m", "column-recordings-drift-distance-m", _found("distance_m")),
+    text("drift_state", "column-recordings-drift-state", _found_getter("state"), enum=get_args(DriftState)),
+    number("drift_floor_px", "detection limit of camera movement", "px", _found_getter("floor_px")),
+    number("drift_moved_px", "largest motion found, where it moved", "px", _found_getter("moved_px")),
+    metres("drift_height_m", "column-recordings-drift-height-m", _found_getter("height_m")),
+    metres("drift_distance_m", "column-recordings-drift-distance-m", _found_getter("distance_m")),
     Column(
-        "drift_checked_at", "datetime", "column-recordings-drift-checked-at", of=_time(_found("checked_at"))
+        "drift_checked_at",
+        "datetime",
+        "column-recordings-drift-checked-at",
+        of=_time(_found_getter("checked_at")),
     ),
-    text("drift_decision", "reason for keeping the pose although the camera moved", _decided("reason")),
-    integer("drift_decided_by_id", "who decided that", _decided("by_id")),
-    Column("drift_decided_at", "datetime", "when that was decided (ISO 8601, UTC)", of=_time(_decided("at"))),
+    text(
+        "drift_decision", "reason for keeping the pose although the camera moved", _decision_getter("reason")
+    ),
+    integer("drift_decided_by_id", "who decided that", _decision_getter("by_id")),
+    Column(
+        "drift_decided_at",
+        "datetime",
+        "when that was decided (ISO 8601, UTC)",
+        of=_time(_decision_getter("at")),
+    ),
 )
 
 
@@ -129,7 +139,7 @@ _FACTS: tuple[Column[Recording], ...] = (
 RECORDINGS: Table[DescribedRecording] = Table(
     "recordings",
     "The video files behind the measurements.",
-    (*within("recording", *_FACTS), *within("drift", *_DRIFT)),
+    (*columns_within("recording", *_FACTS), *columns_within("drift", *_DRIFT)),
     primary=("id",),
     foreign=ids_of(drift_decided_by_id="people"),
 )
@@ -140,11 +150,11 @@ def mean_frames_s(files: Files) -> dict[str, float]:
     it packages told the times of passes before their vehicles had first_s.
     """
     columns = read_columns(files, RECORDINGS.key, ("id", "duration_s", "frame_count"))
-    lasting = ((id_, figure(duration), whole(frames)) for id_, duration, frames in columns)
+    lasting = ((id_, figure(duration), read_integer(frames)) for id_, duration, frames in columns)
     return {id_: duration_s / count if duration_s and count else 0.0 for id_, duration_s, count in lasting}
 
 
 def filmings_in(files: Files) -> dict[str, Filming]:
     """The start of each recording of a package that has one, by its number."""
     columns = read_columns(files, RECORDINGS.key, ("id", "started_at", "time_zone"))
-    return {id_: Filming(datetime.fromisoformat(at), unsafe(zone)) for id_, at, zone in columns if at}
+    return {id_: Filming(datetime.fromisoformat(at), undo_safe_text(zone)) for id_, at, zone in columns if at}

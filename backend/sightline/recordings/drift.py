@@ -170,24 +170,26 @@ def open_spans(
     check = drift_check_of(drift, pose_id)
     if check is None:
         return []
-    return undecided(spans_told(check), decision, pose_id, check["floor_px"])
+    return undecided_spans(spans_told(check), decision, pose_id, check["floor_px"])
 
 
-def undecided(
+def undecided_spans(
     spans: Iterable[JsonObject], decision: DriftDecision | None, pose_id: int | None, floor_px: float | None
 ) -> list[MovedSpan]:
     """The moved spans against a pose that no decision covers."""
     moved = [MovedSpan(**one) for one in spans]
-    return [one for one in moved if not _decided(one, decision, pose_id, floor_px or 0.0)]
+    return [one for one in moved if not _is_decided(one, decision, pose_id, floor_px or 0.0)]
 
 
-def _decided(span: MovedSpan, decision: DriftDecision | None, pose_id: int | None, floor_px: float) -> bool:
+def _is_decided(
+    span: MovedSpan, decision: DriftDecision | None, pose_id: int | None, floor_px: float
+) -> bool:
     """Whether somebody saw this very motion and let it stand; a larger one found since is another."""
     if decision is None or decision["pose_id"] != pose_id:
         return False
     return any(
-        one["first_frame"] <= span.last_frame
-        and span.first_frame <= one["last_frame"]
-        and span.moved_px <= one["moved_px"] + floor_px
-        for one in decision["spans"]
+        decided["first_frame"] <= span.last_frame
+        and span.first_frame <= decided["last_frame"]
+        and span.moved_px <= decided["moved_px"] + floor_px
+        for decided in decision["spans"]
     )

@@ -98,7 +98,7 @@ def add_picture(session: Session, recording_id: int, number: int, actor: int) ->
     for one in recordings.list_recordings(session, of.survey_id):
         if (one.sha256, one.stream_number) == (of.sha256, number):
             raise Conflict("recordings-picture-is-there", number=number, name=one.name)
-    made = recordings.create_recording(
+    created = recordings.create_recording(
         session,
         of.survey_id,
         name=f"{of.name} ({number})",
@@ -108,8 +108,8 @@ def add_picture(session: Session, recording_id: int, number: int, actor: int) ->
         stream_number=number,
         actor=actor,
     )
-    queue_ingest(session, made, actor)
-    return recordings.get_recording(session, made.id)
+    queue_ingest(session, created, actor)
+    return recordings.get_recording(session, created.id)
 
 
 @registry.handler(KIND, failed=mark_failed)
@@ -121,7 +121,9 @@ def run_ingest(context: JobContext) -> Finish:
     with services.reading() as session:
         recording = recordings.get_recording(session, recording_id)
     with tempfile.TemporaryDirectory(prefix="ingest-", dir=services.scratch) as folder:
-        found = _read(context, services.media.local_path(recording.media_key), recording, Path(folder))
+        found = _ingest_video(
+            context, services.media.local_path(recording.media_key), recording, Path(folder)
+        )
         _require_same_pictures(services, recording, found)
         working_copy = _keep_working_copy(services.media, recording, found)
         _keep_thumbnails(services.media, recording, Path(folder) / "thumbs", found)
@@ -144,7 +146,7 @@ def _require_same_pictures(services: Services, recording: Recording, found: Inge
             recordings.require_same_pictures(session, one, table_of(found))
 
 
-def _read(context: JobContext, path: Path, recording: Recording, folder: Path) -> Ingested:
+def _ingest_video(context: JobContext, path: Path, recording: Recording, folder: Path) -> Ingested:
     context.progress(0.0, Said("job-video-reading"))
     return ingest(
         path,
@@ -158,12 +160,12 @@ def _read(context: JobContext, path: Path, recording: Recording, folder: Path) -
     )
 
 
-def _keep_working_copy(store: MediaStore, recording: Recording, found: Ingested) -> str | None:
+def _keep_working_copy(store: MediaStore, recording: Recording, ingested: Ingested) -> str | None:
     """Store the working copy of a stream without an index and give its key; None where there is none."""
-    if not found.is_working_copy:
+    if not ingested.is_working_copy:
         return None
-    key = made_key_of(recording.sha256, COPY, _number(found), found.media_path.suffix)
-    store.put_file(key, found.media_path, link=True)
+    key = made_key_of(recording.sha256, COPY, _number(ingested), ingested.media_path.suffix)
+    store.put_file(key, ingested.media_path, link=True)
     return key
 
 
@@ -205,11 +207,11 @@ def thumbnail(services: Services, recording_id: int, n: int) -> bytes:
         return archive.read(f"{n}.jpg")
 
 
-def facts_of(found: Ingested, working_copy: str | None) -> Facts:
+def facts_of(ingested: Ingested, working_copy: str | None) -> Facts:
     """What is stored of an ingest beside the frame table."""
-    facts, report = found.facts, found.report
-    times = found.frames.time_s
-    begun, ahead = found.stated.begun_at, list[Said]()
+    facts, report = ingested.facts, ingested.report
+    times = ingested.frames.time_s
+    begun, ahead = ingested.stated.begun_at, list[Said]()
     if begun is not None and begun > now():
         ahead = [Said("video-start-in-future", start=f"{begun:%Y-%m-%d %H:%M}")]
         begun = None
@@ -223,7 +225,7 @@ def facts_of(found: Ingested, working_copy: str | None) -> Facts:
         "sample_aspect": str(facts.sample_aspect),
         "interlaced": facts.interlaced,
         "pixel_format": facts.pixel_format,
-        "focal_35mm_mm": found.stated.focal_35mm_mm,
+        "focal_35mm_mm": ingested.stated.focal_35mm_mm,
         "clock_doubt": report.clock_doubt,
     }
     if facts.pictures:
@@ -239,10 +241,10 @@ def facts_of(found: Ingested, working_copy: str | None) -> Facts:
         vfr=report.vfr,
         notes=[*report.notes, *ahead],
         report=kept,
-        thumbs=[thumb.n for thumb in found.thumbnails],
-        lighting_proposed=_lighting(found),
+        thumbs=[thumb.n for thumb in ingested.thumbnails],
+        lighting_proposed=_lighting(ingested),
         start_proposed=begun,
-        stream_number=_number(found),
+        stream_number=_number(ingested),
     )
 
 

@@ -80,7 +80,7 @@ def create_recording(
 
 def get_recording(session: Session, recording_id: int) -> Recording:
     """One recording with its latest job. Raises NotFound (also when it was deleted)."""
-    return _recordings(session, [_row(session, recording_id)])[0]
+    return _recordings(session, [_get_living_row(session, recording_id)])[0]
 
 
 def get_ready_recording(session: Session, recording_id: int) -> Recording:
@@ -106,7 +106,7 @@ def update_recording(
 
     Raises NotFound, BadInput for things of another survey.
     """
-    before = _row(session, recording_id)
+    before = _get_living_row(session, recording_id)
     change: dict[str, Any] = dict(changes)
     unknown = set(change) - set(RecordingChanges.__annotations__)
     if unknown:
@@ -126,42 +126,44 @@ def update_recording(
             _same_survey(session, named_table(column), row_id, word, before["survey_id"])
     if change.get("pose_id") is not None:
         _same_size(session, before, cast(int, change["pose_id"]))
-    return _write(session, before, change, "update", actor, trail.changed(before, change, change))
+    return _write(session, before, change, "update", actor, trail.changed_fields(before, change, change))
 
 
 def note_ingested(
-    session: Session, recording_id: int, facts: Facts, found: FrameTable, *, actor: int | None
+    session: Session, recording_id: int, facts: Facts, frame_table: FrameTable, *, actor: int | None
 ) -> Recording:
     """Store what the ingest found and the frame table; the recording is ready. May be repeated.
 
     Raises Conflict when measurements exist and the new frames are not the ones they were clicked on; their
     times may be others where those of before were in doubt, so that nothing was measured from them.
     """
-    before = _row(session, recording_id)
-    fingerprint = frame_table_fingerprint(found)
+    before = _get_living_row(session, recording_id)
+    fingerprint = frame_table_fingerprint(frame_table)
     if is_held(session, recordings, recording_id):
         known = get_frame_table(session, recording_id)
         if before["report"].get("clock_doubt") and before["filmed_hz"] is not None:
-            known = replace(known, time_s=found.time_s if len(known) == len(found) else known.time_s)
+            known = replace(
+                known, time_s=frame_table.time_s if len(known) == len(frame_table) else known.time_s
+            )
             if fingerprint == frame_table_fingerprint(known):
-                change_times(session, recording_id, found.time_s)
+                change_times(session, recording_id, frame_table.time_s)
         if fingerprint != frame_table_fingerprint(known):
             raise Conflict("recordings-frames-differ")
     else:
-        replace_frames(session, recording_id, found)
-    values = {**asdict(facts), "frame_count": len(found), "state": "ready", "error": None}
+        replace_frames(session, recording_id, frame_table)
+    values = {**asdict(facts), "frame_count": len(frame_table), "state": "ready", "error": None}
     told = {key: values[key] for key in _INGESTED}
     after = {"state": "ready", **told, "frames_sha256": fingerprint}
     return _write(session, before, values, "ingest", actor, ({"state": before["state"]}, after))
 
 
-def require_same_pictures(session: Session, recording_id: int, found: FrameTable) -> None:
+def require_same_pictures(session: Session, recording_id: int, frame_table: FrameTable) -> None:
     """Raises Conflict when measurements exist and these frames, but for times, are not those clicked on."""
     if not is_held(session, recordings, recording_id):
         return
     known = get_frame_table(session, recording_id)
-    same = len(known) == len(found) and frame_table_fingerprint(known) == frame_table_fingerprint(
-        replace(found, time_s=known.time_s)
+    same = len(known) == len(frame_table) and frame_table_fingerprint(known) == frame_table_fingerprint(
+        replace(frame_table, time_s=known.time_s)
     )
     if not same:
         raise Conflict("recordings-frames-differ")
@@ -171,7 +173,7 @@ def durations_to_correct(session: Session) -> dict[int, float]:
     """What earlier versions stored otherwise: how long recordings last by their frame tables, s, by number.
     They let the last frame last as long as the mean one, with every pause in it.
     """
-    found = {}
+    corrected = {}
     first, last = frames.alias(), frames.alias()
     lasts_s = last.c.time_s - first.c.time_s
     query = (
@@ -185,13 +187,13 @@ def durations_to_correct(session: Session) -> dict[int, float]:
             continue
         true_s = lasting_s(get_frame_table(session, recording_id).time_s)
         if abs(stored_s - true_s) > _SAME_S:
-            found[recording_id] = true_s
-    return found
+            corrected[recording_id] = true_s
+    return corrected
 
 
 def correct_duration(session: Session, recording_id: int, duration_s: float, *, actor: int | None) -> None:
     """Store how long a recording lasts, s, where another time stands."""
-    before = _row(session, recording_id)
+    before = _get_living_row(session, recording_id)
     if before["duration_s"] != duration_s:
         _write(session, before, {"duration_s": duration_s}, "update", actor)
 
@@ -214,7 +216,7 @@ def state_filming_rate(
     Raises as `require_times_in_doubt`.
     """
     require_times_in_doubt(session, recording_id)
-    _write(session, _row(session, recording_id), {"filmed_hz": filmed_hz}, "update", actor)
+    _write(session, _get_living_row(session, recording_id), {"filmed_hz": filmed_hz}, "update", actor)
     return restart_ingest(session, recording_id, actor=actor)
 
 
@@ -222,7 +224,7 @@ def require_times_in_doubt(session: Session, recording_id: int) -> None:
     """Raise Conflict where a recording is not ready, where nothing is in doubt, and where the rate that was
     said before has been measured with.
     """
-    before = _row(session, recording_id)
+    before = _get_living_row(session, recording_id)
     if before["state"] != "ready":
         raise Conflict("recordings-not-ready", name=before["name"])
     if not before["report"].get("clock_doubt"):
@@ -254,7 +256,7 @@ def store_drift(
     session: Session, recording_id: int, pose_id: int, check: DriftCheck, *, actor: int | None
 ) -> Recording:
     """What was found of a camera that moved since a camera pose; what was found against others stays."""
-    before = _row(session, recording_id)
+    before = _get_living_row(session, recording_id)
     none: DriftChecks = {"checks": {}}
     known: DriftChecks = before["drift"] or none
     drift: DriftChecks = {"checks": {**known["checks"], str(pose_id): check}}
@@ -269,7 +271,7 @@ def store_drift(
 
 def decide_drift(session: Session, recording_id: int, reason: str, *, actor: int | None) -> Recording:
     """A person lets the pose in force stand although the camera moved. Raises Conflict if it did not."""
-    before = _row(session, recording_id)
+    before = _get_living_row(session, recording_id)
     check = drift_check_of(before["drift"], before["pose_id"])
     if check is None or check["state"] != "moved":
         raise Conflict("recordings-camera-not-moved")
@@ -288,7 +290,7 @@ def decide_drift(session: Session, recording_id: int, reason: str, *, actor: int
 
 def take_back_drift_decision(session: Session, recording_id: int, *, actor: int | None) -> Recording:
     """The measurements after the bump are flagged again. Raises Conflict where nothing was decided."""
-    before = _row(session, recording_id)
+    before = _get_living_row(session, recording_id)
     if before["drift_decision"] is None:
         raise Conflict("recordings-no-decision")
     return _write(session, before, {"drift_decision": None}, "take_back_drift_decision", actor)
@@ -312,7 +314,7 @@ def _state(
     action: AuditAction,
     actor: int | None,
 ) -> Recording:
-    before, change = _row(session, recording_id), {"state": state, "error": error}
+    before, change = _get_living_row(session, recording_id), {"state": state, "error": error}
     return _write(session, before, change, action, actor, ({"state": before["state"]}, change))
 
 
@@ -332,7 +334,7 @@ def _write(
     return get_recording(session, before["id"])
 
 
-def _row(session: Session, recording_id: int) -> dict[str, Any]:
+def _get_living_row(session: Session, recording_id: int) -> dict[str, Any]:
     return get_row(session, recordings, recording_id, "recording", _ALIVE)
 
 

@@ -10,10 +10,10 @@ from sightline.infra.database.types import (
     UtcDateTime,
     enum_check,
     made_columns,
-    numbered,
+    numbered_table,
 )
 
-recordings = numbered(
+recordings = numbered_table(
     "recordings",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("name", String(400), nullable=False),

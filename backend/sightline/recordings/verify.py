@@ -8,7 +8,7 @@ from sightline.enums import JsonObject
 from sightline.infra.csv_package.files import Files
 from sightline.infra.csv_package.replay import Replay, Told, hold_all
 from sightline.recordings.csv import RECORDINGS, drift_cells, drift_of, started_text
-from sightline.recordings.drift import DriftDecision, DriftFigures, MovedSpan, undecided
+from sightline.recordings.drift import DriftDecision, DriftFigures, MovedSpan, undecided_spans
 
 #: What no event names is in no cell either.
 _NOTHING = dict.fromkeys(RECORDINGS.header)
@@ -39,19 +39,19 @@ class DriftEvents:
         if not spans:
             return []
         floor_px = self.found[number][pose_id]["floor_px"]
-        return undecided(spans, self.decisions.get(number), pose_id, floor_px)
+        return undecided_spans(spans, self.decisions.get(number), pose_id, floor_px)
 
-    def cells(self, told: Told) -> dict[str, Any]:
+    def cells(self, recording: Told) -> dict[str, Any]:
         """The cells of a recording's row."""
-        number, start, pose_id = told["id"], told.get("started_at"), told.get("pose_id")
+        number, start, pose_id = recording["id"], recording.get("started_at"), recording.get("pose_id")
         at = None if start is None else datetime.fromisoformat(start)
-        found = None if pose_id is None else self.found.get(number, {}).get(int(pose_id))
+        drift_check = None if pose_id is None else self.found.get(number, {}).get(int(pose_id))
         return {
             **_NOTHING,
-            **told,
-            "variable_rate": told.get("vfr", False),
-            "started_at": started_text(at, told.get("time_zone")),
-            **drift_cells(drift_of(found, self.decisions.get(number), pose_id)),
+            **recording,
+            "variable_rate": recording.get("vfr", False),
+            "started_at": started_text(at, recording.get("time_zone")),
+            **drift_cells(drift_of(drift_check, self.decisions.get(number), pose_id)),
         }
 
 

@@ -6,7 +6,7 @@ from typing import get_args
 from sightline.enums import Category, ClassSet, Lighting, StandardHeight
 from sightline.errors import Damaged
 from sightline.infra.csv_package.columns import flag, integer, metres, number, text
-from sightline.infra.csv_package.files import Files, read_columns, read_rows, record_in, whole
+from sightline.infra.csv_package.files import Files, read_columns, read_integer, read_rows, record_in
 from sightline.infra.csv_package.schema import Table
 from sightline.recordings.filming import FILMED
 from sightline.results.selection import Selection, selection_of
@@ -88,7 +88,7 @@ def selection_in(files: Files) -> Selection:
             "class_sets": chosen["class_set"],
             "categories": chosen["category"],
             **{name: chosen[name][0] for name in FILMED[:2] if chosen[name]},
-            **{name: whole(chosen[name][0]) for name in FILMED[2:] if chosen[name]},
+            **{name: read_integer(chosen[name][0]) for name in FILMED[2:] if chosen[name]},
         }
     )
     if selection_rows(selection) != rows or any(word not in _WORDS[by] for by, word in rows if by in _WORDS):

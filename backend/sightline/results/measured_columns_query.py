@@ -155,19 +155,21 @@ def measured_of(columns: Mapping[str, Values]) -> Measured:
     Lengths become those that a package writes, so that page, package and study compute of the same numbers
     and their figures agree to the last digit. Raises Damaged for a word that the program does not know.
     """
-    made: dict[str, Any] = {}
-    for one in fields(Measured):
-        values = list(columns[one.name])
-        if one.name in _WORDS:
-            made[one.name] = _codes(one.name, values, _WORDS[one.name])
-        elif one.name in _TRUTHS:
-            made[one.name] = np.array(values, dtype=np.bool_)
-        elif one.name.endswith("_m"):
+    arrays: dict[str, Any] = {}
+    for field in fields(Measured):
+        values = list(columns[field.name])
+        if field.name in _WORDS:
+            arrays[field.name] = _codes(field.name, values, _WORDS[field.name])
+        elif field.name in _TRUTHS:
+            arrays[field.name] = np.array(values, dtype=np.bool_)
+        elif field.name.endswith("_m"):
             length_m = np.array(values, dtype=np.float64)
-            made[one.name] = micrometres(length_m) if one.name in _IN_MICROMETRES else length_m
+            arrays[field.name] = micrometres(length_m) if field.name in _IN_MICROMETRES else length_m
         else:
-            made[one.name] = np.array([NONE if value is None else value for value in values], dtype=np.int64)
-    return Measured(**made)
+            arrays[field.name] = np.array(
+                [NONE if value is None else value for value in values], dtype=np.int64
+            )
+    return Measured(**arrays)
 
 
 def day_of(at: date) -> int:
@@ -205,8 +207,10 @@ def _standing(survey_ids: Sequence[int] | None, days: bool) -> Select[Any]:
             verdict.label("verdict"),
             m.height_m,
             m.uncorrected_height_m,
-            _known({target: v[KNOWN[target].height] for target in get_args(Target)}).label("known_m"),
-            _known({target: v[KNOWN[target].u] for target in get_args(Target)}).label("u_known_m"),
+            _reference_column({target: v[KNOWN[target].height] for target in get_args(Target)}).label(
+                "known_m"
+            ),
+            _reference_column({target: v[KNOWN[target].u] for target in get_args(Target)}).label("u_known_m"),
             case((_BY_SIZE, 1), else_=0).label("by_size"),
             case((v.check_target, 1), else_=0).label("check_target"),
             m.pose_id,
@@ -222,7 +226,7 @@ def _standing(survey_ids: Sequence[int] | None, days: bool) -> Select[Any]:
     return query if survey_ids is None else query.where(series.c.survey_id.in_(survey_ids))
 
 
-def _known(of_target: Mapping[str, ColumnElement[Any]]) -> ColumnElement[Any]:
+def _reference_column(of_target: Mapping[str, ColumnElement[Any]]) -> ColumnElement[Any]:
     """What is known of the target; of a model chosen by size nothing is a reference."""
     return case((_BY_SIZE, null()), else_=case(of_target, value=measurements.c.target))
 
@@ -235,7 +239,7 @@ def _chunk(session: Session, rows: Sequence[Any], outside: list[int]) -> Measure
     )
     survey = np.array(columns["survey_id"], dtype=np.int64)
     pose = np.array(columns["pose_id"], dtype=np.int64)
-    found = measured_of(
+    measured = measured_of(
         {
             **columns,
             "day": [0 if at is None else day_of(at) for at in columns["day"]],
@@ -246,7 +250,7 @@ def _chunk(session: Session, rows: Sequence[Any], outside: list[int]) -> Measure
             "across_m": np.array(columns["y_m"], dtype=np.float64) - _cameras_across(session, pose),
         }
     )
-    return replace(found, class_set=_class_sets(session, survey, found.category))
+    return replace(measured, class_set=_class_sets(session, survey, measured.category))
 
 
 def _filmed_hours(session: Session, recording_ids: Values, first_s: Values) -> Ints:
@@ -282,9 +286,9 @@ def _codes(name: str, values: Sequence[str | None], words: Sequence[str]) -> Int
 
 def _class_sets(session: Session, survey: Ints, category: Ints) -> Ints:
     """The set of each class (N,) in its survey (N,), NONE for none."""
-    found = np.full(len(survey), NONE, dtype=np.int64)
+    sets = np.full(len(survey), NONE, dtype=np.int64)
     of = {id_: np.array([*sets_of(table), NONE]) for id_, table in classes_of_surveys(session).items()}
     for id_ in np.unique(survey):
         rows = survey == id_
-        found[rows] = of[int(id_)][category[rows]]  # the last place is for no class
-    return found
+        sets[rows] = of[int(id_)][category[rows]]  # the last place is for no class
+    return sets

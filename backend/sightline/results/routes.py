@@ -17,7 +17,7 @@ from sightline.errors import BadInput
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Id
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
-from sightline.infra.web.figures import error_figures, rounded
+from sightline.infra.web.figures import error_figures, round_to_micrometre
 from sightline.messages.said import Said
 from sightline.recordings.bodies import FilmedAsked
 from sightline.results import standards_store
@@ -70,7 +70,7 @@ def statistics_of_measurements(
     """Error table, figures and distributions of the measurements that a filter leaves."""
     if not 0.0 <= u_reference_m < 1.0:
         raise BadInput("results-reference-u")
-    own = _own("eye_car", eye_limit_m) + _own("object_stopping", object_limit_m)
+    own = _own_standards("eye_car", eye_limit_m) + _own_standards("object_stopping", object_limit_m)
     chosen = replace(
         heights,
         operator_id=operator,
@@ -104,7 +104,7 @@ def choose_standards(
     return standards_store.choose_standards(session, survey_id, table, version=body.version, actor=who.id)
 
 
-def _own(what: StandardHeight, limits_m: list[float]) -> tuple[Standard, ...]:
+def _own_standards(what: StandardHeight, limits_m: list[float]) -> tuple[Standard, ...]:
     if len(limits_m) > MOST_OWN:
         raise BadInput("results-own-values-many", most_own=MOST_OWN)
     if any(not 0.0 < limit < 10.0 for limit in limits_m):
@@ -112,58 +112,59 @@ def _own(what: StandardHeight, limits_m: list[float]) -> tuple[Standard, ...]:
     return tuple(Standard("own value", what, limit, "entered on the page", code="own") for limit in limits_m)
 
 
-def statistics_body(found: Statistics, correction: Correction) -> StatisticsBody:
+def statistics_body(statistics: Statistics, correction: Correction) -> StatisticsBody:
     """Statistics as they go out."""
     return StatisticsBody.model_validate(
         {
-            **vars(found),
-            "errors": _errors(found.errors, correction),
-            "known_errors": [_known(one) for one in found.known_errors],
+            **vars(statistics),
+            "errors": _errors(statistics.errors, correction),
+            "known_errors": [_json_of_known_errors(one) for one in statistics.known_errors],
             "targets": [
-                _target(name, one, standards_of(found.standards, name)) for name, one in found.targets.items()
+                _target(name, one, standards_of(statistics.standards, name))
+                for name, one in statistics.targets.items()
             ],
-            "lateral": _lateral(found.lateral),
-            "surveys": [Who(*one) for one in found.surveys.items()],
-            "operators": [Who(*one) for one in found.operators.items()],
+            "lateral": _lateral(statistics.lateral),
+            "surveys": [Who(*one) for one in statistics.surveys.items()],
+            "operators": [Who(*one) for one in statistics.operators.items()],
         }
     )
 
 
-def _errors(found: Errors, correction: Correction) -> dict[str, Any]:
+def _errors(errors: Errors, correction: Correction) -> dict[str, Any]:
     heights = "inset" if correction == "inset" else "paper"
-    points = found.points
+    points = errors.points
     return {
-        **vars(found),
-        "words": Said("stat-errors-of", heights=heights, rounded=found.rounding),
-        "groups": [{**error_figures(name, found.groups[name]), "title": _TITLES[name]} for name in GROUPS],
+        **vars(errors),
+        "words": Said("stat-errors-of", heights=heights, rounded=errors.rounding),
+        "groups": [{**error_figures(name, errors.groups[name]), "title": _TITLES[name]} for name in GROUPS],
         "paper": PAPER,
         "points": {
-            "reference_m": rounded(points[:, 0]),
-            "error_m": rounded(points[:, 1]),
+            "reference_m": round_to_micrometre(points[:, 0]),
+            "error_m": round_to_micrometre(points[:, 1]),
             "lighting": [_LIGHTING[int(code)] for code in points[:, 2]],
         },
     }
 
 
-def _known(one: KnownErrors) -> dict[str, Any]:
+def _json_of_known_errors(one: KnownErrors) -> dict[str, Any]:
     groups = [{"grouping": part.grouping, **error_figures(part.group, part.errors)} for part in one.groups]
     return {**vars(one), "groups": groups}
 
 
-def _target(name: StatisticsTarget, one: Target, table: list[Standard]) -> dict[str, Any]:
-    done = one.correction
-    corrected = _distribution(one.corrected, table) | (
+def _target(name: StatisticsTarget, target: Target, table: list[Standard]) -> dict[str, Any]:
+    done = target.correction
+    corrected = _distribution(target.corrected, table) | (
         {"words": None, "warning": None, "reason": done}
         if isinstance(done, Said)
         else {"words": done.words, "warning": done.warning, "reason": None}
     )
     return {
         "target": name,
-        "raw": _distribution(one.raw, table),
+        "raw": _distribution(target.raw, table),
         "corrected": corrected,
-        "density": one.density,
-        "total": one.total,
-        "groups": {key: _grouping(groups, table) for key, groups in one.groups.items()},
+        "density": target.density,
+        "total": target.total,
+        "groups": {key: _grouping(groups, table) for key, groups in target.groups.items()},
     }
 
 
@@ -179,8 +180,9 @@ def _grouping(groups: Groups, table: list[Standard]) -> dict[str, Any]:
     return {"groups": listed, "left_out": groups.left_out}
 
 
-def _distribution(one: Distribution, table: list[Standard]) -> dict[str, Any]:
+def _distribution(distribution: Distribution, table: list[Standard]) -> dict[str, Any]:
     shares = [
-        {"standard": standard, **asdict(share)} for standard, share in zip(table, one.shares, strict=False)
+        {"standard": standard, **asdict(share)}
+        for standard, share in zip(table, distribution.shares, strict=False)
     ]
-    return {**vars(one), "shares": shares}
+    return {**vars(distribution), "shares": shares}

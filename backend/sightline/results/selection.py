@@ -39,14 +39,14 @@ class Selection(FilmedWithin):
             "lighting": self.lighting,
             "class_sets": list(self.class_sets),
             "categories": list(self.categories),
-            "filmed_from": _text(self.filmed_from),
-            "filmed_to": _text(self.filmed_to),
+            "filmed_from": _iso_date(self.filmed_from),
+            "filmed_to": _iso_date(self.filmed_to),
             "hour_from": self.hour_from,
             "hour_to": self.hour_to,
         }
 
 
-def _text(day: date | None) -> str | None:
+def _iso_date(day: date | None) -> str | None:
     return None if day is None else day.isoformat()
 
 

@@ -15,7 +15,7 @@ from sqlalchemy.orm import Session
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import choice
 from sightline.infra.database.rows import get_row
-from sightline.results.usual_standards import STANDARDS, coded, stored_standards
+from sightline.results.usual_standards import STANDARDS, add_usual_code, stored_standards
 from sightline.statistics.standards import Standard
 from sightline.surveys.tables import surveys
 
@@ -73,24 +73,24 @@ def _stripped(one: Standard) -> Standard:
     return replace(one, **{word: getattr(one, word).strip() for word in words})
 
 
-def _kept_code(one: Standard, known: Mapping[str | None, tuple[str, ...]]) -> Standard:
+def _kept_code(standard: Standard, known: Mapping[str | None, tuple[str, ...]]) -> Standard:
     """With its code while its words are the program's, whether or not it was sent along."""
-    if one.code is None:
-        return coded(one)
-    return one if known.get(one.code) == one.words else replace(one, code=None)
+    if standard.code is None:
+        return add_usual_code(standard)
+    return standard if known.get(standard.code) == standard.words else replace(standard, code=None)
 
 
 def _refuse(table: Sequence[Standard]) -> None:
     if len(table) > MOST:
         raise BadInput("results-standards-many", count=len(table), most=MOST)
-    for one in table:
-        if not one.name:
+    for standard in table:
+        if not standard.name:
             raise BadInput("results-standard-no-name")
-        if not 0.0 < one.height_m < 10.0:
-            raise BadInput("results-standard-height", name=one.name)
-        if one.percent is not None and not 0.0 < one.percent < 100.0:
-            raise BadInput("results-standard-percent", name=one.name)
-    named = [(one.what, one.name) for one in table]
+        if not 0.0 < standard.height_m < 10.0:
+            raise BadInput("results-standard-height", name=standard.name)
+        if standard.percent is not None and not 0.0 < standard.percent < 100.0:
+            raise BadInput("results-standard-percent", name=standard.name)
+    named = [(standard.what, standard.name) for standard in table]
     twice = next((name for what, name in named if named.count((what, name)) > 1), None)
     if twice is not None:
         raise BadInput("results-standard-twice", twice=twice)
@@ -100,5 +100,5 @@ def _newest(session: Session, survey_ids: Sequence[int]) -> dict[int, StandardsO
     """By survey, of those that have a table of their own."""
     return {
         survey_id: StandardsOfSurvey(stored_standards(table), version)
-        for survey_id, (table, version) in choice.chosen(session, _KIND, survey_ids).items()
+        for survey_id, (table, version) in choice.current_choices(session, _KIND, survey_ids).items()
     }

@@ -72,17 +72,17 @@ def compared_surveys(
 
 
 def _figure(
-    target: StatisticsTarget, percent: float | None, counts: list[int], one: Compared
+    target: StatisticsTarget, percent: float | None, counts: list[int], compared: Compared
 ) -> ComparedFigure:
-    found = one.difference
+    difference = compared.difference
     return ComparedFigure(
         target=target,
         percent=percent,
         n_first=counts[0],
         n_second=counts[1],
-        value_m=found.value,
-        U95_low_m=found.U95_low,
-        U95_high_m=found.U95_high,
-        verdict=one.verdict,
-        reason=found.reason,
+        value_m=difference.value,
+        U95_low_m=difference.U95_low,
+        U95_high_m=difference.U95_high,
+        verdict=compared.verdict,
+        reason=difference.reason,
     )

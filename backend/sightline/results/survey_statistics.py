@@ -180,26 +180,28 @@ def survey_statistics(
 
     Raises NotFound for a survey that is not there, BadInput for days in the wrong order.
     """
-    return _made(session, trail.head(session).hash, chosen, choices)
+    return _compute_statistics(session, trail.head(session).hash, chosen, choices)
 
 
 def measured_columns(session: Session, chosen: Filter) -> Measured:
     """What a filter leaves, of its target where it has one. Raises as `survey_statistics`."""
     wanted = _wanted(chosen, survey_names(session))
     days = chosen.first_day is not None or chosen.last_day is not None
-    found, _ = filtered(_columns(session, trail.head(session).hash, wanted, days), chosen)
+    found, _ = filter_measured(_columns(session, trail.head(session).hash, wanted, days), chosen)
     return found.where(_of_target(found, chosen.target) & found.counts)
 
 
 # The keys of what is kept hold the audit chain's last hash, so that any write makes it old.
 @cached(LRUCache(16), key=lambda _session, *rest: rest, lock=Lock())
-def _made(session: Session, last_hash: str, chosen: Filter, choices: StatisticsOptions) -> Statistics:
+def _compute_statistics(
+    session: Session, last_hash: str, chosen: Filter, choices: StatisticsOptions
+) -> Statistics:
     everywhere = survey_names(session)
     wanted = _wanted(chosen, everywhere)
     places = {id_: place for id_, place in everywhere.items() if chosen.seen is None or id_ in chosen.seen}
     days = chosen.first_day is not None or chosen.last_day is not None
     found = _columns(session, last_hash, wanted, days)
-    measured, left_out = filtered(found, chosen)
+    measured, left_out = filter_measured(found, chosen)
     named = _told_apart({one.id: one.name for one in list_people(session)})
     there = {int(one) for one in _distinct(found.operator_id)}
     operators = {id_: name for id_, name in named.items() if id_ in there}
@@ -208,7 +210,7 @@ def _made(session: Session, last_hash: str, chosen: Filter, choices: StatisticsO
         "category": Grouping(measured.category, CATEGORIES),
         "class_set": Grouping(measured.class_set, CLASS_SETS),
         "site": _by_site(measured, places),
-        "operator": _named(measured.operator_id, named),
+        "operator": _group_by_name(measured.operator_id, named),
     }
     choosable = {id_: name for id_, (name, _) in places.items()}
     if choices.standards is None:
@@ -248,33 +250,33 @@ class LeftOut:
     without_time: int = 0
 
 
-def filtered(found: Measured, chosen: Filter) -> tuple[Measured, LeftOut]:
+def filter_measured(measured: Measured, chosen: Filter) -> tuple[Measured, LeftOut]:
     """The measurements that a filter leaves, and what it leaves out. Those of check targets stay, for their
     errors.
     """
-    keep = np.ones(len(found), dtype=np.bool_)
+    keep = np.ones(len(measured), dtype=np.bool_)
     if chosen.lighting is not None:
-        keep &= found.lighting == LIGHTING.index(chosen.lighting)
+        keep &= measured.lighting == LIGHTING.index(chosen.lighting)
     if chosen.of_classes:
-        keep &= found.of_classes(chosen.categories, chosen.class_sets)
+        keep &= measured.of_classes(chosen.categories, chosen.class_sets)
     if chosen.operator_id is not None:
-        keep &= found.operator_id == chosen.operator_id
+        keep &= measured.operator_id == chosen.operator_id
     if chosen.first_day is not None:
-        keep &= found.day >= (chosen.first_day - _EPOCH).days
+        keep &= measured.day >= (chosen.first_day - _EPOCH).days
     if chosen.last_day is not None:
-        keep &= found.day <= (chosen.last_day - _EPOCH).days
-    wanted = np.isin(found.verdict, [VERDICTS.index(word) for word in _STATES[chosen.state]])
-    of_target = _of_target(found, chosen.target)
-    timeless = keep & wanted & of_target & found.counts & (found.filmed_hour == NONE)
-    without_time = len(_distinct(found.vehicle_id[timeless])) if chosen.limits_time else 0
-    keep &= chosen.holding(found.filmed_hour)
-    others = found.verdict[keep & ~wanted & of_target & found.counts]
+        keep &= measured.day <= (chosen.last_day - _EPOCH).days
+    wanted = np.isin(measured.verdict, [VERDICTS.index(word) for word in _STATES[chosen.state]])
+    of_target = _of_target(measured, chosen.target)
+    timeless = keep & wanted & of_target & measured.counts & (measured.filmed_hour == NONE)
+    without_time = len(_distinct(measured.vehicle_id[timeless])) if chosen.limits_time else 0
+    keep &= chosen.holding(measured.filmed_hour)
+    others = measured.verdict[keep & ~wanted & of_target & measured.counts]
     counts = np.bincount(others, minlength=len(VERDICTS))
     left_out = {word: int(count) for word, count in zip(VERDICTS, counts, strict=True) if count}
-    outside = keep & wanted & ~found.counts & ~found.check_target
+    outside = keep & wanted & ~measured.counts & ~measured.check_target
     if count := int(np.count_nonzero(outside & of_target)):
         left_out[OUT_OF_SAMPLE] = count
-    return found.where(keep & wanted & ~outside), LeftOut(left_out, without_time)
+    return measured.where(keep & wanted & ~outside), LeftOut(left_out, without_time)
 
 
 def _of_target(measured: Measured, target: StatisticsTarget | None) -> NDArray[np.bool_]:
@@ -408,7 +410,7 @@ def sites_of(session: Session, measured: Measured) -> Grouping:
 
 
 def _by_site(measured: Measured, places: Mapping[int, tuple[str, str]]) -> Grouping:
-    return _named(measured.survey_id, {id_: site or name for id_, (name, site) in places.items()})
+    return _group_by_name(measured.survey_id, {id_: site or name for id_, (name, site) in places.items()})
 
 
 def _lateral(measured: Measured) -> Lateral:
@@ -481,15 +483,17 @@ def _known_errors(
     """Errors against known heights by target, of the traffic and then of check targets, each with their
     sites: those there are.
     """
-    found = []
+    all_errors = []
     for (measured, sites), of_checks in zip(both, (False, True), strict=True):
         for code, target in enumerate(COMPARED):
             compared = _compared(measured, measured.target == code, sites, choices)
             if len(compared.known_m) == 0:
                 continue
             errors = known_errors(target, of_checks, compared)
-            found.append(errors if choices.correction == "inset" else replace(errors, inside=_U_IS_CORRECTED))
-    return tuple(found)
+            all_errors.append(
+                errors if choices.correction == "inset" else replace(errors, inside=_U_IS_CORRECTED)
+            )
+    return tuple(all_errors)
 
 
 def _compared(
@@ -511,7 +515,7 @@ def _compared(
     )
 
 
-def _named(ids: NDArray[np.int64], names: Mapping[int, str]) -> Grouping:
+def _group_by_name(ids: NDArray[np.int64], names: Mapping[int, str]) -> Grouping:
     """Groups by name: what has the same name is one group."""
     distinct = _distinct(ids)
     words = sorted({names[int(one)] for one in distinct if int(one) in names})
@@ -534,5 +538,5 @@ def _told_apart(names: Mapping[int, str]) -> dict[int, str]:
 
 def forget_statistics() -> None:
     """Drop what is kept, as a new process would begin (for benches)."""
-    _made.cache_clear()
+    _compute_statistics.cache_clear()
     _columns.cache_clear()

@@ -8,15 +8,15 @@ from sqlalchemy import (
     String,
 )
 
-from sightline.infra.audit.vouched import CarriesHead, vouched
+from sightline.infra.audit.vouched import CarriesHead, vouched_info
 from sightline.infra.database.types import (
     NEEDS_MEDIA,
     CanonicalJson,
     made_columns,
-    numbered,
+    numbered_table,
 )
 
-exports = numbered(
+exports = numbered_table(
     "exports",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("media_key", String(400), nullable=False, info=NEEDS_MEDIA),
@@ -30,5 +30,5 @@ exports = numbered(
     # that of the figures and the report
     Column("language", String(20), nullable=False),
     *made_columns(),
-    info=vouched(CarriesHead()),
+    info=vouched_info(CarriesHead()),
 )

@@ -22,28 +22,28 @@ _CODES = {one.words: one.code for one in STANDARDS}
 
 def standards_in(files: Files) -> tuple[Standard, ...]:
     """The table of a package, which has no codes: who has the program's words gets one. Raises Damaged."""
-    return tuple(coded(one) for one in csv.standards_in(files))
+    return tuple(add_usual_code(one) for one in csv.standards_in(files))
 
 
 def stored_standards(stored: Iterable[Mapping[str, Any]]) -> tuple[Standard, ...]:
     """A table as an audit event holds it; one of before there were codes gets them by its words."""
-    return tuple(Standard(**one) if "code" in one else coded(Standard(**one)) for one in stored)
+    return tuple(Standard(**one) if "code" in one else add_usual_code(Standard(**one)) for one in stored)
 
 
-def in_language(one: Standard, language: str) -> Standard:
+def in_language(standard: Standard, language: str) -> Standard:
     """With the program's words in a language; as it is where they are a person's.
 
     English too comes from the catalogue; what is stored stays, so that packages that hold it verify.
     """
-    if one.code is None:
-        return one
+    if standard.code is None:
+        return standard
     name, vehicle_class, source, cited_by = (
-        say_or(f"standard-{kind}-{one.code}", word, language)
-        for kind, word in zip(("name", "class", "source", "cited"), one.words, strict=True)
+        say_or(f"standard-{kind}-{standard.code}", word, language)
+        for kind, word in zip(("name", "class", "source", "cited"), standard.words, strict=True)
     )
-    return replace(one, name=name, vehicle_class=vehicle_class, source=source, cited_by=cited_by)
+    return replace(standard, name=name, vehicle_class=vehicle_class, source=source, cited_by=cited_by)
 
 
-def coded(one: Standard) -> Standard:
+def add_usual_code(one: Standard) -> Standard:
     """With the code that belongs to its words, if they are the program's."""
     return replace(one, code=_CODES.get(one.words))

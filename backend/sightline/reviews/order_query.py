@@ -93,7 +93,7 @@ def _standing_order(session: Session, survey_id: int, actor: int | None, _end: s
     )
     rows = session.execute(query).all()
     errors = np.array([_error(row) for row in rows], dtype=float).reshape(-1, 2)
-    found = review_order(
+    ranked = review_order(
         np.array([row.height_m for row in rows], dtype=float),
         np.array([row.u_height_m for row in rows], dtype=float),
         # what is usual of a target is another uncertainty on frames than in line scans
@@ -106,7 +106,7 @@ def _standing_order(session: Session, survey_id: int, actor: int | None, _end: s
     # riskiest first, else as they stand
     of_strips = np.array([row.scan_id is not None for row in rows], dtype=bool)
     mine = np.array([row.mine for row in rows], dtype=bool)
-    order = np.lexsort((np.arange(len(rows)), -found.risk, of_strips, mine))
+    order = np.lexsort((np.arange(len(rows)), -ranked.risk, of_strips, mine))
     return {
         rows[at].series_id: Standing(
             scanned=rows[at].scan_id is not None,
@@ -114,9 +114,9 @@ def _standing_order(session: Session, survey_id: int, actor: int | None, _end: s
             mine=bool(rows[at].mine),
             operator=rows[at].operator,
             clicked_at=rows[at].clicked_at,
-            signs=tuple(sign for sign, there in zip(SIGNS, found.signs[at], strict=True) if there),
-            error_m=_known(errors[at, 0]),
-            u_error_m=_known(errors[at, 1]),
+            signs=tuple(sign for sign, there in zip(SIGNS, ranked.signs[at], strict=True) if there),
+            error_m=_none_for_nan(errors[at, 0]),
+            u_error_m=_none_for_nan(errors[at, 1]),
         )
         for at in order
     }
@@ -133,5 +133,5 @@ def _error(row: Row[Any]) -> tuple[float, float]:
     return row.height_m - row.manufacturer_height_m, float(np.hypot(row.u_height_m, u_m))
 
 
-def _known(value: float) -> float | None:
+def _none_for_nan(value: float) -> float | None:
     return None if np.isnan(value) else float(value)

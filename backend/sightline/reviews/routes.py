@@ -37,13 +37,13 @@ def review_queue(
 
     Others have to review `mine`, which come last.
     """
-    found = store.review_queue(
+    items = store.review_queue(
         session, survey_id, state=state, after=after, only=measurement, lot=lot, limit=limit, actor=who.id
     )
-    heights = _bodies(session, [item.measurement for item in found], who.id)
+    heights = _bodies(session, [item.measurement for item in items], who.id)
     return [
         filled_from(QueueItemBody, item, measurement=height)
-        for item, height in zip(found, heights, strict=True)
+        for item, height in zip(items, heights, strict=True)
     ]
 
 
@@ -84,10 +84,10 @@ def measurement_history(measurement_id: PathId, who: Viewer, session: Reading) -
     return HistoryBody(_bodies(session, found.revisions, who.id), found.reviews)
 
 
-def _bodies(session: Session, found: Sequence[Measurement | ScanHeight], asker: int) -> list[HeightBody]:
-    of_lines = scan_height_bodies(session, [one for one in found if isinstance(one, ScanHeight)], asker)
+def _bodies(session: Session, heights: Sequence[Measurement | ScanHeight], asker: int) -> list[HeightBody]:
+    of_lines = scan_height_bodies(session, [one for one in heights if isinstance(one, ScanHeight)], asker)
     by_revision = {one.revision_id: one for one in of_lines}
     return [
         measurement_body(one) if isinstance(one, Measurement) else by_revision[one.revision_id]
-        for one in found
+        for one in heights
     ]

@@ -124,11 +124,11 @@ def review_queue(
     )
     filmed = fetch_measurements(session, query)
     scanned = scan_heights_of(session, [one for one in ids if order[one].scanned])
-    facts = _told(filmed, facts_of_vehicles(session, {one.vehicle_id for one in filmed}))
-    facts |= _told(scanned, facts_of_scanned(session, {one.vehicle_id for one in scanned}))
+    facts = _facts_by_measurement(filmed, facts_of_vehicles(session, {one.vehicle_id for one in filmed}))
+    facts |= _facts_by_measurement(scanned, facts_of_scanned(session, {one.vehicle_id for one in scanned}))
     heights: tuple[Measurement | ScanHeight, ...] = (*filmed, *scanned)
     by_id = {one.id: one for one in heights}
-    drawn = _drawn(session, survey_id, filmed, actor)
+    drawn = _draw_blind(session, survey_id, filmed, actor)
     named = names(session, [order[id_].operator for id_ in ids])
     people = {person: Who(person, name) for person, name in named.items()}
     return tuple(
@@ -136,14 +136,14 @@ def review_queue(
             by_id[id_],
             facts[id_],
             order[id_].mine,
-            _judged(order[id_], id_ in drawn, people, places.get(id_)),
+            _make_judged(order[id_], id_ in drawn, people, places.get(id_)),
         )
         for id_ in ids
-        if id_ in by_id and (state == "all" or _plain(by_id[id_].review.verdict) == state)
+        if id_ in by_id and (state == "all" or _queue_state(by_id[id_].review.verdict) == state)
     )
 
 
-def _told(
+def _facts_by_measurement(
     found: Iterable[Measurement | ScanHeight], facts: Mapping[int, VehicleFacts]
 ) -> dict[int, VehicleFacts]:
     return {one.id: facts[one.vehicle_id] for one in found}
@@ -153,7 +153,7 @@ def _sample_of(place: LotPlace, lot: int) -> bool:
     return place.in_sample and place.lot_id == lot
 
 
-def _judged(place: Standing, drawn: bool, people: Mapping[int, Who], lot: LotPlace | None) -> Judged:
+def _make_judged(place: Standing, drawn: bool, people: Mapping[int, Who], lot: LotPlace | None) -> Judged:
     return Judged(
         blind=drawn and not place.mine,
         signs=place.signs,
@@ -165,7 +165,7 @@ def _judged(place: Standing, drawn: bool, people: Mapping[int, Who], lot: LotPla
     )
 
 
-def _plain(verdict: Verdict) -> Verdict:
+def _queue_state(verdict: Verdict) -> Verdict:
     return "to_review" if verdict == "reopened" else verdict
 
 
@@ -175,30 +175,32 @@ def review_work(session: Session, survey_id: int, *, actor: int | None) -> Revie
     held = {number for number, place in places.items() if not place.in_sample}
     order = standing_order(session, survey_id, actor)
     waiting = [one.mine for number, one in order.items() if one.verdict == "to_review" and number not in held]
-    said = Counter(one.verdict for one in order.values())
+    verdicts = Counter(one.verdict for one in order.values())
     return ReviewWork(
         to_review=waiting.count(False),
         own=waiting.count(True),
         in_lots=len(held),
-        accepted=said["accepted"] + said["fixed"],
-        rejected=said["rejected"],
+        accepted=verdicts["accepted"] + verdicts["fixed"],
+        rejected=verdicts["rejected"],
         heights=len(order),
     )
 
 
-def require_clicked_again(session: Session, one: Measurement, actor: int) -> None:
+def require_clicked_again(session: Session, measurement: Measurement, actor: int) -> None:
     """Raises BadInput where the survey's plan wants it clicked again first, NotAllowed for one's own."""
-    not_own(session, one, actor)
-    if _drawn(session, one.survey_id, [one], actor):
+    not_own(session, measurement, actor)
+    if _draw_blind(session, measurement.survey_id, [measurement], actor):
         raise BadInput("reviews-repeat-first")
 
 
-def _drawn(session: Session, survey_id: int, found: Sequence[Measurement], actor: int | None) -> set[int]:
+def _draw_blind(
+    session: Session, survey_id: int, found: Sequence[Measurement], actor: int | None
+) -> set[int]:
     one_in = get_review_plan(session, survey_id).blind_one_in
     waiting = {
         one.id
         for one in found
-        if _plain(one.review.verdict) == "to_review"
+        if _queue_state(one.review.verdict) == "to_review"
         and one.values.status == "ok"
         and one.repeat_of is None
         and is_drawn(one.id, one_in)

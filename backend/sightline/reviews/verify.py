@@ -32,12 +32,14 @@ def check_verdicts(files: Files, replay: Replay) -> None:
         newest[row["measurement_id"], row["result_revision"]] = row
     names = ("verdict", "review_reason", "reviewer_id", "reviewed_at", "verdict_by", "lot_id")
     columns = ("id", "revision", "verdict_of_revision", *names)
-    for one, revision, carried, *said in read_columns(files, "measurements.csv", columns):
-        judged = [found for of in (revision, carried) if (found := newest.get((one, of))) is not None]
+    for measurement_id, revision, carried, *stated in read_columns(files, "measurements.csv", columns):
+        judged = [
+            found for of in (revision, carried) if (found := newest.get((measurement_id, of))) is not None
+        ]
         review = max(judged, key=lambda row: int(row["id"]), default=None)
         wanted = [_DEFAULT_VERDICT, "", "", "", "", ""]
         if review is not None:
             wanted = [review[name] for name in ("verdict", "reason", "reviewer_id", "at")]
             wanted += ["lot" if review["lot_id"] else "individual", review["lot_id"]]
-        if said != wanted:
-            raise Damaged("reviews-verdict-differs", one=one)
+        if stated != wanted:
+            raise Damaged("reviews-verdict-differs", one=measurement_id)

@@ -20,16 +20,16 @@ from sightline.enums import (
 )
 from sightline.infra.audit.hashing import canonical_json
 from sightline.infra.csv_package.columns import (
+    columns_within,
     integer,
-    joined,
+    join_sentences,
     key,
     metres,
     moment,
     number,
     person,
-    said,
+    said_columns,
     text,
-    within,
 )
 from sightline.infra.csv_package.files import Staging
 from sightline.infra.csv_package.schema import Cell, Column, Table, ids_of
@@ -46,7 +46,7 @@ from sightline.scans.references.store import reference_history_of_scan, standing
 from sightline.scans.rig.csv import TABLES as RIG_TABLES
 from sightline.scans.rig.csv import fill_rigs
 from sightline.scans.store import list_scans, rig_columns
-from sightline.scans.vehicles.listing import ShownVehicle, shown
+from sightline.scans.vehicles.listing import ShownVehicle, shown_vehicles
 from sightline.scans.vehicles.measurement_store import scan_measurement_history
 from sightline.scans.vehicles.review_store import list_scan_reviews
 from sightline.scans.vehicles.store import list_scan_vehicles
@@ -57,7 +57,7 @@ Rig = Mapping[str, Cell]
 
 def axle_words(lines: list[float] | None) -> str | None:
     """Lines of wheels as a cell has them."""
-    return None if lines is None else joined([f"{line:.3f}" for line in lines])
+    return None if lines is None else join_sentences([f"{line:.3f}" for line in lines])
 
 
 def lanes_text(lanes: list[JsonObject] | None) -> str | None:
@@ -95,7 +95,7 @@ _RIG: tuple[Column[Rig], ...] = (
     _of_rig("u_distance_m", "standard uncertainty of a vehicle's distance_m (k = 1)", "m"),
 )
 _MOTION: tuple[Column[ScanMeasurement], ...] = (
-    *within(
+    *columns_within(
         "values",
         text(
             "direction",
@@ -133,8 +133,8 @@ _MOTION: tuple[Column[ScanMeasurement], ...] = (
         ),
         number("fit_error_percent", "scatter of the speed profile about its fit", "%"),
         text("status", "whether there is a motion", required=True, enum=get_args(MeasurementStatus)),
-        *said("reason", "why there is no motion"),
-        *said("warnings", "warnings on this result, separated by semicolons"),
+        *said_columns("reason", "why there is no motion"),
+        *said_columns("warnings", "warnings on this result, separated by semicolons"),
         text("method", "how the strips were matched", required=True, enum=get_args(ScanMethod)),
         text("cause", "what made this revision", required=True, enum=get_args(Cause)),
         text("code_version", "version of the program that computed it", required=True),
@@ -142,7 +142,7 @@ _MOTION: tuple[Column[ScanMeasurement], ...] = (
     person("created_by_id", "who made it; empty for the program itself"),
     moment("created_at", "when the revision was stored"),
 )
-_VERDICT: tuple[Column[ScanMeasurement], ...] = within(
+_VERDICT: tuple[Column[ScanMeasurement], ...] = columns_within(
     "review", *standing_verdict(("to_review", *get_args(ScanVerdict)))
 )
 
@@ -176,7 +176,7 @@ GAP: tuple[Column[Gap], ...] = (
     metres("u_distance_gap_m", "standard uncertainty of the distance gap (k = 1)"),
     number("headway_s", "from front to front at camera 1", "s"),
     metres("paper_distance_gap_m", "the paper's D: time gap times the mean of both speeds"),
-    *said("gap_reason", "why a gap is missing", attrgetter("reason")),
+    *said_columns("gap_reason", "why a gap is missing", attrgetter("reason")),
 )
 LINE_SCANS: Table[Scan] = Table(
     "line_scans",
@@ -192,12 +192,12 @@ LINE_SCANS: Table[Scan] = Table(
         integer("bits", "bits of the cameras, as their brightest pixels tell"),
         text("first_sha256", "SHA-256 of camera 1's stored strip"),
         text("second_sha256", "SHA-256 of camera 2's stored strip"),
-        *within(lambda scan: rig_columns(scan.rig), *_RIG),
+        *columns_within(lambda scan: rig_columns(scan.rig), *_RIG),
         text("lighting", "lighting", enum=get_args(Lighting)),
         started_column("when line 0 was taken", lambda s: s.started_at, lambda s: s.time_zone),
         text("time_zone", "time zone of these times (IANA)"),
         number("u_start_s", "standard uncertainty of started_at (k = 1)", "s"),
-        *said("notes", "notes of the import, separated by semicolons"),
+        *said_columns("notes", "notes of the import, separated by semicolons"),
         moment("created_at", "when it was made"),
         text(
             "lanes",
@@ -213,7 +213,7 @@ SCAN_VEHICLES: Table[ShownVehicle] = Table(
     "scan_vehicles",
     "Vehicles of line-scan recordings in the order of passing, with the current revision of their motion.",
     (
-        *within(
+        *columns_within(
             "vehicle",
             key("id", "vehicle of a line-scan recording"),
             key("scan_id", "line-scan recording"),
@@ -232,16 +232,16 @@ SCAN_VEHICLES: Table[ShownVehicle] = Table(
             text("lighting", "lighting, where it differs from the recording's"),
             text("notes", "notes"),
         ),
-        *within(
+        *columns_within(
             "vehicle.measurement",  # none where it was never measured
             key("measurement_id", "current revision, in scan_measurements", attrgetter("id")),
             key("revision", "its number, from 1"),
             *_MOTION,
             required=False,
         ),
-        *within("passing", *_PASSING),  # none where the recording's start was not confirmed
-        *within("gap", *GAP),  # none before the first
-        *within("vehicle.measurement", *_VERDICT, required=False),
+        *columns_within("passing", *_PASSING),  # none where the recording's start was not confirmed
+        *columns_within("gap", *GAP),  # none before the first
+        *columns_within("vehicle.measurement", *_VERDICT, required=False),
     ),
     primary=("id",),
     foreign=ids_of(
@@ -256,7 +256,7 @@ SCAN_MEASUREMENTS: Table[ScanMeasurement] = Table(
         key("vehicle_id", "vehicle of a line-scan recording"),
         key("revision", "number of the revision, from 1"),
         *_MOTION,
-        *within("values.rig", *_RIG),
+        *columns_within("values.rig", *_RIG),
         *_VERDICT,
         integer(
             "verdict_of_id",
@@ -297,7 +297,9 @@ def fill_scans(staging: Staging, session: Session, survey_id: int) -> None:
     """Write the tables of line scans; deleted scans and vehicles are left out with all that is theirs."""
     scans = list_scans(session, survey_id)
     passed = {
-        scan.id: shown(scan, list_scan_vehicles(session, scan.id), standing_references(session, scan.id))
+        scan.id: shown_vehicles(
+            scan, list_scan_vehicles(session, scan.id), standing_references(session, scan.id)
+        )
         for scan in scans
     }
     vehicles = [one for found in passed.values() for one in found]

@@ -48,12 +48,12 @@ def scan_body(scan: Scan) -> ScanBody:
     )
 
 
-def motion_body(one: ScanMeasurement, rig: Rig, asker: int) -> ScanMotionBody:
+def motion_body(measurement: ScanMeasurement, rig: Rig, asker: int) -> ScanMotionBody:
     """One revision; `rig` is the scan's as it is now."""
-    values = one.values
+    values = measurement.values
     return filled_from(
         ScanMotionBody,
-        one,
+        measurement,
         values,
         U95_speed_mps=expanded(values.u_speed_mps),
         U95_acceleration_mps2=expanded(values.u_acceleration_mps2),

@@ -16,7 +16,7 @@ from sightline.scans.tables import scan_vehicles, scans
 
 def scan_progress_of(session: Session, survey_ids: Sequence[int]) -> dict[int, ScanProgress]:
     """The line scans of those surveys that have any, by survey."""
-    found: defaultdict[int, Counter[str]] = defaultdict(Counter)
+    by_survey: defaultdict[int, Counter[str]] = defaultdict(Counter)
     here = scan_vehicles.c.survey_id.in_(survey_ids)
     there = (
         select(scans.c.survey_id, scans.c.state, func.count())
@@ -24,15 +24,15 @@ def scan_progress_of(session: Session, survey_ids: Sequence[int]) -> dict[int, S
         .group_by(scans.c.survey_id, scans.c.state)
     )
     for survey_id, state, count in session.execute(there):
-        found[survey_id].update({"scans": count, state: count})
+        by_survey[survey_id].update({"scans": count, state: count})
     for survey_id, status, verdict, count in session.execute(
-        _counted(scan_vehicle_states(here), "status", "verdict")
+        _count_states(scan_vehicle_states(here), "status", "verdict")
     ):
-        found[survey_id].update({"vehicles": count, state_of(status, verdict): count})
-    if found:
-        for survey_id, verdict, count in session.execute(_counted(scan_height_states(here), "verdict")):
-            found[survey_id].update({"heights": count, f"heights_{state_of('ok', verdict)}": count})
-    return {survey_id: _progress(counts) for survey_id, counts in found.items()}
+        by_survey[survey_id].update({"vehicles": count, state_of(status, verdict): count})
+    if by_survey:
+        for survey_id, verdict, count in session.execute(_count_states(scan_height_states(here), "verdict")):
+            by_survey[survey_id].update({"heights": count, f"heights_{state_of('ok', verdict)}": count})
+    return {survey_id: _progress(counts) for survey_id, counts in by_survey.items()}
 
 
 _COUNTED = tuple(name for name in ScanProgress.__slots__ if name not in ("state", "summary"))
@@ -43,7 +43,7 @@ def no_scans() -> ScanProgress:
     return ScanProgress("none", [Said("overview-no-scans")])
 
 
-def _counted(states: Select[Any], *by: str) -> Select[Any]:
+def _count_states(states: Select[Any], *by: str) -> Select[Any]:
     """(survey, what they are told apart by, how many) of what stands in scans."""
     each = states.subquery()
     apart = (scans.c.survey_id, *(each.c[name] for name in by))
@@ -60,25 +60,25 @@ def _progress(counts: Counter[str]) -> ScanProgress:
     open_work = _open(of, counts["failed"], counts["reading"])
     if open_work:
         return ScanProgress("open", open_work, **of)
-    said = [Said("overview-scans-accepted", count=of["accepted"], all=of["vehicles"])]
+    words = [Said("overview-scans-accepted", count=of["accepted"], all=of["vehicles"])]
     if of["not_measurable"]:
-        said.append(Said("overview-scans-not-measurable", count=of["not_measurable"]))
+        words.append(Said("overview-scans-not-measurable", count=of["not_measurable"]))
     if of["heights"]:
-        said.append(Said("overview-line-heights-accepted", count=of["heights_accepted"], all=of["heights"]))
-    return ScanProgress("done", said, **of)
+        words.append(Said("overview-line-heights-accepted", count=of["heights_accepted"], all=of["heights"]))
+    return ScanProgress("done", words, **of)
 
 
 def _open(of: dict[str, int], failed: int, reading: int) -> list[Said]:
     """What is to be done, what stops the rest first."""
-    said = []
+    words = []
     if failed:
-        said.append(Said("overview-scans-not-imported", count=failed))
+        words.append(Said("overview-scans-not-imported", count=failed))
     if reading:
-        said.append(Said("overview-scans-importing", count=reading))
+        words.append(Said("overview-scans-importing", count=reading))
     if of["ready"] and not of["vehicles"]:
-        said.append(Said("overview-scans-find", count=of["ready"]))
+        words.append(Said("overview-scans-find", count=of["ready"]))
     if of["to_review"]:
-        said.append(Said("overview-scans-review", open=of["to_review"], count=of["vehicles"]))
+        words.append(Said("overview-scans-review", open=of["to_review"], count=of["vehicles"]))
     if of["heights_to_review"]:
-        said.append(Said("overview-scans-review-heights", open=of["heights_to_review"], count=of["heights"]))
-    return said
+        words.append(Said("overview-scans-review-heights", open=of["heights_to_review"], count=of["heights"]))
+    return words

@@ -48,7 +48,7 @@ def read_scan(context: JobContext) -> Finish:
     with services.reading() as session:
         scan = get_scan(session, scan_id)
     with tempfile.TemporaryDirectory(prefix="scan-", dir=services.scratch) as folder:
-        facts = _stored(context, services, scan, Path(folder))
+        facts = _store_strips(context, services, scan, Path(folder))
 
     def finish(session: Session) -> Mapping[str, Any]:
         # Nobody deletes a file while the lock is held, and everybody waits for it.
@@ -69,11 +69,11 @@ def read_scan(context: JobContext) -> Finish:
     return finish
 
 
-def _stored(context: JobContext, services: Services, scan: Scan, folder: Path) -> StripFacts:
+def _store_strips(context: JobContext, services: Services, scan: Scan, folder: Path) -> StripFacts:
     context.progress(0.0, _READING)
     with ExitStack() as opened:
         cutting = 0.5 if scan.source == "video" else 0.0
-        pair = _opened(context, services, scan, folder, cutting)
+        pair = _open_strips(context, services, scan, folder, cutting)
         for strip in pair:
             opened.callback(strip.close)
         check_pair(*pair)
@@ -99,7 +99,7 @@ def _stored(context: JobContext, services: Services, scan: Scan, folder: Path) -
     )
 
 
-def _opened(
+def _open_strips(
     context: JobContext, services: Services, scan: Scan, folder: Path, share: float
 ) -> tuple[Strip, Strip]:
     if scan.source == "video":
@@ -147,14 +147,14 @@ def _notes(scan: Scan, pair: tuple[Strip, Strip]) -> list[Said]:
         lost = sum(gap.count for gap in strip.notes.dropped)
         if lost:
             notes.append(Said("scan-recorder-lost", name=strip.name, count=lost))
-        told = strip.notes.line_rate_hz
-        if told is not None and abs(told / scan.rig.line_rate_hz - 1) > 1e-3:
+        stated_hz = strip.notes.line_rate_hz
+        if stated_hz is not None and abs(stated_hz / scan.rig.line_rate_hz - 1) > 1e-3:
             line_rate_hz = float(f"{scan.rig.line_rate_hz:g}")
             notes.append(
                 Said(
                     "scan-recorder-other-rate",
                     name=strip.name,
-                    told_hz=float(f"{told:g}"),
+                    told_hz=float(f"{stated_hz:g}"),
                     line_rate_hz=line_rate_hz,
                 )
             )

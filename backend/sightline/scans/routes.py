@@ -8,7 +8,7 @@ from fastapi import APIRouter, Path, Query, Request, Response
 from sightline.infra.by_name import filled_from
 from sightline.infra.web.bodies import JobBody
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
-from sightline.infra.web.pictures import JPEG, is_held, picture_response, unchanged
+from sightline.infra.web.pictures import JPEG, answer_not_modified, is_held, picture_response
 from sightline.linescan.rig import rig_from
 from sightline.recordings.uploads.store import strips_waiting
 from sightline.scans import service, store
@@ -130,6 +130,6 @@ def scan_tile(
         scan = store.get_scan(session, scan_id)
     etag = f'"s{(scan.first_sha256 if camera == 1 else scan.second_sha256) or ""}-{level}.{index}.{gain:g}"'
     if scan.state == "ready" and is_held(request, etag):
-        return unchanged(etag)
+        return answer_not_modified(etag)
     content = service.open_strip(services, scan, camera).tile(level, index, gain)
     return picture_response(content, "image/jpeg", etag)

@@ -49,7 +49,7 @@ def create_from_strips(
     second = _strip(session, survey_id, second_upload, "second")
     if first.sha256 == second.sha256:
         raise BadInput("scans-strips-same", name=first.name, name_2=second.name)
-    made = store.create_scan(
+    scan = store.create_scan(
         session,
         survey_id,
         name=name or first.name,
@@ -59,8 +59,8 @@ def create_from_strips(
         lighting=lighting,
         actor=actor,
     )
-    queue_reading(session, made, find, actor)
-    return store.get_scan(session, made.id)
+    queue_reading(session, scan, find, actor)
+    return store.get_scan(session, scan.id)
 
 
 def create_from_video(
@@ -86,7 +86,7 @@ def create_from_video(
     size_px = (recording.width_px if what == "columns" else recording.height_px) or 0
     if cuts[0] == cuts[1] or not all(0 <= one < size_px for one in cuts):
         raise BadInput("scans-cuts-unusable", what=what, cut_1=cuts[0], cut_2=cuts[1], last_px=size_px - 1)
-    made = store.create_scan(
+    scan = store.create_scan(
         session,
         survey_id,
         name=name or f"{recording.name}, {what} {cuts[0]} and {cuts[1]}",
@@ -96,8 +96,8 @@ def create_from_video(
         lighting=lighting or recording.lighting,
         actor=actor,
     )
-    queue_reading(session, made, find, actor)
-    return store.get_scan(session, made.id)
+    queue_reading(session, scan, find, actor)
+    return store.get_scan(session, scan.id)
 
 
 def queue_reading(session: Session, scan: Scan, find: ScanMethod | None, actor: int | None) -> Job:
@@ -144,7 +144,7 @@ def swap_cameras(session: Session, scan_id: int, *, version: int, actor: int) ->
     return store.get_scan(session, scan_id)
 
 
-def shows(scan: Scan, line: float, row_px: float) -> bool:
+def is_within_strips(scan: Scan, line: float, row_px: float) -> bool:
     """Whether a place lies within the strips."""
     return -0.5 <= line <= (scan.lines or 0) and -0.5 <= row_px <= (scan.rows_px or 0)
 

@@ -100,7 +100,7 @@ def create_scan(
 
 def get_scan(session: Session, scan_id: int) -> Scan:
     """One scan with its latest job and run. Raises NotFound (also when it was deleted)."""
-    return _scans(session, [_row(session, scan_id)])[0]
+    return _scans(session, [_get_living_row(session, scan_id)])[0]
 
 
 def list_scans(session: Session, survey_id: int) -> tuple[Scan, ...]:
@@ -136,7 +136,7 @@ def update_scan(session: Session, scan_id: int, changes: Changes, *, version: in
 
     Raises Conflict, naming who and when, if `version` is not the current one; BadInput.
     """
-    before = _row(session, scan_id)
+    before = _get_living_row(session, scan_id)
     if by := change_since(session, before, version):
         raise Conflict("scans-changed-meanwhile", name=by[0], when=by[1], name_2=before["name"])
     change: dict[str, Any] = dict(changes)
@@ -164,7 +164,7 @@ def swap_scan_cameras(session: Session, scan_id: int, *, version: int, actor: in
     Raises NotFound, Conflict (another's change in between; not read yet; people have worked on it: their
     boundaries belong to the order in which they were placed).
     """
-    row = _row(session, scan_id)
+    row = _get_living_row(session, scan_id)
     if by := change_since(session, row, version):
         raise Conflict("scans-changed-meanwhile", name=by[0], when=by[1], name_2=row["name"])
     if row["state"] != "ready":
@@ -188,7 +188,7 @@ def remove_scan(session: Session, scan_id: int, *, actor: int | None) -> Scan:
     gone = get_scan(session, scan_id)
     if scan_worked_on(session, scan_id):
         raise Conflict("scans-worked-on")
-    take_out_row(session, scans, _row(session, scan_id), "name", actor=actor)
+    take_out_row(session, scans, _get_living_row(session, scan_id), "name", actor=actor)
     return gone
 
 
@@ -214,14 +214,14 @@ def _note(
     session: Session, scan_id: int, values: dict[str, Any], action: AuditAction, actor: int | None
 ) -> Scan:
     """What became of a scan's strips."""
-    before = _row(session, scan_id)
+    before = _get_living_row(session, scan_id)
     change_row(session, scans, scan_id, values)
     then = {"state": before["state"]}
     trail.record(session, actor, action, "scan", scan_id, before["survey_id"], then, values)
     return get_scan(session, scan_id)
 
 
-def _row(session: Session, scan_id: int) -> dict[str, Any]:
+def _get_living_row(session: Session, scan_id: int) -> dict[str, Any]:
     return get_row(session, scans, scan_id, "line-scan recording", _ALIVE)
 
 

@@ -7,7 +7,7 @@ from typing import Any
 from sightline.coverage import expanded
 from sightline.errors import Damaged
 from sightline.infra.audit.hashing import canonical_json
-from sightline.infra.csv_package.columns import joined
+from sightline.infra.csv_package.columns import join_sentences
 from sightline.infra.csv_package.files import Files
 from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.infra.csv_package.replay import Cells, Replay, Replayed, Told
@@ -32,14 +32,14 @@ from sightline.scans.rig.verify import check_rig_calibrations
 from sightline.scans.vehicles.verify import check_gaps
 
 
-def _scan_cells(told: Told) -> Cells:
+def _scan_cells(scan: Told) -> Cells:
     """A start is told in UTC and written by the clocks of its zone; lanes are one cell, notes another."""
-    clock = clock_of(told)
+    clock = clock_of(scan)
     start = {} if clock is None else {"started_at": clock.filming.at()}
-    notes = told.get("notes", ())  # none yet where it was not read
-    cells = {**_UNTOLD, **told, "lanes": lanes_text(told.get("lanes")), **start}
+    notes = scan.get("notes", ())  # none yet where it was not read
+    cells = {**_UNTOLD, **scan, "lanes": lanes_text(scan.get("lanes")), **start}
     if any(isinstance(one, str) for one in notes):  # an event of an earlier program has words
-        return {**cells, "notes": joined(notes)}
+        return {**cells, "notes": join_sentences(notes)}
     return {**cells, "notes_code": canonical_json(notes) if notes else None}
 
 
@@ -105,14 +105,14 @@ def check_scans(
     the version that made the package. Raises Damaged.
     """
     rows = {one.entity: {int(row["id"]): row for row in replay.hold(files, one)} for one in _REPLAYED}
-    told = {one.entity: replay.of(one.entity) for one in _REPLAYED}
+    events = {one.entity: replay.of(one.entity) for one in _REPLAYED}
     _directions(rows["scan_measurement"])
     _current(rows["scan_vehicle"], rows["scan_measurement"])
-    _passings(rows["scan_vehicle"], rows["scan_measurement"], told)
-    check_gaps(rows["scan_vehicle"], told["scan"], told["scan_measurement"], recomputing, program)
+    _passings(rows["scan_vehicle"], rows["scan_measurement"], events)
+    check_gaps(rows["scan_vehicle"], events["scan"], events["scan_measurement"], recomputing, program)
     _verdicts(SCAN_MEASUREMENTS, rows["scan_measurement"], "measurement_id", rows["scan_review"])
     _verdicts(LINE_HEIGHTS, rows["line_height"], "height_id", rows["line_height_review"])
-    check_references(rows["scan_reference"], rows["scan_vehicle"], told)
+    check_references(rows["scan_reference"], rows["scan_vehicle"], events)
     check_verdicts_gone_over(
         SCAN_MEASUREMENTS,
         rows["scan_measurement"],
@@ -129,8 +129,8 @@ def check_scans(
         computings,
         line_height_put_back,
     )
-    check_line_heights(files, told["line_pose"], recomputing)
-    check_rig_calibrations(files, told["rig_calibration"], recomputing)
+    check_line_heights(files, events["line_pose"], recomputing)
+    check_rig_calibrations(files, events["rig_calibration"], recomputing)
     return sum(len(found) for found in rows.values())
 
 
@@ -163,15 +163,15 @@ def _current(vehicles: Mapping[int, Mapping[str, str]], revisions: Mapping[int, 
 def _passings(
     vehicles: Mapping[int, Mapping[str, str]],
     revisions: Mapping[int, Mapping[str, str]],
-    told: Mapping[str, Mapping[int, Mapping[str, Any]]],
+    events: Mapping[str, Mapping[int, Mapping[str, Any]]],
 ) -> None:
     """When a vehicle passed follows from its recording's start, its front and the rig; each held before."""
-    clocks = {number: clock_of(one) for number, one in told["scan"].items()}
+    clocks = {number: clock_of(one) for number, one in events["scan"].items()}
     written = {column.name: column for column in SCAN_VEHICLES.columns}
     for number, row in vehicles.items():
         clock, passed = clocks[int(row["scan_id"])], None
         if clock is not None and row["measurement_id"]:
-            motion = told["scan_measurement"][int(row["measurement_id"])]
+            motion = events["scan_measurement"][int(row["measurement_id"])]
             rig = {name: float(revisions[int(row["measurement_id"])][name]) for name in _RATES}
             speed, u_length = motion["speed_mps"], motion["u_length_m"]
             passed = passing_of(clock, motion["front_line_1"], speed, u_length, rig)

@@ -119,8 +119,8 @@ def constant_of(eye_m: Bounded, object_m: Bounded, correlation: float = 0.0) -> 
     if eye_m.low is None and object_m.low is None:
         return Bounded(constant)
     middle = math.sqrt(eye_m.value) + math.sqrt(object_m.value)
-    below = _joined(_root_gap(eye_m, eye_m.low), _root_gap(object_m, object_m.low), correlation)
-    above = _joined(_root_gap(eye_m, eye_m.high), _root_gap(object_m, object_m.high), correlation)
+    below = _combine_gaps(_root_gap(eye_m, eye_m.low), _root_gap(object_m, object_m.low), correlation)
+    above = _combine_gaps(_root_gap(eye_m, eye_m.high), _root_gap(object_m, object_m.high), correlation)
     low = max(middle - below, 0.0)
     return Bounded(constant, 200.0 * low**2, 200.0 * (middle + above) ** 2)
 
@@ -143,27 +143,29 @@ def crest_of(
         object_m=object_m,
         constant_m=constant,
         k_m=k_of(distance_m, constant),
-        length_m=mapped(
+        length_m=map_bounded(
             constant, lambda c: crest_length(distance_m, difference_percent, c).length_m, falling=True
         ),
-        seen_m=mapped(constant, lambda c: crest_distance_m(built, difference_percent, c)),
+        seen_m=map_bounded(constant, lambda c: crest_distance_m(built, difference_percent, c)),
     )
 
 
-def mapped(found: Bounded, by: Callable[[float], float], *, falling: bool = False) -> Bounded:
+def map_bounded(estimate: Bounded, by: Callable[[float], float], *, falling: bool = False) -> Bounded:
     """A monotone function of an estimate, with its interval.
 
     Own method: limits of a monotone function are the function of the limits.
     """
-    if found.low is None or found.high is None:
-        return Bounded(by(found.value), reason=found.reason)
-    low, high = (by(limit) for limit in ((found.high, found.low) if falling else (found.low, found.high)))
-    return Bounded(by(found.value), low, high)
+    if estimate.low is None or estimate.high is None:
+        return Bounded(by(estimate.value), reason=estimate.reason)
+    low, high = (
+        by(limit) for limit in ((estimate.high, estimate.low) if falling else (estimate.low, estimate.high))
+    )
+    return Bounded(by(estimate.value), low, high)
 
 
 def k_of(distance_m: float, constant_m: Bounded) -> Bounded:
     """K = S^2 / C with the interval of C."""
-    return mapped(constant_m, lambda c: crest_k_m(distance_m, c), falling=True)
+    return map_bounded(constant_m, lambda c: crest_k_m(distance_m, c), falling=True)
 
 
 def compare(standard_constant_m: float, constant_m: Bounded) -> Comparison:
@@ -186,7 +188,7 @@ def shares_of_fleet(shares: Sequence[float]) -> tuple[float, ...]:
     return tuple(one / total for one in shares)
 
 
-def _joined(one: float, other: float, correlation: float) -> float:
+def _combine_gaps(one: float, other: float, correlation: float) -> float:
     return math.sqrt(max(one * one + other * other + 2.0 * correlation * one * other, 0.0))
 
 

@@ -170,7 +170,9 @@ def operating_curve(plan: SamplingPlan, up_to: float = 1.0) -> OperatingCurve:
     return OperatingCurve(numbers / plan.size, np.asarray(accepted, dtype=np.float64))
 
 
-def outgoing(size: int, sample_size: int, nonconforming: int, confidence: float = CONFIDENCE) -> Outgoing:
+def estimate_outgoing(
+    size: int, sample_size: int, nonconforming: int, confidence: float = CONFIDENCE
+) -> Outgoing:
     """What an accepted lot lets through, its sample's nonconforming heights being known and not let through.
 
     Estimate: the sample's fraction of the rest. Upper limit: the largest D for which `nonconforming` or fewer
@@ -194,11 +196,11 @@ def outgoing_of_lots(lots: Iterable[tuple[int, int, int, int]]) -> Outgoing:
     Lots are drawn apart, so k limits at the confidence 0.95^(1/k) hold together in 95 % of cases (Sidak
     1967); their sum is therefore no less than the number let through, and wide where there are many lots.
     """
-    found = tuple(lots)
-    each = CONFIDENCE ** (1.0 / max(1, len(found)))
-    limits = [outgoing(size, sample, bad, each).at_most for size, sample, bad, _ in found]
+    listed = tuple(lots)
+    each = CONFIDENCE ** (1.0 / max(1, len(listed)))
+    limits = [estimate_outgoing(size, sample, bad, each).at_most for size, sample, bad, _ in listed]
     return Outgoing(
-        count=sum(standing for _, _, _, standing in found),
-        estimate=sum(standing * bad / sample for _, sample, bad, standing in found),
-        at_most=sum(min(limit, one[3]) for limit, one in zip(limits, found, strict=True)),
+        count=sum(standing for _, _, _, standing in listed),
+        estimate=sum(standing * bad / sample for _, sample, bad, standing in listed),
+        at_most=sum(min(limit, one[3]) for limit, one in zip(limits, listed, strict=True)),
     )

@@ -164,11 +164,11 @@ def reference_part(
         rounding_share=rounding / variance,
         camera_sd_m=camera,
         correlation_alone=float(np.clip(alone, -1.0, 1.0)),
-        words=_words(truth / variance, camera),
+        words=_describe_share(truth / variance, camera),
     )
 
 
-def _words(share: float, camera_sd_m: float | None) -> Said:
+def _describe_share(share: float, camera_sd_m: float | None) -> Said:
     if camera_sd_m is None:
         return Said("stat-reference-explains-all")
     return Said("stat-reference-explains", share=round(100 * share), camera_sd_m=round(camera_sd_m, 3))

@@ -45,23 +45,23 @@ def shift(shown_m: ArrayLike, free_m: ArrayLike) -> Shift:
 
     Welch 1938; the module says what it estimates.
     """
-    one, two = (np.asarray(values, dtype=np.float64).ravel() for values in (shown_m, free_m))
-    shown, free = (float(values.mean()) if len(values) else None for values in (one, two))
-    told: dict[str, Any] = {"shown": len(one), "free": len(two), "shown_m": shown, "free_m": free}
-    if min(len(one), len(two)) < LEAST_VEHICLES or shown is None or free is None:
-        return Shift(**told, shift_m=None, U95_shift_m=None, reason="anchoring-too-few")
-    parts = [float(values.var(ddof=1)) / len(values) for values in (one, two)]
+    of_shown, of_free = (np.asarray(values, dtype=np.float64).ravel() for values in (shown_m, free_m))
+    shown, free = (float(values.mean()) if len(values) else None for values in (of_shown, of_free))
+    counts: dict[str, Any] = {"shown": len(of_shown), "free": len(of_free), "shown_m": shown, "free_m": free}
+    if min(len(of_shown), len(of_free)) < LEAST_VEHICLES or shown is None or free is None:
+        return Shift(**counts, shift_m=None, U95_shift_m=None, reason="anchoring-too-few")
+    parts = [float(values.var(ddof=1)) / len(values) for values in (of_shown, of_free)]
     variance = sum(parts)
-    weights = [part**2 / (len(values) - 1) for part, values in zip(parts, (one, two), strict=True)]
-    freedom = variance**2 / sum(weights) if variance > 0 else float(len(one) + len(two) - 2)
+    weights = [part**2 / (len(values) - 1) for part, values in zip(parts, (of_shown, of_free), strict=True)]
+    freedom = variance**2 / sum(weights) if variance > 0 else float(len(of_shown) + len(of_free) - 2)
     half = float(scipy.stats.t.ppf(0.975, freedom)) * sqrt(variance)
-    return Shift(**told, shift_m=shown - free, U95_shift_m=half)
+    return Shift(**counts, shift_m=shown - free, U95_shift_m=half)
 
 
-def verdict(found: Shift, goal_m: float) -> GoalVerdict | None:
+def verdict(effect: Shift, goal_m: float) -> GoalVerdict | None:
     """Whether the whole interval lies within the goal, outside, or neither; None without one."""
-    if found.shift_m is None or found.U95_shift_m is None:
+    if effect.shift_m is None or effect.U95_shift_m is None:
         return None
-    if abs(found.shift_m) + found.U95_shift_m < goal_m:
+    if abs(effect.shift_m) + effect.U95_shift_m < goal_m:
         return "met"
-    return "missed" if abs(found.shift_m) - found.U95_shift_m > goal_m else "undecided"
+    return "missed" if abs(effect.shift_m) - effect.U95_shift_m > goal_m else "undecided"

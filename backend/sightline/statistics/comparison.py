@@ -40,7 +40,7 @@ def compare(first: TotalUncertainty, second: TotalUncertainty, percents: Sequenc
     """
     found = [difference(first, second, percent) for percent in percents]
     return Comparison(
-        [_judged(_figure(one)) for one in found], difference_of_figures(first.mean(), second.mean())
+        [_judge_difference(_figure(one)) for one in found], difference_of_figures(first.mean(), second.mean())
     )
 
 
@@ -53,10 +53,10 @@ def difference_of_figures(first: Figure, second: Figure) -> Compared:
 
     Zou and Donner 2008: each end is as far as the two ends that lie that way are together.
     """
-    return _judged(_apart(first, second))
+    return _judge_difference(_subtract_figures(first, second))
 
 
-def _apart(first: Figure, second: Figure) -> TotalFigure:
+def _subtract_figures(first: Figure, second: Figure) -> TotalFigure:
     if first.value is None or second.value is None:
         return _figure(first.reason if first.value is None else second.reason)
     value = second.value - first.value
@@ -67,9 +67,9 @@ def _apart(first: Figure, second: Figure) -> TotalFigure:
     return TotalFigure(value, value - low, value + high)
 
 
-def _judged(found: TotalFigure) -> Compared:
-    if found.U95_low is None or found.U95_high is None:
-        return Compared(found, None)
-    if found.U95_low > 0.0:
-        return Compared(found, "higher")
-    return Compared(found, "lower" if found.U95_high < 0.0 else "not_told_apart")
+def _judge_difference(figure: TotalFigure) -> Compared:
+    if figure.U95_low is None or figure.U95_high is None:
+        return Compared(figure, None)
+    if figure.U95_low > 0.0:
+        return Compared(figure, "higher")
+    return Compared(figure, "lower" if figure.U95_high < 0.0 else "not_told_apart")

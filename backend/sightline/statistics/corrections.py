@@ -39,7 +39,7 @@ class Known:
     error_m: Floats
 
 
-def corrected(
+def correct_heights(
     kind: Correction, inset_m: ArrayLike, paper_m: ArrayLike, known: Known, camera_sd_m: float | None = None
 ) -> Corrected | Said:
     """Heights (N,) under a correction, metres, or the reason why it cannot be made.

@@ -94,7 +94,7 @@ class SmoothDensity:
 
     def share_correction(self, limit_m: float) -> float:
         """What is to be added to the share of measured heights below a limit for that of the true ones."""
-        return float(_below(self.edge_m, limit_m) @ (self.true - self.measured))
+        return float(_share_below(self.edge_m, limit_m) @ (self.true - self.measured))
 
     def correction_influence_m(self, p: float, least: float = 0.0) -> Floats:
         """Influence (M,) of one height in each cell on `correction_m`; its mean is about 0.
@@ -102,8 +102,10 @@ class SmoothDensity:
         least: no density, 1/m, is taken for smaller.
         """
         true_at, measured_at = (float(_quantile(of, p)) for of in (self._true_below, self._measured_below))
-        of_true = _below(self.edge_m, true_at) @ self.true_slope / max(self.true_density(true_at), least)
-        below = _below(self.edge_m, measured_at)
+        of_true = (
+            _share_below(self.edge_m, true_at) @ self.true_slope / max(self.true_density(true_at), least)
+        )
+        below = _share_below(self.edge_m, measured_at)
         of_measured = below @ self.measured_slope / max(self.measured_density(measured_at), least)
         return np.asarray(self.influence @ (of_measured - of_true), dtype=np.float64)
 
@@ -271,7 +273,7 @@ def _density(edge: Floats, share: Floats, at: float) -> float:
     return max(float(np.interp(at, centre, share)) / float(edge[1] - edge[0]), 1e-9)
 
 
-def _below(edge: Floats, at: float) -> Floats:
+def _share_below(edge: Floats, at: float) -> Floats:
     """How much of each cell lies below a height, (M,), 0 to 1."""
     return np.clip((at - edge[:-1]) / np.diff(edge), 0.0, 1.0)
 

@@ -109,7 +109,7 @@ class Drawn:
             told = [one.where(rows) for one in shared]
             moved = [one.by_site_m(sites.code, j, sites.weight) for one in told]
             # Of sites with one height each their differences alone say how far heights lie apart.
-            seen = 0.0 if 1 < j == len(sites.code) else min(j / float(design.sites_there[h]), 1.0)
+            part_seen = 0.0 if 1 < j == len(sites.code) else min(j / float(design.sites_there[h]), 1.0)
             own_weight = design.weight[rows]
             own = float(np.square(own_weight).sum()) / float(own_weight.sum()) ** 2
             if left is None:
@@ -118,7 +118,7 @@ class Drawn:
                 kept, free, cell = left[0][rows], left[1][rows], compact(left[2][rows])
             self._strata.append(
                 _Stratum(
-                    rows=rows, sites=sites, part=part, seen=seen, own=own, moved=moved,
+                    rows=rows, sites=sites, part=part, seen=part_seen, own=own, moved=moved,
                     kept=kept, free=free, cell=cell,
                 )
             )  # fmt: skip
@@ -139,22 +139,24 @@ class Drawn:
         even = own if smooth is None else residuals(smooth, self._drawn, self.design.margins)
         if np.abs(own).max(initial=0.0) < 1e-12:  # the weights were made to meet it
             return Sampled(0.0, _MANY, 0.0)
-        variance, squares, seen, inside = 0.0, 0.0, 0.0, 0.0
+        variance, squares, shared_seen, inside = 0.0, 0.0, 0.0, 0.0
         apart = [one.apart(own[one.rows]) for one in self._strata]
         otherwise = mean_variance(np.concatenate(apart), self._kept), self._free
-        for one, own_apart in zip(self._strata, apart, strict=True):
-            here, freedom = one.within(own_apart, otherwise)
+        for stratum, own_apart in zip(self._strata, apart, strict=True):
+            here, freedom = stratum.within(own_apart, otherwise)
             within = here
-            if len(one.sites.count) > 1 and one.seen < 1.0:
-                moved = one.moved if height else []
-                found = pooled_variance(one.sites, own[one.rows], even[one.rows], (), here / one.own, moved)
-                here, freedom = (1.0 - one.seen) * found.variance + one.seen * here, found.freedom
-                within = (1.0 - one.seen) * found.within * found.variance + one.seen * within
-                seen += one.part**2 * (1.0 - one.seen) * found.seen
-            inside += one.part**2 * within
-            variance += one.part**2 * here
-            squares += (one.part**2 * here) ** 2 / freedom
-        unseen = max(self._of_all_m2 - seen, 0.0) if height else 0.0
+            if len(stratum.sites.count) > 1 and stratum.seen < 1.0:
+                moved = stratum.moved if height else []
+                found = pooled_variance(
+                    stratum.sites, own[stratum.rows], even[stratum.rows], (), here / stratum.own, moved
+                )
+                here, freedom = (1.0 - stratum.seen) * found.variance + stratum.seen * here, found.freedom
+                within = (1.0 - stratum.seen) * found.within * found.variance + stratum.seen * within
+                shared_seen += stratum.part**2 * (1.0 - stratum.seen) * found.seen
+            inside += stratum.part**2 * within
+            variance += stratum.part**2 * here
+            squares += (stratum.part**2 * here) ** 2 / freedom
+        unseen = max(self._of_all_m2 - shared_seen, 0.0) if height else 0.0
         freedom = variance**2 / squares if squares > 0.0 else _MANY
         return Sampled(variance, freedom, unseen, min(inside / max(variance, 1e-300), 1.0))
 
@@ -176,14 +178,14 @@ class Drawn:
     def between(self, influence: Floats) -> float:
         """Standard deviation of sites within strata, of figures with this influence (N,), beyond sampling."""
         variances, weights = [], []
-        for one in self._strata:
-            if len(one.sites.count) > 1:
-                own = influence[one.rows]
-                apart = np.square(own - one.sites.means(own)[one.sites.code])
-                inner = np.bincount(one.sites.code, apart) / np.maximum(one.sites.count - 1.0, 1.0)
-                sampling = float(np.mean(inner / one.sites.effective_count))
-                variances.append(float(one.sites.means(own).var(ddof=1)) - sampling)
-                weights.append(len(one.sites.count) - 1.0)
+        for stratum in self._strata:
+            if len(stratum.sites.count) > 1:
+                own = influence[stratum.rows]
+                apart = np.square(own - stratum.sites.means(own)[stratum.sites.code])
+                inner = np.bincount(stratum.sites.code, apart) / np.maximum(stratum.sites.count - 1.0, 1.0)
+                sampling = float(np.mean(inner / stratum.sites.effective_count))
+                variances.append(float(stratum.sites.means(own).var(ddof=1)) - sampling)
+                weights.append(len(stratum.sites.count) - 1.0)
         found = float(np.average(variances, weights=weights)) if weights else 0.0
         return float(np.sqrt(max(found, 0.0)))
 
@@ -201,7 +203,7 @@ def _sites(site: Ints, weight: Floats) -> Sites:
     return Sites(code, np.bincount(code).astype(np.float64), weight)
 
 
-def ordered(design: Design, order: Ints | NDArray[np.bool_]) -> Design:
+def reorder_design(design: Design, order: Ints | NDArray[np.bool_]) -> Design:
     """The same design for rows of `order`, (M,) by number or (N,) by truth. Own method: columns alike."""
     return Design(
         weight=design.weight[order],
@@ -226,13 +228,13 @@ def share_of(drawn: Drawn, chosen: NDArray[np.bool_], among: NDArray[np.bool_] |
     value = float(np.sum(share * part * chosen)) / whole
     if not drawn.tells_spread:
         return without_interval(drawn.more_needed(), value)
-    found = drawn.sampled(np.asarray(part * (chosen - value) / whole, dtype=np.float64), height=False)
-    if found.freedom == _MANY and 0.0 < value < 1.0:  # the weights were made to meet it
+    sampled = drawn.sampled(np.asarray(part * (chosen - value) / whole, dtype=np.float64), height=False)
+    if sampled.freedom == _MANY and 0.0 < value < 1.0:  # the weights were made to meet it
         return TotalFigure(value, value, value)
     plain = value * (1.0 - value) / count
-    longer = float(scipy.special.stdtrit(found.freedom, 1.0 - TAIL)) / COVERAGE_95
-    n = value * (1.0 - value) / (found.variance * longer**2) if found.variance > 0.0 else float(count)
+    longer = float(scipy.special.stdtrit(sampled.freedom, 1.0 - TAIL)) / COVERAGE_95
+    n = value * (1.0 - value) / (sampled.variance * longer**2) if sampled.variance > 0.0 else float(count)
     n = min(n, 10.0 * count)
     low, high = scipy.special.betaincinv(n * value + 0.5, n * (1.0 - value) + 0.5, [TAIL, 1.0 - TAIL])
-    effect = found.variance / plain if plain > 0.0 else None
+    effect = sampled.variance / plain if plain > 0.0 else None
     return TotalFigure(value, float(min(low, value)), float(max(high, value)), effect=effect)

@@ -82,7 +82,7 @@ class ErrorTotals:
         """Of the mean squared error, m^2."""
         own_m2 = float(np.square(self._cells.own_m).mean())
         squares = np.square(self._error_m)
-        return self._joined(
+        return self._join_limits(
             squares,
             lambda d: np.asarray(d * d + own_m2, np.float64),
             lambda tail: self._sampled(squares, tail, True),
@@ -92,14 +92,18 @@ class ErrorTotals:
         """Of the mean absolute error, metres."""
         at = np.abs(self._node_m[:, None] + self._cells.own_m).mean(axis=1)
         sizes = np.abs(self._error_m)
-        return self._joined(sizes, self._read(at), lambda tail: self._sampled(sizes, tail, False))
+        return self._join_limits(
+            sizes, self._interpolate_nodes(at), lambda tail: self._sampled(sizes, tail, False)
+        )
 
     def share_within(self, limit_m: float) -> Ends:
         """Of the share of errors of at most limit_m, either way, 0 to 1."""
         beyond = np.asarray(np.abs(self._error_m) > limit_m, dtype=np.float64)
         at = (np.abs(self._node_m[:, None] + self._cells.own_m) > limit_m).mean(axis=1)
         value = self._mean(beyond)
-        low, high = self._joined(beyond, self._read(at), lambda tail: self._sampled_share(value, tail))
+        low, high = self._join_limits(
+            beyond, self._interpolate_nodes(at), lambda tail: self._sampled_share(value, tail)
+        )
         return Ends(max(1.0 - high, 0.0), min(1.0 - low, 1.0))
 
     def sd(self) -> Ends:
@@ -121,7 +125,7 @@ class ErrorTotals:
         """The mean of values (N,), as they weigh. A product of vectors would hang on the threads of BLAS."""
         return float(np.sum(self._share * of_rows))
 
-    def _read(self, at: Floats) -> Callable[[Floats], Floats]:
+    def _interpolate_nodes(self, at: Floats) -> Callable[[Floats], Floats]:
         """A function of what moves a cell from its values `at` the nodes."""
         step = self._node_m[1] - self._node_m[0]
 
@@ -161,7 +165,7 @@ class ErrorTotals:
         low = float(scipy.special.betaincinv(there, n - there + 1, tail)) if there else 0.0
         return Ends(low, share_interval(there, n)[1])
 
-    def _joined(
+    def _join_limits(
         self, of_rows: Floats, given_m: Callable[[Floats], Floats], sampled: Callable[[float], Ends]
     ) -> Ends:
         """Limits of the mean of values (N,) that grow with an error; given_m: their mean in cells that are
@@ -186,7 +190,9 @@ class ErrorTotals:
 
 @dataclass(frozen=True, eq=False)
 class _Moved:
-    """A figure under shared errors: given_m as in `_joined`; moved_m (D, C), weight, u_mean_m of `_Cells`."""
+    """A figure under shared errors: given_m as in `_join_limits`; moved_m (D, C), weight, u_mean_m of
+    `_Cells`.
+    """
 
     given_m: Callable[[Floats], Floats]
     moved_m: Floats
@@ -201,20 +207,20 @@ class _Moved:
         """The figure at the largest bias that these seen biases (M,) leave possible."""
         return np.array([float(self.drawn(b + COVERAGE_95 * self.u_mean_m).mean()) for b in bias_m])
 
-    def lowest(self, seen: float, bias_m: float, tail: float) -> float:
-        """The least figure under which one as large as `seen` is not in the `tail` of the largest: with less
-        of the shared errors or, if all of them are too few, with a bias up to bias_m.
+    def lowest(self, observed: float, bias_m: float, tail: float) -> float:
+        """The least figure under which one as large as `observed` is not in the `tail` of the largest: with
+        less of the shared errors or, if all of them are too few, with a bias up to bias_m.
         """
         levels: list[float] = []
         most: list[float] = []
         steps = _FEW_STEPS if len(self.weight) > _MANY else _STEPS
         for part in np.arange(2 * steps + 1) / steps:
-            if part > 1.0 and (most[-1] >= seen or bias_m == 0.0):
+            if part > 1.0 and (most[-1] >= observed or bias_m == 0.0):
                 break
             drawn = self.drawn(bias_m * max(float(part) - 1.0, 0.0), min(float(part), 1.0))
             levels.append(float(drawn.mean()))
             most.append(_quantile(drawn, 1.0 - tail, len(self.weight)))
-        return float(np.interp(seen, np.maximum.accumulate(most), levels))
+        return float(np.interp(observed, np.maximum.accumulate(most), levels))
 
     def missed_above(self, bias_m: float, sigma: float, noise: Floats) -> float:
         """How often the upper limit would lie below the figure at this bias; sigma: of sampling, a part of
@@ -265,10 +271,10 @@ def _cells(error_m: Floats, share: Floats, shared: Sequence[SharedErrors]) -> _C
     mean = np.bincount(code, share * error_m) / weight
     draws = max(min(_DRAWS, _MOST_DRAWN // len(weight)), _LEAST_DRAWS)
     moved = np.zeros((draws, len(weight)))
-    for k, one in enumerate(shared):
-        u = np.sqrt(np.bincount(code, share * one.u_m**2) / weight)
+    for k, errors in enumerate(shared):
+        u = np.sqrt(np.bincount(code, share * errors.u_m**2) / weight)
         group = np.full(len(weight), -1)
-        group[code] = one.group
+        group[code] = errors.group
         known = group >= 0
         names, column = np.unique(group[known], return_inverse=True)
         moved[:, known] += _deviates(len(names), draws, k + 1)[:, column] * u[known]

@@ -19,7 +19,7 @@ from sightline.messages.said import Said
 from sightline.statistics.distributions import share_interval
 from sightline.statistics.error_totals import ErrorTotals
 from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
-from sightline.statistics.wording import holding
+from sightline.statistics.wording import interval_contents
 
 FIGURES = (
     "bias_m",
@@ -195,7 +195,7 @@ def _bootstrap(error: Floats, height: Floats) -> Floats:
     with np.errstate(all="ignore"), warnings.catch_warnings():
         # Equal errors have no interval; the caller sees that in its NaN.
         warnings.simplefilter("ignore", scipy.stats.DegenerateDataWarning)
-        found = scipy.stats.bootstrap(
+        interval = scipy.stats.bootstrap(
             (error, height),
             _figures,
             paired=True,
@@ -205,7 +205,7 @@ def _bootstrap(error: Floats, height: Floats) -> Floats:
             method="BCa",
             rng=np.random.default_rng(_SEED),
         ).confidence_interval
-    return np.stack([found.low, found.high], axis=1)
+    return np.stack([interval.low, interval.high], axis=1)
 
 
 def error_group(
@@ -262,7 +262,7 @@ def _totals(
     error: Floats, measured: HeightSample | None, names: tuple[str, ...]
 ) -> tuple[dict[str, Interval], tuple[IntervalPart, ...], Said]:
     """Total intervals of what has them, what they hold, and that in words; of few errors the bias alone."""
-    found: dict[str, Interval] = {}
+    intervals: dict[str, Interval] = {}
     sites = None
     shared = measured is not None and bool(measured.shared)
     if measured is not None:
@@ -271,17 +271,17 @@ def _totals(
         if shared or sites is not None:
             bias = of_errors.mean()
             if bias.U95_low is not None and bias.U95_high is not None:
-                found["bias_m"] = Interval(bias.U95_low, bias.U95_high)
+                intervals["bias_m"] = Interval(bias.U95_low, bias.U95_high)
             if len(error) >= _LEAST_FOR_INTERVALS:
-                found |= _spread_totals(ErrorTotals(error, measured.shared, measured.site), names)
+                intervals |= _spread_totals(ErrorTotals(error, measured.shared, measured.site), names)
     there = {"sites": sites is not None, "shared_errors": shared}
     parts = tuple(part for part in get_args(IntervalPart) if there.get(part, True))
-    return found, parts, holding(parts, sites, Said("stat-random-errors"))
+    return intervals, parts, interval_contents(parts, sites, Said("stat-random-errors"))
 
 
 def _spread_totals(totals: ErrorTotals, names: tuple[str, ...]) -> dict[str, Interval]:
     mse, mae, sd = totals.mse(), totals.mae(), totals.sd()
-    found = {
+    intervals = {
         "mae_m": Interval(*mae),
         "rmse_m": Interval(float(np.sqrt(max(mse.low, 0.0))), float(np.sqrt(mse.high))),
         "mse_m2": Interval(*mse),
@@ -290,8 +290,8 @@ def _spread_totals(totals: ErrorTotals, names: tuple[str, ...]) -> dict[str, Int
     for name, limit_m in SHARES_WITHIN_M.items():
         if name not in names:
             continue
-        found[name] = Interval(*totals.share_within(limit_m + _ROUNDING_M))
-    return found
+        intervals[name] = Interval(*totals.share_within(limit_m + _ROUNDING_M))
+    return intervals
 
 
 def error_table(

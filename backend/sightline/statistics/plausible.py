@@ -76,15 +76,15 @@ def is_of_class(target: Target, height_m: float, category: Category | None) -> b
 
 def _order(heights: Mapping[Target, Height]) -> list[Doubt]:
     """Nothing lies above the roof, and no headlight above the driver's eye."""
-    found = []
+    doubtful = []
     roof, eye, headlight = (heights.get(name) for name in ("roof", "driver_eye", "headlight"))
     for target in ("driver_eye", "taillight", "headlight"):
         one = heights.get(target)
         if roof and one and one.height_m >= roof.height_m:
-            found.append(Doubt(target, "above_roof", "roof", roof.height_m, None))
+            doubtful.append(Doubt(target, "above_roof", "roof", roof.height_m, None))
     if eye and headlight and headlight.height_m >= eye.height_m:
-        found.append(Doubt("driver_eye", "below_lamp", "headlight", headlight.height_m, None))
-    return found
+        doubtful.append(Doubt("driver_eye", "below_lamp", "headlight", headlight.height_m, None))
+    return doubtful
 
 
 def _range(heights: Mapping[Target, Height], category: Category | None) -> list[Doubt]:

@@ -52,15 +52,15 @@ def agreement(value: float, u: float, reference: float, u_reference: float) -> A
     return Agreement(difference, u_difference, U95_difference, E_n, abs(E_n) <= 1.0)
 
 
-def reference_errors(found: Sequence[Agreement]) -> ReferenceErrors | None:
+def reference_errors(agreements: Sequence[Agreement]) -> ReferenceErrors | None:
     """What several say together; None for none of them. The interval of the share is Clopper and Pearson's
     (1934), which takes the vehicles as independent: an error that all share, as of the baseline, widens it.
     """
-    if not found:
+    if not agreements:
         return None
-    n = len(found)
-    difference = np.array([one.difference for one in found])
-    within = sum(one.within for one in found)
+    n = len(agreements)
+    difference = np.array([one.difference for one in agreements])
+    within = sum(one.within for one in agreements)
     low, high = share_interval(within, n)
     return ReferenceErrors(
         n=n,

@@ -249,14 +249,14 @@ def uncertainty_check(values: ArrayLike, u_clicks: ArrayLike, items: Codes) -> U
     weights = 1 / np.square(u)
     means = np.bincount(item, weights * y) / np.bincount(item, weights)
     total = float((weights * np.square(y - means[item])).sum())
-    found = spread_of(total, freedom, Said("repeats-nothing-yet"))
-    assert found.sd is not None
+    spread = spread_of(total, freedom, Said("repeats-nothing-yet"))
+    assert spread.sd is not None
     often = np.bincount(item)[item] > 1
     claimed = float(np.sqrt(np.mean(np.square(u[often]))))
     return UncertaintyCheck(
-        ratio=found.sd,
-        low=found.low,
-        high=found.high,
+        ratio=spread.sd,
+        low=spread.low,
+        high=spread.high,
         claimed=claimed,
         observed=float(np.sqrt(within_cells(y, item)[0] / freedom)),
         freedom=freedom,

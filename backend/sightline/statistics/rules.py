@@ -55,7 +55,7 @@ def whose_heights(what: StandardHeight, by_class: bool) -> RuleHeights:
     return "all" if not by_class else "trucks" if what == "eye_truck" else "cars"
 
 
-def rule_today(standard: Standard, found: TotalUncertainty | None, by_class: bool) -> RuleToday | None:
+def rule_today(standard: Standard, figures: TotalUncertainty | None, by_class: bool) -> RuleToday | None:
     """The rule of a standard on the heights of its class, None: there are none; None where it states no
     percentile.
 
@@ -63,17 +63,17 @@ def rule_today(standard: Standard, found: TotalUncertainty | None, by_class: boo
     """
     if standard.percent is None:
         return None
-    if found is None:
+    if figures is None:
         return unknown_rule(standard, 0, by_class, None, Said("stat-none-of-class"))
-    figure, draws = found.percentile(standard.percent), found.percentile_draws(standard.percent)
+    figure, draws = figures.percentile(standard.percent), figures.percentile_draws(standard.percent)
     if isinstance(draws, Said):
-        return unknown_rule(standard, found.n, by_class, figure.value, draws)
+        return unknown_rule(standard, figures.n, by_class, figure.value, draws)
     value, error = draws
     lower = float(np.mean(value + error < standard.height_m))
     verdict, risk = _verdict(lower)
     return RuleToday(
         standard=standard,
-        n=found.n,
+        n=figures.n,
         whose=whose_heights(standard.what, by_class),
         value_m=value,
         U95_low_m=figure.U95_low,
@@ -82,7 +82,7 @@ def rule_today(standard: Standard, found: TotalUncertainty | None, by_class: boo
         lower=lower,
         risk=risk,
         verdict=verdict,
-        by_pose_m=found.named_effects_m(standard.percent),
+        by_pose_m=figures.named_effects_m(standard.percent),
     )
 
 

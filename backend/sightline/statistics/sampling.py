@@ -155,47 +155,47 @@ def headways(passes: Iterable[PassTime]) -> dict[int, float]:
     The first has none. Discarded passes are no vehicles: none is behind them.
     """
     last: dict[tuple[int, str | None], float] = {}
-    found: dict[int, float] = {}
-    for one in sorted(passes, key=lambda one: (one.recording_id, one.begins_s, one.vehicle_id)):
-        key = (one.recording_id, one.direction)
+    seconds: dict[int, float] = {}
+    for passing in sorted(passes, key=lambda one: (one.recording_id, one.begins_s, one.vehicle_id)):
+        key = (passing.recording_id, passing.direction)
         if key in last:
-            found[one.vehicle_id] = one.begins_s - last[key]
-        if one.counts:
-            last[key] = one.begins_s
-    return found
+            seconds[passing.vehicle_id] = passing.begins_s - last[key]
+        if passing.counts:
+            last[key] = passing.begins_s
+    return seconds
 
 
 def response(passes: Iterable[PassAnswers]) -> list[Response]:
     """The table of response: by lighting, by set, and by target; groups without a pass are left out."""
     groups: dict[tuple[str, str], list[PassAnswers]] = {}
-    for one in passes:
-        for lighting in ("all", one.lighting or "unknown"):
-            for class_set in ("all", one.class_set or "none"):
-                groups.setdefault((lighting, class_set), []).append(one)
-    return [row for key in sorted(groups, key=_order) for row in _rows(*key, groups[key])]
+    for passing in passes:
+        for lighting in ("all", passing.lighting or "unknown"):
+            for class_set in ("all", passing.class_set or "none"):
+                groups.setdefault((lighting, class_set), []).append(passing)
+    return [row for key in sorted(groups, key=_order) for row in _rows_of_group(*key, groups[key])]
 
 
 def _order(key: tuple[str, str]) -> tuple[int, ...]:
     return get_args(ResponseLighting).index(key[0]), get_args(ResponseSet).index(key[1])
 
 
-def _rows(lighting: str, class_set: str, passes: list[PassAnswers]) -> Iterator[Response]:
-    yield _row(lighting, class_set, None, passes, Counter(one.end for one in passes))
+def _rows_of_group(lighting: str, class_set: str, passes: list[PassAnswers]) -> Iterator[Response]:
+    yield _row_of_ends(lighting, class_set, None, passes, Counter(one.end for one in passes))
     for target in get_args(AskedTarget):
         of = [one for one in passes if target in one.asked]
         if of:
-            yield _row(lighting, class_set, target, of, Counter(_end_of(one, target) for one in of))
+            yield _row_of_ends(lighting, class_set, target, of, Counter(_end_of(one, target) for one in of))
 
 
-def _end_of(one: PassAnswers, target: AskedTarget) -> PassEnd:
-    if one.end in ("discarded", "out_of_sample"):
-        return one.end
-    if target in one.measured:
+def _end_of(passing: PassAnswers, target: AskedTarget) -> PassEnd:
+    if passing.end in ("discarded", "out_of_sample"):
+        return passing.end
+    if target in passing.measured:
         return "measured"
-    return "not_visible" if target in one.not_visible else "open"
+    return "not_visible" if target in passing.not_visible else "open"
 
 
-def _row(
+def _row_of_ends(
     lighting: str,
     class_set: str,
     target: AskedTarget | None,

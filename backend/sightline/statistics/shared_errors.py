@@ -10,14 +10,14 @@ from sightline.arrays import Floats, Ints
 
 
 def correlation_of(
-    one: Mapping[int, float], other: Mapping[int, float], u_one_m: float, u_other_m: float
+    effects: Mapping[int, float], other: Mapping[int, float], u_one_m: float, u_other_m: float
 ) -> float:
-    """Correlation of two figures' errors, of which `one` and `other` are what one standard uncertainty of
+    """Correlation of two figures' errors, of which `effects` and `other` are what one standard uncertainty of
     each error by name moves them by, and u_one_m, u_other_m their whole standard uncertainties.
 
     JCGM 100:2008, F.1.2.3: the covariance is the sum of the products over what both share.
     """
-    covariance = sum(by * other[name] for name, by in one.items() if name in other)
+    covariance = sum(by * other[name] for name, by in effects.items() if name in other)
     u2 = u_one_m * u_other_m
     return float(np.clip(covariance / u2, -1.0, 1.0)) if u2 > 0.0 else 0.0
 

@@ -26,13 +26,15 @@ def U95_of(components: Components, sites: int, vehicles: int) -> float:
     """Half-width, metres, of the 95 % interval from `vehicles` at each of `sites` sites: two stages (Cochran
     1977, 10.3) with Student's t of one degree of freedom less than there are sites; of all sites, the normal.
     """
-    seen = min(sites / components.sites_there, 1.0)
+    part_seen = min(sites / components.sites_there, 1.0)
     within = components.sampling_m**2 / (sites * vehicles)
-    between = (1.0 - seen) * components.between_m**2 / sites
-    if seen < 1.0 and sites < 2:
+    between = (1.0 - part_seen) * components.between_m**2 / sites
+    if part_seen < 1.0 and sites < 2:
         return float("inf")
     wider = (
-        float(scipy.special.stdtrit(sites - 1, 0.975)) if seen < 1.0 else float(scipy.special.ndtri(0.975))
+        float(scipy.special.stdtrit(sites - 1, 0.975))
+        if part_seen < 1.0
+        else float(scipy.special.ndtri(0.975))
     )
     normal = float(scipy.special.ndtri(0.975))
     return float(np.hypot(wider * np.sqrt(between + within), normal * components.common_m))

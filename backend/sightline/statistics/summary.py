@@ -18,7 +18,7 @@ from sightline.statistics.agreement import (
     reference_part,
     trend,
 )
-from sightline.statistics.corrections import Corrected, Known, corrected
+from sightline.statistics.corrections import Corrected, Known, correct_heights
 from sightline.statistics.distributions import (
     PERCENTILES,
     Density,
@@ -167,7 +167,7 @@ def target_of(
     their uncertainty.
 
     Raw and corrected distribution as in Dupuis et al. 2019, sections 3.5 and 3.6; the correction is
-    `corrected`'s.
+    that of `correct_heights`.
     """
     raw = distribution(paper_m, limits_m)
     if correction != "inset":
@@ -177,7 +177,7 @@ def target_of(
     known = roofs.known()
     part = reference_part(known.error_m, roofs.reference_m, roofs.u_reference_m)
     camera_sd_m = None if isinstance(part, Said) else part.camera_sd_m
-    done = corrected(correction, inset_m, paper_m, known, camera_sd_m)
+    done = correct_heights(correction, inset_m, paper_m, known, camera_sd_m)
     if isinstance(done, Said):
         return Target(raw, distribution(np.empty(0)), done, done, {})
     heights = done.height_m

@@ -27,21 +27,21 @@ class Margin:
         return Margin(self.code[chosen], self.share)
 
 
-def calibrated(weight: Floats, margins: Sequence[Margin]) -> Floats | None:
+def calibrate_weights(weight: Floats, margins: Sequence[Margin]) -> Floats | None:
     """The weights (N,) nearest to `weight` (N,) under which every margin is met; their sum stays.
 
     One margin: post-stratification (Holt & Smith 1979), exact; several: raking (Deming & Stephan 1940), until
     every margin is met to 1e-10. None where no such weights are found: margins that contradict each other.
     """
     total = float(weight.sum())
-    found = weight.astype(np.float64)
+    nearest = weight.astype(np.float64)
     for _ in range(_ROUNDS):
-        for one in margins:
-            there = np.bincount(one.code, found, minlength=len(one.share))
-            factor = np.divide(one.share * total, there, out=np.zeros(len(there)), where=there > 0.0)
-            found = found * factor[one.code]
-        if _largest_miss(found, margins) < _CLOSE:
-            return np.asarray(found, dtype=np.float64)
+        for margin in margins:
+            there = np.bincount(margin.code, nearest, minlength=len(margin.share))
+            factor = np.divide(margin.share * total, there, out=np.zeros(len(there)), where=there > 0.0)
+            nearest = nearest * factor[margin.code]
+        if _largest_miss(nearest, margins) < _CLOSE:
+            return np.asarray(nearest, dtype=np.float64)
     return None
 
 
@@ -80,15 +80,15 @@ def residuals(values: Floats, weight: Floats, margins: Sequence[Margin]) -> Floa
     """What of `values` (N,) the margins do not explain, (N,), under `weight` (N,): the influence of a vehicle
     on a figure whose weights were made to meet them (Deville & Särndal 1992), by turns until it stands.
     """
-    found = values
+    unexplained = values
     of_class = [np.bincount(one.code, weight, minlength=len(one.share)) for one in margins]
     for _ in range(_RESIDUAL_ROUNDS if len(margins) > 1 else 1):
         largest = 0.0
-        for one, there in zip(margins, of_class, strict=True):
-            mean = np.bincount(one.code, weight * found, minlength=len(one.share))
+        for margin, there in zip(margins, of_class, strict=True):
+            mean = np.bincount(margin.code, weight * unexplained, minlength=len(margin.share))
             mean = np.divide(mean, there, out=np.zeros(len(mean)), where=there > 0.0)
-            found = found - mean[one.code]
+            unexplained = unexplained - mean[margin.code]
             largest = max(largest, float(np.abs(mean).max(initial=0.0)))
         if len(margins) < 2 or largest < _CLOSE * max(float(np.abs(values).max(initial=0.0)), 1e-300):
             break
-    return found
+    return unexplained

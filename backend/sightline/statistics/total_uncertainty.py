@@ -24,14 +24,14 @@ from sightline.enums import IntervalPart
 from sightline.messages.said import Said
 from sightline.statistics.deconvolution import SmoothDensity, noise_of, smooth_density
 from sightline.statistics.distributions import PERCENTILES, too_few_for, vehicles_for_interval
-from sightline.statistics.drawn import Drawn, Sampled, ordered
+from sightline.statistics.drawn import Drawn, Sampled, reorder_design
 from sightline.statistics.draws import LEVELS, OTHER, TAIL, ends_of, normal_draws
 from sightline.statistics.figures import TotalFigure, TotalPercentile, without_interval
 from sightline.statistics.shared_errors import SharedErrors
 from sightline.statistics.sites import sites_of
 from sightline.statistics.study_plan import Components
 from sightline.statistics.survey_design import Design
-from sightline.statistics.wording import holding
+from sightline.statistics.wording import interval_contents
 
 _SHAPE = 0.1  # of a correction for random error: what a density of another shape may change it by (k = 1)
 _SMOOTHED = 0.5  # spreads, on either side of a percentile: heights by which sites are compared there
@@ -133,7 +133,7 @@ class TotalUncertainty:
 
     def __init__(self, sample: HeightSample, design: Design | None = None) -> None:
         order = np.argsort(sample.height_m, kind="stable")
-        design = ordered(_one_stratum(sample) if design is None else design, order)
+        design = reorder_design(_one_stratum(sample) if design is None else design, order)
         self._height_m = sample.height_m[order]
         self._shared = tuple(one.where(order) for one in sample.shared)
         self._drawn = Drawn(design, self._shared)
@@ -200,7 +200,7 @@ class TotalUncertainty:
     @property
     def holds_in_words(self) -> Said:
         """What the intervals hold, and for which roads, as the end of a sentence."""
-        return holding(self.holds, self.sites, Said("stat-random-error-removed"))
+        return interval_contents(self.holds, self.sites, Said("stat-random-error-removed"))
 
     def percentile(self, percent: float) -> TotalPercentile:
         """THE percentile, 0 < percent < 100, metres: of the true heights, with its total 95 % interval.
@@ -213,21 +213,21 @@ class TotalUncertainty:
         """
         raw = float(self._quantile(percent / 100.0, 0.5, -1.0))
         needs = vehicles_for_interval(percent)
-        found = self._known(percent)
-        if isinstance(found, Said):
-            value = self._at(percent / 100.0) if self._supported(percent) else None
+        known = self._find_confidence(percent)
+        if isinstance(known, Said):
+            value = self._percentile_m(percent / 100.0) if self._supported(percent) else None
             return TotalPercentile(
-                percent=percent, value=value, U95_low=None, U95_high=None, raw=raw, needs=needs, reason=found
+                percent=percent, value=value, U95_low=None, U95_high=None, raw=raw, needs=needs, reason=known
             )
-        low, high = ends_of(found.possible_m)
+        low, high = ends_of(known.possible_m)
         return TotalPercentile(
             percent=percent,
-            value=found.value_m,
+            value=known.value_m,
             U95_low=low,
             U95_high=high,
             raw=raw,
             needs=needs,
-            effect=found.effect,
+            effect=known.effect,
         )
 
     def percentile_draws(self, percent: float) -> tuple[float, Floats] | Said:
@@ -236,7 +236,7 @@ class TotalUncertainty:
 
         The same as `percentile`'s.
         """
-        found = self._known(percent)
+        found = self._find_confidence(percent)
         return found if isinstance(found, Said) else (found.value_m, found.possible_m - found.value_m)
 
     @cached_property
@@ -245,17 +245,17 @@ class TotalUncertainty:
         what is known of each, put in order at every level.
         """
         there = [one for one in PERCENTILES if self._supported(one)]
-        found = [self._confidence(one / 100.0) for one in there]
-        if not found:
+        confidences = [self._confidence(one / 100.0) for one in there]
+        if not confidences:
             return {}
-        values = _outwards(there, np.array([one.value_m for one in found]))
-        possible = _outwards(there, np.array([one.possible_m for one in found]))
+        values = _outwards(there, np.array([one.value_m for one in confidences]))
+        possible = _outwards(there, np.array([one.possible_m for one in confidences]))
         return {
             percent: _Confidence(float(value), draws, one.effect)
-            for percent, value, draws, one in zip(there, values, possible, found, strict=True)
+            for percent, value, draws, one in zip(there, values, possible, confidences, strict=True)
         }
 
-    def _known(self, percent: float) -> _Confidence | Said:
+    def _find_confidence(self, percent: float) -> _Confidence | Said:
         if not self._supported(percent):
             return too_few_for(percent, self.n, int(self._n + 1e-9))
         if not self._drawn.tells_spread:
@@ -266,10 +266,10 @@ class TotalUncertainty:
             return self._in_order[percent]
         own = self._confidence(percent / 100.0)
         possible, value = own.possible_m, own.value_m
-        for other, one in self._in_order.items():  # between its neighbours
+        for other, neighbour in self._in_order.items():  # between its neighbours
             keep = np.minimum if other > percent else np.maximum
-            possible = keep(possible, one.possible_m)
-            value = float(keep(value, one.value_m))
+            possible = keep(possible, neighbour.possible_m)
+            value = float(keep(value, neighbour.value_m))
         return _Confidence(value, possible, own.effect)
 
     def _supported(self, percent: float) -> bool:
@@ -277,7 +277,7 @@ class TotalUncertainty:
 
     def _confidence(self, p: float) -> _Confidence:
         assert self._density is not None
-        at, slope = self._at(p), self._slope(p, self._density)
+        at, slope = self._percentile_m(p), self._slope(p, self._density)
         own = np.asarray((p - (self._height_m <= at)) / slope, dtype=np.float64)
         # Between ranks the share below is one of few numbers and its variance not quite p (1 - p).
         own *= np.sqrt(p * (1.0 - p)) / slope / max(self._deviation(own), 1e-12)
@@ -285,27 +285,29 @@ class TotalUncertainty:
             self._cell
         ]
         smooth = self._smooth_influence(p, self._density) + of_correction
-        found = self._drawn.sampled(own + of_correction, smooth)
+        sampled = self._drawn.sampled(own + of_correction, smooth)
         plain_m2 = p * (1.0 - p) / slope**2
         correction = self._correction_m(p, self._density)
-        u_m2 = self._unseen(found, self._near(p)) + (_SHAPE * correction) ** 2
+        u_m2 = self._unseen(sampled, self._near(p)) + (_SHAPE * correction) ** 2
         u_m2 += (correction * self._u_spread_m2 / max(self._noise_m2, 1e-12)) ** 2
-        draws = self._draws(found, self._order_statistics(p, self._density) - at, plain_m2)
+        draws = self._draws(sampled, self._order_statistics(p, self._density) - at, plain_m2)
         error = np.sort(draws + np.sqrt(u_m2) * normal_draws())
-        return _Confidence(at + correction, at + correction + error, found.variance * self.n / plain_m2)
+        return _Confidence(at + correction, at + correction + error, sampled.variance * self.n / plain_m2)
 
-    def _draws(self, found: Sampled, sampled: Floats, plain_m2: float) -> Floats:
+    def _draws(self, by_design: Sampled, sampled: Floats, plain_m2: float) -> Floats:
         """Draws (D,) of a percentile's error by its design: those of order statistics, `sampled` (D,), as
         much wider as the design makes them; what comes of sites is Student's, and longer on no side.
         plain_m2: the variance of one height drawn by itself.
         """
         if not self._drawn.compares_sites:
-            wider = found.variance * (self._n - 1.0) / plain_m2
+            wider = by_design.variance * (self._n - 1.0) / plain_m2
             return np.asarray(sampled * np.sqrt(max(wider, 0.0)), dtype=np.float64)
         low, high = ends_of(sampled)
-        draws = found.draws()
+        draws = by_design.draws()
         longer = np.where(draws < 0.0, -low, high) / (COVERAGE_95 * np.sqrt(plain_m2 / self._n))
-        return np.asarray(draws * np.sqrt(found.within * longer**2 + 1.0 - found.within), dtype=np.float64)
+        return np.asarray(
+            draws * np.sqrt(by_design.within * longer**2 + 1.0 - by_design.within), dtype=np.float64
+        )
 
     def named_effects_m(self, percent: float) -> dict[int, float]:
         """What one standard uncertainty of each error that other samples know (a road pose's) moves a
@@ -399,12 +401,12 @@ class TotalUncertainty:
             return Said("stat-true-heights-alike")
         return Said("stat-heights-needed", needed=needed, count=self.n)
 
-    def _unseen(self, found: Sampled, near: Ints) -> float:
+    def _unseen(self, sampled: Sampled, near: Ints) -> float:
         """Variance of what heights share that sites do not show; of one site, all of it, by the rows `near`
         (M,) that the figure rests on.
         """
         if self._drawn.compares_sites:
-            return found.unseen
+            return sampled.unseen
         weight = None if self._alike else self._share[near]
         return sum(one.where(near).variance_of_mean_m2(weight) for one in self._shared)
 
@@ -416,7 +418,7 @@ class TotalUncertainty:
         """The mean of values (N,), as they weigh. A product of vectors would hang on the threads of BLAS."""
         return float(np.sum(self._share * values))
 
-    def _at(self, p: float) -> float:
+    def _percentile_m(self, p: float) -> float:
         """Percentile p of the measured heights, without bias of the median (Hyndman & Fan 1996, type 8)."""
         return float(self._quantile(p, -1.0 / 6.0, 1.0 / 3.0))
 
@@ -455,7 +457,7 @@ class TotalUncertainty:
 
     def _slope(self, p: float, density: SmoothDensity) -> float:
         """The density of measured heights at percentile p, 1/m."""
-        return max(density.measured_density(self._at(p)), self._least_density(p, density))
+        return max(density.measured_density(self._percentile_m(p)), self._least_density(p, density))
 
     def _least_density(self, p: float, density: SmoothDensity) -> float:
         """Half the density that heights within a standard error of p's rank show, 1/m: between two kinds of
@@ -467,7 +469,7 @@ class TotalUncertainty:
 
     def _smooth_influence(self, p: float, density: SmoothDensity) -> Floats:
         """Influence (N,) of each height on percentile p of heights smoothed by half their spread."""
-        at = self._at(p)
+        at = self._percentile_m(p)
         nodes_m, node, share = self._smooth_parts
         width = _SMOOTHED * density.spread_m
         away = (at - nodes_m) / width
@@ -561,16 +563,16 @@ def total_figures(
     """
     if not len(sample.height_m):
         return None
-    found = TotalUncertainty(sample)
+    total = TotalUncertainty(sample)
     return TotalFigures(
-        n=found.n,
-        sites=found.sites,
-        holds=found.holds,
-        words=found.holds_in_words,
-        mean=found.mean(),
-        sd=found.sd(),
-        percentiles=[found.percentile(percent) for percent in percents],
-        shares=_rising(limits_m, [found.share_below(limit) for limit in limits_m]),
+        n=total.n,
+        sites=total.sites,
+        holds=total.holds,
+        words=total.holds_in_words,
+        mean=total.mean(),
+        sd=total.sd(),
+        percentiles=[total.percentile(percent) for percent in percents],
+        shares=_rising(limits_m, [total.share_below(limit) for limit in limits_m]),
     )
 
 
@@ -587,12 +589,12 @@ def _rising(limits_m: Sequence[float], shares: Sequence[TotalFigure]) -> list[To
     return out
 
 
-def difference(one: TotalUncertainty, other: TotalUncertainty, percent: float) -> TotalFigure | Said:
-    """A percentile of `other` less that of `one`, metres, with its interval, or the reason why there is none.
+def difference(total: TotalUncertainty, other: TotalUncertainty, percent: float) -> TotalFigure | Said:
+    """A percentile of `other` less that of `total`, metres, with its interval, or the reason why not.
 
     The two are taken to share no error.
     """
-    first, second = one.percentile_draws(percent), other.percentile_draws(percent)
+    first, second = total.percentile_draws(percent), other.percentile_draws(percent)
     if isinstance(first, Said):
         return first
     if isinstance(second, Said):

@@ -3,10 +3,10 @@
 from collections.abc import Sequence
 
 from sightline.enums import IntervalPart
-from sightline.messages.said import Said, listed
+from sightline.messages.said import Said, join_with_and
 
 
-def holding(parts: Sequence[IntervalPart], sites: int | None, random: Said) -> Said:
+def interval_contents(parts: Sequence[IntervalPart], sites: int | None, random: Said) -> Said:
     """What intervals hold, one part or more, and for which roads, as the end of a sentence; sites: how many
     clusters, None: one site; random: what is said of the random error.
     """
@@ -18,5 +18,5 @@ def holding(parts: Sequence[IntervalPart], sites: int | None, random: Said) -> S
         "known_heights": Said("stat-known-heights"),
     }
     said = [words[part] for part in parts]
-    held = listed(said) if len(said) > 1 else Said("stat-alone", part=said[0])
+    held = join_with_and(said) if len(said) > 1 else Said("stat-alone", part=said[0])
     return Said("stat-holding-place", parts=held) if sites is None else Said("stat-holding-sites", parts=held)

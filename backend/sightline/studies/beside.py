@@ -19,8 +19,8 @@ def study_differences(first: StudyResult, second: StudyResult) -> list[StudyDiff
     By the total intervals that both were computed with (Zou & Donner 2008). The two are taken to share no
     error: of a survey, a site or a mean inset that both hold the intervals are too wide, never too narrow.
     """
-    before = {_name(row): row for row in _rows(first)}
-    return [_difference(before[_name(row)], row) for row in _rows(second) if _name(row) in before]
+    before = {_name(row): row for row in _compared_rows(first)}
+    return [_difference(before[_name(row)], row) for row in _compared_rows(second) if _name(row) in before]
 
 
 def shared_surveys(first: StudyResult, second: StudyResult) -> list[int]:
@@ -28,7 +28,7 @@ def shared_surveys(first: StudyResult, second: StudyResult) -> list[int]:
     return sorted(set(first.heads) & set(second.heads))
 
 
-def _rows(result: StudyResult) -> Iterator[Row]:
+def _compared_rows(result: StudyResult) -> Iterator[Row]:
     for row in result.document["figures"]:
         if row["figure"] in _COMPARED and row["n"]:
             yield row
@@ -50,12 +50,12 @@ def _difference(before: Row, after: Row) -> StudyDifference:
 
 def difference_in_cells(before: Figure, after: Figure) -> dict[str, Any]:
     """Two figures, the second less the first, by the fields of `StudyDifference`."""
-    one = difference_of_figures(before, after)
-    told = one.difference
+    compared = difference_of_figures(before, after)
+    told = compared.difference
     if told.value is None:
         return no_difference(told.reason)
     ends = {"low_m": told.U95_low, "high_m": told.U95_high}
-    return {"value_m": told.value, **ends, "verdict": one.verdict, "reason": told.reason}
+    return {"value_m": told.value, **ends, "verdict": compared.verdict, "reason": told.reason}
 
 
 def no_difference(reason: Said | None) -> dict[str, Any]:

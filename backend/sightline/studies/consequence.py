@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from sightline.enums import LengthUnit
 from sightline.export.report.crest import crest_sentence, question_of
-from sightline.results.sightdistance.service import case_of, exact, height_of_rule
+from sightline.results.sightdistance.service import case_of, exact_height, height_of_rule
 from sightline.studies.records import StudyRule
 
 
@@ -18,6 +18,8 @@ def consequence(rules: Sequence[StudyRule], unit: LengthUnit) -> str | None:
         return None
     eye, thing = eyes[name], objects[name]
     question = question_of(eye.standard, thing.standard, unit)
-    standard = case_of(question, "standard", exact(eye.standard.height_m), exact(thing.standard.height_m))
+    standard = case_of(
+        question, "standard", exact_height(eye.standard.height_m), exact_height(thing.standard.height_m)
+    )
     study = case_of(question, "survey", height_of_rule(eye), height_of_rule(thing))
     return crest_sentence(question, standard, study, "study")

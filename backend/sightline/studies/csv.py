@@ -138,47 +138,47 @@ def study_rows(study: Study) -> dict[str, Iterator[Cells]]:
 
 
 def _packages(study: Study) -> Iterator[Cells]:
-    for one, n, outside in zip(study.surveys, study.counted, study.out_of_sample, strict=True):
-        told: Cells = {"place": one.place, "survey": one.name, "site": one.site, "year": one.year}
-        told["simulated"] = one.simulated
-        told |= {"counted": n, "out_of_sample": outside, "made_with": one.made_with}
-        yield {**told, "chain_sha256": one.seal or None, "audit_head": one.head or None}
+    for survey, n, outside in zip(study.surveys, study.counted, study.out_of_sample, strict=True):
+        told: Cells = {"place": survey.place, "survey": survey.name, "site": survey.site, "year": survey.year}
+        told["simulated"] = survey.simulated
+        told |= {"counted": n, "out_of_sample": outside, "made_with": survey.made_with}
+        yield {**told, "chain_sha256": survey.seal or None, "audit_head": survey.head or None}
 
 
 def _figures(study: Study) -> Iterator[Cells]:
-    for one in study.targets:
-        key: Cells = {"target": one.target, "n": one.n, "sites": one.sites}
-        key["weighting_effect"] = one.weighting_effect
-        if one.mean is None or one.sd is None:
-            yield {**key, "figure": "mean", "reason": one.reason}
+    for figures in study.targets:
+        key: Cells = {"target": figures.target, "n": figures.n, "sites": figures.sites}
+        key["weighting_effect"] = figures.weighting_effect
+        if figures.mean is None or figures.sd is None:
+            yield {**key, "figure": "mean", "reason": figures.reason}
             continue
-        for percentile in one.percentiles:
+        for percentile in figures.percentiles:
             row = {**key, "figure": "percentile", "percent": percentile.percent, "raw_m": percentile.raw}
-            yield row | _told(percentile, one.n)
-        yield {**key, "figure": "mean"} | _told(one.mean, one.n)
-        yield {**key, "figure": "sd"} | _told(one.sd, one.n)
+            yield row | _cells_of_figure(percentile, figures.n)
+        yield {**key, "figure": "mean"} | _cells_of_figure(figures.mean, figures.n)
+        yield {**key, "figure": "sd"} | _cells_of_figure(figures.sd, figures.n)
 
 
 def _rules(study: Study) -> Iterator[Cells]:
     for of in study.rules:
-        one = of.rule
+        rule = of.rule
         yield {
             "target": of.target,
-            "standard": one.standard.name,
-            "what": one.standard.what,
-            "percent": one.standard.percent,
-            "vehicle_class": one.standard.vehicle_class,
-            "by_class": one.by_class,
-            "n": one.n,
-            "standard_m": one.standard.height_m,
-            "value_m": one.value_m,
-            "low_m": one.U95_low_m,
-            "high_m": one.U95_high_m,
-            "difference_m": one.difference_m,
-            "lower": one.lower,
-            "risk": one.risk,
-            "verdict": one.verdict,
-            "reason": one.reason,
+            "standard": rule.standard.name,
+            "what": rule.standard.what,
+            "percent": rule.standard.percent,
+            "vehicle_class": rule.standard.vehicle_class,
+            "by_class": rule.by_class,
+            "n": rule.n,
+            "standard_m": rule.standard.height_m,
+            "value_m": rule.value_m,
+            "low_m": rule.U95_low_m,
+            "high_m": rule.U95_high_m,
+            "difference_m": rule.difference_m,
+            "lower": rule.lower,
+            "risk": rule.risk,
+            "verdict": rule.verdict,
+            "reason": rule.reason,
         }
 
 
@@ -189,25 +189,28 @@ def _years(study: Study) -> Iterator[Cells]:
         yield {**{name: getattr(one, name) for name in plain}, "figure": figure, "reason": one.reason}
 
 
-def _told(one: TotalFigure | TotalPercentile, n: int, unit: str = "_m") -> Cells:
-    found: Cells = {
-        (f"value{unit}" if unit else "share"): one.value,
-        f"low{unit}": one.U95_low,
-        f"high{unit}": one.U95_high,
-        "reason": one.reason,
+def _cells_of_figure(figure: TotalFigure | TotalPercentile, n: int, unit: str = "_m") -> Cells:
+    cells: Cells = {
+        (f"value{unit}" if unit else "share"): figure.value,
+        f"low{unit}": figure.U95_low,
+        f"high{unit}": figure.U95_high,
+        "reason": figure.reason,
     }
-    if one.effect is not None:
-        found |= {"design_effect": one.effect, "effective_n": n / one.effect if one.effect > 0.0 else None}
-    return found
+    if figure.effect is not None:
+        cells |= {
+            "design_effect": figure.effect,
+            "effective_n": n / figure.effect if figure.effect > 0.0 else None,
+        }
+    return cells
 
 
 def _errors(study: Study) -> Iterator[Cells]:
     for one in study.errors:
         key: Cells = {"group": one.group, "figure": one.figure, "n": one.n}
-        yield key | _told(one.value, one.n)
+        yield key | _cells_of_figure(one.value, one.n)
 
 
 def _classes(study: Study) -> Iterator[Cells]:
     for one in study.classes:
         key: Cells = {"group": one.group, "category": one.category, "n": one.n, "fleet_share": one.fleet}
-        yield key | _told(one.share, one.n, "")
+        yield key | _cells_of_figure(one.share, one.n, "")

@@ -12,30 +12,30 @@ from sightline.studies.records import Curve, StudyRule
 from sightline.studies.stored import Computed
 
 
-def document_of(found: Computed) -> JsonObject:
+def document_of(computed: Computed) -> JsonObject:
     """Plain JSON; the rows are those of the package, to the last digit; rules have their standard's code."""
-    written = study_rows(found.study)
+    written = study_rows(computed.study)
     rows = {table.name: list(written[table.path]) for table in TABLES}
-    for row, of in zip(rows[RULES.name], found.study.rules, strict=True):
+    for row, of in zip(rows[RULES.name], computed.study.rules, strict=True):
         row["standard_code"] = of.rule.standard.code
     return {
-        "heights": found.study.heights,
-        "vehicles": found.study.vehicles,
-        "notes": found.study.notes,
-        "consequence": _consequences(found.study.rules),
-        "curves": [_curve(one) for one in found.study.curves],
+        "heights": computed.study.heights,
+        "vehicles": computed.study.vehicles,
+        "notes": computed.study.notes,
+        "consequence": _consequences(computed.study.rules),
+        "curves": [_curve(one) for one in computed.study.curves],
         **rows,
     }
 
 
 def _consequences(rules: Sequence[StudyRule]) -> dict[str, dict[LengthUnit, str]] | None:
     """The sentence by language and unit: its numbers are written as each writes them."""
-    said: dict[str, dict[LengthUnit, str]] = {}
+    sentences: dict[str, dict[LengthUnit, str]] = {}
     for language in languages():
         with speaking(language):
             found = {unit: consequence(rules, unit) for unit in get_args(LengthUnit)}
-        said[language] = {unit: sentence for unit, sentence in found.items() if sentence is not None}
-    return said if all(said.values()) else None
+        sentences[language] = {unit: sentence for unit, sentence in found.items() if sentence is not None}
+    return sentences if all(sentences.values()) else None
 
 
 def consequence_in(document: JsonObject, language: str) -> dict[LengthUnit, str] | None:
@@ -44,7 +44,7 @@ def consequence_in(document: JsonObject, language: str) -> dict[LengthUnit, str]
     return {"m": said} if isinstance(said, str) else said
 
 
-def _curve(one: Curve) -> JsonObject:
+def _curve(curve: Curve) -> JsonObject:
     points = [
         {
             "percent": point.percent,
@@ -53,6 +53,6 @@ def _curve(one: Curve) -> JsonObject:
             "low_m": point.U95_low,
             "high_m": point.U95_high,
         }
-        for point in one.points
+        for point in curve.points
     ]
-    return {"target": one.target, "points": points}
+    return {"target": curve.target, "points": points}

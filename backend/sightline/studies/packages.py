@@ -20,16 +20,16 @@ Check = Callable[[Files], str | None]
 
 def found_places(named: Iterable[Path]) -> list[Path]:
     """Packages by names of folders and ZIPs; another folder: all packages below. Raises BadInput for none."""
-    found: list[Path] = []
+    places: list[Path] = []
     for place in named:
         if place.is_file() or (place / CHECKSUMS).is_file():
-            found.append(place)
+            places.append(place)
             continue
         below = [one.parent for one in place.rglob(CHECKSUMS)] + list(place.rglob("*.zip"))
         if not below:
             raise BadInput("studies-no-package-there", place=place)
-        found += sorted(below)
-    return found
+        places += sorted(below)
+    return places
 
 
 def refuse_output(output: Path, places: Sequence[Path]) -> None:
@@ -40,7 +40,7 @@ def refuse_output(output: Path, places: Sequence[Path]) -> None:
         raise BadInput("studies-output-in-package", place=output)
 
 
-def studied(places: Sequence[Path], check: Check, scratch: Path) -> list[StudiedPackage]:
+def read_packages(places: Sequence[Path], check: Check, scratch: Path) -> list[StudiedPackage]:
     """Every package, verified by `check`, its tables where DuckDB reads them (a ZIP's in `scratch`).
 
     Raises BadInput for one that does not pass, lacks what a study reads, or is given twice in whatever form.
@@ -56,12 +56,12 @@ def _studied(place: Path, check: Check, scratch: Path) -> StudiedPackage:
     if problem is not None:
         raise BadInput("studies-package-unverified", place=place, problem=problem)
     try:
-        return _read(place, files, scratch)
+        return _read_package(place, files, scratch)
     except Damaged as error:
         raise BadInput("studies-package-unverified", place=place, problem=error.message) from error
 
 
-def _read(place: Path, files: Files, scratch: Path) -> StudiedPackage:
+def _read_package(place: Path, files: Files, scratch: Path) -> StudiedPackage:
     for name in READ:
         if parquet_path(name) not in files.paths:
             raise BadInput("studies-package-without-parquet", place=place)
@@ -102,7 +102,9 @@ def _unpacked(files: Files, scratch: Path) -> Path:
 
 def _refuse_twice(packages: Sequence[StudiedPackage]) -> None:
     known: dict[str, StudiedPackage] = {}
-    for one in packages:
-        if one.survey in known:
-            raise BadInput("studies-same-survey-twice", first=known[one.survey].place, second=one.place)
-        known[one.survey] = one
+    for package in packages:
+        if package.survey in known:
+            raise BadInput(
+                "studies-same-survey-twice", first=known[package.survey].place, second=package.place
+            )
+        known[package.survey] = package

@@ -65,18 +65,18 @@ class StudyTables:
             f"""
             SELECT c.package AS survey_id, m.id, m.pose_id, c.category, c.lighting, c.class_set, c.known_m,
               {lengths}
-            FROM {self._of("measurements.csv")} m
+            FROM {self._sql("measurements.csv")} m
             JOIN cars c ON c.package = m.file_index AND c.id = m.vehicle_id
             WHERE {_COUNTED} AND m.target = $target
             """,
             target=target,
         )
-        found: dict[str, Any] = {
+        columns: dict[str, Any] = {
             name: (_floats if name.endswith("_m") else _ints)(values)
             for name, values in _in_order(rows).items()
             if name != "id"
         }
-        return Heights(**found)
+        return Heights(**columns)
 
     def vehicles(self) -> tuple[Ints, Ints, Ints]:
         """(package, category, lighting), (V,) each, of every vehicle with a counted height."""
@@ -84,7 +84,7 @@ class StudyTables:
             f"""
             SELECT c.package AS survey_id, c.id, c.category, c.lighting FROM cars c
             SEMI JOIN (
-              SELECT m.file_index, m.vehicle_id FROM {self._of("measurements.csv")} m WHERE {_COUNTED}
+              SELECT m.file_index, m.vehicle_id FROM {self._sql("measurements.csv")} m WHERE {_COUNTED}
             ) m ON c.package = m.file_index AND c.id = m.vehicle_id
             """
         )
@@ -98,8 +98,8 @@ class StudyTables:
         rows = self._numbers(
             f"""
             SELECT m.file_index AS p, count(c.id) AS n, count(*) - count(c.id) AS outside
-            FROM {self._of("measurements.csv")} m
-            JOIN {self._of("vehicles.csv")} v ON v.file_index = m.file_index AND v.id = m.vehicle_id
+            FROM {self._sql("measurements.csv")} m
+            JOIN {self._sql("vehicles.csv")} v ON v.file_index = m.file_index AND v.id = m.vehicle_id
             LEFT JOIN cars c ON c.package = m.file_index AND c.id = m.vehicle_id
             WHERE {_COUNTED} AND NOT v.check_target GROUP BY 1
             """
@@ -121,11 +121,11 @@ class StudyTables:
               coalesce(l.code, -1) AS lighting, coalesce(s.code, -1) AS class_set,
               CASE WHEN v.model_chosen_by IS DISTINCT FROM '{BY_SIZE}' THEN v.manufacturer_height_m END
                 AS known_m
-            FROM {self._of("vehicles.csv")} v
-            LEFT JOIN {self._of("recordings.csv")} r ON r.file_index = v.file_index AND r.id = v.recording_id
+            FROM {self._sql("vehicles.csv")} v
+            LEFT JOIN {self._sql("recordings.csv")} r ON r.file_index = v.file_index AND r.id = v.recording_id
             LEFT JOIN categories c ON c.word = v.category
             LEFT JOIN lightings l ON l.word = coalesce(v.lighting, r.lighting)
-            LEFT JOIN {self._of("classes.csv")} k ON k.file_index = v.file_index AND k.category = v.category
+            LEFT JOIN {self._sql("classes.csv")} k ON k.file_index = v.file_index AND k.category = v.category
             LEFT JOIN class_sets s ON s.word = k.class_set
             WHERE v.counts
             """,
@@ -136,7 +136,7 @@ class StudyTables:
             },
         )
 
-    def _of(self, table: str) -> str:
+    def _sql(self, table: str) -> str:
         """A table of all packages, with which of them each row is of."""
         rows = f"read_parquet(${table.removesuffix('.csv')}, union_by_name = true)"
         return f"(SELECT {', '.join(READ[table])}, file_index FROM {rows})"

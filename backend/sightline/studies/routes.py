@@ -51,7 +51,7 @@ from sightline.studies.members_store import (
     sees_result,
 )
 from sightline.studies.records import StoredStudy, StudyFacts, StudyResult
-from sightline.studies.stored import ask_to_compute, checked, heads_of
+from sightline.studies.stored import ask_to_compute, check_study_facts, heads_of
 from sightline.surveys.members.store import roles_by_thing, seen_studies
 from sightline.surveys.store import survey_names
 
@@ -70,7 +70,9 @@ def list_studies(who: Viewer, session: Reading) -> list[ListedStudy]:
 @router.post("/studies", status_code=201)
 def add_study(body: NewStudy, who: Operator, session: Writing) -> StudyBody:
     """A new study of surveys that the person sees, seen by whoever made it; nothing is computed yet."""
-    made = store.create_study(session, checked(session, _seen(session, who, body.record())), actor=who.id)
+    made = store.create_study(
+        session, check_study_facts(session, _require_seen_surveys(session, who, body.record())), actor=who.id
+    )
     add_study_member(session, made.id, who.id, actor=who.id)
     return _body(session, made)
 
@@ -92,7 +94,7 @@ def get_study(study_id: PathId, who: Viewer, session: Reading, asked_in: AskedIn
 def change_study(study_id: PathId, body: StudyChange, who: Operator, session: Writing) -> StudyBody:
     """Put other facts in their place; what was computed stays until it is computed again."""
     before = _worked_on(session, who, study_id)
-    facts = checked(session, _seen(session, who, body.record()))
+    facts = check_study_facts(session, _require_seen_surveys(session, who, body.record()))
     if is_open_to_all(session, study_id):
         known = {one.survey_id for one in before.facts.surveys}
         added = [one.survey_id for one in facts.surveys if one.survey_id not in known]
@@ -133,18 +135,18 @@ def compare_studies(study_id: PathId, other_id: PathId, who: Viewer, session: Re
 @router.get("/studies/{study_id}/results/{result_id}.zip", response_class=FileResponse)
 def download_study(study_id: PathId, result_id: PathId, who: Exporter, services: Wired) -> FileResponse:
     """The study as `sightline study` writes it."""
-    study, result = _found(services, who, study_id, result_id)
-    return _file(services, result.media_key, "application/zip", f"{_plain(study)}-{result_id}.zip")
+    study, result = _get_seen_result(services, who, study_id, result_id)
+    return _file(services, result.media_key, "application/zip", f"{_file_name(study)}-{result_id}.zip")
 
 
 @router.get("/studies/{study_id}/results/{result_id}.pdf", response_class=FileResponse)
 def download_report(study_id: PathId, result_id: PathId, who: Exporter, services: Wired) -> FileResponse:
     """The report of the study."""
-    study, result = _found(services, who, study_id, result_id)
-    return _file(services, result.report_key, "application/pdf", f"{_plain(study)}-{result_id}.pdf")
+    study, result = _get_seen_result(services, who, study_id, result_id)
+    return _file(services, result.report_key, "application/pdf", f"{_file_name(study)}-{result_id}.pdf")
 
 
-def _seen(session: Session, who: Person, facts: StudyFacts) -> StudyFacts:
+def _require_seen_surveys(session: Session, who: Person, facts: StudyFacts) -> StudyFacts:
     """The same. Raises NotFound for a survey that the person does not see."""
     roles = roles_by_thing(session, who, "surveys", [one.survey_id for one in facts.surveys])
     for one in facts.surveys:
@@ -222,7 +224,9 @@ def _computed(session: Session, who: Person, study_id: int) -> tuple[StoredStudy
     return study, result
 
 
-def _found(services: Services, who: Person, study_id: int, result_id: int) -> tuple[StoredStudy, StudyResult]:
+def _get_seen_result(
+    services: Services, who: Person, study_id: int, result_id: int
+) -> tuple[StoredStudy, StudyResult]:
     with services.reading() as session:
         study = store.get_study(session, study_id)
         result = store.get_study_result(session, study_id, result_id)
@@ -235,7 +239,7 @@ def _file(services: Services, key: str, kind: str, name: str) -> FileResponse:
     return FileResponse(services.media.local_path(key), media_type=kind, filename=name)
 
 
-def _plain(study: StoredStudy) -> str:
+def _file_name(study: StoredStudy) -> str:
     """A file's name after the study's, in plain letters."""
     plain = re.sub(r"[^A-Za-z0-9]+", "-", study.facts.name).strip("-").lower() or "study"
     return f"sightline-study-{plain}"
@@ -264,7 +268,7 @@ def _result(session: Session, study: StoredStudy, result: StudyResult, language:
     names, heads = survey_names(session), heads_of(session, result.heads)
     changed = [names[one][0] for one, head in result.heads.items() if heads[one] != head]
     base = f"/api/studies/{study.id}/results/{result.id}"
-    said = consequence_in(result.document, language)
+    sentence = consequence_in(result.document, language)
     return filled_from(
         ResultBody,
         result,
@@ -272,5 +276,5 @@ def _result(session: Session, study: StoredStudy, result: StudyResult, language:
         surveys_changed=changed,
         package_url=f"{base}.zip",
         report_url=f"{base}.pdf",
-        found=FiguresBody.model_validate({**result.document, "consequence": said}),
+        found=FiguresBody.model_validate({**result.document, "consequence": sentence}),
     )

@@ -22,8 +22,8 @@ def rules_of_all(
     """
     known = bool(np.any(of.rows.category >= 0))
     return {
-        n: _made(target, one, of, figures, known)
-        for n, one in _asked(target, standards).items()
+        n: _make_rule(target, one, of, figures, known)
+        for n, one in _standards_of_target(target, standards).items()
         if not known or of.rows.of_classes(*RULE_OF[one.what][1]).all()
     }
 
@@ -34,19 +34,19 @@ def rules_of_classes(
     """The other rules, each on the heights of its class, by the standard's place; figures of one class at a
     time, for they are as large as those of all. made: those that are there.
     """
-    waiting = {n: one for n, one in _asked(target, standards).items() if n not in made}
-    found = {}
+    waiting = {n: one for n, one in _standards_of_target(target, standards).items() if n not in made}
+    rules = {}
     for classes in dict.fromkeys(RULE_OF[one.what][1] for one in waiting.values()):
         own = of.domain(of.rows.of_classes(*classes))
         figures = None if own.design is None else own.figures()
         for n, one in waiting.items():
             if RULE_OF[one.what][1] == classes:
-                found[n] = _made(target, one, own, figures, True)
+                rules[n] = _make_rule(target, one, own, figures, True)
         del own, figures
-    return found
+    return rules
 
 
-def _asked(target: StatisticsTarget, standards: Sequence[Standard]) -> dict[int, Standard]:
+def _standards_of_target(target: StatisticsTarget, standards: Sequence[Standard]) -> dict[int, Standard]:
     return {
         n: one
         for n, one in enumerate(standards)
@@ -54,7 +54,7 @@ def _asked(target: StatisticsTarget, standards: Sequence[Standard]) -> dict[int,
     }
 
 
-def _made(
+def _make_rule(
     target: StatisticsTarget,
     standard: Standard,
     of: Weighted,

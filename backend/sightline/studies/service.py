@@ -36,7 +36,7 @@ from sightline.studies.records import (
 )
 from sightline.studies.rules import rules_of_all, rules_of_classes
 from sightline.studies.shares import class_shares, error_figures
-from sightline.studies.weighted import Weighted, refuse_fleet, weighted
+from sightline.studies.weighted import Weighted, refuse_fleet, weight_heights
 
 TARGETS: tuple[StatisticsTarget, ...] = get_args(StatisticsTarget)
 PERCENTS = (2.5, 5.0, 10.0, 15.0, 50.0, 85.0, 90.0, 95.0, 97.5)
@@ -107,11 +107,11 @@ def make_study(surveys: Sequence[StudiedSurvey], tables: Tables, asked: Plan, te
     refuse_fleet(asked.fleet, cars, places)
     classes = class_shares(cars, places, asked.fleet)
     standards = joined_standards([one.standards for one in surveys])
-    found, errors = _Found(), []
+    collected, errors = _Found(), []
     for done, target in enumerate(TARGETS):
         tell(done / len(TARGETS))
         rows = tables.heights(target)
-        _of_target(target, rows, surveys, places, asked, standards, found, notes)
+        _of_target(target, rows, surveys, places, asked, standards, collected, notes)
         if target == "roof":
             errors = error_figures(rows, places)
     return Study(
@@ -120,13 +120,13 @@ def make_study(surveys: Sequence[StudiedSurvey], tables: Tables, asked: Plan, te
         out_of_sample=outside.tolist(),
         heights=int(counted.sum()),
         vehicles=len(cars[0]),
-        targets=found.targets,
+        targets=collected.targets,
         errors=errors,
         classes=classes,
-        plans=found.plans,
-        rules=found.rules,
-        years=found.years,
-        curves=found.curves,
+        plans=collected.plans,
+        rules=collected.rules,
+        years=collected.years,
+        curves=collected.curves,
         notes=notes,
     )
 
@@ -164,27 +164,27 @@ def _of_target(
     places: Places,
     asked: Plan,
     standards: Sequence[Standard],
-    found: _Found,
+    collected: _Found,
     notes: list[Said],
 ) -> None:
     """Everything of one target, put with what was found."""
-    of = weighted(rows, places, asked.fleet)
+    of = weight_heights(rows, places, asked.fleet)
     left_out = len(rows) - of.n
     if left_out:
         notes.append(Said("study-without-class", count=left_out, target=target))
     figures = None if of.design is None else of.figures()
-    found.targets.append(_target_figures(target, of, figures, places))
+    collected.targets.append(_target_figures(target, of, figures, places))
     if figures is not None:
         if asked.curves:
             points = [figures.percentile(percent) for percent in _CURVE]
             supported = [one for one in points if one.value is not None]
-            found.curves += [Curve(target, supported)] if supported else []
-        found.plans += _plans(target, figures, asked.goal_m, float(places.sites_there.sum()))
+            collected.curves += [Curve(target, supported)] if supported else []
+        collected.plans += _plans(target, figures, asked.goal_m, float(places.sites_there.sum()))
     rules = rules_of_all(target, of, figures, standards)
     del figures  # as large as all heights, and so are those of a class
     rules |= rules_of_classes(target, of, standards, rules)
-    found.rules += [rules[n] for n in sorted(rules)]
-    found.years += _years(target, rows, surveys, asked)
+    collected.rules += [rules[n] for n in sorted(rules)]
+    collected.years += _years(target, rows, surveys, asked)
 
 
 def _target_figures(
@@ -211,9 +211,9 @@ def _plans(
     if told is None:
         return []
     components = Components(told.sampling_m, told.between_m, told.common_m, sites_there)
-    found = []
+    plan_rows = []
     for sites, vehicles in plan(components, _PLANNED_SITES, goal_m):
-        found.append(
+        plan_rows.append(
             PlanRow(
                 target=target,
                 percent=_PLANNED_PERCENT,
@@ -223,7 +223,7 @@ def _plans(
                 U95_m=None if vehicles is None else U95_of(components, sites, vehicles),
             )
         )
-    return found
+    return plan_rows
 
 
 def _years(
@@ -250,7 +250,7 @@ def _of_year(
     own[here] = np.arange(len(here))
     of_year = rows.where(own[rows.survey_id] >= 0)
     of_year = replace(of_year, survey_id=own[of_year.survey_id])
-    of = weighted(of_year, places_of([surveys[n] for n in here], asked.sites), asked.fleet)
+    of = weight_heights(of_year, places_of([surveys[n] for n in here], asked.sites), asked.fleet)
     return of, None if of.design is None else of.figures()
 
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from sightline.arrays import Floats, Ints
 from sightline.results.measured_columns_query import CATEGORIES, LIGHTING, Heights
-from sightline.statistics.drawn import Drawn, ordered, share_of
+from sightline.statistics.drawn import Drawn, reorder_design, share_of
 from sightline.statistics.error_totals import ErrorTotals
 from sightline.statistics.figures import TotalFigure
 from sightline.statistics.shared_errors import SharedErrors
@@ -19,11 +19,11 @@ def class_shares(cars: tuple[Ints, Ints, Ints], places: Places, fleet: Fleet | N
     """Shares of classes on the road, by the draw alone: the fleet's own stand beside them."""
     package, category, lighting = cars
     of_fleet = fleet.margins.get("category", {}) if fleet else {}
-    found: list[ClassShare] = []
+    shares: list[ClassShare] = []
     known = category >= 0
     package, category, lighting = package[known], category[known], lighting[known]
     if len(package) < LEAST:
-        return found
+        return shares
     drawn = Drawn(design_of(package, places))
     for group, among in [
         ("all", np.ones(len(package), dtype=np.bool_)),
@@ -35,8 +35,8 @@ def class_shares(cars: tuple[Ints, Ints, Ints], places: Places, fleet: Fleet | N
             chosen = among & (category == n)
             if chosen.any():
                 share = share_of(drawn, chosen, among)
-                found.append(ClassShare(group, word, int(chosen.sum()), share, of_fleet.get(word)))
-    return found
+                shares.append(ClassShare(group, word, int(chosen.sum()), share, of_fleet.get(word)))
+    return shares
 
 
 def error_figures(rows: Heights, places: Places) -> list[ErrorFigure]:
@@ -47,7 +47,7 @@ def error_figures(rows: Heights, places: Places) -> list[ErrorFigure]:
     """
     rows = rows.where(np.isfinite(rows.known_m))
     design = design_of(rows.survey_id, places)
-    found = []
+    figures = []
     for group, wanted in [
         ("overall", np.ones(len(rows), dtype=np.bool_)),
         *((w, rows.lighting == n) for n, w in enumerate(LIGHTING)),
@@ -59,12 +59,12 @@ def error_figures(rows: Heights, places: Places) -> list[ErrorFigure]:
         error = chosen.height_m - chosen.known_m
         sample = sample_of(chosen)
         shared: tuple[SharedErrors, ...] = sample.shared
-        drawn = Drawn(ordered(design, wanted), shared)
+        drawn = Drawn(reorder_design(design, wanted), shared)
         totals = ErrorTotals(error, shared, drawn.design.site, drawn.design.weight)
-        found += [
+        figures += [
             ErrorFigure(group, name, n, value) for name, value in _figures_of(error, drawn, totals).items()
         ]
-    return found
+    return figures
 
 
 def _figures_of(error: Floats, drawn: Drawn, totals: ErrorTotals) -> dict[str, TotalFigure]:

@@ -25,7 +25,9 @@ _EDITABLE = ("name", "description", "surveys", "fleet_csv", "sites_csv", "goal_m
 def create_study(
     session: Session, facts: StudyFacts, *, simulated: bool = False, actor: int | None
 ) -> StoredStudy:
-    """A new study of facts that hold together (`stored.checked`); a simulated one is open to all."""
+    """A new study of facts that hold together (`stored.check_study_facts`); a simulated one is open to
+    all.
+    """
     content = {**_content(facts), "simulated": simulated, "open_to_all": simulated}
     (study_id,) = make_rows(session, studies, [content], survey_id=None, actor=actor)
     return get_study(session, study_id)
@@ -54,13 +56,13 @@ def update_study(
     session: Session, study_id: int, facts: StudyFacts, *, version: int, actor: int | None
 ) -> StoredStudy:
     """Change it. Raises Conflict, naming who and when, if `version` is not the current one; NotFound."""
-    alter_row(session, studies, _seen(session, study_id, version), _content(facts), actor=actor)
+    alter_row(session, studies, _require_version(session, study_id, version), _content(facts), actor=actor)
     return get_study(session, study_id)
 
 
 def remove_study(session: Session, study_id: int, *, version: int, actor: int | None) -> None:
     """Take it from the list; what was computed of it stays stored. Raises Conflict, NotFound."""
-    take_out_row(session, studies, _seen(session, study_id, version), actor=actor)
+    take_out_row(session, studies, _require_version(session, study_id, version), actor=actor)
 
 
 def note_study_job(session: Session, study_id: int, job_id: int, *, actor: int | None) -> None:
@@ -118,7 +120,7 @@ def surveys_of_results(session: Session, study_id: int) -> frozenset[int]:
     return frozenset(int(one) for heads in session.execute(query).scalars() for one in heads)
 
 
-def _seen(session: Session, study_id: int, version: int) -> dict[str, Any]:
+def _require_version(session: Session, study_id: int, version: int) -> dict[str, Any]:
     before = get_row(session, studies, study_id, "study", studies.c.deleted_at.is_(None))
     if changed := change_since(session, before, version):
         name, when = changed

@@ -37,7 +37,7 @@ class Computed:
     heads: dict[int, str]
 
 
-def checked(session: Session, facts: StudyFacts) -> StudyFacts:
+def check_study_facts(session: Session, facts: StudyFacts) -> StudyFacts:
     """The same with a site for every survey.
 
     Raises BadInput where it does not hold together, NotFound for a survey that is not there.
@@ -76,27 +76,27 @@ def _site(survey: Survey) -> str:
 
 def _sites(facts: StudyFacts) -> Mapping[str, SiteFacts] | None:
     """By the table of sites where there is one, else by the strata that the surveys were given."""
-    told: dict[str, str] = {}
-    for one in facts.surveys:
-        before = told.setdefault(one.site, one.stratum)
-        if before != one.stratum:
+    strata: dict[str, str] = {}
+    for survey in facts.surveys:
+        before = strata.setdefault(survey.site, survey.stratum)
+        if before != survey.stratum:
             raise BadInput(
-                "studies-two-strata", site=one.site, first=before or "–", second=one.stratum or "–"
+                "studies-two-strata", site=survey.site, first=before or "–", second=survey.stratum or "–"
             )
     if facts.sites_csv.strip():
         sites = read_sites(SITES, facts.sites_csv)
-        for site, stratum in told.items():
+        for site, stratum in strata.items():
             if site not in sites:
                 raise BadInput("studies-site-missing", site=site)
             if stratum and sites[site].stratum != stratum:
                 raise BadInput("studies-two-strata", site=site, first=sites[site].stratum, second=stratum)
         return sites
-    if not any(told.values()):
+    if not any(strata.values()):
         return None
-    without = next((site for site, stratum in told.items() if not stratum), None)
+    without = next((site for site, stratum in strata.items() if not stratum), None)
     if without is not None:
         raise BadInput("studies-site-without-stratum", site=without)
-    return {site: SiteFacts(stratum, math.inf, None) for site, stratum in told.items()}
+    return {site: SiteFacts(stratum, math.inf, None) for site, stratum in strata.items()}
 
 
 def ask_to_compute(session: Session, study_id: int, *, language: str = SOURCE, actor: int | None) -> Job:
@@ -136,23 +136,23 @@ def heads_of(session: Session, survey_ids: Iterable[int]) -> dict[int, str]:
 
 
 def _surveys(session: Session, facts: StudyFacts, heads: Mapping[int, str]) -> list[StudiedSurvey]:
-    posed = surveys_with_poses(session, [one.survey_id for one in facts.surveys])
-    found = []
-    for one in facts.surveys:
-        survey = get_survey(session, one.survey_id)
+    posed = surveys_with_poses(session, [entry.survey_id for entry in facts.surveys])
+    studied = []
+    for entry in facts.surveys:
+        survey = get_survey(session, entry.survey_id)
         name = survey.name
-        if one.survey_id not in posed:
+        if entry.survey_id not in posed:
             raise BadInput("studies-survey-without-poses", place=name)
-        found.append(
+        studied.append(
             StudiedSurvey(
-                place=f"survey {one.survey_id}",
+                place=f"survey {entry.survey_id}",
                 name=name,
-                site=one.site,
+                site=entry.site,
                 made_with=code_version(),
-                standards=get_standards(session, one.survey_id).standards,
-                head=heads[one.survey_id],
-                year=one.year,
+                standards=get_standards(session, entry.survey_id).standards,
+                head=heads[entry.survey_id],
+                year=entry.year,
                 simulated=survey.simulated,
             )
         )
-    return found
+    return studied

@@ -46,7 +46,7 @@ def result_of(context: registry.JobContext, study_id: int, language: str = SOURC
         if context.actor is not None:
             asked_by = get_person(session, context.actor)
             require_surveys(session, asked_by, (one.survey_id for one in stored.facts.surveys))
-        found = compute(
+        computed = compute(
             session, stored, lambda part: context.progress(_COMPUTED * part, Said("job-study-figures"))
         )
     with tempfile.TemporaryDirectory(prefix="study-", dir=services.scratch) as name:
@@ -54,24 +54,24 @@ def result_of(context: registry.JobContext, study_id: int, language: str = SOURC
         context.progress(_COMPUTED, Said("job-study-package"))
         staging = Staging(folder / "study")
         staging.folder.mkdir()
-        write_study(staging, found.study, [])
+        write_study(staging, computed.study, [])
         package = folder / "study.zip"
         zip_folder(staging, package)
         size, sha256 = package.stat().st_size, sha256_of(package)
         context.progress(_PACKED, Said("job-study-report"))
         report = folder / "report.pdf"
-        report.write_bytes(study_report(stored, found, sha256, now(), language))
+        report.write_bytes(study_report(stored, computed, sha256, now(), language))
         report_sha256 = sha256_of(report)
         media_key, report_key = key_of(sha256, ".zip"), key_of(report_sha256, ".pdf")
         services.media.put_file(media_key, package)
         services.media.put_file(report_key, report)
-    document = {**document_of(found), "language": language}
+    document = {**document_of(computed), "language": language}
 
     def store(session: Session) -> Mapping[str, Any]:
-        made = add_study_result(
+        result = add_study_result(
             session,
             stored,
-            heads=found.heads,
+            heads=computed.heads,
             document=document,
             media_key=media_key,
             size_bytes=size,
@@ -80,6 +80,6 @@ def result_of(context: registry.JobContext, study_id: int, language: str = SOURC
             report_sha256=report_sha256,
             actor=context.actor,
         )
-        return {"study_id": study_id, "result_id": made.id, "heights": found.study.heights}
+        return {"study_id": study_id, "result_id": result.id, "heights": computed.study.heights}
 
     return store

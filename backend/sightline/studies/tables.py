@@ -12,7 +12,7 @@ from sqlalchemy import (
 )
 
 from sightline.infra.audit.vouched import table_changed_by_events, table_written_once
-from sightline.infra.database.types import NEEDS_MEDIA, CanonicalJson, columns_for, numbered
+from sightline.infra.database.types import NEEDS_MEDIA, CanonicalJson, columns_for, numbered_table
 from sightline.studies.records import StudyFacts
 
 # Surveys joined: which ones at which site and of which year, the fleet, facts of the sites.
@@ -30,7 +30,7 @@ studies = table_changed_by_events(
 )
 
 # Who sees a study that is not open to all; what they may do there is their account's role.
-study_members = numbered(
+study_members = numbered_table(
     "study_members",
     Column("study_id", ForeignKey("studies.id"), nullable=False, index=True),
     Column("person_id", ForeignKey("people.id"), nullable=False, index=True),

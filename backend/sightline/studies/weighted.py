@@ -12,10 +12,10 @@ from sightline.arrays import Ints
 from sightline.errors import BadInput
 from sightline.messages.said import Said
 from sightline.results.measured_columns_query import CATEGORIES, LIGHTING, Heights
-from sightline.statistics.drawn import lonely_strata, ordered
+from sightline.statistics.drawn import lonely_strata, reorder_design
 from sightline.statistics.sites import compact
 from sightline.statistics.survey_design import Design
-from sightline.statistics.survey_weights import Margin, calibrated
+from sightline.statistics.survey_weights import Margin, calibrate_weights
 from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty, sample_of_measurements
 from sightline.studies.places import Places, design_of
 from sightline.studies.records import Fleet
@@ -46,7 +46,7 @@ class Weighted:
         if self.design is None:
             return self
         rows = self.rows.where(chosen)
-        design = ordered(self.design, np.flatnonzero(chosen))
+        design = reorder_design(self.design, np.flatnonzero(chosen))
         if len(rows) < LEAST:
             return Weighted(rows, None, _too_few())
         design = replace(design, site=compact(design.site))
@@ -55,7 +55,7 @@ class Weighted:
         return Weighted(rows, design)
 
 
-def weighted(rows: Heights, places: Places, fleet: Fleet | None) -> Weighted:
+def weight_heights(rows: Heights, places: Places, fleet: Fleet | None) -> Weighted:
     """The heights of one target, weighted to the fleet where there is one: those of a class that it has."""
     rows = rows.where(_in_fleet(rows, fleet, places))
     if len(rows) < LEAST:
@@ -78,13 +78,13 @@ def refuse_fleet(fleet: Fleet | None, cars: tuple[Ints, Ints, Ints], places: Pla
     """Every class of the fleet was seen, and every class seen is in the fleet."""
     for variable, shares in (fleet.margins if fleet else {}).items():
         words, code = _coded(variable, cars[0], cars[1], cars[2], places)
-        seen = {words[n] for n in np.unique(code[code >= 0]).tolist()}
+        classes_seen = {words[n] for n in np.unique(code[code >= 0]).tolist()}
         for name, share in shares.items():
             if name not in words and variable in ("category", "lighting"):
                 raise BadInput("studies-class-unknown", variable=variable, name=name, known=", ".join(words))
-            if share > 0.0 and name not in seen:
+            if share > 0.0 and name not in classes_seen:
                 raise BadInput("studies-class-never-seen", variable=variable, name=name)
-        for name in sorted(seen - set(shares)):
+        for name in sorted(classes_seen - set(shares)):
             count = int(np.count_nonzero(code == words.index(name)))
             raise BadInput("studies-fleet-lacks-class", variable=variable, name=name, count=count)
 
@@ -112,7 +112,7 @@ def _to_fleet(design: Design, rows: Heights, places: Places, fleet: Fleet) -> De
         for n in np.flatnonzero((share > 0.0) & (there == 0)).tolist():
             return Said("study-class-not-counted", variable=variable, name=words[n])
         margins.append(Margin(code, share))
-    weight = calibrated(design.weight, margins)
+    weight = calibrate_weights(design.weight, margins)
     if weight is None:
         return Said("study-no-weights")
     return Design(

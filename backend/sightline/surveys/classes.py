@@ -51,15 +51,17 @@ def chosen_classes(
 ) -> tuple[VehicleClass, ...]:
     """The table with some classes changed, in its usual order. Raises BadInput for one that comes twice."""
     table = {one.category: one for one in before}
-    seen: set[str] = set()
-    for one in changes:
-        if one.category in seen:
-            raise BadInput("surveys-class-twice", category=one.category)
-        if any(number not in FHWA_CLASSES for number in one.fhwa):
-            raise BadInput("surveys-class-fhwa", category=one.category)
-        seen.add(one.category)
-        eu = tuple(word for word in get_args(EuClass) if word in one.eu)
-        table[one.category] = VehicleClass(one.category, one.class_set, eu, tuple(sorted(set(one.fhwa))))
+    changed: set[str] = set()
+    for change in changes:
+        if change.category in changed:
+            raise BadInput("surveys-class-twice", category=change.category)
+        if any(number not in FHWA_CLASSES for number in change.fhwa):
+            raise BadInput("surveys-class-fhwa", category=change.category)
+        changed.add(change.category)
+        eu = tuple(word for word in get_args(EuClass) if word in change.eu)
+        table[change.category] = VehicleClass(
+            change.category, change.class_set, eu, tuple(sorted(set(change.fhwa)))
+        )
     return tuple(table[category] for category in get_args(Category))
 
 

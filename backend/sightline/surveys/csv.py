@@ -4,8 +4,8 @@ from operator import itemgetter
 from typing import get_args
 
 from sightline.enums import AskedTarget, Category, ClassSet, InsetName, Lighting, SamplingMethod, StreetLamps
-from sightline.infra.csv_package.columns import flag, integer, key, metres, number, text, within
-from sightline.infra.csv_package.files import Files, read_columns, read_rows, record_in, unsafe
+from sightline.infra.csv_package.columns import columns_within, flag, integer, key, metres, number, text
+from sightline.infra.csv_package.files import Files, read_columns, read_rows, record_in, undo_safe_text
 from sightline.infra.csv_package.files import number as figure
 from sightline.infra.csv_package.schema import Table
 from sightline.statistics.sampling import Quota, Sampling
@@ -25,7 +25,7 @@ SURVEY: Table[Survey] = Table(
         text("site", "where it was filmed; a study takes surveys of one site as one cluster"),
         text("description", "description of the survey"),
         flag("simulated", "true: invented; no value of it describes real roads", required=True),
-        *within(
+        *columns_within(
             "place",
             number("latitude_deg", "latitude (WGS84), north positive", "deg"),
             number("longitude_deg", "longitude (WGS84), east positive", "deg"),
@@ -45,7 +45,7 @@ INSETS: Table[InForce] = Table(
     "The insets in force in this survey: used for every measurement that does not carry its own.",
     (
         text("target", "column-insets-target", itemgetter(0), required=True, enum=get_args(InsetName)),
-        *within(
+        *columns_within(
             itemgetter(1),
             metres("inset_m", "column-measurements-inset-m"),
             metres("u_inset_m", "standard uncertainty of the inset (k = 1)"),
@@ -68,7 +68,7 @@ def insets_in(files: Files) -> dict[str, Inset]:
             row["target"]: {
                 "inset_m": float(row["inset_m"]),
                 "u_inset_m": float(row["u_inset_m"]),
-                "note": unsafe(row["note"]),
+                "note": undo_safe_text(row["note"]),
             }
             for row in read_rows(files, INSETS.key)
         }
@@ -106,7 +106,7 @@ SAMPLING: Table[Survey] = Table(
     "is below share_percent over 100; and with free_flowing_s only where the pass before in its direction "
     "began at least so many seconds earlier.",
     (
-        *within(
+        *columns_within(
             "sampling",
             text(
                 "method",

@@ -43,17 +43,17 @@ def checked_place(place: Place) -> Place:
         raise BadInput(
             "surveys-place-speed-limit", kmh=f"{3.6 * limit:.0f}", fastest=f"{3.6 * _FASTEST_MPS:.0f}"
         )
-    zone = _words(place.time_zone)
+    zone = _strip_or_none(place.time_zone)
     if zone is not None:
         zone_of(zone)
     return replace(
         place,
-        road_class=_words(place.road_class),
-        lane=_words(place.lane),
-        travel_direction=_words(place.travel_direction),
+        road_class=_strip_or_none(place.road_class),
+        lane=_strip_or_none(place.lane),
+        travel_direction=_strip_or_none(place.travel_direction),
         time_zone=zone,
     )
 
 
-def _words(said: str | None) -> str | None:
+def _strip_or_none(said: str | None) -> str | None:
     return (said or "").strip() or None

@@ -44,7 +44,7 @@ def create_survey(
     it says anything of real roads. Raises BadInput without a name.
     """
     moment = now()
-    told = SurveyContent(
+    survey = SurveyContent(
         name=name,
         site=site,
         description=description,
@@ -54,7 +54,7 @@ def create_survey(
         classes=USUAL_CLASSES,
         sampling=Sampling(),
     )
-    content = _content(told, {})
+    content = _content(survey, {})
     stamps = {"created_at": moment, "created_by": actor, "updated_at": moment, "updated_by": actor}
     content |= {"open_to_all": open_to_all, "simulated": simulated}
     survey_id = add_row(session, surveys, {**content, **stamps, "is_demo": is_demo, "version": 1})
@@ -115,29 +115,29 @@ def update_survey(session: Session, changed: Survey, *, actor: int | None) -> Su
     content = _content(changed, _with_codes_of(changed.insets, insets_of(before["insets"])))
     stamps = {"version": changed.version + 1, "updated_at": now(), "updated_by": actor}
     change_row(session, surveys, changed.id, {**content, **stamps})
-    what = trail.changed(before, content, EDITABLE)
+    what = trail.changed_fields(before, content, EDITABLE)
     trail.record(session, actor, "update", "survey", changed.id, changed.id, *what)
     return get_survey(session, changed.id)
 
 
-def _content(told: SurveyContent, insets: Mapping[str, Inset]) -> dict[str, Any]:
-    if not told.name.strip():
+def _content(survey: SurveyContent, insets: Mapping[str, Inset]) -> dict[str, Any]:
+    if not survey.name.strip():
         raise BadInput("surveys-no-name")
-    if not told.asked.daytime or not told.asked.low_light:
+    if not survey.asked.daytime or not survey.asked.low_light:
         raise BadInput("surveys-asks-nothing")
     for target, inset in insets.items():
         if target not in USUAL or not inset.u_inset_m >= 0:
             raise BadInput("surveys-inset-unusable", target=target)
     whole = {**USUAL, **insets}
     return {
-        "name": told.name.strip(),
-        "site": told.site.strip(),
-        "description": told.description.strip(),
-        **asdict(told.traffic),
-        **asdict(checked_place(told.place)),
-        "asked": {lighting: list(dict.fromkeys(found)) for lighting, found in asdict(told.asked).items()},
-        "classes": stored_classes(told.classes),
-        "sampling": stored_sampling(told.sampling),
+        "name": survey.name.strip(),
+        "site": survey.site.strip(),
+        "description": survey.description.strip(),
+        **asdict(survey.traffic),
+        **asdict(checked_place(survey.place)),
+        "asked": {lighting: list(dict.fromkeys(found)) for lighting, found in asdict(survey.asked).items()},
+        "classes": stored_classes(survey.classes),
+        "sampling": stored_sampling(survey.sampling),
         "insets": {target: asdict(inset) for target, inset in whole.items()},
     }
 
@@ -147,10 +147,10 @@ def _with_codes_of(insets: Mapping[str, Inset], before: Mapping[str, Inset]) -> 
     known = [(one.code, one.note) for one in (*USUAL.values(), *before.values()) if one.code]
     own = {note: code for code, note in reversed(known)}
 
-    def code_of(name: str, one: Inset) -> str | None:
-        if one.code is None:
-            return name if (name, one.note) in known else own.get(one.note)
-        return one.code if (one.code, one.note) in known else None
+    def code_of(name: str, inset: Inset) -> str | None:
+        if inset.code is None:
+            return name if (name, inset.note) in known else own.get(inset.note)
+        return inset.code if (inset.code, inset.note) in known else None
 
     return {name: replace(one, code=code_of(name, one)) for name, one in insets.items()}
 

@@ -3,12 +3,12 @@
 from sqlalchemy import Boolean, Column, String, Text
 
 from sightline.geometry.sides import TrafficFacts
-from sightline.infra.database.types import CanonicalJson, changed_columns, columns_for, numbered
+from sightline.infra.database.types import CanonicalJson, changed_columns, columns_for, numbered_table
 from sightline.surveys.place import Place
 
 _CHARACTERS = {"road_class": 100, "lane": 100, "travel_direction": 100, "time_zone": 60}
 
-surveys = numbered(
+surveys = numbered_table(
     "surveys",
     Column("name", String(200), nullable=False),
     Column("site", String(200), nullable=False),

@@ -55,7 +55,7 @@ def add_recorded(folder: Path, recorded: Recorded, stood: Stood) -> int:
         raise BadInput("traffic-own-lanes", name=recorded.name, lanes=", ".join(recorded.lanes))
     day_start(stood.start.date(), stood.zone)  # a zone that is on the list
     folder.mkdir(parents=True, exist_ok=True)
-    with _held(folder):
+    with _hold_archive(folder):
         _check_fits(folder, recorded, stood)
         aside = folder / f"{_ASIDE}{uuid4().hex}"
         try:
@@ -75,7 +75,7 @@ def remove_recorded(folder: Path, name: str) -> int:
     Raises BadInput where none is called so, or several are.
     """
     require_archive(folder)
-    with _held(folder):
+    with _hold_archive(folder):
         hashes = {
             one["recording_sha256"]
             for one in watched_rows(folder, None)
@@ -131,10 +131,12 @@ def watched_rows(
     """Stretches that were watched, as dictionaries by column, with `day`."""
     import pyarrow.parquet as pq
 
-    for one in sites_of(folder) if site is None else [site]:
-        for file in files_of(folder, WATCHED, one, first, last):
+    for site_name in sites_of(folder) if site is None else [site]:
+        for file in files_of(folder, WATCHED, site_name, first, last):
             day = date.fromisoformat(Path(file).parent.name.removeprefix("day="))
-            yield from ({**row, "day": day, "site": one} for row in pq.ParquetFile(file).read().to_pylist())
+            yield from (
+                {**row, "day": day, "site": site_name} for row in pq.ParquetFile(file).read().to_pylist()
+            )
 
 
 def _check_name(what: str, name: str) -> None:
@@ -173,8 +175,8 @@ def _check_fits(folder: Path, recorded: Recorded, stood: Stood) -> None:
                 name=recorded.name,
                 other=row["recording"],
                 site=stood.site,
-                start=_text(max(begins, stood.start)),
-                end=_text(min(ends, end)),
+                start=_utc_text(max(begins, stood.start)),
+                end=_utc_text(min(ends, end)),
             )
 
 
@@ -186,7 +188,7 @@ def _some_rows(folder: Path, site: str) -> list[dict[str, Any]]:
     return []
 
 
-def _text(instant: datetime) -> str:
+def _utc_text(instant: datetime) -> str:
     return f"{instant.astimezone(UTC):%Y-%m-%d %H:%M:%S} UTC"
 
 
@@ -201,19 +203,19 @@ def _write_aside(aside: Path, recorded: Recorded, stood: Stood) -> list[Path]:
 
     starts = _days_of(stood, recorded.duration_s)
     vehicles: dict[date, list[dict[str, Any]]] = {}
-    for one in recorded.passings:
-        passed = stood.start + timedelta(seconds=one.front_s)
+    for passing in recorded.passings:
+        passed = stood.start + timedelta(seconds=passing.front_s)
         # who comes at the very end, at midnight, is of the day that was watched
         day = min(local_date(passed, stood.zone), max(starts))
-        since = (stood.start - starts[day]).total_seconds() + one.front_s
-        own = {field.name: getattr(one, field.name) for field in fields(Passing)}
+        since = (stood.start - starts[day]).total_seconds() + passing.front_s
+        own = {field.name: getattr(passing, field.name) for field in fields(Passing)}
         row = {
             **own,
-            "lane": recorded.lane_of(one, stood),
+            "lane": recorded.lane_of(passing, stood),
             "recording": recorded.name,
             "recording_sha256": recorded.sha256,
         }
-        row |= {"passed_at": passed, "since_midnight_s": since, "occupied_s": one.occupied_s}
+        row |= {"passed_at": passed, "since_midnight_s": since, "occupied_s": passing.occupied_s}
         vehicles.setdefault(day, []).append(row)
     watched = {
         day: [_watched(recorded, replace(stood, lane=lane), day, start) for lane in recorded.lanes_at(stood)]
@@ -296,7 +298,7 @@ def _watched_schema() -> pa.Schema:
 
 
 @contextmanager
-def _held(folder: Path) -> Iterator[None]:
+def _hold_archive(folder: Path) -> Iterator[None]:
     """The archive for one who changes it, after what a killed one left was brought to its end."""
     held = _lock_of(folder)
     if held is None:
@@ -327,12 +329,12 @@ def _recover(folder: Path) -> None:
     journal = folder / _JOURNAL
     if not journal.is_file():
         return
-    said = json.loads(journal.read_text(encoding="utf-8"))
-    for here, there in said["come"].items():
+    document = json.loads(journal.read_text(encoding="utf-8"))
+    for here, there in document["come"].items():
         if (folder / here).is_file():
             (folder / there).parent.mkdir(parents=True, exist_ok=True)
             os.replace(folder / here, folder / there)
-    for name in said["go"]:
+    for name in document["go"]:
         (folder / name).unlink(missing_ok=True)
         for empty in ((folder / name).parent, (folder / name).parent.parent):
             if empty.is_dir() and not any(empty.iterdir()):

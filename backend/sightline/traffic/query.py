@@ -62,9 +62,9 @@ class ArchiveTables:
 
     def sites(self) -> list[Site]:
         """Every lane of every site, and how much there is of it."""
-        found = []
+        lanes = []
         for site in sites_of(self._folder):
-            watched = self._rows(
+            watched = self._query_rows(
                 """
                 SELECT lane, any_value(zone) AS zone, count(DISTINCT recording_sha256) AS recordings,
                   min(day) AS first_day, max(day) AS last_day, count(DISTINCT day) AS days,
@@ -76,7 +76,7 @@ class ArchiveTables:
             )
             passed = {
                 row["lane"]: row
-                for row in self._rows(
+                for row in self._query_rows(
                     """
                     SELECT lane, count(*) AS vehicles, count(*) FILTER (status = 'ok') AS measured
                     FROM vehicles WHERE NOT told_before GROUP BY lane
@@ -89,8 +89,8 @@ class ArchiveTables:
             for row in watched:
                 own = passed.get(row["lane"], none)
                 counts = {name: own[name] for name in none}
-                found.append(Site(site=site, **row, **counts))
-        return found
+                lanes.append(Site(site=site, **row, **counts))
+        return lanes
 
     def intervals(self, asked: Asked) -> Iterator[dict[str, Any]]:
         """One dictionary an interval, lane and class: `COLUMNS` and the percentiles', rising in time.
@@ -99,10 +99,10 @@ class ArchiveTables:
         where nothing was measured.
         """
         for site in asked.sites or sites_of(self._folder):
-            for row in self._rows(_intervals_sql(asked), site, asked):
-                yield _told(row, site, asked)
+            for row in self._query_rows(_intervals_sql(asked), site, asked):
+                yield _row_of_interval(row, site, asked)
 
-    def _rows(self, query: str, site: str, asked: Asked) -> list[dict[str, Any]]:
+    def _query_rows(self, query: str, site: str, asked: Asked) -> list[dict[str, Any]]:
         """Rows of a query over one site's `vehicles` and `watched`, of recordings on the days asked for and
         the day before from their beginnings on: who stands may have come days before.
         """
@@ -117,8 +117,10 @@ class ArchiveTables:
                 files_of(self._folder, table, site, None, asked.last_day) for table in (WATCHED, VEHICLES)
             )
         )
-        self._db.execute(f"CREATE OR REPLACE TEMP VIEW watched AS {_WATCHED.format(_read(watched))}")
-        read = f"{_read(passed)} UNION ALL BY NAME {_NOBODY}" if passed else _NOBODY
+        self._db.execute(
+            f"CREATE OR REPLACE TEMP VIEW watched AS {_WATCHED.format(_read_parquet_sql(watched))}"
+        )
+        read = f"{_read_parquet_sql(passed)} UNION ALL BY NAME {_NOBODY}" if passed else _NOBODY
         self._db.execute(f"CREATE OR REPLACE TEMP VIEW vehicles AS {_PASSED.format(read)}")
         result = self._db.execute(query)
         names = [one[0] for one in result.description or ()]
@@ -182,7 +184,7 @@ FROM ({}) JOIN (SELECT recording_sha256, lane, min(epoch(midnight_at) + from_s) 
 """
 
 
-def _read(files: Sequence[str]) -> str:
+def _read_parquet_sql(files: Sequence[str]) -> str:
     named = ", ".join("'" + one.replace("'", "''") + "'" for one in files)
     return (
         f"SELECT * FROM read_parquet([{named}], hive_partitioning = true, "
@@ -313,7 +315,7 @@ def _percentile_sql(percent: float) -> str:
     return f', CASE WHEN n >= {needs} THEN {value} END AS "{percentile_column(percent)}"'
 
 
-def _told(row: dict[str, Any], site: str, asked: Asked) -> dict[str, Any]:
+def _row_of_interval(row: dict[str, Any], site: str, asked: Asked) -> dict[str, Any]:
     """A row of the query as it is told: rates, the local time, the reason."""
     watched_s, vehicles = row["watched_s"], row["vehicles"] or 0
     enough = watched_s >= LEAST_WATCHED * row["length_s"]
@@ -322,7 +324,7 @@ def _told(row: dict[str, Any], site: str, asked: Asked) -> dict[str, Any]:
         **row,
         "site": site,
         "class": (ALL, *classes_of(asked.limits_m))[row["kind"]],
-        "from": _shown(row["midnight_at"], row["zone"], begins),
+        "from": _local_text(row["midnight_at"], row["zone"], begins),
         "minutes": row["length_s"] / 60,
         "vehicles": vehicles,
         "measured": row["n"] or 0,
@@ -334,22 +336,22 @@ def _told(row: dict[str, Any], site: str, asked: Asked) -> dict[str, Any]:
 
 
 def _reason(row: dict[str, Any], vehicles: int, enough: bool, percents: Sequence[float]) -> str | None:
-    said = []
+    reasons = []
     if row["watched_s"] < row["length_s"] - 1e-6:
         rest = "" if enough else ", too little for a flow"
-        said.append(f"watched for {row['watched_s']:.0f} of {row['length_s']:.0f} s{rest}")
+        reasons.append(f"watched for {row['watched_s']:.0f} of {row['length_s']:.0f} s{rest}")
     if not vehicles:
-        said.append("no vehicle")
+        reasons.append("no vehicle")
     elif not row["n"]:
-        said.append("no speed could be measured")
+        reasons.append("no speed could be measured")
     else:
         few = [one for one in percents if row[percentile_column(one)] is None]
-        said += [str(too_few_for(one, row["n"])) for one in few]
+        reasons += [str(too_few_for(one, row["n"])) for one in few]
     if row["unsure"]:
-        said.append("the rear of a vehicle that stood was not seen")
-    return "; ".join(said) or None
+        reasons.append("the rear of a vehicle that stood was not seen")
+    return "; ".join(reasons) or None
 
 
 @lru_cache(maxsize=100_000)
-def _shown(midnight: datetime, zone: str, seconds: int) -> str:
+def _local_text(midnight: datetime, zone: str, seconds: int) -> str:
     return (midnight + timedelta(seconds=seconds)).astimezone(zone_of(zone)).isoformat(timespec="minutes")

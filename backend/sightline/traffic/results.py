@@ -74,14 +74,16 @@ class Results:
     def seen(self, number: int, minutes: int) -> tuple[Watched, list[VehicleMotion]]:
         """What was watched for intervals of `minutes`, as the recording of that number, and its vehicles."""
         if self.watched_s is not None:
-            return self._seen(number, self.clock, self.watched_s, 0.0)
+            return self._watched_and_cars(number, self.clock, self.watched_s, 0.0)
         start, long_s = datetime.fromisoformat(self.clock.at()), 60.0 * minutes
         before_s = (60 * start.minute + start.second + start.microsecond / 1e6) % long_s
         last_s = max(one.since_s or 0.0 for one in self.vehicles)
         whole_s = long_s * max(1, ceil((before_s + last_s + 1e-6) / long_s))
-        return self._seen(number, StatedClock(start - timedelta(seconds=before_s)), whole_s, before_s)
+        return self._watched_and_cars(
+            number, StatedClock(start - timedelta(seconds=before_s)), whole_s, before_s
+        )
 
-    def _seen(
+    def _watched_and_cars(
         self, number: int, clock: Clock, watched_s: float, by_s: float
     ) -> tuple[Watched, list[VehicleMotion]]:
         cars = [replace(one, scan_id=number, since_s=(one.since_s or 0.0) + by_s) for one in self.vehicles]
@@ -130,14 +132,14 @@ def _of_data(path: Path, data: bytes) -> Results:
         return Results(path.name, StatedClock(begun), None, _motions(passings), u_start_told=False)
     check_passings(path, passings, whole["duration_s"])
     u_start_s = u_told(whole, "u_start_s") or None
-    found = _motions(
+    motions = _motions(
         passings,
         u_start_s=u_start_s,
         u_rate=u_told(whole, "u_line_rate_ratio"),
         rig=_rig_told(whole),
     )
     clock = StatedClock(_start(path, whole.get("start")))
-    return Results(path.name, clock, float(whole["duration_s"]), found, u_start_told=u_start_s is not None)
+    return Results(path.name, clock, float(whole["duration_s"]), motions, u_start_told=u_start_s is not None)
 
 
 def _rig_told(whole: Mapping[str, Any]) -> Rig | None:
@@ -190,26 +192,26 @@ def _occupying(path: Path, passings: Sequence[Passing]) -> list[Passing]:
         (one.front_line_1 - before.front_line_1, one.front_s - before.front_s)
         for before, one in pairwise(in_time)
     )
-    rates = [rate for one in passings if (rate := _lines_per_s(one)) is not None] or [
+    rates = [rate for passing in passings if (rate := _lines_per_s(passing)) is not None] or [
         lines / seconds for lines, seconds in between if lines > 0 and seconds > 0
     ]
     if not rates:
         raise BadInput("commands-flow-no-rate", path=path)
     per_s = median(rates)
     return [
-        one
-        if one.rear_line_1 is None
-        else replace(one, rear_s=one.front_s + (one.rear_line_1 - one.front_line_1) / per_s)
-        for one in passings
+        passing
+        if passing.rear_line_1 is None
+        else replace(passing, rear_s=passing.front_s + (passing.rear_line_1 - passing.front_line_1) / per_s)
+        for passing in passings
     ]
 
 
-def _lines_per_s(one: Passing) -> float | None:
+def _lines_per_s(passing: Passing) -> float | None:
     """How many lines a second a motion says; None without one."""
-    if one.rear_line_1 is None:
+    if passing.rear_line_1 is None:
         return None
-    lines, length_m = one.rear_line_1 - one.front_line_1, one.length_m or 0.0
-    v, a = one.speed_mps or 0.0, one.acceleration_mps2 or 0.0
+    lines, length_m = passing.rear_line_1 - passing.front_line_1, passing.length_m or 0.0
+    v, a = passing.speed_mps or 0.0, passing.acceleration_mps2 or 0.0
     if not min(lines, length_m, v) > 0:
         return None
     # the root of length = v t + a t^2 / 2 that stays there without an acceleration
@@ -244,23 +246,25 @@ def _of_archive(folder: Path) -> Iterator[Results]:
                 passed.setdefault(row["recording_sha256"], []).append(row)
         until: dict[str, datetime] = {}
         for key, rows in sorted(watched.items(), key=lambda each: each[1][0]["start_at"]):
-            one = rows[0]
-            watched_s = sum(each["to_s"] - each["from_s"] for each in rows if each["lane"] == one["lane"])
+            first = rows[0]
+            watched_s = sum(each["to_s"] - each["from_s"] for each in rows if each["lane"] == first["lane"])
             # what overlaps with the segment before was told there
-            cars = [_stored(each, until.get(each["lane"])) for each in passed.get(key, ())]
-            end = one["start_at"] + timedelta(seconds=watched_s)
+            cars = [_passing_of_row(each, until.get(each["lane"])) for each in passed.get(key, ())]
+            end = first["start_at"] + timedelta(seconds=watched_s)
             until |= {each["lane"]: max(end, until.get(each["lane"], end)) for each in rows}
             yield Results(
-                f"{site}: {one['recording']}",
-                Filming(one["start_at"], one["zone"]),
+                f"{site}: {first['recording']}",
+                Filming(first["start_at"], first["zone"]),
                 watched_s,
-                _motions(cars, u_start_s=one["u_start_s"] or None, u_rate=u_told(one, "u_line_rate_ratio")),
+                _motions(
+                    cars, u_start_s=first["u_start_s"] or None, u_rate=u_told(first, "u_line_rate_ratio")
+                ),
                 site,
-                u_start_told=one["u_start_s"] > 0,
+                u_start_told=first["u_start_s"] > 0,
             )
 
 
-def _stored(row: Mapping[str, Any], before: datetime | None) -> Passing:
+def _passing_of_row(row: Mapping[str, Any], before: datetime | None) -> Passing:
     named: dict[str, Any] = {one.name: row.get(one.name) for one in fields(Passing)}
     told_before = bool(row.get("told_before")) or (
         before is not None and row["passed_at"] < before - _ROUNDED
@@ -276,36 +280,38 @@ def _motions(
     rig: Rig | None = None,
 ) -> tuple[VehicleMotion, ...]:
     least = dict[Stream, float]()
-    for one in passings:
-        if one.speed_mps and one.u_speed_mps:
-            ratio, stream = one.u_speed_mps / one.speed_mps, _stream_of(one)
+    for passing in passings:
+        if passing.speed_mps and passing.u_speed_mps:
+            ratio, stream = passing.u_speed_mps / passing.speed_mps, _stream_of(passing)
             least[stream] = min(ratio, least.get(stream, ratio))
     return tuple(
         VehicleMotion(
-            vehicle_id=one.number,
+            vehicle_id=passing.number,
             scan_id=0,
-            number=one.number,
-            state="to_review" if one.status == "ok" else "not_measurable",
-            measured=one.status == "ok" and one.speed_mps is not None,
+            number=passing.number,
+            state="to_review" if passing.status == "ok" else "not_measurable",
+            measured=passing.status == "ok" and passing.speed_mps is not None,
             lighting="unknown",
-            values={name: getattr(one, name) for name in _NUMBERS},
-            status=one.status,
-            reason=Said.read(one.reason) if one.reason else None,
-            since_s=one.front_s,
-            occupied_s=one.occupied_s,
-            front_seen=front_seen(one.reason, one.front_line_1),
-            told_before=one.told_before,
-            u_filmed_at_s=u_passing_s(one.front_s, u_start_s, u_rate, one.speed_mps, one.u_length_m),
-            rig_ratio=(
-                least.get(_stream_of(one), 0.0)
-                if rig is None
-                else speed_ratio_of(at_lane(rig, one.lane, _stream_of(one)[0]))
+            values={name: getattr(passing, name) for name in _NUMBERS},
+            status=passing.status,
+            reason=Said.read(passing.reason) if passing.reason else None,
+            since_s=passing.front_s,
+            occupied_s=passing.occupied_s,
+            front_seen=front_seen(passing.reason, passing.front_line_1),
+            told_before=passing.told_before,
+            u_filmed_at_s=u_passing_s(
+                passing.front_s, u_start_s, u_rate, passing.speed_mps, passing.u_length_m
             ),
-            direction=_stream_of(one)[0],
-            lane=one.lane,
-            axles=one.axles,
+            rig_ratio=(
+                least.get(_stream_of(passing), 0.0)
+                if rig is None
+                else speed_ratio_of(at_lane(rig, passing.lane, _stream_of(passing)[0]))
+            ),
+            direction=_stream_of(passing)[0],
+            lane=passing.lane,
+            axles=passing.axles,
         )
-        for one in passings
+        for passing in passings
     )
 
 

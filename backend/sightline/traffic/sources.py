@@ -69,12 +69,12 @@ def vehicles_in(path: Path, data: bytes) -> tuple[dict[str, Any] | None, list[An
 
 def _lanes(path: Path, whole: dict[str, Any] | None, passings: tuple[Passing, ...]) -> tuple[str, ...]:
     """Names of the rig's lanes: those that the file tells of, and those of its vehicles."""
-    told = (whole or {}).get("lanes", [])
-    if not isinstance(told, list) or not all(
-        isinstance(one, dict) and isinstance(one.get("name"), str) for one in told
+    lanes = (whole or {}).get("lanes", [])
+    if not isinstance(lanes, list) or not all(
+        isinstance(one, dict) and isinstance(one.get("name"), str) for one in lanes
     ):
         raise BadInput("traffic-no-recording", path=path)
-    names = [one["name"] for one in told] + [one.lane for one in passings if one.lane is not None]
+    names = [one["name"] for one in lanes] + [one.lane for one in passings if one.lane is not None]
     return tuple(dict.fromkeys(names))
 
 
@@ -104,12 +104,12 @@ def _object_of(data: bytes) -> dict[str, Any] | None:
 
 def _lines_of(path: Path, data: bytes) -> list[Any]:
     try:
-        found = [json.loads(line) for line in data.splitlines() if line.strip()]
+        rows = [json.loads(line) for line in data.splitlines() if line.strip()]
     except (ValueError, RecursionError):
         raise BadInput("traffic-no-recording", path=path) from None
-    if not all(isinstance(one, dict) and "front_line_1" in one for one in found):
+    if not all(isinstance(one, dict) and "front_line_1" in one for one in rows):
         raise BadInput("traffic-no-recording", path=path)
-    return found
+    return rows
 
 
 def _told_before(row: dict[str, Any]) -> dict[str, Any]:
@@ -136,12 +136,12 @@ def _on_one_clock(rows: list[Any]) -> list[Any]:
     out, spans = [], dict[Any, list[tuple[float, float]]]()
     for row, own in zip(rows, begun, strict=True):
         late_s = (own - min(begun)).total_seconds()
-        said = {name: row[name] + late_s for name in ("front_s", "rear_s") if is_number(row.get(name))}
-        front_s, rear_s = said["front_s"], said.get("rear_s", said["front_s"])
+        times = {name: row[name] + late_s for name in ("front_s", "rear_s") if is_number(row.get(name))}
+        front_s, rear_s = times["front_s"], times.get("rear_s", times["front_s"])
         before = spans.setdefault(row.get("id"), [])
         if not any(front_s <= rear and front <= rear_s for front, rear in before):
             before.append((front_s, rear_s))
-            out.append(row | said)
+            out.append(row | times)
     return out
 
 
@@ -154,13 +154,13 @@ def instant_told(said: object) -> datetime | None:
     return at if at is not None and at.tzinfo is not None else None
 
 
-def passing_of(path: Path, said: Any, at: int | str) -> Passing:
+def passing_of(path: Path, document: Any, at: int | str) -> Passing:
     """A vehicle of the JSON. Raises BadInput naming it where a value is missing or is none that can be."""
-    if not isinstance(said, dict):
+    if not isinstance(document, dict):
         raise BadInput("traffic-no-recording", path=path)
     held: dict[str, Any] = {}
     for name in (one.name for one in fields(Passing)):
-        value = said.get(_NAMES.get(name, name))
+        value = document.get(_NAMES.get(name, name))
         if name == "told_before":
             held[name] = value is True
         elif value is None and name not in _NEEDED:
@@ -188,17 +188,17 @@ def _can_be(name: str, value: float) -> bool:
 def check_passings(path: Path, passings: Sequence[Passing], duration_s: float) -> None:
     """A vehicle outside its recording, or two with one number, are of another recording or time: BadInput."""
     seen = set[int]()
-    for one in passings:
-        if one.number in seen:
-            raise BadInput("traffic-number-twice", path=path, vehicle=one.number)
-        seen.add(one.number)
-        rear_s = one.front_s if one.rear_s is None else one.rear_s
-        if not 0 <= one.front_s <= rear_s <= duration_s:
+    for passing in passings:
+        if passing.number in seen:
+            raise BadInput("traffic-number-twice", path=path, vehicle=passing.number)
+        seen.add(passing.number)
+        rear_s = passing.front_s if passing.rear_s is None else passing.rear_s
+        if not 0 <= passing.front_s <= rear_s <= duration_s:
             raise BadInput(
                 "traffic-outside-recording",
                 path=path,
-                vehicle=one.number,
-                front_s=round(one.front_s, 3),
+                vehicle=passing.number,
+                front_s=round(passing.front_s, 3),
                 rear_s=round(rear_s, 3),
                 duration_s=round(duration_s, 3),
             )

@@ -69,7 +69,7 @@ def create_vehicle(
     if "first_frame" not in fields or "last_frame" not in fields:
         raise BadInput("vehicles-no-frames")
     _check_year(fields)
-    content: dict[str, Any] = {**_empty(), **_checked(fields, recording["frame_count"])}
+    content: dict[str, Any] = {**_empty(), **_check_fields(fields, recording["frame_count"])}
     survey_id = recording["survey_id"]
     counted = select(func.coalesce(func.max(vehicles.c.number), 0)).where(vehicles.c.survey_id == survey_id)
     place = {"survey_id": survey_id, "recording_id": recording_id}
@@ -115,7 +115,7 @@ def update_vehicle(
     before = _current(session, vehicle_id, version)
     _check_year(changes)
     frame_count = get_row(session, recordings, before["recording_id"], "recording")["frame_count"]
-    change = _checked({**_checked_with(before), **changes}, frame_count)
+    change = _check_fields({**_checked_with(before), **changes}, frame_count)
     alter_row(session, vehicles, before, change, actor=actor)
     return get_vehicle(session, vehicle_id)
 
@@ -169,7 +169,7 @@ def _checked_with(row: Mapping[str, Any]) -> dict[str, Any]:
     return {key: row[key] for key in names}
 
 
-def _checked(fields: Mapping[str, Any], frame_count: int | None) -> dict[str, Any]:
+def _check_fields(fields: Mapping[str, Any], frame_count: int | None) -> dict[str, Any]:
     values = dict(fields)
     unknown = set(values) - _FIELDS
     if unknown:

@@ -18,7 +18,7 @@ from sightline.export.report.error_figures import error_figures
 from sightline.export.report.figures import drawings, figures
 from sightline.export.report.marks import MAIN
 from sightline.export.report.said import speaking
-from sightline.export.report.units import fixed, limit
+from sightline.export.report.units import format_fixed, limit
 from sightline.results.survey_statistics import StatisticsOptions
 from sightline.statistics.agreement import Trend
 from sightline.statistics.distributions import ecdf, sorted_values
@@ -235,8 +235,8 @@ def test_without_room_no_word_is_written() -> None:
 
 
 def test_numbers_for_people() -> None:
-    assert fixed(-0.0004, 3) == "0.000"
-    assert fixed(-1.25, 1, signed=True) == "−1.3"  # as a browser rounds
+    assert format_fixed(-0.0004, 3) == "0.000"
+    assert format_fixed(-1.25, 1, signed=True) == "−1.3"  # as a browser rounds
     assert [limit(1.08, "m"), limit(1.105, "m"), limit(1.08, "ft")] == [
         "1.08\u00a0m",
         "1.105\u00a0m",

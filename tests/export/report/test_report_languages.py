@@ -25,8 +25,8 @@ from sightline.enums import (
 from sightline.export.exclusions import STATES
 from sightline.export.report.facts import ReportFacts, ScanFacts
 from sightline.export.report.report import report, sources
-from sightline.export.report.said import Called, catalogue_json, said, speaking, spoken
-from sightline.export.report.units import fixed
+from sightline.export.report.said import Called, catalogue_json, sentence_of_key, speaking, spoken_language
+from sightline.export.report.units import format_fixed
 from sightline.export.report.words import (
     CATEGORIES,
     CLASS_SETS,
@@ -162,7 +162,7 @@ def test_tables_round_as_sentences_and_figures_do(example: ReportFacts, language
     )
     rounded = json.loads(typst.query(files, "<rounded>", field="value", one=True))
     with speaking(language):
-        assert rounded == [fixed(value, digits, signed=True) for value, digits in given]
+        assert rounded == [format_fixed(value, digits, signed=True) for value, digits in given]
 
 
 @pytest.mark.parametrize(
@@ -241,8 +241,16 @@ def test_the_same_facts_give_the_same_bytes_in_a_language(example: ReportFacts) 
 
 def test_a_language_is_spoken_within_and_no_longer() -> None:
     with speaking("fr"):
-        assert (spoken(), said("report-target-roof"), fixed(-1.25, 2)) == ("fr", "toit", "−1,25")
-    assert (spoken(), said("report-target-roof"), fixed(-1.25, 2)) == ("en", "roof", "−1.25")
+        assert (spoken_language(), sentence_of_key("report-target-roof"), format_fixed(-1.25, 2)) == (
+            "fr",
+            "toit",
+            "−1,25",
+        )
+    assert (spoken_language(), sentence_of_key("report-target-roof"), format_fixed(-1.25, 2)) == (
+        "en",
+        "roof",
+        "−1.25",
+    )
 
 
 @pytest.mark.parametrize("language", messages.languages())

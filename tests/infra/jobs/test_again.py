@@ -16,11 +16,11 @@ def test_only_what_failed_or_was_stopped_begins_once_more(services: Services) ->
         actor = create_person(session, name="A", email="a@x.org", role="operator", actor=None).id
         made = registry.enqueue(session, "test_make_survey", {"name": "B"}, survey_id=None, actor=actor)
         with pytest.raises(Conflict, match="still queued"):
-            registry.again(session, made, actor)
+            registry.enqueue_again(session, made, actor)
         stopped = registry.cancel(session, made, actor)
-        again = registry.again(session, stopped, actor)
+        again = registry.enqueue_again(session, stopped, actor)
         assert (again.kind, again.payload, again.state) == (made.kind, made.payload, "queued")
         assert again.id != made.id
         marked = registry.enqueue(session, "test_fail", {"how": "input"}, survey_id=None, actor=actor)
         with pytest.raises(BadInput, match="page"):
-            registry.again(session, registry.cancel(session, marked, actor), actor)
+            registry.enqueue_again(session, registry.cancel(session, marked, actor), actor)

@@ -13,7 +13,7 @@ from sightline.infra.jobs import registry
 from sightline.infra.jobs.runner import Runner
 from sightline.infra.jobs.store import get_job
 from sightline.infra.services import Services
-from sightline.infra.web.spoken import said_by_key, spoken
+from sightline.infra.web.spoken import said_by_key, translate_body
 from sightline.job_handlers import MODULES
 from sightline.messages import say
 from sightline.recordings import ingest_job
@@ -51,7 +51,7 @@ def test_a_failed_job_says_why_in_the_language_of_who_asks(
 
 def test_a_sentence_is_said_by_its_key_and_a_value_that_is_a_sentence_too() -> None:
     error = BadInput("no-such-language", language="xx", known="en, fr")
-    told = json.loads(spoken(json.dumps({"error": error.said.body}).encode(), "fr"))["error"]
+    told = json.loads(translate_body(json.dumps({"error": error.said.body}).encode(), "fr"))["error"]
     assert told["message"].startswith("Il n’y a pas de rapport dans la langue")
     assert (told["code"], told["values"]) == (error.code, error.values)
     within = SightlineError("said", sentence=ingest_job.STOPPED)
@@ -61,7 +61,7 @@ def test_a_sentence_is_said_by_its_key_and_a_value_that_is_a_sentence_too() -> N
 
 def test_what_a_budget_is_of_stays_a_name_which_the_page_says_in_words() -> None:
     body = {"budget": [{"source": "click, target", "u_m": 0.01}], "reference": {"source": "fit", "value": 3}}
-    told = json.loads(spoken(json.dumps(body).encode(), "fr"))
+    told = json.loads(translate_body(json.dumps(body).encode(), "fr"))
     assert told == body
 
 

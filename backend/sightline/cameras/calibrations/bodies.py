@@ -92,11 +92,11 @@ def camera_document(made: Calibration) -> dict[str, Any]:
     return {name: value for name, value in made.document.items() if name != CHECKS}
 
 
-def calibration_body(made: Calibration) -> CalibrationBody:
+def calibration_body(calibration: Calibration) -> CalibrationBody:
     """A calibration as it goes out, with checks beside camera.json; an import or an older one has none."""
-    document = dict(made.document)
+    document = dict(calibration.document)
     checks = document.pop(CHECKS, {})
-    told = {name: getattr(made, name) for name in Calibration.__dataclass_fields__}
-    places = places_missing(np.array(made.coverage, dtype=np.float64)) if made.coverage else ()
+    told = {name: getattr(calibration, name) for name in Calibration.__dataclass_fields__}
+    places = places_missing(np.array(calibration.coverage, dtype=np.float64)) if calibration.coverage else ()
     none: dict[str, Any] = {"cross_validation": None, "board_shape": None, "reshoot": list(places)}
     return CalibrationBody.model_validate({**told, **none, **checks, "document": document})

@@ -96,12 +96,12 @@ def stored_corners(image: CalibrationImage, board: Board) -> Corners:
     shape = (image.rows, image.columns, 2) if image.ids is None else (-1, 2)
     points = np.asarray(image.corners_px, dtype=np.float64).reshape(shape)
     points.setflags(write=False)
-    seen = replace(board, columns=image.columns, rows=image.rows)
+    board_as_seen = replace(board, columns=image.columns, rows=image.rows)
     ids = None if image.ids is None else np.asarray(image.ids, dtype=np.intp)
     return Corners(
         found=True,
         points_px=points,
-        board_as_seen=seen,
+        board_as_seen=board_as_seen,
         reason=None,
         sharpness=image.sharpness or 0.0,
         detector="stored",
@@ -111,7 +111,7 @@ def stored_corners(image: CalibrationImage, board: Board) -> Corners:
 
 def unique_names(seen: Sequence[DetectedView]) -> list[DetectedView]:
     """The same pictures, their names told apart."""
-    names = told_apart(one.name for one in seen)
+    names = told_apart(view.name for view in seen)
     return [replace(one, name=name) for one, name in zip(seen, names, strict=True)]
 
 
@@ -119,18 +119,18 @@ def view_rows(seen: Sequence[DetectedView], result: CalibrationResult) -> list[J
     """What is stored of each picture: used or why not, corners and residuals, row by row."""
     verdicts = {view.file: view for view in result.camera.views}
     rows: list[JsonObject] = []
-    for one in seen:
-        verdict = verdicts[one.name]
-        residuals = result.residuals_px.get(one.name)
+    for view in seen:
+        verdict = verdicts[view.name]
+        residuals = result.residuals_px.get(view.name)
         rows.append(
             {
-                "file": one.name,
-                "image_id": one.image_id,
-                "frame": one.frame,
+                "file": view.name,
+                "image_id": view.image_id,
+                "frame": view.frame,
                 "used": verdict.used,
                 "reason": verdict.reason,
                 "rms_px": verdict.rms_px,
-                "corners_px": one.corners.points_px.reshape(-1, 2).tolist() if one.corners.found else [],
+                "corners_px": view.corners.points_px.reshape(-1, 2).tolist() if view.corners.found else [],
                 "residuals_px": [] if residuals is None else residuals.reshape(-1, 2).tolist(),
             }
         )

@@ -32,14 +32,14 @@ def look(gray: npt.NDArray[np.uint8], board: Board) -> Detection:
 
 def detection_of(corners: Corners, board: Board) -> Detection:
     """A detection in plain lists."""
-    charuco, found, seen = board.charuco, corners.found, corners.board_as_seen
+    charuco, is_found, board_as_seen = board.charuco, corners.found, corners.board_as_seen
     return Detection(
-        found=found,
-        reason=None if found else corners.reason or Said("board-not-found"),
+        found=is_found,
+        reason=None if is_found else corners.reason or Said("board-not-found"),
         corners_px=polyline(corners.points_px.reshape(-1, 2)),
-        columns=seen.columns,
-        rows=seen.rows,
-        sharpness=float(corners.sharpness) if found else None,
+        columns=board_as_seen.columns,
+        rows=board_as_seen.rows,
+        sharpness=float(corners.sharpness) if is_found else None,
         ids=None if corners.ids is None else corners.ids.tolist(),
         dictionary=None if charuco is None else charuco.dictionary,
         marker_share=None if charuco is None else round(charuco.marker_m / board.square_m, 6),
@@ -53,24 +53,24 @@ def add_image(
     with services.reading() as session:
         get_camera(session, camera_id)
     gray = services.frames.image(content, name)
-    found = look(gray, board)
+    detection = look(gray, board)
     height, width = gray.shape
     key = put_bytes(services, content, suffix_of(name))
     with services.writing() as session:
-        made = add_calibration_image(
+        image = add_calibration_image(
             session,
             camera_id,
             name=name,
             media_key=key,
             width_px=int(width),
             height_px=int(height),
-            detection=found,
+            detection=detection,
             actor=actor,
         )
     with suppress(Away):  # it is stored, and the file there but for the rarest case
         if not services.media.exists(key):
             put_bytes(services, content, suffix_of(name))  # a twin took it along before
-    return made
+    return image
 
 
 def detect_again(

@@ -52,16 +52,18 @@ def _images(session: Session, views: Sequence[JsonObject]) -> dict[str, str]:
 
 def get_calibration(session: Session, calibration_id: int) -> Calibration:
     """One calibration, whole. Raises NotFound."""
-    return the_one(_whole(session, calibrations.c.id == calibration_id), "calibration", calibration_id)
+    return the_one(
+        _fetch_calibrations(session, calibrations.c.id == calibration_id), "calibration", calibration_id
+    )
 
 
 def list_calibrations(session: Session, survey_id: int) -> tuple[Calibration, ...]:
     """Every calibration of a survey's cameras, whole, for the export."""
     of_survey = select(cameras.c.id).where(cameras.c.survey_id == survey_id)
-    return _whole(session, calibrations.c.camera_id.in_(of_survey))
+    return _fetch_calibrations(session, calibrations.c.camera_id.in_(of_survey))
 
 
-def _whole(session: Session, condition: ColumnElement[bool]) -> tuple[Calibration, ...]:
+def _fetch_calibrations(session: Session, condition: ColumnElement[bool]) -> tuple[Calibration, ...]:
     return tuple(record_of(Calibration, row) for row in written_rows(session, calibrations, condition))
 
 

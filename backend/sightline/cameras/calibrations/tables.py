@@ -4,9 +4,9 @@ from sqlalchemy import CheckConstraint, Column, ForeignKey, Integer, String
 
 from sightline.cameras.calibrations.records import Detection, NewCalibration
 from sightline.infra.audit.vouched import table_written_once
-from sightline.infra.database.types import NEEDS_MEDIA, columns_for, made_columns, numbered
+from sightline.infra.database.types import NEEDS_MEDIA, columns_for, made_columns, numbered_table
 
-calibration_images = numbered(
+calibration_images = numbered_table(
     "calibration_images",
     Column("camera_id", ForeignKey("cameras.id"), nullable=False, index=True),
     Column("name", String(400), nullable=False),

@@ -46,7 +46,7 @@ class Asked:
     direction_deg: float
 
 
-def _asked(
+def _read_asked_plan(
     camera_height_m: Number,
     distance_m: Number,
     board_distance_m: Optional = None,
@@ -71,7 +71,7 @@ def _asked(
     return Asked(camera, site, calibration_id, direction_deg)
 
 
-AskedPlan = Annotated[Asked, Depends(_asked)]
+AskedPlan = Annotated[Asked, Depends(_read_asked_plan)]
 
 
 @router.get("/surveys/{survey_id}/plan")

@@ -107,15 +107,15 @@ class _Sheet:
 
     def targets(self) -> dict[str, Any]:
         rows = []
-        for one in self.plan.targets:
-            U95_m = one.result.U95_height_m
+        for target in self.plan.targets:
+            U95_m = target.result.U95_height_m
             value = "sheet-none" if U95_m is None else "sheet-millimetres"
-            told = {} if U95_m is None else {"millimetres": 1000.0 * U95_m}
+            values = {} if U95_m is None else {"millimetres": 1000.0 * U95_m}
             rows.append(
                 [
-                    self.say(f"planning-target-{one.target}"),
-                    self.metres(one.height_m),
-                    self.say(value, **told),
+                    self.say(f"planning-target-{target.target}"),
+                    self.metres(target.height_m),
+                    self.say(value, **values),
                 ]
             )
         head = [self.say("planning-target"), self.say("planning-planned-height"), "U95"]
@@ -124,12 +124,12 @@ class _Sheet:
     def passing(self) -> dict[str, Any]:
         rows = [
             [
-                self.say("sheet-kmh", kmh=3.6 * one.speed_mps),
-                self.say("planning-passing-fraction", part=one.shutter),
-                self.say("sheet-blur", pixels=one.blur_px),
-                str(one.frames[0]),
+                self.say("sheet-kmh", kmh=3.6 * passing_row.speed_mps),
+                self.say("planning-passing-fraction", part=passing_row.shutter),
+                self.say("sheet-blur", pixels=passing_row.blur_px),
+                str(passing_row.frames[0]),
             ]
-            for one in self.plan.passing
+            for passing_row in self.plan.passing
         ]
         head = [self.say(f"planning-passing-{name}") for name in ("speed", "exposure", "blur", "frames-30")]
         return {"title": self.say("planning-passing-title"), "head": head, "rows": rows}

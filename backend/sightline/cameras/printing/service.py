@@ -26,15 +26,15 @@ def board_sources(board: Board, printed: PrintedBoard) -> dict[str, bytes]:
 
 def _values(board: Board, printed: PrintedBoard) -> dict[str, Any]:
     left, top, length = (round(1000.0 * one, 3) for one in printed.bar_m)
-    told: dict[str, str | float] = {"columns": board.columns, "rows": board.rows}
-    told["square_mm"] = round(1000.0 * board.square_m, 3)
-    title = say("print-board-title", told)
+    values: dict[str, str | float] = {"columns": board.columns, "rows": board.rows}
+    values["square_mm"] = round(1000.0 * board.square_m, 3)
+    title = say("print-board-title", values)
     if board.charuco is not None:
-        told |= {
+        values |= {
             "dictionary": board.charuco.dictionary,
             "marker_mm": round(1000.0 * board.charuco.marker_m, 3),
         }
-        title = say("print-board-title-charuco", told)
+        title = say("print-board-title-charuco", values)
     return {
         "title": title,
         "alt": title,

@@ -32,14 +32,16 @@ def decision_of(document: Document, rule: Rule | None, language: str = SOURCE) -
     if rule is None:
         return {"rule": None, "answer": None, "words": say("evidence-no-rule", {}, language)}
     require_risk(rule.risk)
-    told: JsonObject = {"rule": {**asdict(rule), "side": SIDES[rule.quantity], "unit": UNITS[rule.quantity]}}
-    value, u = _judged(document, rule)
-    told |= {"value": value, "u": u}
+    decision: JsonObject = {
+        "rule": {**asdict(rule), "side": SIDES[rule.quantity], "unit": UNITS[rule.quantity]}
+    }
+    value, u = _judged_value(document, rule)
+    decision |= {"value": value, "u": u}
     why = _why_none(document, rule, value, u)
     if why is not None or value is None or u is None:
-        return {**told, "answer": None, "words": why and why.sentence(language)}
+        return {**decision, "answer": None, "words": why and why.sentence(language)}
     found = decide(value, u, rule.limit, SIDES[rule.quantity], rule.risk)
-    return {**told, **asdict(found), "words": _words(rule, value, u, found, language)}
+    return {**decision, **asdict(found), "words": _word_decision(rule, value, u, found, language)}
 
 
 def rule_of(decision: Document) -> Rule | None:
@@ -48,7 +50,7 @@ def rule_of(decision: Document) -> Rule | None:
     return None if told is None else Rule(told["quantity"], told["limit"], told["risk"], told["source"])
 
 
-def _judged(document: Document, rule: Rule) -> tuple[float | None, float | None]:
+def _judged_value(document: Document, rule: Rule) -> tuple[float | None, float | None]:
     if rule.quantity == "speed":
         return document["measurement"]["speed_mps"], document["measurement"]["u_speed_mps"]
     gap = document["gap"] or {}
@@ -82,10 +84,10 @@ def _reason(stored: SaidDocument | None) -> Said | str:
     return "" if stored is None else Said.read(stored)
 
 
-def _words(rule: Rule, value: float, u: float, found: Any, language: str) -> str:
+def _word_decision(rule: Rule, value: float, u: float, decided: Any, language: str) -> str:
     unit, factor = _SHOWN[rule.quantity]
     decimals = max(0, 1 - floor(log10(u * factor)))
-    chance = found.chance_false
+    chance = decided.chance_false
 
     def written(number: str) -> str:
         return number.replace(".", decimal_sign(language))
@@ -96,15 +98,15 @@ def _words(rule: Rule, value: float, u: float, found: Any, language: str) -> str
     return say(
         "evidence-decided",
         {
-            "answer": found.answer,
+            "answer": decided.answer,
             "quantity": rule.quantity,
             "unit": unit,
             "value": number(value),
             "u": number(u),
             "limit": written(f"{rule.limit * factor:.10g}"),
             "side": SIDES[rule.quantity],
-            "guard": number(found.guard_band),
-            "factor": written(f"{found.factor:.3g}"),
+            "guard": number(decided.guard_band),
+            "factor": written(f"{decided.factor:.3g}"),
             "risk": written(f"{100 * rule.risk:.3g}"),
             "chance": written(f"{100 * max(chance, _FEWEST_CHANCE):.2g}"),
             "least": "under" if chance < _FEWEST_CHANCE else "about",

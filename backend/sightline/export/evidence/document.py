@@ -1,7 +1,7 @@
 """What an evidence file says: one document, and those parts of it that follow from others by arithmetic.
 
-`derived` gives these parts from the rest of the document, so that a file is verified by the functions that
-made it: the baseline at the vehicle, the gap to the vehicle before, the time of day. The decision is in
+`derived_parts` gives these parts from the rest of the document, so that a file is verified by the functions
+that made it: the baseline at the vehicle, the gap to the vehicle before, the time of day. The decision is in
 `decision`.
 """
 
@@ -10,7 +10,7 @@ from dataclasses import asdict, fields
 from typing import Any
 
 from sightline.enums import JsonObject
-from sightline.infra.audit.hashing import canonical_json, plain
+from sightline.infra.audit.hashing import canonical_json, to_plain_json
 from sightline.infra.audit.records import AuditEvent, AuditHead, Who, survey_chain
 from sightline.infra.version import code_version
 from sightline.linescan.clock import since_start_s
@@ -69,12 +69,12 @@ def facts_of(
         "vehicle": {name: getattr(vehicle, name) for name in _VEHICLE},
         "measurement": _revision(measured),
         "review": _review(measured),
-        "before": _before(before),
+        "before": _json_of_leader(before),
         "rig_now": rig_for(scan.rig, measured.values.lane, measured.values.direction),
         "clock": None if scan.clock is None else scan.clock.columns(),
     }
-    told: JsonObject = plain(stated)
-    found = derived(told)
+    told: JsonObject = to_plain_json(stated)
+    found = derived_parts(told)
     return {**told, **found, "words": words_of(scan.notes, measured.values, found["gap"])}
 
 
@@ -88,7 +88,7 @@ def audit_of(survey_id: int, head: AuditHead, events: Sequence[AuditEvent]) -> J
     }
 
 
-def derived(document: Document) -> JsonObject:
+def derived_parts(document: Document) -> JsonObject:
     """The parts that follow from the others, as the document holds them."""
     return {"at_vehicle": _at_vehicle(document), "gap": _gap(document), "time": _time(document)}
 
@@ -113,7 +113,7 @@ def _gap(document: Document) -> JsonObject | None:
     pair = [values_of_document(document[name]) for name in ("before", "measurement")]
     vehicles = [(crossings_of(one), motion_of(one), rig_from(one.rig)) for one in pair]
     found = gaps(vehicles, vehicles[1][2])
-    gap: JsonObject = plain(asdict(found[1]))
+    gap: JsonObject = to_plain_json(asdict(found[1]))
     return {name: value for name, value in gap.items() if name != "headway_s"}
 
 
@@ -133,23 +133,23 @@ def words_of(
 def _time(document: Document) -> JsonObject:
     measured = document["measurement"]
     rig = measured["rig"]
-    told: JsonObject = {"since_start_s": since_start_s(measured["front_line_1"], rig["line_rate_hz"])}
+    times: JsonObject = {"since_start_s": since_start_s(measured["front_line_1"], rig["line_rate_hz"])}
     clock = None if document["clock"] is None else clock_of(document["clock"])
     if clock is None:
-        return {**told, "filmed_at": None, "u_filmed_at_s": None}
+        return {**times, "filmed_at": None, "u_filmed_at_s": None}
     motion = (measured["front_line_1"], measured["speed_mps"], measured["u_length_m"], rig)
-    return {**told, **asdict(passing_of(clock, *motion))}
+    return {**times, **asdict(passing_of(clock, *motion))}
 
 
-def _revision(one: ScanMeasurement) -> JsonObject:
-    values = {name: getattr(one.values, name) for name in _VALUES}
-    made = {
-        "id": one.id,
-        "revision": one.revision,
-        "created_at": one.created_at,
-        "created_by": one.created_by,
+def _revision(measurement: ScanMeasurement) -> JsonObject:
+    values = {name: getattr(measurement.values, name) for name in _VALUES}
+    provenance = {
+        "id": measurement.id,
+        "revision": measurement.revision,
+        "created_at": measurement.created_at,
+        "created_by": measurement.created_by,
     }
-    return {**made, **values}
+    return {**provenance, **values}
 
 
 def _review(one: ScanMeasurement) -> JsonObject:
@@ -157,20 +157,20 @@ def _review(one: ScanMeasurement) -> JsonObject:
     return {"verdict": given.verdict, "reason": given.reason, "reviewer": given.reviewer, "at": given.at}
 
 
-def _before(vehicle: ScanVehicle | None) -> JsonObject | None:
+def _json_of_leader(vehicle: ScanVehicle | None) -> JsonObject | None:
     if vehicle is None or vehicle.measurement is None:
         return None
     this = {"vehicle_id": vehicle.id, "number": vehicle.number, "review": _review(vehicle.measurement)}
     return {**_revision(vehicle.measurement), **this}
 
 
-def _event(one: AuditEvent) -> JsonObject:
+def _event(event: AuditEvent) -> JsonObject:
     """An event's row, as the chain hashes it: before and after as canonical text."""
     same = ("chain", "number", "action", "entity", "entity_id", "survey_id", "previous_hash", "hash")
     return {
-        **{name: getattr(one, name) for name in same},
-        "at": plain(one.at),
-        "actor_id": None if one.actor is None else one.actor.id,
-        "before": None if one.before is None else canonical_json(one.before),
-        "after": None if one.after is None else canonical_json(one.after),
+        **{name: getattr(event, name) for name in same},
+        "at": to_plain_json(event.at),
+        "actor_id": None if event.actor is None else event.actor.id,
+        "before": None if event.before is None else canonical_json(event.before),
+        "after": None if event.after is None else canonical_json(event.after),
     }

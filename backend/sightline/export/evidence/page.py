@@ -77,24 +77,24 @@ def read_page(content: bytes) -> ReadPage:
     """A file taken apart. Raises Damaged for one that is not written as this program writes them."""
     try:
         before, mark, rest = content.decode("utf-8").partition(_MARK)
-        found = _DATA.match(rest)
-        if found is None or not mark:
+        match = _DATA.match(rest)
+        if match is None or not mark:
             raise ValueError
-        document = json.loads(found["document"])
+        document = json.loads(match["document"])
         if not isinstance(document, dict):
             raise ValueError
         pictures = {
-            name: base64.b64decode(text, validate=True) for name, text in _PICTURE.findall(found["pictures"])
+            name: base64.b64decode(text, validate=True) for name, text in _PICTURE.findall(match["pictures"])
         }
-        canonical = _escaped(canonical_json(document)) == found["document"]
+        canonical = _escaped(canonical_json(document)) == match["document"]
     except (ValueError, binascii.Error, RecursionError) as error:
         raise Damaged("evidence-not-one") from error
-    program = sha256_hex(f"{before}{_MARK}{rest[found.end() :]}".encode())
+    program = sha256_hex(f"{before}{_MARK}{rest[match.end() :]}".encode())
     return ReadPage(
         program=program,
         document=document,
         is_canonical=canonical,
-        signature=found["signature"],
+        signature=match["signature"],
         pictures=pictures,
     )
 

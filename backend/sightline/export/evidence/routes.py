@@ -46,13 +46,13 @@ def make_evidence_of_vehicle(
     return _body(make_evidence(services, vehicle_id, rule, language=asked_in, actor=who.id), asked_in)
 
 
-def _body(made: Evidence, language: str) -> EvidenceBody:
-    words = made.document["decision"]["words"]
+def _body(evidence: Evidence, language: str) -> EvidenceBody:
+    words = evidence.document["decision"]["words"]
     return EvidenceBody(
-        filename=made.filename,
-        html=made.content.decode("utf-8"),
-        sha256=made.sha256,
-        signing_key=made.document["key"],
-        answer=made.document["decision"]["answer"],
-        decision=made.document["said"].get(language, {}).get(words, words),
+        filename=evidence.filename,
+        html=evidence.content.decode("utf-8"),
+        sha256=evidence.sha256,
+        signing_key=evidence.document["key"],
+        answer=evidence.document["decision"]["answer"],
+        decision=evidence.document["said"].get(language, {}).get(words, words),
     )

@@ -46,21 +46,21 @@ def make_evidence(
     with services.reading() as session:
         vehicle = get_scan_vehicle(session, vehicle_id)
         scan = get_scan(session, vehicle.scan_id)
-    seen = _measured(vehicle)
-    pictures = pictures_of(open_strips(services, scan), seen.values)
+    measurement = _measured(vehicle)
+    pictures = pictures_of(open_strips(services, scan), measurement.values)
     key = signing_key(services.settings)
     with services.writing() as session:
         vehicle = get_scan_vehicle(session, vehicle_id)
-        if _measured(vehicle).id != seen.id:
+        if _measured(vehicle).id != measurement.id:
             raise Conflict("scans-vehicle-measured-meanwhile")
-        before = _before(session, vehicle)
+        before = _find_leader(session, vehicle)
         document = _stated(session, vehicle, before, page, actor)
         document["pictures"] = [one.facts for one in pictures]
         document["decision"] = decision_of(document, rule)
         document |= {"language": language, "said": translations_of(document)}
         document |= _vouched(session, vehicle, before, key, actor)
         sha256 = content_hash(document)
-        made = {"measurement_id": seen.id, "sha256": sha256, "key": key.public}
+        made = {"measurement_id": measurement.id, "sha256": sha256, "key": key.public}
         note_evidence(session, vehicle_id, made, actor=actor)
         content = written_page(document, key.sign(document), pictures)
     return Evidence(filename=_filename(document), content=content, document=document, sha256=sha256)
@@ -88,7 +88,7 @@ def _stated(
     )
 
 
-def _before(session: Session, vehicle: ScanVehicle) -> ScanVehicle | None:
+def _find_leader(session: Session, vehicle: ScanVehicle) -> ScanVehicle | None:
     """The vehicle that a gap is measured to (`gaps.Leaders`), of those measured; None where none is known."""
     leaders = Leaders(rig_from(_measured(vehicle).values.rig))
     there = [

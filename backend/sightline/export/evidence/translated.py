@@ -15,15 +15,15 @@ from sightline.messages.said import Said
 
 def translations_of(document: Mapping[str, Any]) -> JsonObject:
     """By language the sentences of a document by their English, those alone that are said otherwise."""
-    return {one: _said(document, one) for one in languages()}
+    return {one: _translate_sentences(document, one) for one in languages()}
 
 
-def _said(document: Mapping[str, Any], language: str) -> JsonObject:
+def _translate_sentences(document: Mapping[str, Any], language: str) -> JsonObject:
     rule = rule_of(document["decision"])
     values = values_of_document(document["measurement"])
     notes = [Said.read(one) for one in document["scan"]["notes"]]
     english, other = (words_of(notes, values, document["gap"], one) for one in (SOURCE, language))
-    found = {
+    translations = {
         document["decision"]["words"]: decision_of(document, rule, language)["words"],
         english["reason"]: other["reason"],
         english["gap"]: other["gap"],
@@ -31,5 +31,5 @@ def _said(document: Mapping[str, Any], language: str) -> JsonObject:
         **dict(zip(english["notes"], other["notes"], strict=True)),
     }
     sources = [one["source"] for one in document["measurement"]["budget"]]
-    found |= {text: name_of("budget-of", text, language) for text in sources}
-    return {text: said for text, said in found.items() if text and said != text}
+    translations |= {text: name_of("budget-of", text, language) for text in sources}
+    return {text: said for text, said in translations.items() if text and said != text}

@@ -14,13 +14,13 @@ from typing import Any
 
 from sightline.errors import BadInput, Damaged
 from sightline.export.evidence.decision import decision_of, rule_of
-from sightline.export.evidence.document import FORMAT, derived, values_of_document
+from sightline.export.evidence.document import FORMAT, derived_parts, values_of_document
 from sightline.export.evidence.page import ReadPage, program_of_page, read_page
 from sightline.export.evidence.translated import translations_of
 from sightline.infra.audit.checkpoints import KEY_PARTS, are_handed_on
-from sightline.infra.audit.hashing import chain_hash, plain
+from sightline.infra.audit.hashing import chain_hash, to_plain_json
 from sightline.infra.audit.records import survey_chain
-from sightline.infra.audit.signing import holds
+from sightline.infra.audit.signing import signature_holds
 from sightline.infra.csv_package.schema import sha256_hex
 from sightline.infra.version import code_version
 from sightline.linescan.either_way import exact_at_camera_1
@@ -68,7 +68,7 @@ def verify_evidence(content: bytes, key: str | None = None) -> EvidenceCheck:
     page = read_page(content)
     if page.document.get("format") != FORMAT:
         raise Damaged("evidence-not-one")
-    document, decided = page.document, _decided(page)
+    document, decided = page.document, _decide_again(page)
     problems = []
     for check in (_sealed, _signature, _pictures, _events, _derived, _numbers):
         problems += _guarded(check, page)
@@ -105,7 +105,7 @@ def _sealed(page: ReadPage) -> Iterator[str]:
 
 def _signature(page: ReadPage) -> Iterator[str]:
     document = page.document
-    if not holds(document, str(document["key"]), page.signature):
+    if not signature_holds(document, str(document["key"]), page.signature):
         yield say("evidence-signature", {})
     keys = [{name: one[name] for name in KEY_PARTS} for one in document["keys"]]
     if not are_handed_on(keys, document["key"]):
@@ -125,15 +125,17 @@ def _words_of(document: Document) -> str:
 
 def _pictures(page: ReadPage) -> Iterator[str]:
     told = page.document["pictures"]
-    if [one["name"] for one in told] != list(page.pictures) or [one["camera"] for one in told] != [1, 2]:
+    if [picture["name"] for picture in told] != list(page.pictures) or [
+        picture["camera"] for picture in told
+    ] != [1, 2]:
         yield say("evidence-pictures", {})
         return
-    for one in told:
-        content = page.pictures[one["name"]]
-        if sha256_hex(content) != one["sha256"]:
-            yield say("evidence-picture", {"name": one["name"]})
-        elif image_size(content, one["name"]) != (one["columns"], one["rows_px"]):
-            yield say("evidence-picture-size", {"name": one["name"]})
+    for picture in told:
+        content = page.pictures[picture["name"]]
+        if sha256_hex(content) != picture["sha256"]:
+            yield say("evidence-picture", {"name": picture["name"]})
+        elif image_size(content, picture["name"]) != (picture["columns"], picture["rows_px"]):
+            yield say("evidence-picture-size", {"name": picture["name"]})
 
 
 def _events(page: ReadPage) -> Iterator[str]:
@@ -146,27 +148,37 @@ def _events(page: ReadPage) -> Iterator[str]:
         last = event["number"] == audit["count"] and event["hash"] != audit["hash"]
         if not inside or last or event["hash"] != chain_hash(event):
             yield say("evidence-event", {"number": event["number"]})
-    yield from _said(audit["events"], "measurement", document["measurement"], document["review"])
+    yield from _check_against_events(
+        audit["events"], "measurement", document["measurement"], document["review"]
+    )
     if document["before"] is not None:
-        yield from _said(audit["events"], "before", document["before"], document["before"]["review"])
+        yield from _check_against_events(
+            audit["events"], "before", document["before"], document["before"]["review"]
+        )
 
 
-def _said(events: list[Document], part: str, measured: Document, review: Document) -> Iterator[str]:
+def _check_against_events(
+    events: list[Document], part: str, measured: Document, review: Document
+) -> Iterator[str]:
     """A revision is what its event says; its verdict the last given on it, or the one that it puts back."""
-    own = [one for one in events if (one["entity"], one["entity_id"]) == ("scan_measurement", measured["id"])]
+    own = [
+        event
+        for event in events
+        if (event["entity"], event["entity_id"]) == ("scan_measurement", measured["id"])
+    ]
     if len(own) != 1:
         yield say("evidence-no-event", {"part": part})
         return
-    told = json.loads(own[0]["after"])
-    other = sorted(name for name in told if name in measured and told[name] != measured[name])
+    stated = json.loads(own[0]["after"])
+    other = sorted(name for name in stated if name in measured and stated[name] != measured[name])
     if other:
         yield say("evidence-not-as-event", {"part": part, "named": ", ".join(other)})
     given = [
-        (one, after)
-        for one in events
-        if one["entity"] == "scan_review"
-        for after in [json.loads(one["after"])]
-        if after["measurement_id"] in (measured["id"], told.get("verdict_of_id"))
+        (event, after)
+        for event in events
+        if event["entity"] == "scan_review"
+        for after in [json.loads(event["after"])]
+        if after["measurement_id"] in (measured["id"], stated.get("verdict_of_id"))
     ]
     last, after = given[-1] if given else (None, {"verdict": "to_review", "reason": None})
     reviewer = None if review["reviewer"] is None else review["reviewer"]["id"]
@@ -176,8 +188,8 @@ def _said(events: list[Document], part: str, measured: Document, review: Documen
 
 
 def _derived(page: ReadPage) -> Iterator[str]:
-    for name, value in derived(page.document).items():
-        told, found = page.document[name], plain(value)
+    for name, value in derived_parts(page.document).items():
+        told, found = page.document[name], to_plain_json(value)
         if name == "gap" and told and not _is_ours(page.document):
             told = {part: each for part, each in told.items() if part != "headway_s"}
             found = told if told == _gap_by_rig_now(page.document) else found
@@ -189,11 +201,11 @@ def _gap_by_rig_now(document: Document) -> Document:
     """As earlier versions computed it: by the line rate that the recording had when the file was made."""
     rig = {"rig": document["rig_now"]}
     pair = {part: document[part] | rig for part in ("measurement", "before")}
-    gap: Document = plain(derived({**document, **pair})["gap"])
+    gap: Document = to_plain_json(derived_parts({**document, **pair})["gap"])
     return gap
 
 
-def _decided(page: ReadPage) -> Document | str:
+def _decide_again(page: ReadPage) -> Document | str:
     """What this version decides of the document; why it cannot, in a sentence."""
     try:
         return decision_of(page.document, rule_of(page.document["decision"]))
@@ -201,14 +213,14 @@ def _decided(page: ReadPage) -> Document | str:
         return say("evidence-form", {"part": "decision", "words": str(error)})
 
 
-def _decision(page: ReadPage, found: Document | str) -> Iterator[str]:
+def _decision(page: ReadPage, recomputed: Document | str) -> Iterator[str]:
     """Value, limit and answer; the words, where this version made them: another one may word it otherwise."""
-    if isinstance(found, str):
-        yield found
+    if isinstance(recomputed, str):
+        yield recomputed
         return
     told = page.document["decision"]
-    names = {*told, *found} - (set() if _is_ours(page.document) else {"words"})
-    other = sorted(name for name in names if told.get(name) != found.get(name))
+    names = {*told, *recomputed} - (set() if _is_ours(page.document) else {"words"})
+    other = sorted(name for name in names if told.get(name) != recomputed.get(name))
     if other:
         yield say("evidence-made-again", {"named": ", ".join(f"decision: {name}" for name in other)})
 
@@ -236,27 +248,27 @@ def _numbers(page: ReadPage) -> Iterator[str]:
             yield say("evidence-numbers", {"part": part, "named": ", ".join(other)})
 
 
-def _other_numbers(told: Document) -> list[str]:
+def _other_numbers(motion: Document) -> list[str]:
     """The names of what does not follow from the lines, the rig and the budget of a motion."""
     numbers = [*_MOTION, *(f"u_{name}" for name in _MOTION)]
-    if told["status"] != "ok":
-        return [name for name in numbers if told[name] is not None]
-    if not all(isinstance(told[name], float | int) and isfinite(told[name]) for name in numbers):
+    if motion["status"] != "ok":
+        return [name for name in numbers if motion[name] is not None]
+    if not all(isinstance(motion[name], float | int) and isfinite(motion[name]) for name in numbers):
         return numbers
-    return [*_budget(told), *_lines(told)]
+    return [*_budget(motion), *_lines(motion)]
 
 
-def _budget(told: Document) -> list[str]:
+def _budget(motion: Document) -> list[str]:
     other = []
-    entries = {one["source"]: one for one in told["budget"]}
+    entries = {one["source"]: one for one in motion["budget"]}
     for name in _MOTION:
-        u = hypot(*(one[f"u_{name}"] for one in told["budget"]))
-        if not isclose(u, told[f"u_{name}"], rel_tol=_CLOSE):
+        u = hypot(*(one[f"u_{name}"] for one in motion["budget"]))
+        if not isclose(u, motion[f"u_{name}"], rel_tol=_CLOSE):
             other.append(f"u_{name}")
     for source, times in _BY_RIG.items():
-        ratio = _ratio(told["rig"], source)
+        ratio = _ratio(motion["rig"], source)
         for name, factor in zip(_MOTION, times, strict=True):
-            due = factor * abs(told[name]) * ratio
+            due = factor * abs(motion[name]) * ratio
             if not isclose(entries[source][f"u_{name}"], due, rel_tol=_CLOSE, abs_tol=1e-15):
                 other.append(f"{name} ({source})")
     return other
@@ -278,24 +290,24 @@ def _baseline(rig: Document) -> tuple[float, float]:
     )
 
 
-def _lines(told: Document) -> list[str]:
+def _lines(motion: Document) -> list[str]:
     """The length as the method has it; front and rear carried over the baseline by the motion."""
-    rate, start = told["rig"]["line_rate_hz"], told["front_line_1"]
+    rate, start = motion["rig"]["line_rate_hz"], motion["front_line_1"]
     rear_1, front_2, rear_2 = (
-        (told[name] - start) / rate for name in ("rear_line_1", "front_line_2", "rear_line_2")
+        (motion[name] - start) / rate for name in ("rear_line_1", "front_line_2", "rear_line_2")
     )
-    baseline_m, _ = _baseline(told["rig"])
+    baseline_m, _ = _baseline(motion["rig"])
 
     def gone(seconds: float) -> float:
-        return float(travelled_m(told["speed_mps"], told["acceleration_mps2"], seconds))
+        return float(travelled_m(motion["speed_mps"], motion["acceleration_mps2"], seconds))
 
     at_2 = gone(rear_2) - gone(front_2)
-    length_m = gone(rear_1) if told["method"] == "paper" else (gone(rear_1) + at_2) / 2
-    other = [] if isclose(length_m, told["length_m"], rel_tol=_CLOSE) else ["length_m"]
-    if told["method"] == "paper":  # its boundaries are not held against its regression
+    length_m = gone(rear_1) if motion["method"] == "paper" else (gone(rear_1) + at_2) / 2
+    other = [] if isclose(length_m, motion["length_m"], rel_tol=_CLOSE) else ["length_m"]
+    if motion["method"] == "paper":  # its boundaries are not held against its regression
         return other
-    u_m = {one["source"]: one["u_length_m"] for one in told["budget"]}[_BOUNDARIES]
-    if told["direction"] == "camera_2_first":
+    u_m = {one["source"]: one["u_length_m"] for one in motion["budget"]}[_BOUNDARIES]
+    if motion["direction"] == "camera_2_first":
         baseline_m = -baseline_m
     apart_m = hypot(gone(front_2) - baseline_m, gone(rear_2) - gone(rear_1) - baseline_m) / 2
     return other if apart_m <= u_m * (1 + _CLOSE) else [*other, "speed_mps (boundaries)"]

@@ -3,11 +3,11 @@
 from collections.abc import Mapping
 
 from sightline.enums import CrestVerdict, LengthUnit
-from sightline.export.report.said import said, told
+from sightline.export.report.said import sentence_of_key, sentence_of_said
 from sightline.export.report.units import HEIGHT, Scale, percent
-from sightline.export.report.words import TARGETS, apart
+from sightline.export.report.words import TARGETS, join_with_semicolons
 from sightline.results.sightdistance.records import CaseOfHeights, SightQuestion
-from sightline.results.sightdistance.service import case_of, distance_of, exact, height_of_rule
+from sightline.results.sightdistance.service import case_of, distance_of, exact_height, height_of_rule
 from sightline.results.survey_statistics import Filter, Statistics
 from sightline.statistics.standards import Standard
 
@@ -35,7 +35,7 @@ def cases_of(result: Statistics, unit: LengthUnit) -> Cases | None:
         return None
     eye, thing = (one.standard for one in result.sight)
     question = question_of(eye, thing, unit)
-    standard = case_of(question, "standard", exact(eye.height_m), exact(thing.height_m))
+    standard = case_of(question, "standard", exact_height(eye.height_m), exact_height(thing.height_m))
     survey = case_of(question, "survey", *map(height_of_rule, result.sight))
     return eye, thing, question, standard, survey
 
@@ -63,10 +63,12 @@ def crest_sentence(
     """
     if survey.too_few:
         each = [
-            said("sight-too-few-of", target=TARGETS[one.target], reason=told(one.reason))
+            sentence_of_key(
+                "sight-too-few-of", target=TARGETS[one.target], reason=sentence_of_said(one.reason)
+            )
             for one in survey.too_few
         ]
-        return said("sight-too-few", targets=apart(each))
+        return sentence_of_key("sight-too-few", targets=join_with_semicolons(each))
     if survey.crest is None or survey.comparison is None or standard.crest is None:
         return None
     scale = HEIGHT[question.unit]
@@ -86,6 +88,6 @@ def crest_sentence(
         "k_standard": plain.number(before.k_m.value),
         "distance": far.length(distance_of(question, question.speed_mps).design_m),
         "seen": far.length(crest.seen_m.value),
-        "reason": told(crest.constant_m.reason or ""),
+        "reason": sentence_of_said(crest.constant_m.reason or ""),
     }
-    return said(_SENTENCES[survey.comparison.verdict], **values)
+    return sentence_of_key(_SENTENCES[survey.comparison.verdict], **values)

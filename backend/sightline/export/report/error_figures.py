@@ -10,8 +10,8 @@ from sightline.enums import LengthUnit
 from sightline.export.report import labels, marks
 from sightline.export.report.canvas import HALF, INK, MUTED, Drawing, svg
 from sightline.export.report.marks import MAIN, SECOND, THIRD, LineStyle
-from sightline.export.report.said import said, told
-from sightline.export.report.units import HEIGHT, SMALL, Scale, count, fixed
+from sightline.export.report.said import sentence_of_key, sentence_of_said
+from sightline.export.report.units import HEIGHT, SMALL, Scale, count, format_fixed
 from sightline.export.report.words import LIGHTING, heading
 from sightline.messages.said import Said
 from sightline.statistics.agreement import Trend
@@ -45,23 +45,23 @@ def error_figures(errors: Errors, unit: LengthUnit) -> dict[str, Drawing | str]:
         "absolute-error-ecdf": _cumulative(
             errors.absolute,
             small.factor,
-            said("report-fig-absolute-axis", unit=small.sign),
-            said("report-fig-absolute"),
-            said("report-fig-absolute-caption"),
+            sentence_of_key("report-fig-absolute-axis", unit=small.sign),
+            sentence_of_key("report-fig-absolute"),
+            sentence_of_key("report-fig-absolute-caption"),
         ),
         "relative-error-ecdf": _cumulative(
             errors.relative,
             100.0,
-            said("report-fig-relative-axis"),
-            said("report-fig-relative"),
-            said("report-fig-relative-caption"),
+            sentence_of_key("report-fig-relative-axis"),
+            sentence_of_key("report-fig-relative"),
+            sentence_of_key("report-fig-relative-caption"),
         ),
         "signed-error-density": _density(errors, unit),
         "error-against-height": _trend(errors, unit),
     }
 
 
-def _drawn(parts: Mapping[str, Part | Said | None]) -> list[tuple[str, Part, LineStyle]]:
+def _groups_to_draw(parts: Mapping[str, Part | Said | None]) -> list[tuple[str, Part, LineStyle]]:
     """The groups that have something to draw; one that is the same as "overall" is drawn once."""
     there = {
         name: part for name in GROUPS if (part := parts.get(name)) is not None and not isinstance(part, Said)
@@ -75,19 +75,19 @@ def _drawn(parts: Mapping[str, Part | Said | None]) -> list[tuple[str, Part, Lin
 
 
 def _word(name: str, part: SampleCounts) -> str:
-    return said("report-fig-group", group=LIGHTING[name], n=count(part.n))
+    return sentence_of_key("report-fig-group", group=LIGHTING[name], n=count(part.n))
 
 
 def _cumulative(
     parts: Mapping[str, Ecdf | None], factor: float, axis: str, title: str, caption: str
 ) -> Drawing | str:
-    drawn = _drawn(parts)
+    drawn = _groups_to_draw(parts)
     if not drawn:
-        return said("report-fig-no-error")
+        return sentence_of_key("report-fig-no-error")
 
     def draw(axes: Axes) -> None:
         named = [marks.steps(axes, part, style, factor, _word(name, part)) for name, part, style in drawn]
-        axes.set(xlabel=axis, ylabel=said("report-fig-share"), ylim=(0, 100.8))
+        axes.set(xlabel=axis, ylabel=sentence_of_key("report-fig-share"), ylim=(0, 100.8))
         axes.set_xlim(0, None)
         if not labels.label(axes, named):
             axes.legend(loc="lower right")
@@ -97,12 +97,16 @@ def _cumulative(
 
 
 def _density(errors: Errors, unit: LengthUnit) -> Drawing | str:
-    drawn = _drawn(errors.density)
+    drawn = _groups_to_draw(errors.density)
     drawn = [one for one in drawn if one[0] != "overall"] or drawn  # which lies between the two
-    small, title = SMALL[unit], said("report-fig-signed")
+    small, title = SMALL[unit], sentence_of_key("report-fig-signed")
     if not drawn:
         overall = errors.density.get("overall")
-        return told(overall) if isinstance(overall, Said) else said("report-fig-no-errors")
+        return (
+            sentence_of_said(overall)
+            if isinstance(overall, Said)
+            else sentence_of_key("report-fig-no-errors")
+        )
 
     def draw(axes: Axes) -> None:
         axes.axvline(0.0, color=MUTED, linewidth=0.6)
@@ -111,8 +115,8 @@ def _density(errors: Errors, unit: LengthUnit) -> Drawing | str:
             for name, part, style in drawn
         ]
         axes.set(
-            xlabel=said("report-fig-signed-axis", unit=small.sign),
-            ylabel=said("report-fig-density-axis", unit=small.sign),
+            xlabel=sentence_of_key("report-fig-signed-axis", unit=small.sign),
+            ylabel=sentence_of_key("report-fig-density-axis", unit=small.sign),
         )
         axes.set_ylim(0, None)
         axes.margins(x=0.01)
@@ -122,7 +126,7 @@ def _density(errors: Errors, unit: LengthUnit) -> Drawing | str:
             axes.legend(loc="upper left")
 
     widths = ", ".join(
-        said("report-fig-signed-width", width=small.length(part.bandwidth), group=LIGHTING[name])
+        sentence_of_key("report-fig-signed-width", width=small.length(part.bandwidth), group=LIGHTING[name])
         for name, part, _ in drawn
     )
     bands = marks.band_words([part.n for _, part, style in drawn if style.band], pointwise=True)
@@ -131,15 +135,15 @@ def _density(errors: Errors, unit: LengthUnit) -> Drawing | str:
 
 def _density_caption(errors: Errors, widths: str, small: Scale) -> str:
     if errors.rounding != "cm":
-        return said("report-fig-signed-caption", widths=widths)
-    return said("report-fig-signed-caption-cm", widths=widths, rounding=small.length(WHOLE_CM))
+        return sentence_of_key("report-fig-signed-caption", widths=widths)
+    return sentence_of_key("report-fig-signed-caption-cm", widths=widths, rounding=small.length(WHOLE_CM))
 
 
 def _trend(errors: Errors, unit: LengthUnit) -> Drawing | str:
     points, line = errors.points, errors.trend
-    long, small, title = HEIGHT[unit], SMALL[unit], said("report-fig-trend")
+    long, small, title = HEIGHT[unit], SMALL[unit], sentence_of_key("report-fig-trend")
     if len(points) == 0:
-        return said("report-fig-no-error")
+        return sentence_of_key("report-fig-no-error")
 
     def draw(axes: Axes) -> None:
         axes.axhline(0.0, color=MUTED, linewidth=0.6)
@@ -154,10 +158,12 @@ def _trend(errors: Errors, unit: LengthUnit) -> Drawing | str:
             at = long.factor * line.at
             low, high = small.factor * line.low, small.factor * line.high
             axes.fill_between(at, low, high, color=INK, alpha=0.16, linewidth=0)
-            axes.plot(at, small.factor * line.value, label=said("report-fig-regression"), **MAIN.line())
+            axes.plot(
+                at, small.factor * line.value, label=sentence_of_key("report-fig-regression"), **MAIN.line()
+            )
         axes.set(
-            xlabel=said("report-fig-maker-height", unit=long.sign),
-            ylabel=said("report-fig-signed-axis", unit=small.sign),
+            xlabel=sentence_of_key("report-fig-maker-height", unit=long.sign),
+            ylabel=sentence_of_key("report-fig-signed-axis", unit=small.sign),
         )
         key = axes.legend(
             loc="lower left",
@@ -180,23 +186,25 @@ SLOPE_DIGITS: dict[LengthUnit, int] = {"m": 1, "ft": 3}
 def _trend_caption(errors: Errors, unit: LengthUnit) -> str:
     line, absolute = errors.trend, errors.absolute_trend
     if not isinstance(line, Trend):
-        return said("report-fig-one-mark", reason=told(line))
+        return sentence_of_key("report-fig-one-mark", reason=sentence_of_said(line))
     per = SMALL[unit].factor / HEIGHT[unit].factor
-    sign = said("report-fig-per", small=SMALL[unit].sign, height=HEIGHT[unit].sign)
+    sign = sentence_of_key("report-fig-per", small=SMALL[unit].sign, height=HEIGHT[unit].sign)
     low, high, digits = line.slope_ci95.low, line.slope_ci95.high, SLOPE_DIGITS[unit]
     shown = len(errors.points)
-    seen = (
-        said("report-fig-seen")
+    points_words = (
+        sentence_of_key("report-fig-seen")
         if shown >= line.n
-        else said("report-fig-seen-some", shown=count(shown), n=count(line.n))
+        else sentence_of_key("report-fig-seen-some", shown=count(shown), n=count(line.n))
     )
     values = {
-        "seen": seen,
-        "slope": f"{fixed(per * line.slope, digits)} {sign}",
-        "interval": said("report-between", low=fixed(per * low, digits), high=fixed(per * high, digits)),
-        "r": fixed(line.correlation, 2),
+        "seen": points_words,
+        "slope": f"{format_fixed(per * line.slope, digits)} {sign}",
+        "interval": sentence_of_key(
+            "report-between", low=format_fixed(per * low, digits), high=format_fixed(per * high, digits)
+        ),
+        "r": format_fixed(line.correlation, 2),
     }
     if not isinstance(absolute, Trend):
-        return heading(said("report-fig-trend-caption", **values))
-    of_absolute = fixed(absolute.correlation, 2)
-    return heading(said("report-fig-trend-caption-absolute", **values, r_absolute=of_absolute))
+        return heading(sentence_of_key("report-fig-trend-caption", **values))
+    of_absolute = format_fixed(absolute.correlation, 2)
+    return heading(sentence_of_key("report-fig-trend-caption-absolute", **values, r_absolute=of_absolute))

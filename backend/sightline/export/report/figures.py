@@ -23,9 +23,9 @@ def drawings(
     result: Statistics, unit: LengthUnit = "m", scans: ScanStatistics | None = None
 ) -> dict[str, Drawing | str]:
     """Name to figure, or to the sentence that stands in its place; those of line scans last."""
-    found = error_figures(result.errors, unit)
+    figures_by_name = error_figures(result.errors, unit)
     for name, target in result.targets.items():
-        found |= height_figures(name, target, standards_of(result.standards, name), unit)
-    found |= lateral_figure(result, unit)
-    found |= sight_figure(result, unit)
-    return found if scans is None else {**found, **scan_drawings(scans, unit)}
+        figures_by_name |= height_figures(name, target, standards_of(result.standards, name), unit)
+    figures_by_name |= lateral_figure(result, unit)
+    figures_by_name |= sight_figure(result, unit)
+    return figures_by_name if scans is None else {**figures_by_name, **scan_drawings(scans, unit)}

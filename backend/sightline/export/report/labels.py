@@ -47,15 +47,15 @@ def label(axes: Axes, curves: Sequence[Named]) -> bool:
     """Write each curve's word beside it; False, and none, where one has no room. Limits must be final."""
     paths = [_dense(axes, one) for one in curves]
     taken: list[Bbox] = []
-    found: list[_Place] = []
+    places: list[_Place] = []
     for one, path in zip(curves, paths, strict=True):
         others = [other for other in paths if other is not path]
         place = _place(axes, one, path, np.concatenate([np.empty((0, 2)), *others]), taken)
         if place is None:
             return False
-        found.append(place)
+        places.append(place)
         taken.append(place.box)
-    for one, place in zip(curves, found, strict=True):
+    for one, place in zip(curves, places, strict=True):
         write(axes, one.word, place.x, place.y, place.side)
     return True
 
@@ -85,11 +85,11 @@ def _dense(axes: Axes, one: Named) -> Floats:
     return np.column_stack([np.interp(along, run, at[:, 0]), np.interp(along, run, at[:, 1])])
 
 
-def _place(axes: Axes, one: Named, path: Floats, others: Floats, taken: Sequence[Bbox]) -> _Place | None:
+def _place(axes: Axes, curve: Named, path: Floats, others: Floats, taken: Sequence[Bbox]) -> _Place | None:
     """The free place nearest to the wished one."""
-    frame, size = axes.get_window_extent(), _size(axes, one.word)
+    frame, size = axes.get_window_extent(), _size(axes, curve.word)
     dots = axes.figure.dpi / 72.0
-    for share in sorted(_ALONG, key=lambda share: abs(share - one.at)):
+    for share in sorted(_ALONG, key=lambda share: abs(share - curve.at)):
         x, y = (float(v) for v in path[round(share * (_DENSE - 1))])
         for side in _SIDES:
             right, up, ha, va = side

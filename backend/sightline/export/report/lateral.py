@@ -7,7 +7,7 @@ from sightline.export.report import marks
 from sightline.export.report.canvas import FULL, Drawing, Sheet, svg
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.pictures import Pictures
-from sightline.export.report.said import said
+from sightline.export.report.said import sentence_of_key
 from sightline.export.report.settable import Values
 from sightline.export.report.units import HEIGHT
 from sightline.export.report.words import group_word, heading
@@ -24,24 +24,24 @@ def lateral_figure(result: Statistics, unit: LengthUnit) -> dict[str, Drawing | 
     found = result.lateral
     if found is None or not found.lanes.of:
         return {}
-    scale, title = HEIGHT[unit], said("report-fig-lateral")
-    rows = _rows(found)
+    scale, title = HEIGHT[unit], sentence_of_key("report-fig-lateral")
+    rows = _rows_of_lanes(found)
 
     def draw(axes: Axes) -> None:
         marks.spread_rows(axes, rows, scale.factor)
-        axes.set_xlabel(said("report-fig-lateral-axis", unit=scale.sign))
+        axes.set_xlabel(sentence_of_key("report-fig-lateral-axis", unit=scale.sign))
 
-    caption = said("report-fig-lateral-caption")
+    caption = sentence_of_key("report-fig-lateral-caption")
     sheet = Sheet(FULL.width, 12.0 + marks.ROW_MM * len(rows), left=62.0, right=3.0)
     return {FIGURE: Drawing(svg(draw, title, sheet), title, caption)}
 
 
-def _rows(found: Lateral) -> list[tuple[str, Distribution]]:
+def _rows_of_lanes(positions: Lateral) -> list[tuple[str, Distribution]]:
     """Each lane, and below it its classes, where it has more than one."""
     rows: list[tuple[str, Distribution]] = []
-    for lane, one in found.lanes.of.items():
+    for lane, one in positions.lanes.of.items():
         rows.append((heading(group_word("lane", lane)), one))
-        classes = found.classes.get(lane)
+        classes = positions.classes.get(lane)
         if classes is not None and len(classes.of) > 1:
             rows += [
                 (f"{group_word('lane', lane)}, {group_word('category', word)}", of)
@@ -52,19 +52,19 @@ def _rows(found: Lateral) -> list[tuple[str, Distribution]]:
 
 def lateral(facts: ReportFacts, pictures: Pictures) -> Values | None:
     """What the template shows; None where there is nothing to show."""
-    found = facts.statistics.lateral
-    if found is None or found.all.n == 0:
+    positions = facts.statistics.lateral
+    if positions is None or positions.all.n == 0:
         return None
-    rows = [(said("report-lateral-all"), found.all), *_rows(found)]
+    rows = [(sentence_of_key("report-lateral-all"), positions.all), *_rows_of_lanes(positions)]
     return {
         "rows": [
-            {"name": word, "n": one.n, "mean": one.mean_m, "sd": one.sd_m, "at": _at(one)}
+            {"name": word, "n": one.n, "mean": one.mean_m, "sd": one.sd_m, "at": _values_at_percents(one)}
             for word, one in rows
         ],
-        "figures": pictures.figures([FIGURE]) if found.lanes.of else [],
+        "figures": pictures.figures([FIGURE]) if positions.lanes.of else [],
     }
 
 
-def _at(one: Distribution) -> list[float | None]:
+def _values_at_percents(one: Distribution) -> list[float | None]:
     at = {each.percent: each.value for each in one.percentiles}
     return [at.get(percent) for percent in _SHOWN]

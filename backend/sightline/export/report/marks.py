@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from sightline.enums import LengthUnit
 from sightline.export.report.canvas import FAINT, INK, MUTED, Sheet
 from sightline.export.report.labels import Named, write
-from sightline.export.report.said import said
+from sightline.export.report.said import sentence_of_key
 from sightline.export.report.units import HEIGHT, count, limit
 from sightline.statistics.distributions import Density, Ecdf, Percentile
 from sightline.statistics.summary import Distribution
@@ -78,33 +78,35 @@ def band_words(counts: Sequence[int], *, pointwise: bool = False) -> str:
     """Ends a caption: what the bands of curves of so many vehicles are, and that few vehicles have none."""
     sentences = []
     if any(n >= LEAST_FOR_A_BAND for n in counts):
-        sentences.append(said("report-fig-band-pointwise" if pointwise else "report-fig-band"))
+        sentences.append(sentence_of_key("report-fig-band-pointwise" if pointwise else "report-fig-band"))
     if any(n < LEAST_FOR_A_BAND for n in counts):
-        sentences.append(said("report-fig-no-band", least=count(LEAST_FOR_A_BAND)))
+        sentences.append(sentence_of_key("report-fig-no-band", least=count(LEAST_FOR_A_BAND)))
     return " ".join(sentences)
 
 
 def whiskers(axes: Axes, found: Sequence[Percentile], factor: float) -> None:
     """Percentiles that have a value, at their per cent, with their intervals."""
-    for one in found:
-        if one.value is not None:
-            axes.plot(factor * one.value, one.percent, "o", color=INK, markersize=2.6, zorder=4)
-        if one.low is not None and one.high is not None:
-            ends = [factor * one.low, factor * one.high]
-            axes.plot(ends, [one.percent] * 2, "|-", color=INK, linewidth=0.8, markersize=4.5, zorder=4)
+    for percentile in found:
+        if percentile.value is not None:
+            axes.plot(factor * percentile.value, percentile.percent, "o", color=INK, markersize=2.6, zorder=4)
+        if percentile.low is not None and percentile.high is not None:
+            ends = [factor * percentile.low, factor * percentile.high]
+            axes.plot(
+                ends, [percentile.percent] * 2, "|-", color=INK, linewidth=0.8, markersize=4.5, zorder=4
+            )
 
 
-def spread_row(axes: Axes, row: int, found: Distribution, factor: float) -> None:
+def spread_row(axes: Axes, row: int, distribution: Distribution, factor: float) -> None:
     """A group as a row: median, middle 70 % and middle 90 %, as far as it has the vehicles for them; each
     vehicle where it has too few for the middle 70 %.
     """
-    at = {one.percent: factor * one.value for one in found.percentiles if one.value is not None}
+    at = {one.percent: factor * one.value for one in distribution.percentiles if one.value is not None}
     if 5.0 in at and 95.0 in at:
         axes.plot([at[5.0], at[95.0]], [row, row], color=INK, linewidth=0.8)
     if 15.0 in at and 85.0 in at:
         axes.plot([at[15.0], at[85.0]], [row, row], color=INK, linewidth=3.2, solid_capstyle="butt")
-    elif found.ecdf is not None:
-        each = factor * found.ecdf.value
+    elif distribution.ecdf is not None:
+        each = factor * distribution.ecdf.value
         axes.plot(each, np.full(len(each), row), "|", color=MUTED, markersize=5.0, markeredgewidth=0.8)
     if 50.0 in at:
         axes.plot(at[50.0], row, "o", color="white", markeredgecolor=INK, markersize=4.2, markeredgewidth=0.9)
@@ -138,7 +140,7 @@ def limits_of(
     ]
 
 
-def headed(sheet: Sheet, drawn: Sequence[Limit]) -> Sheet:
+def add_header_row(sheet: Sheet, drawn: Sequence[Limit]) -> Sheet:
     """The sheet with a row above the axes for the words of each standard (`limits`)."""
     rows = _WORD_MM * len(drawn)
     return replace(sheet, height=sheet.height + rows, top=sheet.top + rows)
@@ -146,19 +148,20 @@ def headed(sheet: Sheet, drawn: Sequence[Limit]) -> Sheet:
 
 def limits(axes: Axes, drawn: Sequence[Limit]) -> None:
     """Standards as upright rules that lead to their words above the axes, where no curve runs: the lowest on
-    top, so that no rule crosses the words of another. The sheet is `headed`; the axes reach to each rule.
+    top, so that no rule crosses the words of another. The sheet is of `add_header_row`; the axes reach to
+    each rule.
     """
     low, high = axes.get_xlim()
     air = 0.01 * (high - low)
     axes.set_xlim(min([low, *(one.at - air for one in drawn)]), max([high, *(one.at + air for one in drawn)]))
     frame = axes.get_window_extent()
     row_px = _WORD_MM * axes.figure.dpi / 25.4
-    for row, one in enumerate(sorted(drawn, key=lambda one: -one.at)):
+    for row, rule in enumerate(sorted(drawn, key=lambda one: -one.at)):
         foot = frame.y1 + row * row_px
         up = (foot - frame.y0) / frame.height
-        axes.axvline(one.at, ymax=up, color=FAINT, linewidth=0.7, dashes=(7, 1.5, 1, 1.5), clip_on=False)
-        x = float(axes.transData.transform((one.at, 0.0))[0])
-        word = write(axes, one.word, x, foot, (-1.0, 2.0, "left", "bottom"))
+        axes.axvline(rule.at, ymax=up, color=FAINT, linewidth=0.7, dashes=(7, 1.5, 1, 1.5), clip_on=False)
+        x = float(axes.transData.transform((rule.at, 0.0))[0])
+        word = write(axes, rule.word, x, foot, (-1.0, 2.0, "left", "bottom"))
         beyond = word.get_window_extent().x1 - axes.figure.bbox.x1
         if beyond > 0.0:
             word.set_position((-1.0 - beyond * 72.0 / axes.figure.dpi, 2.0))

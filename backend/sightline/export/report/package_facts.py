@@ -12,14 +12,14 @@ from sightline.export.chosen import chosen_scanned, chosen_vehicles, counting_ve
 from sightline.export.exclusions import EXCLUSIONS
 from sightline.export.measured import AS_PAPER, PackageStatistics
 from sightline.export.report.facts import ReportFacts, Row, ScanFacts
-from sightline.export.report.said import said, spoken
+from sightline.export.report.said import sentence_of_key, spoken_language
 from sightline.export.report.words import selection_words
 from sightline.export.response import response_in
 from sightline.export.scans import scan_heights_in
 from sightline.export.seal import ENTITY
 from sightline.export.verdicts import verdicts_in
 from sightline.geometry.documents import pose_from_dict
-from sightline.infra.csv_package.files import Files, read_columns, read_rows, read_whole, unsafe
+from sightline.infra.csv_package.files import Files, read_columns, read_rows, read_whole, undo_safe_text
 from sightline.infra.csv_package.schema import AnyTable, Written, record_path
 from sightline.messages.said import Said
 from sightline.poses.csv import POSES
@@ -36,9 +36,9 @@ from sightline.vehicles.records import NOT_VISIBLE
 MOST_EXCLUSIONS = 300
 
 
-def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Written]) -> ReportFacts:
+def report_facts(files: Files, package: PackageStatistics, written: Mapping[str, Written]) -> ReportFacts:
     """Everything that the report shows. `written`: the files whose sums it lists."""
-    found = made.headline
+    headline = package.headline
     head = _Chain(files)
     survey = head.survey
     recordings = {row["id"]: row for row in table_rows(files, RECORDINGS)}
@@ -50,9 +50,9 @@ def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Wr
     return ReportFacts(
         survey=str(survey.get("name", "")),
         site=str(survey.get("site", "")),
-        statistics=found,
+        statistics=headline,
         choices=StatisticsOptions(),
-        as_in_the_paper=made.of[AS_PAPER],
+        as_in_the_paper=package.of[AS_PAPER],
         not_visible=hidden,
         out_of_date=stale,
         description=str(survey.get("description", "")),
@@ -61,15 +61,18 @@ def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Wr
         first_day=used.first_day,
         last_day=used.last_day,
         counts=(
-            (said("report-count-recordings"), len(recordings)),
-            (said("report-count-vehicles"), sum(1 for _ in read_columns(files, "vehicles.csv", ("id",)))),
-            (said("report-count-measurements"), used.count),
-            (said("report-count-not-visible"), hidden),
-            (said("report-count-used"), found.counted.measurements),
-            (said("report-count-left-out"), exclusions),
-            *_timeless(found.counted.without_time + made.scans.counted["without_time"]),
-            *(((said("report-count-out-of-date"), stale),) if stale else ()),
-            *_scanned(made),
+            (sentence_of_key("report-count-recordings"), len(recordings)),
+            (
+                sentence_of_key("report-count-vehicles"),
+                sum(1 for _ in read_columns(files, "vehicles.csv", ("id",))),
+            ),
+            (sentence_of_key("report-count-measurements"), used.count),
+            (sentence_of_key("report-count-not-visible"), hidden),
+            (sentence_of_key("report-count-used"), headline.counted.measurements),
+            (sentence_of_key("report-count-left-out"), exclusions),
+            *_timeless(headline.counted.without_time + package.scans.counted["without_time"]),
+            *(((sentence_of_key("report-count-out-of-date"), stale),) if stale else ()),
+            *_scanned(package),
         ),
         place=place_in(files),
         photos=photos_in(files),
@@ -85,14 +88,14 @@ def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Wr
         insets=tuple(table_rows(files, INSETS)),
         exclusions=tuple(islice(table_rows(files, EXCLUSIONS), MOST_EXCLUSIONS)),
         exclusions_total=exclusions,
-        scans=_scans(files, made.scans),
+        scans=_scans(files, package.scans),
         sampling=sampling_in(files),
         response=tuple(response_in(files)),
         verdicts=verdicts_in(files),
         code_versions=tuple(sorted(used.code_versions)),
         audit_events=head.count,
         audit_head=head.hash,
-        language=spoken(),
+        language=spoken_language(),
         checksums={path: written[path].sha256 for path in sorted(written)},
     )
 
@@ -117,7 +120,7 @@ def _out_of_date(files: Files) -> int:
 
 def _timeless(count: int) -> tuple[tuple[str, int], ...]:
     """Vehicles left out because it is not known when they were filmed, where a package is of a time."""
-    return ((said("report-count-without-time"), count),) if count else ()
+    return ((sentence_of_key("report-count-without-time"), count),) if count else ()
 
 
 def _scanned(made: PackageStatistics) -> tuple[tuple[str, int], ...]:
@@ -125,8 +128,8 @@ def _scanned(made: PackageStatistics) -> tuple[tuple[str, int], ...]:
     counted = made.scans.counted
     return (
         (
-            (said("report-count-scanned"), counted["vehicles"]),
-            (said("report-count-scanned-used"), counted["used"]),
+            (sentence_of_key("report-count-scanned"), counted["vehicles"]),
+            (sentence_of_key("report-count-scanned-used"), counted["used"]),
         )
         if counted["vehicles"]
         else ()
@@ -187,7 +190,7 @@ def table_rows(files: Files, table: AnyTable) -> Iterator[dict[str, Any]]:
 
 
 _READERS: dict[str, Callable[[str], Any]] = {
-    "string": unsafe,
+    "string": undo_safe_text,
     "integer": int,
     "number": float,
     "boolean": lambda cell: cell == "true",
@@ -251,7 +254,7 @@ def _pose(files: Files, row: Row, recordings: Mapping[int, Row], lenses: Mapping
     }
 
 
-def _scans(files: Files, found: ScanStatistics) -> ScanFacts | None:
+def _scans(files: Files, statistics: ScanStatistics) -> ScanFacts | None:
     """Rigs and statistics of the line scans; None where the survey has none."""
     rigs = tuple(rig for row in table_rows(files, LINE_SCANS) for rig in _rigs(row))
     if not rigs:
@@ -262,7 +265,7 @@ def _scans(files: Files, found: ScanStatistics) -> ScanFacts | None:
         for id_, method, status, verdict in read_columns(files, "scan_vehicles.csv", names)
         if (status, verdict) == ("ok", "accepted") and id_ in chosen
     )
-    return ScanFacts(rigs, found, tuple(sorted(used.items())), scan_heights_in(files))
+    return ScanFacts(rigs, statistics, tuple(sorted(used.items())), scan_heights_in(files))
 
 
 def _number(value: Any) -> float | None:

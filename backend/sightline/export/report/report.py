@@ -20,9 +20,9 @@ from sightline.export.report.lateral import lateral
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.response import response
 from sightline.export.report.results import as_in_the_paper, errors, heights, known_errors
-from sightline.export.report.said import catalogue_json, speaking, spoken
+from sightline.export.report.said import catalogue_json, speaking, spoken_language
 from sightline.export.report.scans import line_scans
-from sightline.export.report.settable import Values, settable
+from sightline.export.report.settable import Values, make_settable
 from sightline.export.report.setup import exclusions, title
 from sightline.export.report.sight import FIGURE, crest_of, sight
 from sightline.export.report.units import unit_words
@@ -72,7 +72,7 @@ def _values(facts: ReportFacts, pictures: Pictures) -> bytes:
         "response": response(facts),
         "lenses": facts.calibrations,
         "poses": facts.poses,
-        "insets": [{**row, "note": note_in(row["note"] or "", spoken())} for row in facts.insets],
+        "insets": [{**row, "note": note_in(row["note"] or "", spoken_language())} for row in facts.insets],
         "errors": errors(facts, pictures),
         "known_errors": known_errors(facts),
         "heights": heights(facts, pictures),
@@ -97,7 +97,7 @@ def _first(facts: ReportFacts) -> list[str]:
 
 def values_json(values: Values) -> bytes:
     """What templates show, fit to be set; `lacking` stands for characters that no font has."""
-    fit = settable(values)
+    fit = make_settable(values)
     lacking = LACKING if LACKING in json.dumps(fit, ensure_ascii=False) else None
     return json.dumps({**fit, "lacking": lacking}, ensure_ascii=False, allow_nan=False).encode("utf-8")
 
@@ -106,7 +106,7 @@ def templates(folder: Path, first: str) -> dict[str, bytes]:
     """The templates of a folder and those that every report shares, by name, and what they say in the
     language that is spoken; `first` is main.typ.
     """
-    return {**_templates(folder, first), "messages.json": catalogue_json(spoken())}
+    return {**_templates(folder, first), "messages.json": catalogue_json(spoken_language())}
 
 
 @cache

@@ -1,7 +1,7 @@
 """Values of the report about the sample: the rule in words, and what became of the passes."""
 
 from sightline.export.report.facts import ReportFacts
-from sightline.export.report.said import said
+from sightline.export.report.said import sentence_of_key
 from sightline.export.report.settable import Values
 from sightline.export.report.units import decimal
 from sightline.statistics.sampling import Response, Sampling
@@ -9,18 +9,18 @@ from sightline.statistics.sampling import Response, Sampling
 
 def rule_words(rule: Sampling) -> str:
     """The rule as a sentence."""
-    words, free = _drawn(rule), rule.free_flowing_s
+    words, free = _describe_sampling(rule), rule.free_flowing_s
     if free is None:
-        return said("report-rule", rule=words)
-    return said("report-rule-free", rule=words, seconds=decimal(f"{free:g}"))
+        return sentence_of_key("report-rule", rule=words)
+    return sentence_of_key("report-rule-free", rule=words, seconds=decimal(f"{free:g}"))
 
 
-def _drawn(rule: Sampling) -> str:
+def _describe_sampling(rule: Sampling) -> str:
     if rule.method == "nth":
-        return said("report-nth", step=rule.step, start=rule.start)
+        return sentence_of_key("report-nth", step=rule.step, start=rule.start)
     if rule.method == "share":
-        return said("report-share-drawn", share=decimal(f"{rule.share_percent:g}"), seed=rule.seed)
-    return said("report-every")
+        return sentence_of_key("report-share-drawn", share=decimal(f"{rule.share_percent:g}"), seed=rule.seed)
+    return sentence_of_key("report-every")
 
 
 def response(facts: ReportFacts) -> Values:
@@ -32,7 +32,7 @@ def response(facts: ReportFacts) -> Values:
     }
 
 
-def _is_shown(one: Response) -> bool:
-    if one.lighting == "all":
-        return one.class_set == "all" and one.target is None
-    return one.class_set == "all" or one.target is None
+def _is_shown(shown_response: Response) -> bool:
+    if shown_response.lighting == "all":
+        return shown_response.class_set == "all" and shown_response.target is None
+    return shown_response.class_set == "all" or shown_response.target is None

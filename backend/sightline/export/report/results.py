@@ -5,7 +5,7 @@ from sightline.export.report import words
 from sightline.export.report.conclusion import verdict_of, whose_words
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.pictures import Pictures
-from sightline.export.report.said import said, spoken, told
+from sightline.export.report.said import sentence_of_key, sentence_of_said, spoken_language
 from sightline.export.report.settable import Values
 from sightline.export.report.units import decimal, limit
 from sightline.messages.said import Said
@@ -29,20 +29,20 @@ _ERROR_FIGURES = (
 _GROUPINGS = ("category", "class_set", "site", "operator")
 
 
-def rule_values(one: RuleToday, of_chosen: bool) -> Values:
+def rule_values(rule: RuleToday, of_chosen: bool) -> Values:
     """The rule of a standard on heights, those of chosen classes alone or of all, with its verdict."""
-    standard = in_language(one.standard, spoken())
+    standard = in_language(rule.standard, spoken_language())
     return {
         "name": standard.name,
-        "rule": said(
+        "rule": sentence_of_key(
             "statistics-rule-of",
             what=words.heading(words.TARGETS[RULE_OF[standard.what][0]]),
             percent=decimal(f"{standard.percent:g}"),
             **{"class": standard.vehicle_class},
         ),
-        "read": said("statistics-rule-read", whose=whose_words(one, of_chosen), n=one.n),
-        "today": one,
-        "verdict": verdict_of(one),
+        "read": sentence_of_key("statistics-rule-read", whose=whose_words(rule, of_chosen), n=rule.n),
+        "today": rule,
+        "verdict": verdict_of(rule),
     }
 
 
@@ -50,40 +50,40 @@ def known_errors(facts: ReportFacts) -> list[Values]:
     """The errors of each target with known heights, of the traffic and of check targets."""
     return [
         {
-            "name": _known_group(one, part),
+            "name": _known_group(known, part),
             "of": part.grouping,
-            "check": one.check_target,
+            "check": known.check_target,
             "errors": part.errors,
-            "inside": _inside(one) if part.grouping == "all" else "",
+            "inside": _inside(known) if part.grouping == "all" else "",
         }
-        for one in facts.statistics.known_errors
-        for part in shown_groups(one.groups)
+        for known in facts.statistics.known_errors
+        for part in shown_groups(known.groups)
     ]
 
 
-def _known_group(one: KnownErrors, part: KnownGroup) -> str:
+def _known_group(known: KnownErrors, part: KnownGroup) -> str:
     if part.grouping != "all":
         return words.group_word(part.grouping, part.group)
-    word = words.TARGETS[one.target]
-    return said("report-check-targets", target=word) if one.check_target else word
+    word = words.TARGETS[known.target]
+    return sentence_of_key("report-check-targets", target=word) if known.check_target else word
 
 
-def _inside(one: KnownErrors) -> str:
-    if isinstance(one.inside, Said):
-        return told(one.inside)
-    return said("report-of-all", part=one.inside.inside, all=one.inside.n)
+def _inside(known: KnownErrors) -> str:
+    if isinstance(known.inside, Said):
+        return sentence_of_said(known.inside)
+    return sentence_of_key("report-of-all", part=known.inside.inside, all=known.inside.n)
 
 
 def errors(facts: ReportFacts, pictures: Pictures) -> Values | None:
     """The error table and its figures; None where no vehicle has a reference height."""
-    found = facts.statistics.errors
-    if found.groups["overall"].n == 0:
+    error_table = facts.statistics.errors
+    if error_table.groups["overall"].n == 0:
         return None
-    part, limits = found.reference_part, found.bland_altman
+    part, limits = error_table.reference_part, error_table.bland_altman
     return {
-        "groups": _error_groups(found),
-        "reference_part": told(part) if isinstance(part, Said) else part,
-        "limits": told(limits) if isinstance(limits, Said) else limits,
+        "groups": _error_groups(error_table),
+        "reference_part": sentence_of_said(part) if isinstance(part, Said) else part,
+        "limits": sentence_of_said(limits) if isinstance(limits, Said) else limits,
         "figures": pictures.figures(_ERROR_FIGURES),
     }
 
@@ -103,13 +103,13 @@ def as_in_the_paper(facts: ReportFacts) -> Values | None:
         "targets": [
             {
                 "name": words.TARGETS[name],
-                "n_corrected": one.corrected.n,
-                "n_raw": one.raw.n,
-                "raw": one.raw.percentiles,
-                "corrected": one.corrected.percentiles,
+                "n_corrected": target.corrected.n,
+                "n_raw": target.raw.n,
+                "raw": target.raw.percentiles,
+                "corrected": target.corrected.percentiles,
             }
-            for name, one in facts.statistics.targets.items()
-            if one.raw.n
+            for name, target in facts.statistics.targets.items()
+            if target.raw.n
         ],
     }
 
@@ -131,7 +131,7 @@ def _target(facts: ReportFacts, name: StatisticsTarget, target: Target, pictures
     return {
         "name": words.TARGETS[name],
         "many": words.MANY[name],
-        "correction": told(done) if isinstance(done, Said) else done,
+        "correction": sentence_of_said(done) if isinstance(done, Said) else done,
         "n": target.corrected.n,
         "total": target.total,
         "standards": _standards(facts, name, target),
@@ -143,7 +143,9 @@ def _standards(facts: ReportFacts, name: StatisticsTarget, target: Target) -> li
     """The standards that speak of a target, with the share below each."""
     if not target.corrected.shares:
         return []
-    standards = [in_language(one, spoken()) for one in standards_of(facts.statistics.standards, name)]
+    standards = [
+        in_language(one, spoken_language()) for one in standards_of(facts.statistics.standards, name)
+    ]
     totals = [None] * len(standards) if target.total is None else target.total.shares
     each = zip(standards, target.corrected.shares, totals, strict=True)
     return [_standard(standard, share, total, facts.unit) for standard, share, total in each]
@@ -155,11 +157,13 @@ def _source(standard: Standard) -> str:
     rule = standard.vehicle_class
     if standard.percent is not None:
         percentile = decimal(f"{standard.percent:g}")
-        rule = said("report-percentile-of", percent=percentile, of=rule) if rule else f"P{percentile}"
-    cited = said("report-cited-by", who=standard.cited_by) if standard.cited_by else ""
+        rule = (
+            sentence_of_key("report-percentile-of", percent=percentile, of=rule) if rule else f"P{percentile}"
+        )
+    cited = sentence_of_key("report-cited-by", who=standard.cited_by) if standard.cited_by else ""
     source = standard.source
     named = f"{source}{f', {edition}' if edition and edition not in source else ''}"
-    return words.apart([one for one in (named, rule, cited) if one])
+    return words.join_with_semicolons([one for one in (named, rule, cited) if one])
 
 
 def _standard(standard: Standard, share: Share, total: TotalFigure | None, unit: LengthUnit) -> Values:

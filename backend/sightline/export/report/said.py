@@ -29,19 +29,19 @@ def speaking(language: str) -> Iterator[None]:
         _language.reset(before)
 
 
-def spoken() -> str:
+def spoken_language() -> str:
     """The language that is spoken."""
     return _language.get()
 
 
-def said(key: str, **values: str | int) -> str:
+def sentence_of_key(key: str, **values: str | int) -> str:
     """The sentence of a key of the catalogue."""
-    return messages.say(key, values, spoken())
+    return messages.say(key, values, spoken_language())
 
 
-def told(what: Said | str) -> str:
+def sentence_of_said(what: Said | str) -> str:
     """What was said; a text that was stored by a program without codes as it is."""
-    return what.sentence(spoken()) if isinstance(what, Said) else what
+    return what.sentence(spoken_language()) if isinstance(what, Said) else what
 
 
 def day_parts(day: date) -> dict[str, str]:
@@ -56,11 +56,15 @@ class Called:
         self._beginning = beginning
 
     def __getitem__(self, name: str) -> str:
-        return said(f"{self._beginning}{name}")
+        return sentence_of_key(f"{self._beginning}{name}")
 
     def get(self, name: str, other: str) -> str:
         """What it is called; `other` for what the catalogue has no name for."""
-        return self[name] if name and f"{self._beginning}{name}" in parts_of(_BEGINNING, spoken()) else other
+        return (
+            self[name]
+            if name and f"{self._beginning}{name}" in parts_of(_BEGINNING, spoken_language())
+            else other
+        )
 
 
 @cache

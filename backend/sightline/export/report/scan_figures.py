@@ -6,8 +6,8 @@ from sightline.enums import LengthUnit
 from sightline.export.report import marks
 from sightline.export.report.canvas import HALF, Drawing, svg
 from sightline.export.report.marks import MAIN
-from sightline.export.report.said import said
-from sightline.export.report.units import SPEED, WAY, Scale, count, fixed
+from sightline.export.report.said import sentence_of_key
+from sightline.export.report.units import SPEED, WAY, Scale, count, format_fixed
 from sightline.export.report.words import QUANTITIES
 from sightline.scans.statistics.service import ScanStatistics, Spread
 
@@ -29,23 +29,23 @@ def scan_drawings(found: ScanStatistics, unit: LengthUnit = "m") -> dict[str, Dr
     }
 
 
-def _cumulative(one: Spread, scale: Scale) -> Drawing:
-    name, curve = QUANTITIES[one.quantity], one.ecdf
+def _cumulative(spread: Spread, scale: Scale) -> Drawing:
+    name, curve = QUANTITIES[spread.quantity], spread.ecdf
     assert curve is not None
-    title = said("report-fig-scanned", quantity=name)
-    chosen = [each for each in one.percentiles if each.percent in _MARKED and each.value is not None]
+    title = sentence_of_key("report-fig-scanned", quantity=name)
+    chosen = [each for each in spread.percentiles if each.percent in _MARKED and each.value is not None]
 
     def draw(axes: Axes) -> None:
         marks.steps(axes, curve, MAIN, scale.factor)
         marks.whiskers(axes, chosen, scale.factor)
         axes.set(
             xlabel=f"{name[:1].upper()}{name[1:]} ({scale.sign})",
-            ylabel=said("report-fig-share"),
+            ylabel=sentence_of_key("report-fig-share"),
             ylim=(0, 100.8),
         )
         axes.margins(x=0.02)
 
-    listed = ", ".join(f"P{fixed(each.percent, 0)} {scale.length(each.value)}" for each in chosen)
-    caption = said("report-fig-scanned-caption", n=count(one.n), percentiles=listed)
+    listed = ", ".join(f"P{format_fixed(each.percent, 0)} {scale.length(each.value)}" for each in chosen)
+    caption = sentence_of_key("report-fig-scanned-caption", n=count(spread.n), percentiles=listed)
     caption = f"{caption} {marks.band_words([curve.n])}"
     return Drawing(svg(draw, title, HALF), title, caption)

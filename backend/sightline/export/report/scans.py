@@ -22,18 +22,18 @@ def line_scans(facts: ReportFacts, pictures: Pictures) -> Values | None:
     scans, unit = facts.scans, facts.unit
     if scans is None:
         return None
-    found = scans.statistics
+    statistics = scans.statistics
     return {
         "methods": [{"method": method, "n": n} for method, n in scans.methods],
         "rigs": scans.rigs,
-        "counted": found.counted,
-        "spreads": [_spread(one, unit) for one in found.spreads],
-        "figures": pictures.figures(_DRAWN) if found.counted["used"] else [],
-        "sizes": _sizes(found),
-        "references": found.references,
+        "counted": statistics.counted,
+        "spreads": [_spread(one, unit) for one in statistics.spreads],
+        "figures": pictures.figures(_DRAWN) if statistics.counted["used"] else [],
+        "sizes": _sizes(statistics),
+        "references": statistics.references,
         "heights": scans.heights,
-        "vehicles": found.table[:MOST_VEHICLES],
-        "vehicles_total": len(found.table),
+        "vehicles": statistics.table[:MOST_VEHICLES],
+        "vehicles_total": len(statistics.table),
     }
 
 

@@ -13,7 +13,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from sightline.export.report.fonts import without_lacking
-from sightline.export.report.said import day_parts, told
+from sightline.export.report.said import day_parts, sentence_of_said
 from sightline.messages.said import Said
 
 Values: TypeAlias = dict[str, Any]
@@ -24,26 +24,26 @@ _BREAK = "\u200b"  # where a line may end; the template takes it out
 _TURNS = {"LRE", "RLE", "LRO", "RLO", "PDF", "LRI", "RLI", "FSI", "PDI"}
 
 
-def settable(value: Any) -> Any:
+def make_settable(value: Any) -> Any:
     """The value as JSON has it: a record by its fields but for arrays, a day or moment by its parts (by its
     own clock), with every text in it, but for the keys, as `settable_text` makes it.
     """
     if isinstance(value, str | Said):
-        return settable_text(told(value) if isinstance(value, Said) else value)
+        return settable_text(sentence_of_said(value) if isinstance(value, Said) else value)
     if isinstance(value, date):
         return {**day_parts(value), "time": f"{value:%H:%M}", "second": f"{value:%H:%M:%S}"}
     if is_dataclass(value):
         names = (one.name for one in fields(value))
         return {name: _field(getattr(value, name)) for name in names}
     if isinstance(value, Mapping):
-        return {str(key): settable(each) for key, each in value.items()}
+        return {str(key): make_settable(each) for key, each in value.items()}
     if isinstance(value, Sequence):
-        return [settable(each) for each in value]
+        return [make_settable(each) for each in value]
     return value
 
 
 def _field(value: Any) -> Any:
-    return None if isinstance(value, np.ndarray) else settable(value)
+    return None if isinstance(value, np.ndarray) else make_settable(value)
 
 
 def settable_text(words: str) -> str:

@@ -4,10 +4,10 @@ from collections.abc import Sequence
 from datetime import UTC, datetime, timedelta
 
 from sightline.export.report.facts import ReportFacts, Row
-from sightline.export.report.said import day_parts, said, told
+from sightline.export.report.said import day_parts, sentence_of_key, sentence_of_said
 from sightline.export.report.settable import Values
-from sightline.export.report.units import SPEED, decimal, fixed
-from sightline.export.report.words import apart, date_words
+from sightline.export.report.units import SPEED, decimal, format_fixed
+from sightline.export.report.words import date_words, join_with_semicolons
 from sightline.export.verdicts import VerdictCounts
 from sightline.infra.csv_package.columns import code_in
 from sightline.infra.local_time import zone_of
@@ -19,7 +19,7 @@ _MOST_IN_HEAD = 70  # characters of a name in the running head
 def title(facts: ReportFacts) -> Values:
     """Survey, site, dates, counts."""
     counted = facts.statistics.counted
-    name = facts.survey.strip() or said("report-survey")
+    name = facts.survey.strip() or sentence_of_key("report-survey")
     return {
         "survey": name,
         "short": name if len(name) <= _MOST_IN_HEAD else f"{name[:_MOST_IN_HEAD]}…",
@@ -49,7 +49,7 @@ def _verdicts(counts: VerdictCounts) -> Values | None:
         "individual": counts.individual,
         "by_lot": counts.by_lot,
         "lots": counts.lots,
-        "estimate": fixed(through.estimate, 1),
+        "estimate": format_fixed(through.estimate, 1),
         "at_most": through.at_most,
         "of": through.count,
     }
@@ -58,23 +58,23 @@ def _verdicts(counts: VerdictCounts) -> Values | None:
 def filmed_words(recordings: Sequence[Row]) -> str | None:
     """ "2026-05-03 08:10 to 16:40 (Europe/Paris)", each zone apart; None where no start is confirmed."""
     spans: dict[str, list[datetime]] = {}
-    for one in recordings:
-        if one["started_at"] is not None:
-            zone, start = zone_of(one["time_zone"] or ""), one["started_at"].astimezone(UTC)
-            ends = (start, start + timedelta(seconds=one["duration_s"] or 0.0))
-            spans.setdefault(one["time_zone"] or "", []).extend(end.astimezone(zone) for end in ends)
+    for recording in recordings:
+        if recording["started_at"] is not None:
+            zone, start = zone_of(recording["time_zone"] or ""), recording["started_at"].astimezone(UTC)
+            ends = (start, start + timedelta(seconds=recording["duration_s"] or 0.0))
+            spans.setdefault(recording["time_zone"] or "", []).extend(end.astimezone(zone) for end in ends)
     words = [_span(min(times), max(times), zone) for zone, times in sorted(spans.items())]
-    unsaid = sum(one["started_at"] is None for one in recordings)
+    unsaid = sum(recording["started_at"] is None for recording in recordings)
     if words and unsaid:
-        words.append(said("report-unconfirmed", n=unsaid))
-    return apart(words) if words else None
+        words.append(sentence_of_key("report-unconfirmed", n=unsaid))
+    return join_with_semicolons(words) if words else None
 
 
 def _span(first: datetime, last: datetime, zone: str) -> str:
     end = f"{last:%H:%M}"
     if last.date() != first.date():
-        end = said("report-minute", **day_parts(last), time=end)
-    return said("report-span", day=date_words(first), first=f"{first:%H:%M}", last=end, zone=zone)
+        end = sentence_of_key("report-minute", **day_parts(last), time=end)
+    return sentence_of_key("report-span", day=date_words(first), first=f"{first:%H:%M}", last=end, zone=zone)
 
 
 def _place(facts: ReportFacts) -> str | None:
@@ -82,14 +82,18 @@ def _place(facts: ReportFacts) -> str | None:
     place, words = facts.place, []
     if place.latitude_deg is not None and place.longitude_deg is not None:
         latitude, longitude = (decimal(f"{at:.5f}") for at in (place.latitude_deg, place.longitude_deg))
-        words.append(said("report-coordinates", latitude=latitude, longitude=longitude))
+        words.append(sentence_of_key("report-coordinates", latitude=latitude, longitude=longitude))
     words += [one for one in (place.road_class, place.lane, place.travel_direction) if one is not None]
     if place.speed_limit_mps is not None:
         speed = SPEED[facts.unit]
-        words.append(said("report-limit", speed=f"{place.speed_limit_mps * speed.factor:.0f} {speed.sign}"))
+        words.append(
+            sentence_of_key("report-limit", speed=f"{place.speed_limit_mps * speed.factor:.0f} {speed.sign}")
+        )
     if place.street_lamps is not None:
-        words.append(said("report-lamps" if place.street_lamps == "present" else "report-no-lamps"))
-    return apart(words) if words else None
+        words.append(
+            sentence_of_key("report-lamps" if place.street_lamps == "present" else "report-no-lamps")
+        )
+    return join_with_semicolons(words) if words else None
 
 
 def exclusions(facts: ReportFacts) -> Values:
@@ -98,6 +102,7 @@ def exclusions(facts: ReportFacts) -> Values:
     return {
         "total": len(rows) if facts.exclusions_total is None else facts.exclusions_total,
         "rows": [
-            {**row, "reason": told(code_in(row["reason_code"] or "") or row["reason"] or "")} for row in rows
+            {**row, "reason": sentence_of_said(code_in(row["reason_code"] or "") or row["reason"] or "")}
+            for row in rows
         ],
     }

@@ -7,7 +7,7 @@ from sightline.export.report import marks
 from sightline.export.report.canvas import FULL, INK, MUTED, Drawing, svg
 from sightline.export.report.crest import cases_of
 from sightline.export.report.facts import ReportFacts
-from sightline.export.report.said import said, spoken
+from sightline.export.report.said import sentence_of_key, spoken_language
 from sightline.export.report.settable import Values
 from sightline.export.report.units import HEIGHT, SPEED, decimal, limit
 from sightline.export.report.words import TARGETS
@@ -27,16 +27,20 @@ def sight(facts: ReportFacts) -> Values | None:
         return None
     eye, thing, question, standard, survey = found
     return {
-        "standard": ", ".join(dict.fromkeys(in_language(one, spoken()).name for one in (eye, thing))),
+        "standard": ", ".join(
+            dict.fromkeys(in_language(one, spoken_language()).name for one in (eye, thing))
+        ),
         "eye": limit(eye.height_m, facts.unit),
         "object": limit(thing.height_m, facts.unit),
         "eye_percent": decimal(f"{question.eye_percent:g}"),
         "object_percent": decimal(f"{question.object_percent:g}"),
         "own_rule": all(one in facts.statistics.standards for one in (eye, thing)),
-        "classes": said("sight-read", whose=of_class(*facts.statistics.sight, facts.statistics.of_chosen)),
+        "classes": sentence_of_key(
+            "sight-read", whose=of_class(*facts.statistics.sight, facts.statistics.of_chosen)
+        ),
         "source": GREEN_BOOK,
         "missing": [TARGETS[target] for target in survey.missing],
-        "rows": _rows(question, standard, survey, facts.unit),
+        "rows": _rows_of_speeds(question, standard, survey, facts.unit),
     }
 
 
@@ -53,7 +57,7 @@ def sight_figure(result: Statistics, unit: LengthUnit) -> dict[str, Drawing | st
         return {}
     *_, standard, survey = found
     scale, speed = HEIGHT[unit], SPEED[unit]
-    title = said("report-fig-crest")
+    title = sentence_of_key("report-fig-crest")
     speeds = [speed.factor * one for one in design_speeds(unit)]
 
     def draw(axes: Axes) -> None:
@@ -63,20 +67,20 @@ def sight_figure(result: Statistics, unit: LengthUnit) -> dict[str, Drawing | st
             high = [scale.factor * (one.high or 0.0) for one in survey.k_m]
             axes.fill_between(speeds, low, high, color=INK, alpha=0.14, linewidth=0)
         by_standard = [scale.factor * one.value for one in standard.k_m]
-        axes.plot(speeds, by_standard, label=said("report-fig-by-standard"), **marks.SECOND.line())
-        axes.plot(speeds, k, label=said("report-fig-by-survey"), **marks.MAIN.line())
+        axes.plot(speeds, by_standard, label=sentence_of_key("report-fig-by-standard"), **marks.SECOND.line())
+        axes.plot(speeds, k, label=sentence_of_key("report-fig-by-survey"), **marks.MAIN.line())
         axes.set(
-            xlabel=said("report-fig-design-speed", unit=speed.sign),
-            ylabel=said("report-fig-k", unit=scale.sign),
+            xlabel=sentence_of_key("report-fig-design-speed", unit=speed.sign),
+            ylabel=sentence_of_key("report-fig-k", unit=scale.sign),
             ylim=(0, None),
         )
         axes.legend(loc="upper left", edgecolor=MUTED)
 
-    caption = said("report-fig-crest-caption")
+    caption = sentence_of_key("report-fig-crest-caption")
     return {FIGURE: Drawing(svg(draw, title, FULL), title, caption)}
 
 
-def _rows(
+def _rows_of_speeds(
     question: SightQuestion, standard: CaseOfHeights, survey: CaseOfHeights, unit: LengthUnit
 ) -> list[Values]:
     """One row a design speed."""

@@ -9,7 +9,7 @@ from decimal import ROUND_HALF_UP, Decimal
 from typing import Any
 
 from sightline.enums import LengthUnit
-from sightline.export.report.said import Called, said
+from sightline.export.report.said import Called, sentence_of_key
 
 NONE = "–"
 _FOOT_M = 0.3048
@@ -25,7 +25,7 @@ class Scale:
 
     def number(self, value_m: float | None, *, signed: bool = False) -> str:
         """The figure without its unit; a dash where there is none."""
-        return NONE if value_m is None else fixed(self.factor * value_m, self.digits, signed=signed)
+        return NONE if value_m is None else format_fixed(self.factor * value_m, self.digits, signed=signed)
 
     def length(self, value_m: float | None) -> str:
         """The figure with its unit, held together by a space that does not break."""
@@ -66,11 +66,11 @@ def unit_words(unit: LengthUnit) -> dict[str, Any]:
 def limit(height_m: float, unit: LengthUnit) -> str:
     """The height of a standard with its unit: two decimals, a third only where its metres have one."""
     scale = HEIGHT[unit]
-    whole = fixed(height_m, 3).endswith("0")
-    return f"{fixed(scale.factor * height_m, 2 if whole else 3)}\u00a0{scale.sign}"
+    whole = format_fixed(height_m, 3).endswith("0")
+    return f"{format_fixed(scale.factor * height_m, 2 if whole else 3)}\u00a0{scale.sign}"
 
 
-def fixed(value: float, digits: int, *, signed: bool = False) -> str:
+def format_fixed(value: float, digits: int, *, signed: bool = False) -> str:
     """Fixed decimals with a true minus sign and the language's decimal sign; what rounds to zero has none."""
     shown = Decimal(value).quantize(Decimal(1).scaleb(-digits), ROUND_HALF_UP)  # as browsers round
     sign = "" if shown == 0 else "−" if shown < 0 else "+" if signed else ""
@@ -79,7 +79,7 @@ def fixed(value: float, digits: int, *, signed: bool = False) -> str:
 
 def decimal(text: str) -> str:
     """A number's text with the decimal sign of the language."""
-    return text.replace(".", said("report-decimal-sign"))
+    return text.replace(".", sentence_of_key("report-decimal-sign"))
 
 
 def count(number: int) -> str:
@@ -89,4 +89,4 @@ def count(number: int) -> str:
 
 def percent(share: float, digits: int = 1) -> str:
     """A share in per cent."""
-    return f"{fixed(100.0 * share, digits)}\u00a0%"
+    return f"{format_fixed(100.0 * share, digits)}\u00a0%"

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from datetime import date
 from functools import reduce
 
-from sightline.export.report.said import Called, day_parts, said
+from sightline.export.report.said import Called, day_parts, sentence_of_key
 from sightline.results.selection import Selection
 
 TARGETS = Called("report-target-")
@@ -28,14 +28,14 @@ def group_word(grouping: str, word: str) -> str:
     return known[grouping].get(word, word) if grouping in known else word
 
 
-def apart(words: Sequence[str]) -> str:
+def join_with_semicolons(words: Sequence[str]) -> str:
     """Words or sentences with semicolons between, as the language writes them."""
-    return reduce(lambda first, second: said("report-apart", first=first, second=second), words)
+    return reduce(lambda first, second: sentence_of_key("report-apart", first=first, second=second), words)
 
 
 def date_words(day: date) -> str:
     """A day as the language writes it."""
-    return said("report-date", **day_parts(day))
+    return sentence_of_key("report-date", **day_parts(day))
 
 
 def selection_words(selection: Selection) -> str | None:
@@ -48,8 +48,8 @@ def selection_words(selection: Selection) -> str | None:
     ]
     lighting = [] if selection.lighting is None else [LIGHTING[selection.lighting]]
     days = (("report-filmed-since", selection.filmed_from), ("report-filmed-until", selection.filmed_to))
-    filmed = [said(key, day=date_words(day)) for key, day in days if day is not None]
+    filmed = [sentence_of_key(key, day=date_words(day)) for key, day in days if day is not None]
     if selection.hour_from is not None or selection.hour_to is not None:
         begins, ends = (f"{hour:02d}:00" for hour in (selection.hour_from or 0, selection.hour_to or 24))
-        filmed.append(said("report-filmed-hours", begins=begins, ends=ends))
-    return apart([*lighting, *([", ".join(classes)] if classes else []), *filmed])
+        filmed.append(sentence_of_key("report-filmed-hours", begins=begins, ends=ends))
+    return join_with_semicolons([*lighting, *([", ".join(classes)] if classes else []), *filmed])

@@ -64,26 +64,26 @@ def walk(files: Files, seal: Seal, headers: Mapping[str, Collection[str]]) -> Re
     What came into the chain while the package was made, no table tells of. headers: the columns that the
     package has, by the table's key.
     """
-    told = ReplayedState(MeasurementEvents(REPEATS, headers), seal.survey_id)
+    state = ReplayedState(MeasurementEvents(REPEATS, headers), seal.survey_id)
     for event in chain(files):
-        told.count, told.head = int(event["number"]), event["hash"]
-        first = told.count == 1
+        state.count, state.head = int(event["number"]), event["hash"]
+        first = state.count == 1
         if event["survey_id"] != str(seal.survey_id) or (first and not _begins(event, seal)):
-            raise Damaged("export-event-of-other", number=told.count)
-        if told.count > seal.as_of or event["entity"] == ENTITY:
+            raise Damaged("export-event-of-other", number=state.count)
+        if state.count > seal.as_of or event["entity"] == ENTITY:
             continue
-        told.moment, told.survey_head = stamp(event["at"]), event["hash"]
+        state.moment, state.survey_head = stamp(event["at"]), event["hash"]
         after = json.loads(event["after"] or "{}")
         if event["entity"] in ("measurement", "line_height"):
-            count_revisions(told.computed, after.get("row", after))
+            count_revisions(state.computed, after.get("row", after))
         if "scan_vehicle_id" in after:
             entity, number, after = height_or_verdict(
-                event["entity"], int(event["entity_id"]), after, told.line_revision_ids
+                event["entity"], int(event["entity_id"]), after, state.line_revision_ids
             )
-            told.replay.add({**event, "entity": entity, "entity_id": str(number)}, after)
+            state.replay.add({**event, "entity": entity, "entity_id": str(number)}, after)
         elif after:
-            _gather(told, event, after)
-    return told
+            _gather(state, event, after)
+    return state
 
 
 def _begins(event: Event, seal: Seal) -> bool:
@@ -92,26 +92,26 @@ def _begins(event: Event, seal: Seal) -> bool:
     return made == ("survey", "create", str(seal.survey_id))
 
 
-def _gather(told: ReplayedState, event: Event, after: dict[str, Any]) -> None:
+def _gather(state: ReplayedState, event: Event, after: dict[str, Any]) -> None:
     """What one event says, also of other rows: a pose comes into force, photographs are put in order."""
     entity, number = event["entity"], int(event["entity_id"] or 0)
     if entity == "measurement":
-        told.measurements.add(number, {**after, "by": event["actor_id"]})
+        state.measurements.add(number, {**after, "by": event["actor_id"]})
         return
     if entity in ("lot", "lot_decision"):
-        told.lots.add(entity, number, event, after)
+        state.lots.add(entity, number, event, after)
         return
     if entity == "photograph" and event["action"] == "order":
         for position, one in enumerate(after["order"], start=1):
-            told.replay.row(entity, int(one))["position"] = position
+            state.replay.row(entity, int(one))["position"] = position
         return
-    if entity == "recording" and told.drift.add(number, after):
+    if entity == "recording" and state.drift.add(number, after):
         return
     if event["entity_id"]:
-        told.replay.add(event, after)
+        state.replay.add(event, after)
     if entity == "standards":
-        told.replay.row("survey", told.survey_id)["standards"] = after["standards"]
+        state.replay.row("survey", state.survey_id)["standards"] = after["standards"]
     elif entity == "calibration" and after.get("current"):
-        told.replay.row("camera", int(after["camera_id"]))["current_calibration_id"] = number
+        state.replay.row("camera", int(after["camera_id"]))["current_calibration_id"] = number
     elif entity == "pose" and after["attached"]:
-        told.replay.row("recording", int(after["recording_id"]))["pose_id"] = number
+        state.replay.row("recording", int(after["recording_id"]))["pose_id"] = number

@@ -78,16 +78,16 @@ def check_heights(c: Checking) -> None:
     """Measurements, their revisions, budgets and clicks, and repeats: every height from its clicks, and what
     is out of date. Raises Damaged.
     """
-    told = c.told
+    state = c.told
     heights = Recomputed(c.files, c.recomputing, c.described.program)
-    check_measurements(c.files, told.measurements, told.is_gone, told.drift.open_spans, heights)
-    check_repeats(c.files, told.measurements, told.is_gone, heights)
+    check_measurements(c.files, state.measurements, state.is_gone, state.drift.open_spans, heights)
+    check_repeats(c.files, state.measurements, state.is_gone, heights)
     c.found.heights = c.recomputing.equal
     for path in (MEASUREMENTS.key, REPEATS.key):
-        if "out_of_date" in told.measurements.headers[path]:
-            vehicles = told.replay.of("vehicle")
-            follows_from = told.measurements.follows_from
-            check_out_of_date(c.files, path, follows_from, told.survey, vehicles, told.pose_in_force)
+        if "out_of_date" in state.measurements.headers[path]:
+            vehicles = state.replay.of("vehicle")
+            follows_from = state.measurements.follows_from
+            check_out_of_date(c.files, path, follows_from, state.survey, vehicles, state.pose_in_force)
 
 
 def check_computed_again(c: Checking) -> None:

@@ -13,7 +13,7 @@ from sightline.arrays import Ints
 from sightline.errors import BadInput, Damaged
 from sightline.export.contents import DRAWING
 from sightline.export.crops import expected_overlay
-from sightline.export.derived import drawn
+from sightline.export.derived import draw_derived_files
 from sightline.export.exclusions import EXCLUSIONS, exclusion_rows
 from sightline.export.measured import PackageStatistics, statistics_of
 from sightline.export.page import check_page
@@ -48,18 +48,18 @@ def check_statistics(files: Files, *, same_program: bool) -> tuple[PackageStatis
     agree, what differs: no change is to be seen in that.
     """
     try:
-        found = statistics_of(files)
+        statistics = statistics_of(files)
         own = {EXCLUSIONS.key: exclusion_rows(files), RESPONSE.key: response_rows(files)}
-        rows = {**own, **statistics_rows(found)}
+        rows = {**own, **statistics_rows(statistics)}
         compared = {
             table.key: _compare(files, table, rows[table.key]) for table in (EXCLUSIONS, RESPONSE, *TABLES)
         }
-        _check_clicks(files, found.evaluated)
+        _check_clicks(files, statistics.evaluated)
     except (Damaged, BadInput, LookupError, ValueError, TypeError) as difference:
         if same_program:
             raise
         return None, 0, getattr(difference, "message", "") or repr(difference)
-    return found, sum(count for path, count in compared.items() if path != EXCLUSIONS.key), ""
+    return statistics, sum(count for path, count in compared.items() if path != EXCLUSIONS.key), ""
 
 
 def _check_clicks(files: Files, evaluated: Ints) -> None:
@@ -70,38 +70,40 @@ def _check_clicks(files: Files, evaluated: Ints) -> None:
     alone = sorted(path for path in files.paths if path.startswith(CLICKS_FOLDER))
     for path in (CLICKS.key, *alone):
         columns = read_columns(files, path, ("id", "check_target", "counts", "error_counts"))
-        for at, (id_, check, *told) in enumerate(columns, start=2):
+        for at, (id_, check, *stated) in enumerate(columns, start=2):
             is_in = int(id_.removeprefix("m")) in numbers
-            found = [str(one).lower() for one in (is_in and check == "false", is_in)]
-            if told != found:
+            expected = [str(one).lower() for one in (is_in and check == "false", is_in)]
+            if stated != expected:
                 raise Damaged(
                     "export-line-differs",
                     path=path,
                     at=at,
                     name="counts, error_counts",
-                    told=", ".join(told),
-                    found=", ".join(found),
+                    told=", ".join(stated),
+                    found=", ".join(expected),
                 )
 
 
 def _compare(files: Files, table: Table, rows: Iterable[Row]) -> int:
     count, lacks = 0, columns_lacking(files, table.key)
     columns = [column for column in table.columns if column.name not in lacks]
-    for at, (told, row) in enumerate(zip_longest(read_rows(files, table.key), rows), start=2):
-        if told is None or row is None:
-            raise Damaged("export-too-rows-changed", path=table.key, value="few" if told is None else "many")
+    for at, (stored, row) in enumerate(zip_longest(read_rows(files, table.key), rows), start=2):
+        if stored is None or row is None:
+            raise Damaged(
+                "export-too-rows-changed", path=table.key, value="few" if stored is None else "many"
+            )
         for column in columns:
-            found = cell_text(column, column.of_mapping(row))
-            if not same_cell(column, told[column.name], found):
+            expected = cell_text(column, column.of_mapping(row))
+            if not same_cell(column, stored[column.name], expected):
                 raise Damaged(
                     "export-line-differs",
                     path=table.key,
                     at=at,
                     name=column.name,
-                    told=told[column.name] or "nothing",
-                    found=found or "nothing",
+                    told=stored[column.name] or "nothing",
+                    found=expected or "nothing",
                 )
-            count += column.type == "number" and found != ""
+            count += column.type == "number" and expected != ""
     return count
 
 
@@ -129,14 +131,14 @@ def check_drawn(
     files: Files, as_of: int, found: PackageStatistics, written: dict[str, Written], language: str
 ) -> int:
     """Figures and report drawn again, byte for byte; how many. `as_of`: the last event that they tell of."""
-    made = drawn(AsOf(files, as_of), found, written, language)
-    for path, content in made:
+    redrawn = draw_derived_files(AsOf(files, as_of), found, written, language)
+    for path, content in redrawn:
         if path not in files.paths or read_whole(files, path) != content:
             raise Damaged("export-drawn-file-differs", path=path)
-    strange = {path for path in files.paths if path.startswith("figures/")} - {path for path, _ in made}
+    strange = {path for path in files.paths if path.startswith("figures/")} - {path for path, _ in redrawn}
     if strange:
         raise Damaged("export-statistics-file-added", strange=min(strange))
-    return len(made)
+    return len(redrawn)
 
 
 def check_crops(files: Files, written: Mapping[str, Written]) -> int:

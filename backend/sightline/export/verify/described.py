@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import Any
 
 from sightline.errors import Damaged
-from sightline.export.contents import LIBRARIES, PARTS, about_of, described, made_with
+from sightline.export.contents import LIBRARIES, PARTS, about_of, describe_package, made_with
 from sightline.export.report.words import selection_words
 from sightline.export.seal import AUDIT_SCRIPT, CHECKPOINT
 from sightline.export.verify.chain import ReplayedState
@@ -92,37 +92,37 @@ def read_description(files: Files) -> Described:
 
 def check_description(
     files: Files,
-    found: Described,
-    told: ReplayedState,
+    description: Described,
+    state: ReplayedState,
     written: Mapping[str, Written],
     mine: Sequence[AnyTable],
 ) -> list[str]:
     """datapackage.json is what this program, whose tables are `mine`, would say of these files; of another
     version's, that it names every file with its bytes. Returns what could not be compared. Raises Damaged.
     """
-    words = {name: str(told.survey.get(name, "")) for name in ("name", "site", "description")}
-    about = about_of(**words, created=told.moment, only=selection_words(selection_in(files)))
-    expected = described(about, found.language, mine, written)
-    expected["made_with"] = found.document["made_with"]
-    if found.made_with.get("sightline") == code_version():
-        _check_own(found, expected)
+    words = {name: str(state.survey.get(name, "")) for name in ("name", "site", "description")}
+    about = about_of(**words, created=state.moment, only=selection_words(selection_in(files)))
+    expected = describe_package(about, description.language, mine, written)
+    expected["made_with"] = description.document["made_with"]
+    if description.made_with.get("sightline") == code_version():
+        _check_own(description, expected)
         return []
-    return _compare_others(found, expected, written)
+    return _compare_others(description, expected, written)
 
 
 def _check_own(described_as: Described, expected: Mapping[str, Any]) -> None:
-    found = described_as.document
+    document = described_as.document
     exact = not described_as.program.endswith(_INEXACT)
-    if list(found) != list(expected):
+    if list(document) != list(expected):
         raise Damaged("export-description-differs", description=DESCRIPTION, name="order")
     for name in sorted(set(expected) - {"resources"}):
-        if json_bytes(found[name]) != json_bytes(expected[name]):
+        if json_bytes(document[name]) != json_bytes(expected[name]):
             raise Damaged("export-description-differs", description=DESCRIPTION, name=name)
-    if exact and any(found["made_with"].get(part) != described_as.mine[part] for part in PARTS):
+    if exact and any(document["made_with"].get(part) != described_as.mine[part] for part in PARTS):
         raise Damaged("export-description-differs", description=DESCRIPTION, name="made_with")
-    if found["language"] not in languages():
+    if document["language"] not in languages():
         raise Damaged("export-description-differs", description=DESCRIPTION, name="language")
-    mine, theirs = (list(one["resources"]) for one in (expected, found))
+    mine, theirs = (list(one["resources"]) for one in (expected, document))
     for n in range(max(len(mine), len(theirs))):
         if json_bytes(mine[n : n + 1]) != json_bytes(theirs[n : n + 1]):
             named = (theirs[n : n + 1] or mine[n : n + 1])[0].get("path", "a file")
@@ -130,9 +130,9 @@ def _check_own(described_as: Described, expected: Mapping[str, Any]) -> None:
 
 
 def _compare_others(
-    found: Described, expected: Mapping[str, Any], written: Mapping[str, Written]
+    description: Described, expected: Mapping[str, Any], written: Mapping[str, Written]
 ) -> list[str]:
-    resources = list(found.document["resources"])
+    resources = list(description.document["resources"])
     paths = Counter(str(one["path"]) for one in resources)
     for one in resources:
         path = str(one["path"])
@@ -148,9 +148,11 @@ def _compare_others(
             raise Damaged("export-program-differs", description=DESCRIPTION, named=path)
     mine = {one["path"]: one for one in expected["resources"]}
     otherwise = sum(json_bytes(mine.get(one["path"])) != json_bytes(one) for one in resources)
-    names = {*found.document, *expected} - {"resources", "format", "made_with"}
-    differ = sorted(n for n in names if json_bytes(found.document.get(n)) != json_bytes(expected.get(n)))
-    notes = [say("export-made-by-another-version", {"program": found.program, "mine": code_version()})]
+    names = {*description.document, *expected} - {"resources", "format", "made_with"}
+    differ = sorted(
+        n for n in names if json_bytes(description.document.get(n)) != json_bytes(expected.get(n))
+    )
+    notes = [say("export-made-by-another-version", {"program": description.program, "mine": code_version()})]
     if otherwise or differ:
         values: dict[str, str | int] = {"count": otherwise, "names": ", ".join(differ) or "-"}
         notes.append(say("export-described-otherwise", values))

@@ -61,71 +61,71 @@ def verify_place(place: Path, head: str | None = None, key: str | None = None) -
         raise BadInput("export-package-is-inside", inner=place / inner)
     if inner.lower().endswith(".zip"):
         raise BadInput("export-zip-in-zip", place=place, inner=inner)
-    found = verify_package(InFolder(files, inner), head, key)
-    found.notes.append(
+    outcome = verify_package(InFolder(files, inner), head, key)
+    outcome.notes.append(
         f"In the ZIP the package lies in the folder {inner}: this is not the file that Sightline wrote, but "
         "one that somebody packed anew."
     )
-    return found
+    return outcome
 
 
 def verify_package(files: Files, head: str | None = None, key: str | None = None) -> PackageCheck:
     """Check everything; the first problem found is told. `head`: (the beginning of) the chain's last hash,
     `key`: (the beginning of) a key of the installation that made the package, as they were kept elsewhere.
     """
-    found = PackageCheck(ok=False, files=len(files.paths))
+    outcome = PackageCheck(ok=False, files=len(files.paths))
     try:
-        _check(files, head, key, found)
-        found.ok = True
+        _check(files, head, key, outcome)
+        outcome.ok = True
     except (Damaged, BadInput) as error:
-        found.problem = error.message
+        outcome.problem = error.message
     except (KeyError, ValueError, TypeError, IndexError) as error:
         # Checksums agree, yet a column is missing or holds what it cannot: another version, or a forger's.
         problem = f"A table lacks or cannot hold {error}; export the survey again with this version."
-        found.problem = " ".join(problem.split())
-    return found
+        outcome.problem = " ".join(problem.split())
+    return outcome
 
 
-def _check(files: Files, head: str | None, key: str | None, found: PackageCheck) -> None:
+def _check(files: Files, head: str | None, key: str | None, outcome: PackageCheck) -> None:
     written = checksums(files)
     described = read_description(files)
     check_forms(files, {CLICKS_FOLDER: CLICKS.key})
     seal = read_seal(files)
-    told = walk(files, seal, described.headers)
-    found.checked, found.head_hash = told.count, told.head
-    found.notes += _same_head(told, head)
+    state = walk(files, seal, described.headers)
+    outcome.checked, outcome.head_hash = state.count, state.head
+    outcome.notes += _same_head(state, head)
     check_seal(seal, written)
-    found.signed_at, found.key = _signed(files, told, seal.survey_id, key)
-    found.notes += _of_key(found.key, key)
+    outcome.signed_at, outcome.key = _signed(files, state, seal.survey_id, key)
+    outcome.notes += _of_key(outcome.key, key)
     tables = tables_of(described.most_frames)
-    checking = Checking(described.read_in_its_format(files, tables), described, told, written, found)
+    checking = Checking(described.read_in_its_format(files, tables), described, state, written, outcome)
     _check_rows(checking)
-    found.tell("description", check_description(files, described, told, written, tables))
+    outcome.tell("description", check_description(files, described, state, written, tables))
     _check_parts(MADE, checking)
     if checking.statistics is not None and described.is_made_alike(DRAWING):
-        found.drawings = check_drawn(files, seal.as_of, checking.statistics, written, described.language)
+        outcome.drawings = check_drawn(files, seal.as_of, checking.statistics, written, described.language)
     else:
-        found.tell("drawings", [say("export-drawings-sealed-only", {})])
+        outcome.tell("drawings", [say("export-drawings-sealed-only", {})])
     check_tables_again(files, described)
     if not check_page_again(files, described, written):
-        found.tell("page", [say("export-page-sealed-only", {})])
+        outcome.tell("page", [say("export-page-sealed-only", {})])
 
 
 def _check_rows(checking: Checking) -> None:
     """Every row against its audit events, and every height from its clicks."""
-    described, found, recomputing = checking.described, checking.found, checking.recomputing
+    described, outcome, recomputing = checking.described, checking.found, checking.recomputing
     same_words = described.is_made_alike(WORDS)
     if same_words:
         # what is excluded has the words of people too; it is derived, and held against its sources
         headers = {path: one for path, one in described.headers.items() if path != EXCLUSIONS.key}
         check_words(checking.files, headers)
     _check_parts(STORED, checking)
-    found.keys = check_keys(checking.files, described.tables)
+    outcome.keys = check_keys(checking.files, described.tables)
     if recomputing.differing:
         values: dict[str, str | int] = {"count": recomputing.differing, "first": recomputing.first}
-        found.tell("heights", [say("export-heights-of-another-version", values)])
+        outcome.tell("heights", [say("export-heights-of-another-version", values)])
     if not same_words and f"reason{CODE}" in described.headers[REVISIONS.key]:
-        found.tell("words", [say("export-words-sealed-only", {})])
+        outcome.tell("words", [say("export-words-sealed-only", {})])
 
 
 def _check_parts(parts: Sequence[Part], checking: Checking) -> None:
@@ -134,17 +134,17 @@ def _check_parts(parts: Sequence[Part], checking: Checking) -> None:
             part.check(checking)
 
 
-def _same_head(told: ReplayedState, head: str | None) -> list[str]:
+def _same_head(state: ReplayedState, head: str | None) -> list[str]:
     """The chain ends, or this survey's part of it, as was kept; what the kept hash does not vouch for."""
     if head is None:
         return []
     if len(head) < _LEAST_OF_HEAD:
         raise BadInput("export-head-too-short", count=len(head), least_of_head=_LEAST_OF_HEAD)
-    if told.head.startswith(head.lower()):
+    if state.head.startswith(head.lower()):
         return []
-    if told.survey_head.startswith(head.lower()):
+    if state.survey_head.startswith(head.lower()):
         return ["The head is that of the survey's last event: it vouches for the rows, not for the seal."]
-    raise Damaged("export-head-differs", head=told.head[:16])
+    raise Damaged("export-head-differs", head=state.head[:16])
 
 
 def _signed(files: Files, told: ReplayedState, survey_id: int, key: str | None) -> tuple[str, str]:
@@ -161,14 +161,14 @@ def _signed(files: Files, told: ReplayedState, survey_id: int, key: str | None) 
     return str(document["at"]), str(document["key"])
 
 
-def _of_key(found: str, key: str | None) -> list[str]:
+def _of_key(signing_key: str, key: str | None) -> list[str]:
     """What the signature does not prove."""
     if key is not None:
         return [
             "The signature proves what the holder of that key signed, not that it is true or when it was."
         ]
     return [
-        f"Signed with key {found[:16]}: who forges a package can sign it with a key of their own. "
+        f"Signed with key {signing_key[:16]}: who forges a package can sign it with a key of their own. "
         "Compare it with the one that the installation shows, or give that as --key."
     ]
 

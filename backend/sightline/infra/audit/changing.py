@@ -48,7 +48,7 @@ def alter_row(
     """Change a row to its next version; its event has what changes, before and after, or what is `told`."""
     stamps = {"version": before["version"] + 1, "updated_at": now(), "updated_by": actor}
     change_row(session, table, before["id"], {**change, **stamps})
-    then, after = told or trail.changed(before, change, change)
+    then, after = told or trail.changed_fields(before, change, change)
     place = (entity_of(table), before["id"], before.get("survey_id"))
     trail.record(session, actor, action, *place, then, after)
 

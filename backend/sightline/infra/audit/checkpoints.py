@@ -15,7 +15,7 @@ from sightline.errors import Damaged, NotFound
 from sightline.infra.audit import trail
 from sightline.infra.audit.merkle import path_of, root_by_path, root_of
 from sightline.infra.audit.records import AuditEvent, AuditHead, Checkpoint, Checkpoints
-from sightline.infra.audit.signing import SigningKey, holds
+from sightline.infra.audit.signing import SigningKey, signature_holds
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.database.types import now
 
@@ -83,7 +83,7 @@ def _checkpoint_of(event: AuditEvent) -> Checkpoint:
 def is_signed(checkpoint: Mapping[str, Any]) -> bool:
     """Whether a checkpoint carries its key's signature."""
     statement = {name: checkpoint[name] for name in _STATEMENT}
-    return holds(statement, str(checkpoint["key"]), str(checkpoint["signature"]))
+    return signature_holds(statement, str(checkpoint["key"]), str(checkpoint["signature"]))
 
 
 def checkpoint_of_chain(session: Session, checkpoint: Mapping[str, Any], chain: str) -> JsonObject:
@@ -134,14 +134,14 @@ def _is_lower(path: Sequence[str]) -> bool:
 def are_handed_on(keys: Sequence[Mapping[str, Any]], last: str) -> bool:
     """Whether each key was signed by the one before, the first by itself, and the last is this one."""
     before: str | None = None
-    for one in keys:
-        if list(one) != [*KEY_PARTS] or one["format"] != KEY_FORMAT:
+    for key in keys:
+        if list(key) != [*KEY_PARTS] or key["format"] != KEY_FORMAT:
             return False
-        statement = {name: one[name] for name in _KEY_STATEMENT}
-        by = one["key"] if before is None else before
-        if one["after"] != before or not holds(statement, by, one["signature"]):
+        statement = {name: key[name] for name in _KEY_STATEMENT}
+        by = key["key"] if before is None else before
+        if key["after"] != before or not signature_holds(statement, by, key["signature"]):
             return False
-        before = one["key"]
+        before = key["key"]
     return before == last
 
 

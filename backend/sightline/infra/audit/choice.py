@@ -30,7 +30,7 @@ class Kind:
     name: str
 
 
-def chosen(session: Session, kind: Kind, survey_ids: Sequence[int]) -> dict[int, tuple[Any, int]]:
+def current_choices(session: Session, kind: Kind, survey_ids: Sequence[int]) -> dict[int, tuple[Any, int]]:
     """(what is in force, its version) by survey, of those for which somebody chose."""
     e = audit_events.c
     of_kind = (e.entity == kind.entity, e.entity_id.in_(survey_ids))
@@ -60,7 +60,7 @@ class DrawPlan:
     def in_force(self, session: Session, survey_id: int) -> tuple[int, int]:
         """(one in how many, version); version 0 is the usual one. Raises NotFound."""
         get_row(session, metadata.tables["surveys"], survey_id, "survey")
-        return chosen(session, self.kind, [survey_id]).get(survey_id, (self.usual, 0))
+        return current_choices(session, self.kind, [survey_id]).get(survey_id, (self.usual, 0))
 
     def choose(
         self, session: Session, survey_id: int, one_in: int, *, version: int, actor: int | None

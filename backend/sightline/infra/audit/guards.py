@@ -4,7 +4,7 @@ from sqlalchemy import Connection, text
 
 from sightline.errors import Damaged
 from sightline.infra.audit.tables import audit_events
-from sightline.infra.audit.vouched import WrittenOnce, WrittenOnceApart, marked
+from sightline.infra.audit.vouched import WrittenOnce, WrittenOnceApart, marked_tables
 
 # The names that migrations give them: of changing, removing and replacing a row.
 _SQLITE = ("update", "delete", "replace")
@@ -22,7 +22,7 @@ def require_guards(connection: Connection) -> None:
     """Raises Damaged, naming the table, where a trigger is missing or switched off."""
     on_postgresql = connection.dialect.name == "postgresql"
     standing = set(connection.execute(_IN_POSTGRESQL if on_postgresql else _IN_SQLITE).scalars())
-    once = [table.name for mark, table in marked() if isinstance(mark, WrittenOnce | WrittenOnceApart)]
+    once = [table.name for mark, table in marked_tables() if isinstance(mark, WrittenOnce | WrittenOnceApart)]
     for table in (audit_events.name, *once):
         for what in _POSTGRESQL if on_postgresql else _SQLITE:
             if f"{table}_refuse_{what}" not in standing:

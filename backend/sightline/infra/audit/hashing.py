@@ -40,26 +40,26 @@ def content_hash(content: Mapping[str, Any]) -> str:
 
 
 def canonical_json(value: Any) -> str:
-    """The one text of a value by RFC 8785 (JSON Canonicalization Scheme), after `plain`.
+    """The one text of a value by RFC 8785 (JSON Canonicalization Scheme), after `to_plain_json`.
 
     Written in one pass, for several of them are made of each click (DECISIONS 81); what is rare is left to
     `rfc8785`, and tests hold every text against it.
 
     Raises ValueError for NaN, infinities, half a surrogate pair and a time without its zone.
     """
-    text = _text(value)
+    text = _canonical_text(value)
     text.encode()  # half a surrogate pair is no text
     return text
 
 
-def _text(value: Any) -> str:
+def _canonical_text(value: Any) -> str:
     written = _WRITTEN.get(type(value))
     return _rare(value) if written is None else written(value)
 
 
 def _rare(value: Any) -> str:
-    """A value of any other type, as what `plain` makes of it."""
-    inner = plain(value)
+    """A value of any other type, as what `to_plain_json` makes of it."""
+    inner = to_plain_json(value)
     written = _WRITTEN.get(type(inner))
     return rfc8785.dumps(inner).decode() if written is None else written(inner)
 
@@ -76,7 +76,7 @@ def _integer_text(number: int) -> str:
 
 
 def _list_text(values: Any) -> str:
-    return f"[{','.join([_text(value) for value in values])}]"
+    return f"[{','.join([_canonical_text(value) for value in values])}]"
 
 
 def _object_text(value: Any) -> str:
@@ -85,7 +85,7 @@ def _object_text(value: Any) -> str:
     except TypeError:  # keys that are no texts yet
         return _object_text({str(key): inner for key, inner in value.items()})
     keys = sorted(value) if ascii_keys else sorted(value, key=_in_utf_16)
-    return f"{{{','.join([f'{encode_basestring(key)}:{_text(value[key])}' for key in keys])}}}"
+    return f"{{{','.join([f'{encode_basestring(key)}:{_canonical_text(value[key])}' for key in keys])}}}"
 
 
 def _in_utf_16(key: str) -> bytes:
@@ -105,7 +105,7 @@ _WRITTEN: dict[type, Callable[[Any], str]] = {
 }
 
 
-def plain(value: Any) -> Any:
+def to_plain_json(value: Any) -> Any:
     """The value as JSON can hold it in any language.
 
     A time is ISO 8601 text in UTC with six decimals; a whole number beyond 2^53 - 1, which many readers would
@@ -117,17 +117,17 @@ def plain(value: Any) -> Any:
     if isinstance(value, int):
         return value if abs(value) <= LARGEST_INTEGER else str(value)
     if isinstance(value, Mapping):
-        return {str(key): plain(item) for key, item in value.items()}
+        return {str(key): to_plain_json(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
-        return [plain(item) for item in value]
+        return [to_plain_json(item) for item in value]
     if isinstance(value, datetime):
         return _utc_text(value)
     if isinstance(value, np.generic):
-        return plain(value.item())
+        return to_plain_json(value.item())
     if isinstance(value, Said):
         return value.document
     if is_dataclass(value) and not isinstance(value, type):
-        return {entry.name: plain(getattr(value, entry.name)) for entry in fields(value)}
+        return {entry.name: to_plain_json(getattr(value, entry.name)) for entry in fields(value)}
     return value
 
 

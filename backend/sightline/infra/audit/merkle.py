@@ -33,13 +33,13 @@ def root_by_path(chain: str, end: AuditHead, place: int, size: int, path: Sequen
     for step in path:
         if last == 0:
             return None
-        beside = bytes.fromhex(step)
+        sibling = bytes.fromhex(step)
         if at % 2 or at == last:
-            node = _node(beside, node)
+            node = _node(sibling, node)
             while not at % 2 and at:
                 at, last = at // 2, last // 2
         else:
-            node = _node(node, beside)
+            node = _node(node, sibling)
         at, last = at // 2, last // 2
     return node.hex() if last == 0 else None
 

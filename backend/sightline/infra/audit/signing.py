@@ -32,7 +32,7 @@ class SigningKey:
         return self._key.sign(canonical_json(statement).encode()).hex()
 
 
-def holds(statement: Mapping[str, Any], key: str, signature: str) -> bool:
+def signature_holds(statement: Mapping[str, Any], key: str, signature: str) -> bool:
     """Whether a statement was signed with a key."""
     try:
         if signature != signature.lower() or key != key.lower():
@@ -52,20 +52,20 @@ def signing_key(settings: Settings) -> SigningKey:
     if settings.signing_key is not None:
         return _key_of(settings.signing_key.get_secret_value(), "SIGHTLINE_SIGNING_KEY")
     made_once(path)
-    return _read(path)
+    return _read_key(path)
 
 
 def replacing_key(data_dir: Path) -> tuple[SigningKey, Path]:
     """A new key and the file where it waits; `put_in_force` makes it the data folder's."""
     fresh = made_beside(data_dir / FILE)
-    return _read(fresh), fresh
+    return _read_key(fresh), fresh
 
 
 def key_file(data_dir: Path, public: str) -> Path | None:
     """The file with this key: in force, or where it waits if who made it did not come to `put_in_force`."""
     for path in (data_dir / FILE, *data_dir.glob(f"{FILE}.*")):
         with suppress(Damaged):
-            if _read(path).public == public:
+            if _read_key(path).public == public:
                 return path
     return None
 
@@ -75,7 +75,7 @@ def put_in_force(data_dir: Path, fresh: Path) -> None:
     os.replace(fresh, data_dir / FILE)
 
 
-def _read(path: Path) -> SigningKey:
+def _read_key(path: Path) -> SigningKey:
     try:
         text = path.read_text()
     except (OSError, ValueError) as error:

@@ -2,11 +2,11 @@
 
 from sqlalchemy import Column, ForeignKey, Index, Integer, String, Table, Text, UniqueConstraint
 
-from sightline.infra.database.types import metadata, numbered
+from sightline.infra.database.types import metadata, numbered_table
 
 # before and after are canonical JSON text, hashed as they stand. `number` counts within a chain and leaves no
 # gap; `id` is the order in which events came and is not hashed.
-audit_events = numbered(
+audit_events = numbered_table(
     "audit_events",
     Column("chain", String(40), nullable=False),
     Column("number", Integer, nullable=False),

@@ -30,7 +30,7 @@ from sqlalchemy import (
 from sqlalchemy.orm import Session
 
 from sightline.enums import AuditAction, AuditEntity, JsonObject
-from sightline.infra.audit.hashing import GENESIS, canonical_json, chain_hash, event_hash, plain
+from sightline.infra.audit.hashing import GENESIS, canonical_json, chain_hash, event_hash, to_plain_json
 from sightline.infra.audit.merkle import root_of
 from sightline.infra.audit.records import AuditEvent, AuditHead, Who, survey_chain
 from sightline.infra.audit.tables import audit_chains, audit_events
@@ -82,7 +82,7 @@ def record_many(
 ) -> int:
     """Append an event for each change to the chain that it belongs to, in their order; the last one's id."""
     chain = chain_of(entity, survey_id)
-    last = held(session, chain)
+    last = hold_chain_end(session, chain)
     rows: list[dict[str, Any]] = []
     for number, (entity_id, before, after) in enumerate(changes, last.count + 1):
         row = {
@@ -121,7 +121,7 @@ def chain_of(entity: AuditEntity, survey_id: int | None) -> str:
     return _CHAINS.get(entity, SETTINGS)
 
 
-def held(session: Session, chain: str) -> AuditHead:
+def hold_chain_end(session: Session, chain: str) -> AuditHead:
     """The end of a chain, which nobody else adds to before this transaction ends; begun where it is new."""
     row = session.execute(_last_held(), {"of_chain": chain}).one_or_none()
     if row is None:
@@ -153,12 +153,12 @@ def _add_one(*, keyed: bool) -> Select[int]:
     """An event, its chain's new end and its request's key in one statement, which SQLite does not know."""
     values: dict[str, Any] = {one.name: bindparam(one.name) for one in columns_of(audit_events, "id")}
     added = insert(audit_events).values(values).returning(audit_events.c.id).cte("added")
-    beside: list[CTE] = [_move_last().cte("moved")]
+    ctes: list[CTE] = [_move_last().cte("moved")]
     if keyed:
         noted = noted_values(added.c.id)
         columns = [type_coerce(value, idempotency_keys.c[name].type) for name, value in noted.items()]
-        beside.append(insert(idempotency_keys).from_select(list(noted), select(*columns)).cte("noted"))
-    return select(added.c.id).add_cte(*beside)
+        ctes.append(insert(idempotency_keys).from_select(list(noted), select(*columns)).cte("noted"))
+    return select(added.c.id).add_cte(*ctes)
 
 
 def heads(session: Session) -> dict[str, AuditHead]:
@@ -254,9 +254,11 @@ def object_of(text: str | None) -> JsonObject | None:
     return None if text is None else dict(json.loads(text))
 
 
-def changed(
+def changed_fields(
     before: Mapping[str, Any], after: Mapping[str, Any], keys: Iterable[str]
 ) -> tuple[JsonObject, JsonObject]:
     """Only what differs, as (before, after) for an event."""
-    different = [key for key in keys if plain(before[key]) != plain(after[key])]
-    return {key: plain(before[key]) for key in different}, {key: plain(after[key]) for key in different}
+    different = [key for key in keys if to_plain_json(before[key]) != to_plain_json(after[key])]
+    return {key: to_plain_json(before[key]) for key in different}, {
+        key: to_plain_json(after[key]) for key in different
+    }

@@ -18,7 +18,7 @@ from sightline.errors import BadInput, Damaged, SightlineError
 from sightline.infra.audit import trail
 from sightline.infra.audit.checkpoints import CHECKPOINT, SIGN, is_signed
 from sightline.infra.audit.guards import require_guards
-from sightline.infra.audit.hashing import GENESIS, chain_hash, plain
+from sightline.infra.audit.hashing import GENESIS, chain_hash, to_plain_json
 from sightline.infra.audit.merkle import root_of
 from sightline.infra.audit.records import AuditHead, Verification, survey_chain
 from sightline.infra.audit.tables import audit_events
@@ -28,13 +28,13 @@ from sightline.infra.audit.vouched import (
     Event,
     WrittenOnce,
     fingerprints,
-    marked,
+    marked_tables,
 )
 from sightline.infra.database.engine import (
     engine_at,
-    explained,
     reading,
     session_factory,
+    translate_database_errors,
 )
 from sightline.infra.database.pages import require_whole_pages
 from sightline.infra.database.revisions import newest_revision, stored_revision
@@ -54,7 +54,7 @@ def verify_records(session: Session) -> Verification:
     try:
         state.chains(session)
         _anchors(session, state)
-        _rows(session, state)
+        _check_rows(session, state)
         _guards(session)
     except _Problem as problem:
         return Verification(False, state.checked, state.head, problem.said)
@@ -90,7 +90,7 @@ def _require_version(session: Session) -> None:
 
 def _holds_a_chain(engine: Engine) -> bool:
     try:
-        with explained():
+        with translate_database_errors():
             return inspect(engine).has_table(audit_events.name)
     except BadInput:
         return False
@@ -109,14 +109,14 @@ class _Walk:
         self.checkpoints: list[dict[str, Any]] = []
         self.promised: Promises = defaultdict(dict)
         self.fingerprints = fingerprints()
-        self.marked = marked()
+        self.marked = marked_tables()
         self.replayed: dict[str, dict[int, dict[str, Any]]] = {
             mark.entity: {} for mark, _ in self.marked if isinstance(mark, ChangedByEvents)
         }
 
     def chains(self, session: Session) -> None:
         """Every event of every chain in the order in which they came: number, link and hash."""
-        for row in _all(session, audit_events):
+        for row in _read_all_rows(session, audit_events):
             hashes = self.hashes.setdefault(row["chain"], [GENESIS])
             if row["number"] != len(hashes):
                 raise _Problem("audit-event-missing", number=len(hashes), chain=row["chain"])
@@ -168,32 +168,34 @@ def _anchors(session: Session, walk: _Walk) -> None:
             raise _Problem("audit-chain-ends-elsewhere", chain=name, count=count)
     for mark, table in walk.marked:
         if isinstance(mark, CarriesHead):
-            for row in _all(session, table):
+            for row in _read_all_rows(session, table):
                 chain = survey_chain(row["survey_id"])
-                if not _was(walk, chain, row["audit_count"], row["audit_head"]):
+                if not _chain_passed_through(walk, chain, row["audit_count"], row["audit_head"]):
                     raise _Problem("audit-chain-not-exported", id=row["id"])
     _checkpoints(walk)
 
 
-def _was(walk: _Walk, chain: str, count: int, hash_: str) -> bool:
+def _chain_passed_through(walk: _Walk, chain: str, count: int, hash_: str) -> bool:
     hashes = walk.hashes.get(chain, [])
     return count < len(hashes) and hashes[count] == hash_
 
 
 def _checkpoints(walk: _Walk) -> None:
     """Every checkpoint is signed, and each chain still goes through the end that was signed."""
-    for one in walk.checkpoints:
-        ends = {name: AuditHead(count, hash_) for name, count, hash_ in one["ends"]}
-        signed = root_of(ends) == one["root"] and is_signed(one)
-        if not signed or not all(_was(walk, name, end.count, end.hash) for name, end in ends.items()):
-            raise _Problem("audit-chains-not-signed", at=one["at"])
+    for checkpoint in walk.checkpoints:
+        ends = {name: AuditHead(count, hash_) for name, count, hash_ in checkpoint["ends"]}
+        signed = root_of(ends) == checkpoint["root"] and is_signed(checkpoint)
+        if not signed or not all(
+            _chain_passed_through(walk, name, end.count, end.hash) for name, end in ends.items()
+        ):
+            raise _Problem("audit-chains-not-signed", at=checkpoint["at"])
 
 
-def _rows(session: Session, walk: _Walk) -> None:
+def _check_rows(session: Session, walk: _Walk) -> None:
     """Every row that is written once is still what its event says, and none came or went by itself."""
     for mark, table in walk.marked:
         if isinstance(mark, WrittenOnce):
-            stored = ((row["id"], row_hash(row)) for row in _all(session, table))
+            stored = ((row["id"], row_hash(row)) for row in _read_all_rows(session, table))
             _compare(walk.promised[mark.entity], mark.entity, stored)
     for fingerprint in walk.fingerprints:
         _compare(walk.promised[fingerprint.entity], fingerprint.entity, fingerprint.stored(session))
@@ -202,15 +204,15 @@ def _rows(session: Session, walk: _Walk) -> None:
             _changed(session, walk.replayed[mark.entity], mark.entity, table)
 
 
-def _changed(session: Session, told: dict[int, dict[str, Any]], entity: str, table: Table) -> None:
+def _changed(session: Session, events_by_id: dict[int, dict[str, Any]], entity: str, table: Table) -> None:
     """Every record is what its events made of it, for results are compared with what it says."""
-    missing = set(told)
+    missing = set(events_by_id)
     sayings = {column.name for column in table.columns if isinstance(column.type, Saying)}
-    for row in _all(session, table):
+    for row in _read_all_rows(session, table):
         now = {**row, "deleted": row["deleted_at"] is not None}
-        events = told.get(row["id"])
+        events = events_by_id.get(row["id"])
         if events is None or any(
-            plain(now.get(name)) != (plain(Saying.said(value)) if name in sayings else value)
+            to_plain_json(now.get(name)) != (to_plain_json(Saying.said(value)) if name in sayings else value)
             for name, value in events.items()
         ):
             raise _Problem("audit-row-not-events", entity=entity, id=row["id"])
@@ -229,7 +231,7 @@ def _compare(promised: dict[int, str], entity: str, stored: Iterator[tuple[int, 
         raise _Problem("audit-row-removed", entity=entity, id=min(missing))
 
 
-def _all(session: Session, table: Table) -> Iterator[Any]:
+def _read_all_rows(session: Session, table: Table) -> Iterator[Any]:
     """Every row by its number; the cursor is closed also where a problem ends the reading."""
     query = select(table).order_by(table.c.id).execution_options(yield_per=1000)
     with session.execute(query) as found:

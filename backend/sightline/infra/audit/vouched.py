@@ -13,7 +13,13 @@ from sqlalchemy.orm import Session
 from sqlalchemy.schema import SchemaItem
 
 from sightline.enums import AuditEntity
-from sightline.infra.database.types import UtcDateTime, changed_columns, made_columns, metadata, numbered
+from sightline.infra.database.types import (
+    UtcDateTime,
+    changed_columns,
+    made_columns,
+    metadata,
+    numbered_table,
+)
 from sightline.infra.slices import load_every, load_tables
 
 _KEY = "vouched"
@@ -71,20 +77,20 @@ class Fingerprint:
 _fingerprints: dict[str, Fingerprint] = {}
 
 
-def vouched(mark: Mark) -> dict[str, Any]:
+def vouched_info(mark: Mark) -> dict[str, Any]:
     """The `info` of a table that the chain vouches for."""
     return {_KEY: mark}
 
 
 def table_written_once(name: str, entity: AuditEntity, *content: SchemaItem) -> Table:
     """A table of rows that never change: a number, `content`, and who made it when (`WrittenOnce`)."""
-    return numbered(name, *content, *made_columns(), info=vouched(WrittenOnce(entity)))
+    return numbered_table(name, *content, *made_columns(), info=vouched_info(WrittenOnce(entity)))
 
 
 def table_changed_by_events(name: str, entity: AuditEntity, *content: SchemaItem) -> Table:
     """A table of rows that people change and delete softly (`ChangedByEvents`), with what each has."""
     stamps = (*changed_columns(), Column("deleted_at", UtcDateTime))
-    return numbered(name, *content, *stamps, info=vouched(ChangedByEvents(entity)))
+    return numbered_table(name, *content, *stamps, info=vouched_info(ChangedByEvents(entity)))
 
 
 def entity_of(table: Table) -> AuditEntity:
@@ -106,7 +112,7 @@ def fingerprints() -> tuple[Fingerprint, ...]:
     return tuple(_fingerprints[entity] for entity in sorted(_fingerprints))
 
 
-def marked() -> list[tuple[Mark, Table]]:
+def marked_tables() -> list[tuple[Mark, Table]]:
     """Every table with a mark, of every slice."""
     load_tables()
     return [(table.info[_KEY], table) for table in metadata.sorted_tables if _KEY in table.info]

@@ -42,23 +42,23 @@ _TRIGGERS = text("SELECT name, sql FROM sqlite_master WHERE type = 'trigger'")
 
 
 def copy_files_of_sqlite(
-    connection: Connection, folder: Path, told: Callable[[float], None]
+    connection: Connection, folder: Path, tell: Callable[[float], None]
 ) -> dict[str, CopiedTable]:
     """Write a file of each table as PostgreSQL's COPY reads it, out of the connection's snapshot."""
     tables = _tables()
-    found: dict[str, CopiedTable] = {}
+    copied: dict[str, CopiedTable] = {}
     for number, table in enumerate(tables):
-        told(number / len(tables))
+        tell(number / len(tables))
         with no_room_told(), (folder / f"{table.name}{ENDING}").open("wb") as file:
-            for row in connection.execute(select(*map(_plain, table.columns))).yield_per(_AT_ONCE):
+            for row in connection.execute(select(*map(_select_as_text, table.columns))).yield_per(_AT_ONCE):
                 file.write(("\t".join(map(_written, row)) + "\n").encode())
         columns = [column.name for column in table.columns]
-        found[table.name] = CopiedTable(columns, _counter(connection, table))
-    return found
+        copied[table.name] = CopiedTable(columns, _counter(connection, table))
+    return copied
 
 
 def fill_sqlite(
-    connection: Connection, folder: Path, tables: Mapping[str, CopiedTable], told: Callable[[float], None]
+    connection: Connection, folder: Path, tables: Mapping[str, CopiedTable], tell: Callable[[float], None]
 ) -> None:
     """Fill a new SQLite database from COPY's files, in the connection's transaction.
 
@@ -71,13 +71,13 @@ def fill_sqlite(
     for trigger in triggers:
         connection.exec_driver_sql(f'DROP TRIGGER "{trigger.name}"')
     for number, table in enumerate(ours := [table for table in _tables() if table.name in tables]):
-        told(number / len(ours))
+        tell(number / len(ours))
         columns = [table.c[name] for name in tables[table.name].columns]
-        bare = Table(table.name, MetaData(), *map(_bare, columns))
+        bare = Table(table.name, MetaData(), *map(_copy_column, columns))
         try:
             # a migration may have put rows of its own there, which are among those that were copied
             connection.execute(table.delete())
-            for some in _in_pieces(_rows(folder / f"{table.name}{ENDING}", columns)):
+            for some in _in_pieces(_read_rows(folder / f"{table.name}{ENDING}", columns)):
                 connection.execute(insert(bare), some)
         except (DatabaseError, ValueError) as error:
             raise Damaged("backup-rows-misfit", name=table.name) from error
@@ -90,12 +90,12 @@ def _tables() -> list[Table]:
     return sorted(metadata.tables.values(), key=lambda table: table.name)
 
 
-def _plain(column: Column[Any]) -> Any:
+def _select_as_text(column: Column[Any]) -> Any:
     """JSON as the text that is stored, to the bit."""
     return type_coerce(column, Text()) if isinstance(column.type, CanonicalJson) else column
 
 
-def _bare(column: Column[Any]) -> Column[Any]:
+def _copy_column(column: Column[Any]) -> Column[Any]:
     return Column(column.name, Text() if isinstance(column.type, CanonicalJson) else column.type)
 
 
@@ -123,15 +123,15 @@ def _written(value: object) -> str:
             return _WRITTEN.sub(lambda sign: _SIGNS[sign[0]], str(value))
 
 
-def _rows(path: Path, columns: list[Column[Any]]) -> Iterator[dict[str, object]]:
+def _read_rows(path: Path, columns: list[Column[Any]]) -> Iterator[dict[str, object]]:
     """The rows of one of COPY's files. Raises ValueError for what does not fit the columns."""
     with path.open(encoding="utf-8", newline="\n") as file:
         for line in file:
             cells = line.removesuffix("\n").split("\t")
-            yield {column.name: _read(cell, column) for column, cell in zip(columns, cells, strict=True)}
+            yield {column.name: _read_cell(cell, column) for column, cell in zip(columns, cells, strict=True)}
 
 
-def _read(cell: str, column: Column[Any]) -> object:
+def _read_cell(cell: str, column: Column[Any]) -> object:
     if cell == _NOTHING:
         return None
     match column.type:

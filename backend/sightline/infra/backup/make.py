@@ -31,7 +31,7 @@ from sightline.infra.backup.manifest import (
     Manifest,
     StoredFile,
     database_kind,
-    locked,
+    lock_folder,
     read_manifest,
     stored_file,
     write_manifest,
@@ -86,7 +86,7 @@ def make_backup(services: Services, folder: Path, tell: Tell, *, pruning: bool =
     """
     settings = services.settings
     _require_apart(folder, settings)
-    with locked(folder):
+    with lock_folder(folder):
         before = read_manifest(folder) if (folder / MANIFEST).is_file() else None
         copies = MediaCopies(folder, before)
         copies.take(services.media, lambda share: tell(0.6 * share, "media"))
@@ -105,7 +105,7 @@ def make_backup(services: Services, folder: Path, tell: Tell, *, pruning: bool =
             revision=state.revision,
             database=database_kind(services.engine.dialect.name),
             state=name,
-            files={path.name: _kept(path) for path in sorted(place.iterdir())},
+            files={path.name: _secure_file(path) for path in sorted(place.iterdir())},
             tables=state.tables,
             keys=keys,
             settings=_told_settings(services),
@@ -147,26 +147,26 @@ def _sound_copy(services: Services, folder: Path, place: Path, before: Manifest 
 
 
 def _copy_database(
-    services: Services, place: Path, before: Manifest | None, told: Callable[[float], None]
+    services: Services, place: Path, before: Manifest | None, tell: Callable[[float], None]
 ) -> _State:
     """Copy what one moment's database holds into the state's folder."""
     path = sqlite_file(services.settings.database_url)
     if path is None:
         with services.reading() as session:
-            return _described(session, before, copy_out(session.connection(), place, told))
+            return _describe_state(session, before, copy_out(session.connection(), place, tell))
     with no_room_told():
-        copy_sqlite(path, place / DATABASE, told)
+        copy_sqlite(path, place / DATABASE, tell)
     with (
         engine_at(sqlite_url(place / DATABASE)) as engine,
         reading(session_factory(engine)) as session,
     ):
         require_whole_pages(session.connection())
-        state = _described(session, before, {})
+        state = _describe_state(session, before, {})
     settle(place / DATABASE)
     return state
 
 
-def _described(session: Session, before: Manifest | None, tables: dict[str, CopiedTable]) -> _State:
+def _describe_state(session: Session, before: Manifest | None, tables: dict[str, CopiedTable]) -> _State:
     revision = require_this_version(session)
     if before is not None and not continues(session, before.heads):
         raise BadInput("backup-of-another-installation")
@@ -178,13 +178,13 @@ def _described(session: Session, before: Manifest | None, tables: dict[str, Copi
 
 def _copy_keys(settings: Settings, place: Path) -> dict[str, KeyFrom]:
     """The data folder's keys, readable by their owner alone; those of the environment stay there."""
-    found: dict[str, KeyFrom] = {}
+    key_origins: dict[str, KeyFrom] = {}
     for name, given in ((SIGNING_KEY, settings.signing_key), (SECRET, settings.secret)):
         source = settings.data_dir / name
-        found[name] = "environment" if given is not None else "file" if source.is_file() else "none"
-        if found[name] == "file":
+        key_origins[name] = "environment" if given is not None else "file" if source.is_file() else "none"
+        if key_origins[name] == "file":
             _copy_key(source, place / name)
-    return found
+    return key_origins
 
 
 def _copy_changed_key(settings: Settings, place: Path, keys: dict[str, KeyFrom], public: str | None) -> None:
@@ -208,7 +208,7 @@ def _told_settings(services: Services) -> dict[str, object]:
     return {**told, "database_url": services.engine.url.render_as_string(hide_password=True)}
 
 
-def _kept(path: Path) -> StoredFile:
+def _secure_file(path: Path) -> StoredFile:
     """A file of the state, for its owner alone and safe from a power cut."""
     path.chmod(0o600)
     with path.open("rb") as file:

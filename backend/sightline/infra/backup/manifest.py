@@ -134,7 +134,7 @@ def require_whole(folder: Path, path: Path, expected: StoredFile) -> None:
 
 
 @contextmanager
-def locked(folder: Path) -> Iterator[None]:
+def lock_folder(folder: Path) -> Iterator[None]:
     """This process alone writes to the folder, which is made where it is not there, for its owner alone.
 
     Raises BadInput for a folder with other things in it, Conflict while another backup is written there.

@@ -29,13 +29,13 @@ class MediaCopies:
         self.copied: dict[str, StoredFile] = {}
         self.fresh = 0
 
-    def take(self, store: MediaStore, told: Told) -> None:
+    def take(self, store: MediaStore, tell: Told) -> None:
         """Copy every file of the store that is not there yet. What goes meanwhile is passed over."""
         listed = [(key, size) for key, size in store.listing() if key not in self.copied]
         whole, done = sum(size for _, size in listed) or 1, 0
         with (self._folder / JOURNAL).open("a", encoding="utf-8") as journal:
             for key, size in listed:
-                told(done / whole)
+                tell(done / whole)
                 self._take_one(store, key, size, journal)
                 done += size
 
@@ -80,7 +80,7 @@ def _journal(path: Path) -> dict[str, StoredFile]:
     """What an unfinished backup copied; a torn last line is ended, so that it spoils no other."""
     if not path.is_file():
         return {}
-    found = {}
+    copied = {}
     text = path.read_text(encoding="utf-8", errors="replace")
     if text and not text.endswith("\n"):
         with path.open("a", encoding="utf-8") as file:
@@ -88,10 +88,10 @@ def _journal(path: Path) -> dict[str, StoredFile]:
     for line in text.splitlines():
         try:
             key, size, sha256 = json.loads(line)
-            found[str(key)] = StoredFile(int(size), str(sha256))
+            copied[str(key)] = StoredFile(int(size), str(sha256))
         except (ValueError, TypeError):
             continue
-    return found
+    return copied
 
 
 def prune(folder: Path, manifests: Sequence[Manifest]) -> int:
@@ -112,9 +112,9 @@ def put_back(folder: Path, manifest: Manifest, store: MediaStore, told: Told) ->
 def whole_media(folder: Path, manifest: Manifest, told: Told) -> Iterator[tuple[str, Path]]:
     """Every key of the manifest with its file, read back. Raises Damaged with the first that is not whole."""
     whole, done = sum(one.size for one in manifest.media.values()) or 1, 0
-    for key, one in manifest.media.items():
+    for key, stored in manifest.media.items():
         told(done / whole)
-        path = media_file(folder, one.sha256)
-        require_whole(folder, path, one)
+        path = media_file(folder, stored.sha256)
+        require_whole(folder, path, stored)
         yield key, path
-        done += one.size
+        done += stored.size

@@ -42,12 +42,12 @@ _SET_COUNTER = """
 """
 
 
-def copy_out(connection: Connection, folder: Path, told: Callable[[float], None]) -> dict[str, CopiedTable]:
+def copy_out(connection: Connection, folder: Path, tell: Callable[[float], None]) -> dict[str, CopiedTable]:
     """Write a file of each table into `folder`, all as the connection's snapshot has them."""
     tables = _tables(connection)
-    found: dict[str, CopiedTable] = {}
+    copied: dict[str, CopiedTable] = {}
     for number, (name, columns) in enumerate(tables.items()):
-        told(number / len(tables))
+        tell(number / len(tables))
         copying = sql.SQL("COPY {} ({}) TO STDOUT").format(sql.Identifier(name), _listed(columns))
         with (
             no_room_told(),
@@ -57,12 +57,12 @@ def copy_out(connection: Connection, folder: Path, told: Callable[[float], None]
         ):
             for piece in rows:
                 file.write(piece)
-        found[name] = CopiedTable(columns, _counters(connection, name))
-    return found
+        copied[name] = CopiedTable(columns, _counters(connection, name))
+    return copied
 
 
 def copy_in(
-    connection: Connection, folder: Path, tables: Mapping[str, CopiedTable], told: Callable[[float], None]
+    connection: Connection, folder: Path, tables: Mapping[str, CopiedTable], tell: Callable[[float], None]
 ) -> None:
     """Fill the empty tables of a schema from files, in the connection's transaction.
 
@@ -76,7 +76,7 @@ def copy_in(
     for key in keys:
         _run(connection, f"ALTER TABLE {key.place} DROP CONSTRAINT {key.name}")
     for number, (name, table) in enumerate(tables.items()):
-        told(number / len(tables))
+        tell(number / len(tables))
         try:
             _fill(connection, folder / f"{name}{ENDING}", name, table)
         except (DriverError, DBAPIError) as error:

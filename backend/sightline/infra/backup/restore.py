@@ -29,12 +29,12 @@ from sightline.infra.backup.postgres_copy import copy_in
 from sightline.infra.backup.state import heads_of
 from sightline.infra.database.engine import (
     engine_at,
-    explained,
     lift_limits,
     migrate,
     reading,
     session_factory,
     sqlite_file,
+    translate_database_errors,
     writing,
 )
 from sightline.infra.database.migrations import upgrade
@@ -91,14 +91,14 @@ def restore_backup(folder: Path, settings: Settings, tell: Tell, *, earlier: boo
     try:
         store = _empty_store(settings)
         put_back(folder, manifest, store, lambda share: tell(0.1 + 0.6 * share, "media"))
-        told = _part(tell, 0.7, 0.3, "database")
+        tell_database = _part(tell, 0.7, 0.3, "database")
         _put_keys(state, manifest, data_dir)
         if path is None:
-            audit = _into_postgresql(state, settings.database_url, manifest, told)
+            audit = _into_postgresql(state, settings.database_url, manifest, tell_database)
         elif manifest.database == "sqlite":
             audit = _sqlite_in(state / DATABASE, path, manifest)
         else:
-            audit = _into_sqlite(state, path, manifest, told)
+            audit = _into_sqlite(state, path, manifest, tell_database)
     except BaseException:
         _empty(data_dir, itself=not was_there)
         if store is not None:
@@ -129,7 +129,11 @@ def _require_empty(settings: Settings) -> None:
     if path is not None and path.exists():
         raise BadInput("backup-place-not-empty", place=path)
     if path is None:
-        with engine_at(settings.database_url) as engine, explained(), engine.connect() as connection:
+        with (
+            engine_at(settings.database_url) as engine,
+            translate_database_errors(),
+            engine.connect() as connection,
+        ):
             _require_no_tables(connection)
 
 
@@ -186,19 +190,19 @@ def _sqlite_in(source: Path, target: Path, manifest: Manifest) -> Verification:
 
 
 def _into_postgresql(
-    state: Path, url: str, manifest: Manifest, told: Callable[[float], None]
+    state: Path, url: str, manifest: Manifest, tell: Callable[[float], None]
 ) -> Verification:
     """Make the backup's schema, fill it, migrate it and check its chains, all in one transaction."""
     with (
-        _rows_for_postgresql(state, manifest, told) as (rows, tables, revision),
+        _rows_for_postgresql(state, manifest, tell) as (rows, tables, revision),
         engine_at(url) as engine,
-        explained(),
+        translate_database_errors(),
         engine.begin() as connection,
     ):
         lift_limits(connection)
         _require_no_tables(connection)
         upgrade(connection, revision)
-        copy_in(connection, rows, tables, told)
+        copy_in(connection, rows, tables, tell)
         upgrade(connection)
         with Session(connection, autoflush=False) as session:
             found = _verified(session, manifest)
@@ -209,7 +213,7 @@ def _into_postgresql(
 
 @contextmanager
 def _rows_for_postgresql(
-    state: Path, manifest: Manifest, told: Callable[[float], None]
+    state: Path, manifest: Manifest, tell: Callable[[float], None]
 ) -> Iterator[tuple[Path, Mapping[str, CopiedTable], str]]:
     """The folder of COPY's files, what is in them, and the schema that they are of."""
     if manifest.database != "sqlite":
@@ -223,12 +227,12 @@ def _rows_for_postgresql(
             engine_at(sqlite_url(scratch / DATABASE)) as engine,
             reading(session_factory(engine)) as session,
         ):
-            tables = copy_files_of_sqlite(session.connection(), scratch, told)
+            tables = copy_files_of_sqlite(session.connection(), scratch, tell)
         yield scratch, tables, "head"
 
 
 def _into_sqlite(
-    state: Path, target: Path, manifest: Manifest, told: Callable[[float], None]
+    state: Path, target: Path, manifest: Manifest, tell: Callable[[float], None]
 ) -> Verification:
     """Fill a new SQLite file with PostgreSQL's rows; only when its chains hold does it get its name."""
     if manifest.revision != newest_revision():
@@ -236,7 +240,7 @@ def _into_sqlite(
     with _named_when_whole(target) as waiting, engine_at(sqlite_url(waiting)) as engine:
         migrate(engine)
         with writing(session_factory(engine)) as session:
-            fill_sqlite(session.connection(), state, manifest.tables, told)
+            fill_sqlite(session.connection(), state, manifest.tables, tell)
             found = _verified(session, manifest)
         with engine.connect() as connection:
             connection.exec_driver_sql("PRAGMA wal_checkpoint(TRUNCATE)")

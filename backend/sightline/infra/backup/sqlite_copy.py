@@ -11,19 +11,19 @@ from sightline.infra.database.engine import DatabaseAway, damage_in, read_only_a
 _PAGES = 2048  # a step; between steps progress is told and Ctrl-C is heard
 
 
-def copy_sqlite(source: Path, target: Path, told: Callable[[float], None]) -> None:
-    """Copy the database at `source` to the new file `target`; `told` gets the share that is done.
+def copy_sqlite(source: Path, target: Path, tell: Callable[[float], None]) -> None:
+    """Copy the database at `source` to the new file `target`; `tell` gets the share that is done.
 
     The reading transaction is held from before the first step: a step would begin the copy anew wherever
     somebody wrote between two. Writers do not wait (write-ahead log). Raises DatabaseAway, Damaged.
     """
 
     def step(_status: int, left: int, pages: int) -> None:
-        told(1 - left / max(pages, 1))
+        tell(1 - left / max(pages, 1))
 
     try:
         with (
-            closing(_opened(source)) as read,
+            closing(_open_read_only(source)) as read,
             closing(sqlite3.connect(target, isolation_level=None)) as write,
         ):
             read.execute("BEGIN")
@@ -36,7 +36,7 @@ def copy_sqlite(source: Path, target: Path, told: Callable[[float], None]) -> No
         raise DatabaseAway("backup-database-not-copied", path=source, said=str(error)) from error
 
 
-def _opened(path: Path) -> sqlite3.Connection:
+def _open_read_only(path: Path) -> sqlite3.Connection:
     address = read_only_address(path)
     return sqlite3.connect(address or path, uri=address is not None, timeout=10, isolation_level=None)
 

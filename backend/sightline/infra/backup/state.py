@@ -41,7 +41,7 @@ def continues(session: Session, heads: Heads) -> bool:
 def needed_media(session: Session, key: str | None = None) -> set[str]:
     """The keys of the media store without which a row would show nothing, or `key` alone if it is one."""
     load_tables()
-    found: set[str] = set()
+    keys: set[str] = set()
     for table in metadata.sorted_tables:
         for column in table.columns:
             if "needs_media" in column.info:
@@ -50,5 +50,5 @@ def needed_media(session: Session, key: str | None = None) -> set[str]:
                     query = query.where(table.c.deleted_at.is_(None))
                 if key is not None:
                     query = query.where(column == key).limit(1)
-                found |= set(session.execute(query).scalars())
-    return found
+                keys |= set(session.execute(query).scalars())
+    return keys

@@ -27,12 +27,12 @@ def chain(files: Files) -> Iterator[Event]:
 
 def _content_holds(row: Mapping[str, str]) -> bool:
     """What a row tells is what was hashed."""
-    values = hashed(row)
+    values = hashed_values(row)
     as_written = all(row[name] == str(values[name]) for name in ("number", *_NUMBERS) if row[name])
     return as_written and event_hash(values) == row["content_sha256"]
 
 
-def hashed(row: Mapping[str, str]) -> dict[str, Any]:
+def hashed_values(row: Mapping[str, str]) -> dict[str, Any]:
     """The row as it was hashed: numbers as numbers, empty as nothing."""
     values: dict[str, Any] = {"number": int(row["number"]), **{name: row[name] or None for name in _TEXTS}}
     values |= {name: int(row[name]) if row[name] else None for name in _NUMBERS}

@@ -1,5 +1,5 @@
 """Columns of the kinds that many tables have. Without a getter a column is its record's attribute of that
-name; `within` takes it from a part of the record.
+name; `columns_within` takes it from a part of the record.
 """
 
 import json
@@ -14,8 +14,8 @@ from typing_extensions import TypeVar
 from sightline.errors import Damaged
 from sightline.infra.audit.hashing import canonical_json
 from sightline.infra.audit.records import Who
-from sightline.infra.csv_package.files import Files, read_columns, unsafe
-from sightline.infra.csv_package.schema import Cell, Column, Row, when
+from sightline.infra.csv_package.files import Files, read_columns, undo_safe_text
+from sightline.infra.csv_package.schema import Cell, Column, Row, utc_text
 from sightline.messages import SOURCE
 from sightline.messages.said import Said
 
@@ -89,7 +89,7 @@ def flag(name: str, meaning: str, of: Getter[R] | None = None, *, required: bool
 def moment(name: str, meaning: str, of: Callable[[R], datetime | None] | None = None) -> Column[R]:
     """A time in UTC, to the microsecond."""
     given = of or attrgetter(name)
-    return Column(name, "datetime", f"{meaning} (ISO 8601, UTC)", of=lambda record: when(given(record)))
+    return Column(name, "datetime", f"{meaning} (ISO 8601, UTC)", of=lambda record: utc_text(given(record)))
 
 
 def person(name: str, meaning: str, of: Callable[[R], Who | None] | None = None) -> Column[R]:
@@ -103,12 +103,12 @@ def person(name: str, meaning: str, of: Callable[[R], Who | None] | None = None)
     return integer(name, meaning, number_of)
 
 
-def joined(words: Iterable[str]) -> str:
+def join_sentences(words: Iterable[str]) -> str:
     """Several sentences in one cell."""
     return "; ".join(words)
 
 
-def said(
+def said_columns(
     name: str, meaning: str, of: Callable[[Any], Said | Sequence[Said] | None] | None = None
 ) -> tuple[Column[Any], Column[Any]]:
     """What is said in words, and beside it the codes and values that the words are made of."""
@@ -122,7 +122,7 @@ def said(
 def words_of(given: Said | Sequence[Said] | None, language: str = SOURCE) -> str | None:
     """A reason, or several flags with semicolons between."""
     each = [given] if isinstance(given, Said) else given or ()
-    return joined(one.sentence(language) for one in each) or None
+    return join_sentences(one.sentence(language) for one in each) or None
 
 
 def code_of(given: Said | Sequence[Said] | None) -> str | None:
@@ -156,11 +156,11 @@ def check_words(files: Files, headers: Mapping[str, Collection[str]]) -> None:
             words = code.removesuffix(CODE)
             cells = read_columns(files, path, (words, code)) if words in header else ()
             for row, (told, by) in enumerate(cells, 2):
-                if unsafe(told) != (words_of(said_in(by)) or ""):
+                if undo_safe_text(told) != (words_of(said_in(by)) or ""):
                     raise Damaged("measurements-words-differ", name=f"{path}:{row}", column=words)
 
 
-def within(
+def columns_within(
     part: str | Callable[[Any], Any], *columns: Column[Any], required: bool = True
 ) -> tuple[Column[Any], ...]:
     """The same columns for records that hold such a record, as the attribute of this name or by a function;

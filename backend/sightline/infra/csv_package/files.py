@@ -273,7 +273,7 @@ class FolderFiles:
 
     @cached_property
     def paths(self) -> frozenset[str]:
-        found = list(islice(_below(self._folder), MOST_FILES + 1))
+        found = list(islice(_files_below(self._folder), MOST_FILES + 1))
         if len(found) > MOST_FILES:
             raise BadInput("csv_package-too-many-files", place=self._folder)
         return frozenset(Path(path).relative_to(self._folder).as_posix() for path in found)
@@ -291,7 +291,7 @@ class FolderFiles:
             yield file
 
 
-def _below(folder: Path) -> Iterator[str]:
+def _files_below(folder: Path) -> Iterator[str]:
     """Every file below a folder; links are files, followed nowhere; pipes and devices too, to be refused."""
     waiting = [str(folder)]
     while waiting:
@@ -310,18 +310,18 @@ class ZipFiles:
         _check_listing(place)
         self._archive = zipfile.ZipFile(place)
         entries = [one for one in self._archive.infolist() if not one.is_dir()]
-        self.paths = frozenset(one.filename for one in entries)
+        self.paths = frozenset(entry.filename for entry in entries)
         if len(self.paths) < len(entries):
             raise BadInput("csv_package-file-twice", place=place)
-        for one in entries:
-            if not is_plain(one.filename) or (one.external_attr >> 28) not in (0, _REGULAR):
-                raise BadInput("csv_package-zip-odd-entry", place=place, path=one.filename[:100])
-            if one.flag_bits & 1:
+        for entry in entries:
+            if not is_plain(entry.filename) or (entry.external_attr >> 28) not in (0, _REGULAR):
+                raise BadInput("csv_package-zip-odd-entry", place=place, path=entry.filename[:100])
+            if entry.flag_bits & 1:
                 raise BadInput("csv_package-zip-encrypted", place=place)
-            if one.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
-                raise BadInput("csv_package-zip-odd-entry", place=place, path=one.filename[:100])
-            if one.file_size > _SMALL_BYTES and one.file_size > MOST_RATIO * max(one.compress_size, 1):
-                raise BadInput("csv_package-zip-bomb", place=place, path=one.filename[:100])
+            if entry.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+                raise BadInput("csv_package-zip-odd-entry", place=place, path=entry.filename[:100])
+            if entry.file_size > _SMALL_BYTES and entry.file_size > MOST_RATIO * max(entry.compress_size, 1):
+                raise BadInput("csv_package-zip-bomb", place=place, path=entry.filename[:100])
 
     @contextmanager
     def open(self, path: str) -> Iterator[BinaryIO]:
@@ -513,7 +513,7 @@ def read_columns(files: Files, path: str, names: tuple[str, ...]) -> Iterator[li
             text.detach()
 
 
-def unsafe(text: str) -> str:
+def undo_safe_text(text: str) -> str:
     """A cell's text without the apostrophe that keeps a spreadsheet from running it."""
     return text[1:] if text.startswith("'") and safe_text(text[1:]) == text else text
 
@@ -523,7 +523,7 @@ def number(text: str) -> float | None:
     return float(text) if text else None
 
 
-def whole(text: str) -> int | None:
+def read_integer(text: str) -> int | None:
     """An integer, None for an empty cell."""
     return int(text) if text else None
 
@@ -542,10 +542,10 @@ def record_in(kind: type[Made], row: Mapping[str, str], **more: object) -> Made:
 
 
 _READERS: dict[object, Callable[[str], Cell]] = {
-    str: unsafe,
-    str | None: lambda cell: unsafe(cell) or None,
-    int: lambda cell: whole(cell) or 0,
-    int | None: whole,
+    str: undo_safe_text,
+    str | None: lambda cell: undo_safe_text(cell) or None,
+    int: lambda cell: read_integer(cell) or 0,
+    int | None: read_integer,
     float: lambda cell: number(cell) or 0.0,
     float | None: number,
     bool: lambda cell: cell == "true",

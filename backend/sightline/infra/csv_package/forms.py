@@ -44,7 +44,7 @@ def check_forms(files: Files, alike: Mapping[str, str]) -> None:
     """Every CSV and JSON file has its one form. `alike`: folders whose tables are like a described one, by
     that one's key. Raises Damaged.
     """
-    described = _described(files)
+    described = _described_columns(files)
     for path in sorted(files.paths):
         if path.endswith(".json"):
             read_json(files, path)
@@ -54,7 +54,7 @@ def check_forms(files: Files, alike: Mapping[str, str]) -> None:
             _check_table(files, path, described.get(like, []))
 
 
-def _described(files: Files) -> dict[str, list[str]]:
+def _described_columns(files: Files) -> dict[str, list[str]]:
     """The columns of each table, as the description has them."""
     found = read_json(files, DESCRIPTION)
     try:
@@ -79,7 +79,7 @@ def _as_written(file: BinaryIO, path: str) -> Iterator[tuple[int, str, str]]:
     """Pieces of a table as they stand and as they would be written, with the number of their first line."""
     text = io.TextIOWrapper(file, encoding="utf-8", newline="")
     lines: list[str] = []
-    reader = csv.reader(_kept(text, lines), strict=True)
+    reader = csv.reader(_keep_lines(text, lines), strict=True)
     at, width = 1, None
     try:
         while rows := list(islice(reader, _ROWS_AT_ONCE)):
@@ -97,7 +97,7 @@ def _as_written(file: BinaryIO, path: str) -> Iterator[tuple[int, str, str]]:
         text.detach()
 
 
-def _kept(text: Iterator[str], lines: list[str]) -> Iterator[str]:
+def _keep_lines(text: Iterator[str], lines: list[str]) -> Iterator[str]:
     for line in text:
         lines.append(line)
         yield line

@@ -62,12 +62,12 @@ class Replay:
 
     def is_gone(self, entity: str, number: int) -> bool:
         """Whether a row was deleted in the end, or what it is part of; it is then in no table."""
-        told = self._rows[entity].get(number)
-        if told is None:
+        row = self._rows[entity].get(number)
+        if row is None:
             return False
         part_of = self._within.get(entity)
-        return bool(told["deleted"]) or (
-            part_of is not None and self.is_gone(part_of[1], int(told[part_of[0]]))
+        return bool(row["deleted"]) or (
+            part_of is not None and self.is_gone(part_of[1], int(row[part_of[0]]))
         )
 
     def standing(self, entity: str) -> Iterator[Told]:

@@ -249,15 +249,15 @@ def _table_of(resource: Mapping[str, Any]) -> AnyTable:
     schema = resource["schema"]
     columns: tuple[Column[Never], ...] = tuple(
         Column(
-            one["name"],
-            one["type"],
-            one["description"],
-            one.get("unit", ""),
-            required=one.get("constraints", {}).get("required", False),
-            enum=tuple(one.get("constraints", {}).get("enum", ())),
-            minimum=one.get("constraints", {}).get("minimum"),
+            column["name"],
+            column["type"],
+            column["description"],
+            column.get("unit", ""),
+            required=column.get("constraints", {}).get("required", False),
+            enum=tuple(column.get("constraints", {}).get("enum", ())),
+            minimum=column.get("constraints", {}).get("minimum"),
         )
-        for one in schema["fields"]
+        for column in schema["fields"]
     )
     foreign = (
         (tuple(one["fields"]), one["reference"]["resource"], tuple(one["reference"]["fields"]))
@@ -332,6 +332,6 @@ def _other_resource(other: Other, written: Written) -> dict[str, Any]:
     }
 
 
-def when(moment: datetime | None) -> str | None:
+def utc_text(moment: datetime | None) -> str | None:
     """ISO 8601 in UTC, to the microsecond."""
     return None if moment is None else moment.isoformat(timespec="microseconds").replace("+00:00", "Z")

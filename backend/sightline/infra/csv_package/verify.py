@@ -16,18 +16,20 @@ _ELSEWHERE = ("id", "created_at", "document", "columns", "rows")
 
 def check_keys(files: Files, described: Sequence[AnyTable]) -> int:
     """Every key is there once and every foreign key leads somewhere; how many were followed."""
-    wanted = {(table, columns) for one in described for _, table, columns in one.foreign}
-    known = {key: _keys(files, _named(described, key[0]).path, key[1]) for key in wanted}
+    wanted = {
+        (table, columns) for described_table in described for _, table, columns in described_table.foreign
+    }
+    known = {key: _keys(files, _find_table(described, key[0]).path, key[1]) for key in wanted}
     followed = 0
-    for one in described:
-        if one.primary:
-            _keys(files, one.path, one.primary)
-        for mine, table, theirs in one.foreign:
-            for values in read_columns(files, one.path, mine):
+    for described_table in described:
+        if described_table.primary:
+            _keys(files, described_table.path, described_table.primary)
+        for mine, table, theirs in described_table.foreign:
+            for values in read_columns(files, described_table.path, mine):
                 if all(values) and tuple(values) not in known[table, theirs]:
                     raise Damaged(
                         "csv_package-row-dangling",
-                        path=one.path,
+                        path=described_table.path,
                         mine=" ".join(mine),
                         values=" ".join(values),
                         table=table,
@@ -36,20 +38,20 @@ def check_keys(files: Files, described: Sequence[AnyTable]) -> int:
     return followed
 
 
-def _named(described: Sequence[AnyTable], name: str) -> AnyTable:
+def _find_table(described: Sequence[AnyTable], name: str) -> AnyTable:
     return next(one for one in described if one.name == name)
 
 
 def _keys(files: Files, path: str, columns: tuple[str, ...]) -> set[tuple[str, ...]]:
-    found: set[tuple[str, ...]] = set()
+    keys: set[tuple[str, ...]] = set()
     for values in read_columns(files, path, columns):
         key = tuple(values)
-        if key in found:
+        if key in keys:
             raise Damaged(
                 "csv_package-twice-one-put", path=path, columns=" ".join(columns), values=" ".join(values)
             )
-        found.add(key)
-    return found
+        keys.add(key)
+    return keys
 
 
 def check_records(

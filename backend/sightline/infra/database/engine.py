@@ -170,7 +170,7 @@ def _begin_sqlite(connection: Any) -> None:
 
 def migrate(engine: Engine) -> None:
     """Bring the database to the newest schema, one process at a time. Raises BadInput if it is newer."""
-    with explained(), _sqlite_writer, engine.connect() as connection:
+    with translate_database_errors(), _sqlite_writer, engine.connect() as connection:
         current = stored_revision(connection)
         if current is not None and current == newest_revision():
             return
@@ -206,7 +206,7 @@ def reading(factory: SessionFactory) -> Iterator[Session]:
     """A session that only reads one state of the database; whatever it did is rolled back at the end."""
     session = factory()
     try:
-        with explained():
+        with translate_database_errors():
             if engine_of(factory).dialect.name == "postgresql":
                 # SQLite's transactions see one state anyway; here each statement would see another one.
                 session.connection(execution_options={"isolation_level": "REPEATABLE READ"})
@@ -263,7 +263,10 @@ def sync(factory: SessionFactory) -> None:
     """Wait until what was committed is on the disk. Raises DatabaseAway or NoRoom where it cannot be."""
     engine = engine_of(factory)
     if engine.dialect.name == "postgresql":
-        with explained(), engine.execution_options(isolation_level="AUTOCOMMIT").begin() as connection:
+        with (
+            translate_database_errors(),
+            engine.execution_options(isolation_level="AUTOCOMMIT").begin() as connection,
+        ):
             connection.execute(_FLUSH)
     else:
         _sync_log(Path(f"{engine.url.database}-wal"))
@@ -291,7 +294,7 @@ def _sync_log(log: Path) -> None:
 def _write(factory: SessionFactory, within: InSurvey | Beside | None, unsynced: bool) -> Iterator[Session]:
     session = factory()
     try:
-        with explained():
+        with translate_database_errors():
             session.connection(execution_options={_WRITING: True, _UNSYNCED: unsynced})
             if session.get_bind().dialect.name == "postgresql":
                 _await_turn(session, within, unsynced)
@@ -343,7 +346,7 @@ def engine_of(factory: SessionFactory) -> Engine:
 
 
 @contextmanager
-def explained() -> Iterator[None]:
+def translate_database_errors() -> Iterator[None]:
     """Turn the database's own errors into one sentence: full disk, locked, away, damaged, no database."""
     try:
         yield

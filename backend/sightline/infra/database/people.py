@@ -3,9 +3,9 @@
 from sqlalchemy import Boolean, Column, ForeignKey, Integer, String, Text, UniqueConstraint, true
 
 from sightline.enums import Role
-from sightline.infra.database.types import UtcDateTime, enum_check, numbered
+from sightline.infra.database.types import UtcDateTime, enum_check, numbered_table
 
-people = numbered(
+people = numbered_table(
     "people",
     Column("name", String(200), nullable=False),
     Column("email", String(320), nullable=False),
@@ -20,7 +20,7 @@ people = numbered(
 )
 
 
-sign_in_links = numbered(
+sign_in_links = numbered_table(
     "sign_in_links",
     Column("person_id", ForeignKey("people.id"), nullable=False, index=True),
     Column("token_hash", String(64), nullable=False),

@@ -89,7 +89,7 @@ class LimitedConnection(psycopg.Connection[Any]):
         until = math.inf if limit_s is None else time.monotonic() + limit_s
         try:
             patient = limit_s is not None and limit_s > SHORT_WRITE_S
-            answer = super().wait(self._asking(gen) if patient else gen, interval, limit_s)
+            answer = super().wait(self._watch_for_lost_answer(gen) if patient else gen, interval, limit_s)
             self.heard_at_s = time.monotonic()
             return answer
         except psycopg.OperationalError:
@@ -97,7 +97,7 @@ class LimitedConnection(psycopg.Connection[Any]):
                 self.pgconn.finish()
             raise
 
-    def _asking(self, gen: PQGen[Any]) -> PQGen[Any]:
+    def _watch_for_lost_answer(self, gen: PQGen[Any]) -> PQGen[Any]:
         """The same; raises psycopg.OperationalError where the server has ended what it was asked."""
         ask_at_s, has_ended = time.monotonic() + SILENT_S, False
         try:

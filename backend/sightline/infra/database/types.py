@@ -135,7 +135,7 @@ class Saying(CanonicalJson):
         return [Said.read(one) for one in read] if isinstance(read, list) else read and Said.read(read)
 
 
-def numbered(name: str, *content: SchemaItem, **more: Any) -> Table:
+def numbered_table(name: str, *content: SchemaItem, **more: Any) -> Table:
     """A table with an integer primary key that counts up, `id`."""
     return Table(name, metadata, Column("id", Integer, primary_key=True), *content, **more)
 

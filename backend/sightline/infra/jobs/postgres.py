@@ -97,18 +97,18 @@ async def _look_for_stalled(app: App, sessions: SessionFactory, limit_s: float) 
         await asyncio.sleep(limit_s / BEATS)
         begun = time.monotonic()
         try:
-            found = list(
+            stalled_jobs = list(
                 await app.job_manager.get_stalled_jobs(task_name=TASK, seconds_since_heartbeat=limit_s)
             )
         except ConnectorException as error:
             log.warning("the database does not answer: %s", error)
-            found = []
+            stalled_jobs = []
             await asyncio.sleep(limit_s)
         # while the database itself was away nobody could be heard: whoever is silent twice is
-        before, silent = silent, {stalled.id for stalled in found}
+        before, silent = silent, {stalled.id for stalled in stalled_jobs}
         if time.monotonic() - begun > limit_s / BEATS:
             silent.clear()
-        for stalled in (stalled for stalled in found if stalled.id in before & silent):
+        for stalled in (stalled for stalled in stalled_jobs if stalled.id in before & silent):
             try:
                 await asyncio.to_thread(take_up_stalled, sessions, stalled)
             except SightlineError as error:

@@ -19,7 +19,7 @@ from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
 from sightline.errors import Away, BadInput, Conflict, NoRoom
-from sightline.infra.database.engine import explained
+from sightline.infra.database.engine import translate_database_errors
 from sightline.infra.jobs.delivery import deliver
 from sightline.infra.jobs.records import Job, JobOf
 from sightline.infra.jobs.store import create_job, request_job_cancel
@@ -98,7 +98,7 @@ def handler(kind: str, *, failed: Failed | None = None, long: bool = False) -> C
     return register
 
 
-def registered(kind: str) -> Registered | None:
+def handler_of(kind: str) -> Registered | None:
     """Who does jobs of this kind."""
     return _handlers.get(kind)
 
@@ -110,7 +110,7 @@ def kinds() -> list[str]:
 
 def is_long(kind: str) -> bool:
     """Whether jobs of this kind keep others waiting; of a kind that nobody here knows, they may."""
-    known = registered(kind)
+    known = handler_of(kind)
     return known is None or known.long
 
 
@@ -119,11 +119,11 @@ def clean_up(session: Session, job: Job, error: Said) -> None:
 
     One that breaks writes nothing, and the job ends all the same: it would be begun again for ever.
     """
-    handler = registered(job.kind)
+    handler = handler_of(job.kind)
     if handler is None or handler.failed is None:
         return
     try:
-        with explained(), session.begin_nested():
+        with translate_database_errors(), session.begin_nested():
             handler.failed(session, job, error)
     except (Away, NoRoom):
         raise  # the whole is tried again
@@ -139,7 +139,7 @@ def cancel(session: Session, job: Job, actor: int) -> Job:
     return asked
 
 
-def again(session: Session, job: Job, actor: int) -> Job:
+def enqueue_again(session: Session, job: Job, actor: int) -> Job:
     """The same work once more, for a job that failed or was stopped.
 
     Raises Conflict for one that is not over or did its work, and BadInput for a kind whose work begins on a
@@ -147,7 +147,7 @@ def again(session: Session, job: Job, actor: int) -> Job:
     """
     if job.state not in ("failed", "cancelled"):
         raise Conflict("jobs-only-failed-again", state=job.state)
-    kind = registered(job.kind)
+    kind = handler_of(job.kind)
     if kind is None or kind.failed is not None:
         raise BadInput("jobs-restart-elsewhere", kind=job.kind)
     of: JobOf = {"recording_id": job.recording_id, "scan_id": job.scan_id, "study_id": job.study_id}

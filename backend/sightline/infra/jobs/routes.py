@@ -49,7 +49,7 @@ def get_job(job_id: PathId, who: Viewer, session: Reading) -> JobBody:
 def again(job_id: PathId, who: Operator, services: Wired) -> JobBody:
     """The same work once more, after it failed or was stopped."""
     with services.writing() as session:
-        return JobBody.model_validate(registry.again(session, store.get_job(session, job_id), who.id))
+        return JobBody.model_validate(registry.enqueue_again(session, store.get_job(session, job_id), who.id))
 
 
 @router.post("/jobs/{job_id}/cancel")

@@ -12,7 +12,7 @@ from sightline.errors import Away, SightlineError, Stopped
 from sightline.infra.database.engine import DatabaseAway, SessionFactory, reading, writing
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.recovery import put_back
-from sightline.infra.jobs.registry import STOPPED, JobContext, Outcome, clean_up, registered
+from sightline.infra.jobs.registry import STOPPED, JobContext, Outcome, clean_up, handler_of
 from sightline.infra.jobs.store import (
     Hold,
     JobLost,
@@ -49,7 +49,7 @@ class Runner:
         try:
             with self.services.writing() as session:
                 job = claim_job(session, job_id, worker=self.name)
-            return job is None or self._do(job)
+            return job is None or self._do_job(job)
         except JobLost:
             log.warning("job %s went to another worker", job_id)
         except DatabaseAway as away:
@@ -58,7 +58,7 @@ class Runner:
             log.exception("neither begun nor ended: job %s", job_id)
         return False
 
-    def _do(self, job: Job) -> bool:
+    def _do_job(self, job: Job) -> bool:
         """Whether the worker may take another. Raises JobLost, DatabaseAway where no end can be written."""
         try:
             with Watch(self.services.sessions, job, self._stopping) as watch:
@@ -93,7 +93,7 @@ class Runner:
                     return False
 
     def _handle(self, job: Job, watch: "Watch") -> Outcome:
-        handler = registered(job.kind)
+        handler = handler_of(job.kind)
         if handler is None:
             raise SightlineError("jobs-kind-unknown", kind_name=job.kind)
         return handler.run(JobContext(job, self.services, watch.report, watch.is_over))

@@ -152,13 +152,13 @@ def claim_job(session: Session, job_id: int, *, worker: str) -> Job | None:
 
 def check_hold(session: Session, job: Job) -> Hold:
     """Whether the worker still holds the job, and whether it is to stop."""
-    row = session.execute(select(jobs.c.cancel_requested).where(*_held(job))).first()
+    row = session.execute(select(jobs.c.cancel_requested).where(*_held_conditions(job))).first()
     return Hold(row is not None, row is not None and bool(row[0]))
 
 
 def note_progress(session: Session, job: Job, fraction: float, message: Said | None) -> Hold:
     """Store how far the job is (0 to 1)."""
-    change = update(jobs).where(*_held(job)).values(progress=fraction, message=message)
+    change = update(jobs).where(*_held_conditions(job)).values(progress=fraction, message=message)
     row = session.execute(change.returning(jobs.c.cancel_requested)).first()
     return Hold(row is not None, row is not None and bool(row[0]))
 
@@ -197,14 +197,14 @@ def requeue_job(session: Session, job: Job) -> Job:
     """Give the job of a dead worker to the next one. Raises JobLost if it moved on meanwhile."""
     change: dict[str, Any] = {"state": "queued", "worker": None, "progress": 0.0}
     change["message"] = Said("job-begun-again")
-    return _back(session, job, change, "requeue")
+    return _put_back(session, job, change, "requeue")
 
 
 def release_job(session: Session, job: Job) -> Job:
     """Put a job back because its worker shuts down; that attempt does not count. Raises JobLost."""
     change: dict[str, Any] = {"state": "queued", "worker": None, "progress": 0.0}
     change |= {"attempts": job.attempts - 1, "message": Said("job-waits-to-begin-again")}
-    return _back(session, job, change, "release")
+    return _put_back(session, job, change, "release")
 
 
 def postpone_job(session: Session, job: Job) -> Job:
@@ -213,11 +213,11 @@ def postpone_job(session: Session, job: Job) -> Job:
     change: dict[str, Any] = {"state": "queued", "worker": None, "progress": 0.0}
     change |= {"attempts": job.attempts - 1, "outages": job.outages + 1, "not_before": now() + pause}
     change["message"] = Said("job-tried-again")
-    return _back(session, job, change, "release")
+    return _put_back(session, job, change, "release")
 
 
-def _back(session: Session, job: Job, change: Mapping[str, Any], action: AuditAction) -> Job:
-    done = session.execute(update(jobs).where(*_held(job)).values(change).returning(jobs.c.id))
+def _put_back(session: Session, job: Job, change: Mapping[str, Any], action: AuditAction) -> Job:
+    done = session.execute(update(jobs).where(*_held_conditions(job)).values(change).returning(jobs.c.id))
     if done.first() is None:
         raise JobLost("jobs-changed-meanwhile", id=job.id)
     after = {"state": "queued", "attempts": change.get("attempts", job.attempts)}
@@ -225,14 +225,14 @@ def _back(session: Session, job: Job, change: Mapping[str, Any], action: AuditAc
     return get_job(session, job.id)
 
 
-def _held(job: Job) -> tuple[Any, ...]:
+def _held_conditions(job: Job) -> tuple[Any, ...]:
     same = (jobs.c.worker == job.worker, jobs.c.attempts == job.attempts)
     return (jobs.c.id == job.id, jobs.c.state == "running", *same)
 
 
 def _end(session: Session, job: Job, state: EndedState, change: Mapping[str, Any]) -> Job:
     values = {**change, "state": state, "finished_at": now()}
-    done = session.execute(update(jobs).where(*_held(job)).values(values).returning(jobs.c.id))
+    done = session.execute(update(jobs).where(*_held_conditions(job)).values(values).returning(jobs.c.id))
     if done.first() is None:
         raise JobLost("jobs-given-away", id=job.id)
     told = {key: change[key] for key in ("result", "error") if key in change}

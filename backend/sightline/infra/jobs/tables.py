@@ -9,10 +9,10 @@ from sightline.infra.database.types import (
     UtcDateTime,
     enum_check,
     made_columns,
-    numbered,
+    numbered_table,
 )
 
-jobs = numbered(
+jobs = numbered_table(
     "jobs",
     Column("kind", String(60), nullable=False),
     Column("state", String(20), nullable=False),

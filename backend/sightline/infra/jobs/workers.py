@@ -21,7 +21,7 @@ from uuid import uuid4
 
 from sightline.children import child_environment
 from sightline.errors import SightlineError
-from sightline.infra.database.engine import explained, make_engine, migrate, session_factory
+from sightline.infra.database.engine import make_engine, migrate, session_factory, translate_database_errors
 from sightline.infra.database.pages import require_whole_pages
 from sightline.infra.installation import require_alike, show_settings
 from sightline.infra.jobs.engine import engine_of
@@ -48,7 +48,7 @@ def run_workers(settings: Settings, *, parent: int | None = None, load_handlers:
         keep_private(settings)
         engine = make_engine(settings.database_url)
         if parent is None:  # a server has looked before it starts its own
-            with explained(), engine.connect() as connection:
+            with translate_database_errors(), engine.connect() as connection:
                 require_whole_pages(connection, quick=True)
         migrate(engine)
         require_alike(engine, settings, app=False)

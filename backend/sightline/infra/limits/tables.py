@@ -2,10 +2,10 @@
 
 from sqlalchemy import Column, Index, Integer, String
 
-from sightline.infra.database.types import UtcDateTime, numbered
+from sightline.infra.database.types import UtcDateTime, numbered_table
 
 # `key` is a hash of what is counted (an address, an account): no list of who tried to sign in from where.
-counted = numbered(
+counted = numbered_table(
     "counted",
     Column("key", String(64), nullable=False),
     Column("at", UtcDateTime, nullable=False),

@@ -26,7 +26,7 @@ def set_pdf(files: dict[str, bytes], stamp: int) -> bytes:
 
 def _compiled(files: dict[str, bytes], stamp: int, standards: list[Any]) -> bytes:
     compiler: Any = typst.compile  # its types leave out the dictionary of files
-    made: bytes = compiler(
+    pdf: bytes = compiler(
         files,
         font_paths=[str(FONTS)],
         ignore_system_fonts=True,
@@ -34,4 +34,4 @@ def _compiled(files: dict[str, bytes], stamp: int, standards: list[Any]) -> byte
         pdf_standards=standards,
         timestamp=stamp,
     )
-    return made
+    return pdf

@@ -20,7 +20,7 @@ from sqlalchemy.orm import Session
 from sightline.enums import ActingRole
 from sightline.infra.database.rows import missing
 from sightline.infra.services import BELIEVED_S, Services
-from sightline.infra.web.named import Thing, naming_of, thing
+from sightline.infra.web.named import Thing, named_thing, naming_of
 from sightline.infra.web.person import Person, Seen
 
 RANK: dict[ActingRole, int] = {"viewer": 0, "operator": 1, "reviewer": 2, "manager": 3, "admin": 4}
@@ -141,7 +141,7 @@ def things_of(request: Request) -> Iterator[Thing]:
     route = request.scope["route"]
     for kind, name in _NAMED.findall(route.path):
         if kind not in APART:
-            yield from thing(THINGS[kind], str(request.path_params[name]))
+            yield from named_thing(THINGS[kind], str(request.path_params[name]))
     yield from naming_of(route).in_query(request)
 
 

@@ -25,7 +25,7 @@ class Ballast:
     def take(self) -> None:
         """Hold the room again, where there is plenty."""
         with suppress(OSError):
-            if self._held() == HELD_BYTES or self._free() < 4 * HELD_BYTES:
+            if self._held_bytes() == HELD_BYTES or self._free() < 4 * HELD_BYTES:
                 return
             handle = os.open(self.path, os.O_WRONLY | os.O_CREAT, 0o600)
             try:
@@ -41,7 +41,7 @@ class Ballast:
             if self._free() < ENOUGH_BYTES:
                 self.path.unlink(missing_ok=True)
 
-    def _held(self) -> int:
+    def _held_bytes(self) -> int:
         return self.path.stat().st_size if self.path.is_file() else 0
 
     def _free(self) -> int:

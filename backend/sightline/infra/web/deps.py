@@ -105,7 +105,7 @@ async def asking(request: Request) -> Asking:
         known: Person | None = request.app.state.sign_in.known_person_of(request)
         if known is not None:
             return _noted(Asking(known))
-    return _noted(await run_in_threadpool(_asking, request))
+    return _noted(await run_in_threadpool(_identify_asker, request))
 
 
 def _noted(asking: Asking) -> Asking:
@@ -116,7 +116,7 @@ def _noted(asking: Asking) -> Asking:
     return asking
 
 
-def _asking(request: Request) -> Asking:
+def _identify_asker(request: Request) -> Asking:
     text = bearer_of(request.headers)
     if text is None:
         person: Person | None = request.app.state.sign_in.person_of(request)
@@ -206,11 +206,11 @@ class require:
         return NotAllowed("web-token-lacks-scope", needed=self.scope, scopes=", ".join(scopes))
 
 
-async def anybody() -> None:
+async def allow_anybody() -> None:
     """Declares a route that needs no sign-in."""
 
 
-OPEN = Depends(anybody)
+OPEN = Depends(allow_anybody)
 Viewer = Annotated[Person, Depends(require("viewer", "read"))]
 Stopper = Annotated[Person, Depends(require("viewer", "measure"))]
 Exporter = Annotated[Person, Depends(require("viewer", "export"))]
@@ -234,5 +234,5 @@ def require_uploader_still(request: Request) -> None:
     Raises:
         NotSignedIn, NotFound, NotAllowed: signed out, taken out of the survey, or given a lesser role since.
     """
-    who = _asking(request)
+    who = _identify_asker(request)
     _UPLOADER.check(who, access_of(request).role(request, who.person, ()))

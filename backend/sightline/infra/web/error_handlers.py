@@ -69,7 +69,7 @@ def answer(error: SightlineError, headers: dict[str, str] | None = None, **more:
     return JSONResponse({"error": body, **more}, status_code=error.status, headers=headers)
 
 
-def known(_request: Request, error: Exception) -> JSONResponse:
+def answer_known_error(_request: Request, error: Exception) -> JSONResponse:
     assert isinstance(error, SightlineError)
     current: Any = error.current if isinstance(error, Conflict) else None
     more = {} if current is None else {"current": _as_answered(current)}
@@ -86,7 +86,7 @@ def _as_answered(current: Any) -> Any:
     return TypeAdapter(type(current)).dump_python(current, mode="json")
 
 
-def malformed(_request: Request, error: Exception) -> JSONResponse:
+def answer_malformed_request(_request: Request, error: Exception) -> JSONResponse:
     assert isinstance(error, RequestValidationError)
     return answer(complaint_of(error))
 
@@ -103,14 +103,14 @@ def complaint_of(error: RequestValidationError) -> BadInput:
     return BadInput("request-value-unusable", name=".".join(names), place=place, said=said)
 
 
-def _complaint(one: Mapping[str, Any]) -> Said | str:
+def _complaint(error: Mapping[str, Any]) -> Said | str:
     """What Pydantic says of a value, by its kind; else in its own words."""
-    if one.get("type") in _COMPLAINTS:
-        values = dict(one.get("ctx", {}))
+    if error.get("type") in _COMPLAINTS:
+        values = dict(error.get("ctx", {}))
         if "expected" in values:
             values["expected"] = str(values["expected"]).replace(" or ", ", ")
-        return Said(_COMPLAINTS[one["type"]], **values)
-    said = str(one["msg"]).removeprefix("Value error, ").rstrip(".")
+        return Said(_COMPLAINTS[error["type"]], **values)
+    said = str(error["msg"]).removeprefix("Value error, ").rstrip(".")
     return f"{said[:1].lower()}{said[1:]}"
 
 
@@ -129,12 +129,12 @@ def plain_http(request: Request, error: Exception) -> JSONResponse:
     return answer(refused, dict(error.headers or {}))
 
 
-def unexpected(request: Request, error: Exception) -> JSONResponse:
+def answer_unexpected_error(request: Request, error: Exception) -> JSONResponse:
     """Anything else: logged whole for us, one sentence for the person in front."""
     if isinstance(error, PoolTimeout):
-        return known(request, Busy("web-server-busy"))
+        return answer_known_error(request, Busy("web-server-busy"))
     if isinstance(error, DatabaseError) and (said := explanation(error)) is not None:
-        return known(request, said)
+        return answer_known_error(request, said)
     if isinstance(error, DataError):
         # Out of a query string, a file name or an imported table: the bodies are checked before.
         return answer(BadInput("request-value-not-storable"))
@@ -150,11 +150,11 @@ def _is_full(error: BaseException | None) -> bool:
 
 def install(app: FastAPI) -> None:
     """Register the handlers; one for each kind of failure, one shape for all."""
-    app.add_exception_handler(SightlineError, known)
-    app.add_exception_handler(RequestValidationError, malformed)
+    app.add_exception_handler(SightlineError, answer_known_error)
+    app.add_exception_handler(RequestValidationError, answer_malformed_request)
     app.add_exception_handler(HTTPException, plain_http)
-    app.add_exception_handler(DatabaseError, unexpected)
-    app.add_exception_handler(PoolTimeout, unexpected)
-    app.add_exception_handler(DataError, unexpected)
-    app.add_exception_handler(OSError, unexpected)
-    app.add_exception_handler(Exception, unexpected)
+    app.add_exception_handler(DatabaseError, answer_unexpected_error)
+    app.add_exception_handler(PoolTimeout, answer_unexpected_error)
+    app.add_exception_handler(DataError, answer_unexpected_error)
+    app.add_exception_handler(OSError, answer_unexpected_error)
+    app.add_exception_handler(Exception, answer_unexpected_error)

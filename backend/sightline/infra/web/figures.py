@@ -21,14 +21,14 @@ def part_body(part: Any, empty: Said | None = Said("stat-group-empty")) -> Any:
         return {"reason": part}
     if not is_dataclass(part):
         return part  # as it went out before
-    return {one.name: _plain(getattr(part, one.name)) for one in fields(part)}
+    return {one.name: _round_arrays(getattr(part, one.name)) for one in fields(part)}
 
 
-def _plain(value: Any) -> Any:
-    return rounded(value) if isinstance(value, np.ndarray) else value
+def _round_arrays(value: Any) -> Any:
+    return round_to_micrometre(value) if isinstance(value, np.ndarray) else value
 
 
-def rounded(values: np.ndarray[Any, Any]) -> list[float]:
+def round_to_micrometre(values: np.ndarray[Any, Any]) -> list[float]:
     """Values (N,) in metres to the micrometre."""
     found: list[float] = np.round(values, 6).tolist()
     return found
@@ -75,18 +75,18 @@ class ErrorFiguresBody(Out):
     )
 
 
-def error_figures(group: str, one: ErrorGroup) -> dict[str, Any]:
+def error_figures(group: str, errors: ErrorGroup) -> dict[str, Any]:
     """A group of errors as it goes out."""
     figures = {
         key: {
             "value": value,
-            "ci95": part_body(one.ci95[key], None),
-            "reason": _no_interval(one, key),
-            "holds": one.holds.get(key, ()) if one.ci95[key] is not None else (),
+            "ci95": part_body(errors.ci95[key], None),
+            "reason": _no_interval(errors, key),
+            "holds": errors.holds.get(key, ()) if errors.ci95[key] is not None else (),
         }
-        for key, value in one.figures.items()
+        for key, value in errors.figures.items()
     }
-    return {"group": group, "n": one.n, "figures": figures, "reason": one.reason, "words": one.words}
+    return {"group": group, "n": errors.n, "figures": figures, "reason": errors.reason, "words": errors.words}
 
 
 def _no_interval(one: ErrorGroup, key: str) -> Said | None:

@@ -14,7 +14,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from sightline.errors import NotAllowed, SightlineError
 from sightline.infra.web.bearer import bearer_of
 from sightline.infra.web.deps import asking
-from sightline.infra.web.error_handlers import answer, known
+from sightline.infra.web.error_handlers import answer, answer_known_error
 
 SAFE_METHODS = {"GET", "HEAD", "OPTIONS"}
 HEADER = "x-sightline"
@@ -94,7 +94,7 @@ def takes_form(method: str, path: str, forms: Collection[FormRoute]) -> bool:
     return any(method == its and pattern.match(path) for its, pattern in forms)
 
 
-def counted(receive: Receive, most: int) -> Receive:
+def limit_received_bytes(receive: Receive, most: int) -> Receive:
     """The same messages, until more than `most` bytes have come: bodies need not say their length."""
     taken = 0
 
@@ -138,7 +138,7 @@ class Guard:
             kind = headers.get("content-type", "").partition(";")[0].strip().lower()
             most = most_bytes(kind, scope["method"], scope["path"], self._forms)
             if most is not None:
-                receive = counted(receive, most)
+                receive = limit_received_bytes(receive, most)
         await self.app(scope, receive, send_with_headers)
 
 
@@ -154,6 +154,6 @@ class SignedInFirst:
             try:
                 await asking(request)
             except SightlineError as error:
-                await known(request, error)(scope, receive, send)
+                await answer_known_error(request, error)(scope, receive, send)
                 return
         await self.app(scope, receive, send)

@@ -84,15 +84,15 @@ async def ready(services: Wired, request: Request, response: Response) -> Readin
     gate: WriteGate = request.app.state.write_gate
     threads: anyio.CapacityLimiter = request.app.state.asking
     held_s = gate.turns.longest_s
-    found = Readiness(ok=True, database=None, media=None, disk=None, writing=None)
+    readiness = Readiness(ok=True, database=None, media=None, disk=None, writing=None)
     if held_s > STUCK_S:
-        found.writing = SightlineError("web-writer-stuck", seconds=round(held_s)).message
+        readiness.writing = SightlineError("web-writer-stuck", seconds=round(held_s)).message
     async with anyio.create_task_group() as asking:
         for name, ask in (("database", database_trouble), ("media", _media), ("disk", _disk)):
-            asking.start_soon(_ask_within, found, name, ask, services, threads)
-    found.ok = not any((found.database, found.media, found.disk, found.writing))
-    response.status_code = 200 if found.ok else 503
-    return found
+            asking.start_soon(_ask_within, readiness, name, ask, services, threads)
+    readiness.ok = not any((readiness.database, readiness.media, readiness.disk, readiness.writing))
+    response.status_code = 200 if readiness.ok else 503
+    return readiness
 
 
 @router.get("/system")
@@ -126,7 +126,7 @@ def licences(who: Admin) -> tuple[Library, ...]:
 
 
 async def _ask_within(
-    found: Readiness,
+    readiness: Readiness,
     name: str,
     ask: Callable[[Services], str | None],
     services: Services,
@@ -136,7 +136,7 @@ async def _ask_within(
     said: str | None = SightlineError("web-part-silent", seconds=round(ASK_S)).message
     with anyio.move_on_after(ASK_S):
         said = await anyio.to_thread.run_sync(ask, services, abandon_on_cancel=True, limiter=threads)
-    setattr(found, name, said)
+    setattr(readiness, name, said)
 
 
 def database_trouble(services: Services) -> str | None:

@@ -90,7 +90,7 @@ class Idempotency:
         gone = status == 404 and method == "DELETE"
         if request.person_id is None or (status in (401, 403, 404, 429) and not gone):
             return None
-        done = await self._done(request.person_id, request.key)
+        done = await self._wait_for_answer(request.person_id, request.key)
         if done is None:
             return None
         if done.fingerprint != request.fingerprint:
@@ -101,7 +101,7 @@ class Idempotency:
         kind = None if done.answer is None else "application/json"
         return Response(done.answer, done.status, headers, media_type=kind)
 
-    async def _done(self, person_id: int, key: str) -> Done | None:
+    async def _wait_for_answer(self, person_id: int, key: str) -> Done | None:
         """Its answer is waited for where it is just being kept."""
         done = None
         for wait_s in _LOOKS_S:

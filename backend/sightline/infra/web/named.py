@@ -74,7 +74,7 @@ class Naming:
         """What the query names; what is no number is left to the route's own check."""
         for name, table in self._asked.items():
             for value in dict.fromkeys(request.query_params.getlist(name)):
-                yield from thing(table, value)
+                yield from named_thing(table, value)
 
     async def in_body(self, request: Request) -> tuple[Thing, ...]:
         """What the body names, also where the rest of it cannot be used."""
@@ -96,7 +96,7 @@ def naming_of(route: APIRoute) -> Naming:
     return _known[route.endpoint]
 
 
-def thing(table: str, value: str) -> Iterator[Thing]:
+def named_thing(table: str, value: str) -> Iterator[Thing]:
     """The row that a text names, read as the routes read numbers ("7.0" is 7); nothing where it is none."""
     try:
         yield table, _ID.validate_python(value)

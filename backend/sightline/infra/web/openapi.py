@@ -42,14 +42,14 @@ class Api(FastAPI):
 
 def _reached(part: Any, schemas: dict[str, Any]) -> set[str]:
     """The names of the schemas that a part of the description refers to, and those that they refer to."""
-    found: set[str] = set()
+    names: set[str] = set()
     waiting = list(_references(part))
     while waiting:
         name = waiting.pop()
-        if name not in found:
-            found.add(name)
+        if name not in names:
+            names.add(name)
             waiting += _references(schemas[name])
-    return found
+    return names
 
 
 def _references(part: Any) -> Iterator[str]:

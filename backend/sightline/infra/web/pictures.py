@@ -23,7 +23,7 @@ def is_held(request: Request, etag: str) -> bool:
     return etag in (tag.strip().removeprefix("W/") for tag in held.split(","))
 
 
-def unchanged(etag: str) -> Response:
+def answer_not_modified(etag: str) -> Response:
     """304: the picture that the browser has is the right one."""
     return Response(status_code=304, headers={"ETag": etag, "Cache-Control": CACHING})
 
@@ -38,4 +38,6 @@ def picture_response(
 
 def jpeg_once(request: Request, etag: str, make: Callable[[], bytes]) -> Response:
     """The JPEG, which is made only if the browser does not have it already."""
-    return unchanged(etag) if is_held(request, etag) else picture_response(make(), "image/jpeg", etag)
+    return (
+        answer_not_modified(etag) if is_held(request, etag) else picture_response(make(), "image/jpeg", etag)
+    )

@@ -13,7 +13,7 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from sightline import messages
-from sightline.messages.recognised import translated
+from sightline.messages.recognised import translate_text
 
 _API = "/api/"
 
@@ -49,7 +49,7 @@ class _Translating:
                 await self._tell(self._start)
 
     async def _tell(self, start: Message) -> None:
-        body = spoken(self._body, self._language)
+        body = translate_body(self._body, self._language)
         headers = MutableHeaders(scope=start)
         headers["Content-Length"] = str(len(body))
         headers["Content-Language"] = self._language
@@ -81,7 +81,7 @@ def _is_answer(headers: Headers) -> bool:
     return headers.get("content-type") == "application/json" and "content-disposition" not in headers
 
 
-def spoken(body: bytes, language: str) -> bytes:
+def translate_body(body: bytes, language: str) -> bytes:
     """JSON with its sentences in a language."""
     if not body:
         return body
@@ -92,7 +92,7 @@ def spoken(body: bytes, language: str) -> bytes:
 def _walked(value: Any, language: str, *, of_code: bool = False) -> Any:
     """of_code: it is among the values of a code."""
     if isinstance(value, str):
-        return translated(value, language) if of_code else value
+        return translate_text(value, language) if of_code else value
     if isinstance(value, list):
         return [_walked(one, language, of_code=of_code) for one in value]
     if isinstance(value, dict):
@@ -114,9 +114,9 @@ def said_by_key(said: dict[str, Any], english: str, language: str) -> str:
         return english
 
 
-def _value(one: Any, language: str) -> str | float:
+def _value(given: Any, language: str) -> str | float:
     """A value that is a sentence of the program is said too."""
-    if isinstance(one, dict):
-        return said_by_key(one, str(one.get("message", one["code"])), language)
-    value: str | float = translated(one, language) if isinstance(one, str) else one
+    if isinstance(given, dict):
+        return said_by_key(given, str(given.get("message", given["code"])), language)
+    value: str | float = translate_text(given, language) if isinstance(given, str) else given
     return value

@@ -88,11 +88,11 @@ class WriteGate:
         or rolled back by itself, and one wait for the disk for all that were committed since the last one
         began. Raises what `work` raises, and Busy where its turn does not come in time.
         """
-        one = _Write(services, survey, work, asyncio.get_running_loop().create_future())
-        self._short.append(one)
+        pending = _Write(services, survey, work, asyncio.get_running_loop().create_future())
+        self._short.append(pending)
         if self._leading is None:
             self._leading = asyncio.create_task(self._lead())
-        return cast(Result, await one.answer)
+        return cast(Result, await pending.answer)
 
     async def _lead(self) -> None:
         """Until nobody waits: take those that do, let them be written, answer them or let them be synced."""
@@ -114,11 +114,11 @@ class WriteGate:
 
     def _answer(self, some: Sequence[_Write], unsynced: bool) -> None:
         """Tell who is on the disk, or failed; the others when the disk has them."""
-        for one in some:
-            if unsynced and one.error is None:
-                self._committed.append(one)
+        for pending in some:
+            if unsynced and pending.error is None:
+                self._committed.append(pending)
             else:
-                one.tell()
+                pending.tell()
         if self._committed and self._syncing is None:
             self._syncing = asyncio.create_task(self._sync())
 
@@ -148,12 +148,12 @@ class WriteGate:
 
 def _write_each(some: Sequence[_Write], unsynced: bool) -> None:
     """Each transaction by itself; of unsynced ones nobody is told before `_sync_all`."""
-    for one in some:
+    for pending in some:
         try:
-            with one.services.writing(one.survey, unsynced=unsynced) as session:
-                one.result = one.asked_in.run(one.work, session)
+            with pending.services.writing(pending.survey, unsynced=unsynced) as session:
+                pending.result = pending.asked_in.run(pending.work, session)
         except Exception as error:
-            one.error = error
+            pending.error = error
 
 
 def _sync_all(some: Sequence[_Write]) -> None:

@@ -3,7 +3,7 @@
 from typing import Any, get_args
 
 from sightline.enums import ComputingCause, ComputingKind
-from sightline.infra.csv_package.columns import integer, joined, key, metres, moment, person, text
+from sightline.infra.csv_package.columns import integer, join_sentences, key, metres, moment, person, text
 from sightline.infra.csv_package.schema import Column, Table, ids_of
 from sightline.measurements.again.records import Computing
 
@@ -23,7 +23,7 @@ def out_of_date(pose: str) -> Column[Any]:
         "why the height is out of date, separated by semicolons: pose, inset or side where it follows from "
         f"another {pose}, another usual inset or another side of the driver than holds now in this package; "
         "empty: it is not. Compute the heights again in the survey and export it anew",
-        lambda record: joined(record.out_of_date) or None,
+        lambda record: join_sentences(record.out_of_date) or None,
     )
 
 

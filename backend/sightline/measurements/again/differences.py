@@ -54,32 +54,32 @@ class Facts:
     solved: bool
 
 
-def facts_of(said: Values | Clicks, pose_id: int) -> Facts:
+def facts_of(content: Values | Clicks, pose_id: int) -> Facts:
     """Those of a stored content, or of clicks with everything filled in."""
     return Facts(
         pose_id=pose_id,
-        side=said.side,
-        side_from=said.side_from,
-        inset_m=said.inset_m,
-        u_inset_m=said.u_inset_m,
-        inset_from=said.inset_from,
-        solved=bool(said.more_frames),
+        side=content.side,
+        side_from=content.side_from,
+        inset_m=content.inset_m,
+        u_inset_m=content.u_inset_m,
+        inset_from=content.inset_from,
+        solved=bool(content.more_frames),
     )
 
 
 def causes_of_facts(then: Facts, now: Facts) -> tuple[ComputingCause, ...]:
     """Which facts are others in a way that a height depends on."""
-    found: list[ComputingCause] = []
+    causes: list[ComputingCause] = []
     if then.pose_id != now.pose_id:
-        found.append("pose")
+        causes.append("pose")
     if then.solved or then.inset_from == "own":
-        return tuple(found)
+        return tuple(causes)
     by_place = (then.side_from == "place") != (now.side_from == "place")  # which a flag says
     if then.side != now.side or by_place:
-        found.append("side")
+        causes.append("side")
     elif not same_inset(then, now):
-        found.append("inset")
-    return tuple(found)
+        causes.append("inset")
+    return tuple(causes)
 
 
 def causes_now(
@@ -134,10 +134,10 @@ def same_height(then: Values, now: Values) -> bool:
     return clicked[0] == clicked[1] and not causes_of(then, now)
 
 
-def same_length(one: float | None, other: float | None) -> bool:
-    if one is None or other is None:
-        return one is other
-    return abs(one - other) <= _SAME_M
+def same_length(length_m: float | None, other: float | None) -> bool:
+    if length_m is None or other is None:
+        return length_m is other
+    return abs(length_m - other) <= _SAME_M
 
 
 def moved_beyond_u(then_m: float | None, u_then_m: float | None, now_m: float | None) -> bool:

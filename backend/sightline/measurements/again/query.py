@@ -79,7 +79,7 @@ class Alike:
     insets: Mapping[str, Inset]
 
 
-def alike(session: Session, survey_id: int) -> Iterator[Alike]:
+def group_alike(session: Session, survey_id: int) -> Iterator[Alike]:
     """The standing measurements and repeats of a survey, those with the same facts counted together."""
     survey = get_survey(session, survey_id)
     several = type_coerce(_m.more_frames, Text) != "[]"
@@ -168,11 +168,11 @@ def made_by(session: Session, computing_id: int) -> list[Made]:
 def made_among(revisions: Iterable[Measurement | ScanHeight], computing_id: int) -> list[Made]:
     """Those that a computing made of heights that stand; of each height all revisions, oldest first."""
     by_height: dict[int, list[Measurement | ScanHeight]] = {}
-    for one in revisions:
-        by_height.setdefault(one.id, []).append(one)
+    for revision in revisions:
+        by_height.setdefault(revision.id, []).append(revision)
     return [
-        Made(before, one, all_[-1])
+        Made(before, revision, all_[-1])
         for all_ in by_height.values()
-        for before, one in pairwise(all_)
-        if one.computing_id == computing_id and not all_[-1].withdrawn
+        for before, revision in pairwise(all_)
+        if revision.computing_id == computing_id and not all_[-1].withdrawn
     ]

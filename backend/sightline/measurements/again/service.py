@@ -21,9 +21,9 @@ from sightline.measurements.again.differences import causes_now, causes_of, verd
 from sightline.measurements.again.query import (
     Alike,
     Made,
-    alike,
     contexts_of_survey,
     get_computing,
+    group_alike,
     list_computings,
 )
 from sightline.measurements.again.records import Computing, OutOfDate
@@ -40,7 +40,7 @@ _EVERY = 200  # heights between two reports of progress
 Tell = Callable[[float], None]
 
 
-def untold(_fraction: float) -> None:
+def ignore_progress(_fraction: float) -> None:
     """Progress that nobody follows."""
 
 
@@ -61,7 +61,7 @@ def measurements_out_of_date(session: Session, survey_id: int) -> OutOfDate:
 
     Heights in line scans are not among them. Raises NotFound.
     """
-    return count_out_of_date(alike(session, survey_id))
+    return count_out_of_date(group_alike(session, survey_id))
 
 
 def count_out_of_date(groups: Iterable[Alike]) -> OutOfDate:
@@ -70,7 +70,7 @@ def count_out_of_date(groups: Iterable[Alike]) -> OutOfDate:
     heights = waiting = other_program = 0
     named: dict[int, tuple[ComputingCause, ...]] = {}
     for group in groups:
-        found = causes_now(
+        reasons = causes_now(
             group.target,
             group.facts,
             pose_id=group.pose_id,
@@ -78,11 +78,11 @@ def count_out_of_date(groups: Iterable[Alike]) -> OutOfDate:
             category=group.category,
             insets=group.insets,
         )
-        if found:
+        if reasons:
             heights += group.count
             waiting += 0 if group.has_height else group.count
-            causes.update(dict.fromkeys(found, group.count))
-            named |= {int(one): found for one in group.named.split(",") if one}
+            causes.update(dict.fromkeys(reasons, group.count))
+            named |= {int(one): reasons for one in group.named.split(",") if one}
         elif group.code_version != code_version():
             other_program += group.count
     return OutOfDate(
@@ -109,16 +109,21 @@ def changes_among(
     standing: Sequence[Measurement | ScanHeight], computed: Iterable[Any], every: int, tell: Tell
 ) -> Iterator[Changed]:
     """The standing heights whose content comes out otherwise; `tell` hears of each `every` of them."""
-    for at, (one, values) in enumerate(zip(standing, computed, strict=True)):
+    for at, (height, values) in enumerate(zip(standing, computed, strict=True)):
         if at % every == 0:
             tell(at / len(standing))
-        changed = _changed_by(one, values)
+        changed = _changed_by(height, values)
         if changed is not None:
             yield changed
 
 
 def measurement_changes_to_come(
-    session: Session, survey_id: int, answers: Answers, *, only_waiting: bool = False, tell: Tell = untold
+    session: Session,
+    survey_id: int,
+    answers: Answers,
+    *,
+    only_waiting: bool = False,
+    tell: Tell = ignore_progress,
 ) -> list[Changed]:
     """The standing heights and repeats that come out as others with the facts that hold now.
 
@@ -151,48 +156,48 @@ def _computed(
         answers.compute(
             pose_id, pose, [one for one, of in zip(clicks, in_force, strict=True) if of[1] == pose_id]
         )
-    for one, clicked, (_, pose_id, calibration_id) in zip(some, clicks, in_force, strict=True):
+    for measurement, clicked, (_, pose_id, calibration_id) in zip(some, clicks, in_force, strict=True):
         yield filled_from(
             MeasurementValues,
             answers.known[pose_id, clicked],
             clicked,
-            one.values,
-            more_frames=one.values.more_frames,
+            measurement.values,
+            more_frames=measurement.values.more_frames,
             pose_id=pose_id,
             calibration_id=calibration_id,
             code_version=code_version(),
         )
 
 
-def changes_back(made: Sequence[Made]) -> tuple[list[Changed], int]:
+def changes_back(remade: Sequence[Made]) -> tuple[list[Changed], int]:
     """The heights as they were before a computing made them, and how many were changed since and stay as
     they are. What was rejected since stays rejected.
     """
-    changed = [_back(this) for this in made if this.standing.values == this.made.values]
-    return changed, len(made) - len(changed)
+    changed = [_undo_change(this) for this in remade if this.standing.values == this.made.values]
+    return changed, len(remade) - len(changed)
 
 
-def _back(one: Made) -> Changed:
-    rejected = one.standing.review.verdict == "rejected"
-    judged = one.standing.judged_revision if rejected else one.before.judged_revision
-    return Changed(before=one.standing, values=one.before.values, verdict_of_revision=judged)
+def _undo_change(remade: Made) -> Changed:
+    rejected = remade.standing.review.verdict == "rejected"
+    judged = remade.standing.judged_revision if rejected else remade.before.judged_revision
+    return Changed(before=remade.standing, values=remade.before.values, verdict_of_revision=judged)
 
 
 def require_undoable(session: Session, computing_id: int) -> Computing:
     """Raises NotFound, Conflict saying why it cannot be undone."""
-    one = get_computing(session, computing_id)
-    if one.kind == "undo":
+    computing = get_computing(session, computing_id)
+    if computing.kind == "undo":
         raise Conflict("computing-undo-of-undo")
-    if one.undone_by is not None:
+    if computing.undone_by is not None:
         raise Conflict("computing-undone-already")
     later = [
         other
-        for other in list_computings(session, one.survey_id)
-        if other.id > one.id and other.kind != "undo" and other.undone_by is None
+        for other in list_computings(session, computing.survey_id)
+        if other.id > computing.id and other.kind != "undo" and other.undone_by is None
     ]
     if later:
         raise Conflict("computing-undo-later-first", when=f"{later[0].created_at:%Y-%m-%d %H:%M} UTC")
-    return one
+    return computing
 
 
 def ask_to_compute(

@@ -10,7 +10,7 @@ from typing import Any
 from sightline.enums import Target
 from sightline.errors import Damaged
 from sightline.geometry.sides import TrafficFacts, driver_side
-from sightline.infra.csv_package.columns import joined
+from sightline.infra.csv_package.columns import join_sentences
 from sightline.infra.csv_package.files import Files, read_columns, read_rows
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.replay import Replay, Replayed
@@ -73,28 +73,28 @@ def check_out_of_date(
     traffic = TrafficFacts(**{one.name: survey.get(one.name) for one in fields(TrafficFacts)})
     insets = insets_of(survey["insets"])
     names = ("id", "vehicle_id", "recording_id", "withdrawn", "out_of_date")
-    for id_, vehicle, recording, withdrawn, said in read_columns(files, path, names):
+    for id_, vehicle, recording, withdrawn, marked in read_columns(files, path, names):
         car, pose_id = vehicles.get(int(vehicle), {}), pose_in_force(int(recording))
         target, then = follows_from[int(id_)]
         side = driver_side(car.get("driver_side"), car.get("direction"), traffic)
         stands = withdrawn != "true" and pose_id is not None
         category = car.get("category")
-        found = (
+        causes = (
             causes_now(target, then, pose_id=pose_id, side=side, category=category, insets=insets)
             if stands
             else ()
         )
-        if said != joined(found):
+        if marked != join_sentences(causes):
             raise Damaged("computing-mark-wrong", path=path, id=id_)
 
 
 def _rejections(files: Files) -> set[tuple[str, str]]:
     """The revisions whose last verdict is a rejection."""
     newest: dict[tuple[str, str], str] = {}
-    for one, revision, verdict in read_columns(
+    for measurement_id, revision, verdict in read_columns(
         files, "reviews.csv", ("measurement_id", "result_revision", "verdict")
     ):
-        newest[one, revision] = verdict
+        newest[measurement_id, revision] = verdict
     return {key for key, verdict in newest.items() if verdict == "rejected"}
 
 

@@ -37,4 +37,4 @@ def snap_contact(
     """Where a contact click goes to: the tyre's contact found within reach, or why it stays; nothing is
     stored. A measurement on it names the click as `snapped_from`.
     """
-    return service.snapped(services, vehicle_id, n, body.click)
+    return service.snap_contact(services, vehicle_id, n, body.click)

@@ -54,21 +54,21 @@ def contact_near(
     with services.reading() as session:
         pose = _pose(session, recording_id)
         if vehicle_id is not None and _is_free(proposals_of_vehicle(session, vehicle_id)):
-            return _none(Said("snap-measured-free"))
-    found = propose(stills_of(services).gray(recording_id, n), pose, pointer)
-    if isinstance(found, Said):
-        return _none(found)
+            return _no_proposal(Said("snap-measured-free"))
+    proposal = propose(stills_of(services).gray(recording_id, n), pose, pointer)
+    if isinstance(proposal, Said):
+        return _no_proposal(proposal)
     return ContactProposal(
-        contact=_stored_as(found.contact_px),
-        outline=[(across, down) for across, down in np.round(found.outline_px, 2).tolist()],
-        radius_m=found.radius_m,
-        expected_px=found.expected_px,
-        words=words_of(found.expected_px),
+        contact=_stored_as(proposal.contact_px),
+        outline=[(across, down) for across, down in np.round(proposal.outline_px, 2).tolist()],
+        radius_m=proposal.radius_m,
+        expected_px=proposal.expected_px,
+        words=words_of(proposal.expected_px),
         reason=None,
     )
 
 
-def snapped(services: Services, vehicle_id: int, n: int, click: Point) -> SnappedContact:
+def snap_contact(services: Services, vehicle_id: int, n: int, click: Point) -> SnappedContact:
     """Where a contact click on frame n of a vehicle's recording goes to: what is proposed of the pass there,
     else the tyre that is found.
 
@@ -90,8 +90,10 @@ def snapped(services: Services, vehicle_id: int, n: int, click: Point) -> Snappe
 
 
 def is_from(services: Services, vehicle_id: int, n: int, click: Point, contact: Point) -> bool:
-    """Whether Sightline answers a click, or a proposal's pointer, with this contact. Raises as `snapped`."""
-    if snapped(services, vehicle_id, n, click).contact == contact:
+    """Whether Sightline answers a click, or a proposal's pointer, with this contact. Raises as
+    `snap_contact`.
+    """
+    if snap_contact(services, vehicle_id, n, click).contact == contact:
         return True
     with services.reading() as session:
         recording_id = get_vehicle(session, vehicle_id).recording_id
@@ -106,7 +108,7 @@ def words_of(expected_px: float) -> Said:
     return Said("contact-found", expected_px=shown_px)
 
 
-def _none(reason: Said) -> ContactProposal:
+def _no_proposal(reason: Said) -> ContactProposal:
     words = Said("contact-none", reason=reason)
     return ContactProposal(
         contact=None, outline=[], radius_m=None, expected_px=None, words=words, reason=reason

@@ -65,18 +65,18 @@ def follow_vehicle(
     Raises NotFound, Conflict without a road pose, BadInput for clicks on further frames, Damaged for a frame
     that fails its checksum.
     """
-    pose, whole, found = _followed(services, vehicle_id, clicks, second, actor)
-    if isinstance(found, Said):
-        return FollowedAnswer(reason=found)
-    height = answer(pose, replace(whole, followed=text_of(found.tracks, found.following)))
-    tracks = found.tracks
+    pose, whole, followed = _followed(services, vehicle_id, clicks, second, actor)
+    if isinstance(followed, Said):
+        return FollowedAnswer(reason=followed)
+    height = answer(pose, replace(whole, followed=text_of(followed.tracks, followed.following)))
+    tracks = followed.tracks
     points = (
         PointOnFrame(frame=int(n), point=POINT_NAMES[int(point)], at=(x, y), sigma_px=(sx, sy))
         for n, point, (x, y), (sx, sy) in zip(
             tracks.frame, tracks.point, tracks.points_px.tolist(), tracks.sigma_px.tolist(), strict=True
         )
     )
-    lost = (NotFollowed(frame=one.frame, point=one.point, reason=one.reason) for one in found.lost)
+    lost = (NotFollowed(frame=one.frame, point=one.point, reason=one.reason) for one in followed.lost)
     return FollowedAnswer(reason=None, points=tuple(points), dropped=tuple(lost), height=height)
 
 
@@ -92,10 +92,10 @@ def followed_text(
 
 def _other_tyre(some: Sequence[PointProposal], clicks: Clicks) -> Point | None:
     """The tyre that is proposed on the frame beside the one clicked; none of a vehicle measured free."""
-    for one in some:
-        if one.frame != clicks.frame or one.withheld or not one.point.startswith("contact"):
+    for proposal in some:
+        if proposal.frame != clicks.frame or proposal.withheld or not proposal.point.startswith("contact"):
             continue
-        at = one.point_px
+        at = proposal.point_px
         if at is not None and math.dist(at, clicks.contact) > APART_PX:
             return at
     return None

@@ -25,7 +25,7 @@ def _not_visible(target: AskedTarget) -> Column[VehicleSheet]:
     return text(NOT_VISIBLE[target], words, lambda v: v.not_visible.get(target), enum=get_args(NotVisible))
 
 
-def _known(target: KnownTarget) -> tuple[Column[VehicleSheet], ...]:
+def _known_height_columns(target: KnownTarget) -> tuple[Column[VehicleSheet], ...]:
     names, what = KNOWN[target], "mark" if target == "other" else target.replace("_", " ")
     return (
         metres(names.height, f"height of its {what} that was known before it was measured"),
@@ -53,7 +53,7 @@ VEHICLES: Table[VehicleSheet] = Table(
         metres("manufacturer_height_m", "manufacturer's overall height"),
         metres("u_manufacturer_height_m", "standard uncertainty of that height (k = 1)"),
         text("height_source", "where that height comes from"),
-        *(column for target in get_args(KnownTarget) for column in _known(target)),
+        *(column for target in get_args(KnownTarget) for column in _known_height_columns(target)),
         flag("check_target", "column-vehicles-check-target", required=True),
         text("lighting", "light at the time of the pass", enum=get_args(Lighting)),
         text("direction", "travel direction in the image", enum=get_args(Direction)),

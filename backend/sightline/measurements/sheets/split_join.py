@@ -50,18 +50,18 @@ def join(
     Raises Conflict where both were measured or somebody changed one of them, BadInput for passes of two
     recordings.
     """
-    one, other = get_vehicle(session, vehicle_id), get_vehicle(session, other_id)
-    if one.id == other.id or one.recording_id != other.recording_id:
+    vehicle, other = get_vehicle(session, vehicle_id), get_vehicle(session, other_id)
+    if vehicle.id == other.id or vehicle.recording_id != other.recording_id:
         raise BadInput("measurements-join-other-recording")
-    both = frames_used_of_vehicle(session, one.id), frames_used_of_vehicle(session, other.id)
+    both = frames_used_of_vehicle(session, vehicle.id), frames_used_of_vehicle(session, other.id)
     if both[0] and both[1]:
-        raise Conflict("measurements-join-both-measured", number=one.number, number_2=other.number)
+        raise Conflict("measurements-join-both-measured", number=vehicle.number, number_2=other.number)
     keeps_other = bool(both[1])
-    kept, gone = (other, one) if keeps_other else (one, other)
+    kept, gone = (other, vehicle) if keeps_other else (vehicle, other)
     versions = (other_version, version) if keeps_other else (version, other_version)
     span = {
-        "first_frame": min(one.first_frame, other.first_frame),
-        "last_frame": max(one.last_frame, other.last_frame),
+        "first_frame": min(vehicle.first_frame, other.first_frame),
+        "last_frame": max(vehicle.last_frame, other.last_frame),
     }
     if kept.best_frame is None and gone.best_frame is not None:
         span["best_frame"] = gone.best_frame

@@ -10,7 +10,7 @@ Standing = tuple[str, str, str]
 
 
 def state_of(
-    found: Collection[Standing],
+    standing: Collection[Standing],
     asked: Iterable[AskedTarget],
     not_visible: Iterable[AskedTarget],
     *,
@@ -22,14 +22,14 @@ def state_of(
     """
     if discarded:
         return "discarded"
-    if not found and not wanted:
+    if not standing and not wanted:
         return "out_of_sample"
-    verdicts = {verdict for _, _, verdict in found}
+    verdicts = {verdict for _, _, verdict in standing}
     if "rejected" in verdicts:
         return "rejected"
     unseen = set(not_visible)
-    if not set(asked) <= {target for target, status, _ in found if status == "ok"} | unseen:
-        return "partial" if found or unseen else "to_do"
-    if not found:
+    if not set(asked) <= {target for target, status, _ in standing if status == "ok"} | unseen:
+        return "partial" if standing or unseen else "to_do"
+    if not standing:
         return "not_visible"
     return "accepted" if verdicts <= {*get_args(AcceptedVerdict)} else "measured"

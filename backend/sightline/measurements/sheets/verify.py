@@ -88,13 +88,13 @@ def _hold_order(files: Files) -> None:
     clicked on, whose times the chain vouches for. Raises Damaged.
     """
     names = (VEHICLES.key, "first_frame", "first_s"), (FRAMES.key, "frame", "time_s")
-    told = {
+    frame_times = {
         (int(of), int(frame), float(at))
         for path, *both in names
         for of, frame, at in read_columns(files, path, ("recording_id", *both))
         if at
     }
-    for (of, frame, at_s), (of_next, next_, next_s) in pairwise(sorted(told)):
+    for (of, frame, at_s), (of_next, next_, next_s) in pairwise(sorted(frame_times)):
         if of == of_next and (next_s < at_s or next_ == frame):
             raise Damaged("measurements-frame-time", recording=of, frame=next_)
 

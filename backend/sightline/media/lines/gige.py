@@ -61,7 +61,7 @@ class GigeLines:
                 if piece is not None:
                     quiet = time.monotonic()
                     yield piece
-                elif self._gone():
+                elif self._note_gone_camera():
                     break
                 elif time.monotonic() - quiet > _QUIET_S:
                     quiet = time.monotonic()
@@ -71,7 +71,7 @@ class GigeLines:
             for camera in self._cameras:
                 camera.stop()
 
-    def _gone(self) -> bool:
+    def _note_gone_camera(self) -> bool:
         for camera in self._cameras:
             if camera.began_with is not None:
                 self.notes.append(
@@ -180,12 +180,12 @@ class _Camera:
         taken: list[Lines] = []
         left = count
         while left:
-            one = self._held.popleft()
-            if len(one) > left:
-                self._held.appendleft(one[left:])
-                one = one[:left]
-            taken.append(one)
-            left -= len(one)
+            batch = self._held.popleft()
+            if len(batch) > left:
+                self._held.appendleft(batch[left:])
+                batch = batch[:left]
+            taken.append(batch)
+            left -= len(batch)
         self._taken += count
         lost: list[Lost] = []
         later: list[Lost] = []

@@ -48,7 +48,7 @@ class PipedLines:
             return self._bytes + self._unread_bytes
 
     def pieces(self) -> Iterator[Piece | None]:
-        reader = threading.Thread(target=self._read, daemon=True)
+        reader = threading.Thread(target=self._read_pipe, daemon=True)
         reader.start()
         pair, rest = 2 * self._rows, b""
         while (data := self._take()) is not None:
@@ -74,7 +74,7 @@ class PipedLines:
             self._changed.notify_all()
             return None if self._over and not taken else b"".join(taken)
 
-    def _read(self) -> None:
+    def _read_pipe(self) -> None:
         try:
             while data := self._next():
                 with self._changed:

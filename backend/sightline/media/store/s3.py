@@ -88,14 +88,14 @@ class S3Store:
     def put_file(self, key: str, path: Path, *, link: bool = False) -> None:
         if made_of(key) is None and self._head(key, self._client) is not None:
             return
-        with _told(key):
+        with _translate_store_errors(key):
             self._client.upload_file(str(path), self._bucket, self._name(key))
         self._forget(key)
 
     def local_path(self, key: str) -> Path:
         while True:
             try:
-                return self._local_path(key, None if made_of(key) is None else self._now(key))
+                return self._local_path(key, None if made_of(key) is None else self._current_object(key))
             except _ReplacedMeanwhile:
                 self._forget(key)
 
@@ -110,24 +110,24 @@ class S3Store:
             if path.is_file():
                 os.utime(path)
                 return path
-            found = now or self._found(key)
+            found = now or self._require_object(key)
             with (
                 self._room_for(found.size, key),
-                _told(key),
+                _translate_store_errors(key),
                 no_room_told(),
                 atomic_file(path, lasting=False) as part,
             ):
                 self._fetch(key, part)
-                if now is not None and self._found(key) != now:
+                if now is not None and self._require_object(key) != now:
                     raise _ReplacedMeanwhile
             return path
 
-    def _now(self, key: str) -> _Object:
+    def _current_object(self, key: str) -> _Object:
         """What is under the key of what may be made anew, as seen a moment ago."""
         with self._lock:
             known = self._believed.get(key)
         if known is None:
-            known = self._found(key)
+            known = self._require_object(key)
             with self._lock:
                 self._believed[key] = known
         return known
@@ -154,7 +154,7 @@ class S3Store:
 
     def delete(self, key: str) -> None:
         safe_path(self._cache, key).unlink(missing_ok=True)
-        with _told(key):
+        with _translate_store_errors(key):
             self._client_at_once.delete_object(Bucket=self._bucket, Key=self._name(key))
         self._forget(key)
 
@@ -171,7 +171,7 @@ class S3Store:
 
     def listing(self) -> Iterator[tuple[str, int]]:
         prefix = self._name("")
-        with _told(self._bucket):
+        with _translate_store_errors(self._bucket):
             pages = self._client.get_paginator("list_objects_v2").paginate(Bucket=self._bucket, Prefix=prefix)
             for page in pages:
                 for found in page.get("Contents", ()):
@@ -181,7 +181,7 @@ class S3Store:
         return f"{self._prefix}/{key}" if self._prefix else key
 
     def _make_bucket(self) -> None:
-        with _told(self._bucket):
+        with _translate_store_errors(self._bucket):
             try:
                 self._client.head_bucket(Bucket=self._bucket)
             except ClientError as error:
@@ -193,14 +193,14 @@ class S3Store:
                     why = _code(refused)
                     raise BadInput("store-bucket-missing", bucket=self._bucket, why=why) from refused
 
-    def _found(self, key: str) -> _Object:
+    def _require_object(self, key: str) -> _Object:
         found = self._head(key, self._client)
         if found is None:
             raise NotFound("store-file-lost", key=key)
         return found
 
     def _head(self, key: str, client: Any) -> _Object | None:
-        with _told(key):
+        with _translate_store_errors(key):
             try:
                 head = client.head_object(Bucket=self._bucket, Key=self._name(key))
             except ClientError as error:
@@ -261,7 +261,7 @@ class _Body(io.RawIOBase):
 
 
 @contextmanager
-def _told(key: str) -> Iterator[None]:
+def _translate_store_errors(key: str) -> Iterator[None]:
     """Turn what the S3 library raises into one sentence."""
     try:
         yield

@@ -36,21 +36,21 @@ class StripNotes:
     dropped: tuple[Dropped, ...] = ()
 
 
-def read_notes(name: str, said: str, path: Path) -> StripNotes:
+def read_notes(name: str, description: str, path: Path) -> StripNotes:
     """From a JSON file beside the picture (its name and ".json"), else from the TIFF's description."""
-    beside = path.with_name(path.name + ".json")
-    what = f"The notes in {beside.name}"
-    if beside.is_file():
-        if beside.stat().st_size > _SIDECAR_BYTES:
+    sidecar = path.with_name(path.name + ".json")
+    what = f"The notes in {sidecar.name}"
+    if sidecar.is_file():
+        if sidecar.stat().st_size > _SIDECAR_BYTES:
             raise BadInput("strips-notes-too-large", what=what, sidecar_bytes=_SIDECAR_BYTES // 10**6)
         try:
-            document = json.loads(beside.read_bytes())
+            document = json.loads(sidecar.read_bytes())
         except (ValueError, RecursionError):
             raise BadInput("strips-notes-not-json", what=what) from None
     else:
         what = f"The description inside {name}"
         try:
-            document = json.loads(said)
+            document = json.loads(description)
         except (ValueError, RecursionError):
             return StripNotes()
         if not isinstance(document, dict) or not {"line_rate_hz", "dropped_lines"} & document.keys():
@@ -103,12 +103,12 @@ def with_gaps(pieces: Iterator[Pixels], dropped: Sequence[Dropped], most: int) -
 
 def lost_lines(dropped: Sequence[Dropped], start: float, stop: float) -> int:
     """How many lines from `start` to `stop` (line numbers that count the lost ones) were not recorded."""
-    found = before = 0
+    lost = before = 0
     for gap in dropped:
         begin = gap.line + before
-        found += max(0, min(math.ceil(stop), begin + gap.count) - max(math.floor(start), begin))
+        lost += max(0, min(math.ceil(stop), begin + gap.count) - max(math.floor(start), begin))
         before += gap.count
-    return found
+    return lost
 
 
 def column_of(line: float, dropped: Sequence[Dropped]) -> float:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.errors import BadInput
-from sightline.media.strips.sheet import BAND_BYTES, Pixels, check_claim, cut_off, damaged
+from sightline.media.strips.sheet import BAND_BYTES, Pixels, check_claim, cut_off, damaged_row_error
 
 MAGIC = b"\x89PNG\r\n\x1a\n"
 MOST_WIDE_PX = 1_000_000  # libpng's own bound
@@ -83,7 +83,7 @@ class PngSheet:
         try:
             return next(pieces, b"")
         except zlib.error:
-            raise damaged(self.name, row, self.height_px) from None
+            raise damaged_row_error(self.name, row, self.height_px) from None
 
     def _unfiltered(self, above: bytes, filtered: bytes, count: int, row: int) -> Pixels:
         head = struct.pack(">IIBBBBB", self.width_px, count + 1, self._depth, 0, 0, 0, 0)
@@ -92,7 +92,7 @@ class PngSheet:
         try:
             band: NDArray[Any] = imagecodecs.png_decode(small)
         except imagecodecs.PngError:
-            raise damaged(self.name, row, self.height_px) from None
+            raise damaged_row_error(self.name, row, self.height_px) from None
         return band[1:]
 
     def _inflated(self, size: int) -> Iterator[bytes]:

@@ -20,7 +20,7 @@ from sightline.errors import BadInput
 from sightline.linescan.depth import brightest_of, depth_of
 from sightline.media.strips import png, tiff
 from sightline.media.strips.notes import Dropped, StripNotes, read_notes, with_gaps
-from sightline.media.strips.sheet import Pixels, Sheet, unpacked
+from sightline.media.strips.sheet import Pixels, Sheet, unpack_sheet
 from sightline.media.video.sniff import why_not_video
 from sightline.messages.said import Said
 
@@ -172,7 +172,7 @@ class _SheetStrip:
         lines = lines or chunk_lines(self.rows, self.dtype.itemsize)
         at_once = max(lines, CHUNK_BYTES // (self.rows * self.dtype.itemsize))
         pieces = with_gaps(self._pieces(at_once), self.notes.dropped, lines)
-        return rebatched(pieces, lines)
+        return rebatch_lines(pieces, lines)
 
     def close(self) -> None:
         self._sheet.close()
@@ -183,22 +183,22 @@ class _SheetStrip:
             return
         slabs = self._sheet.slabs(lines)
         if slabs is not None:
-            yield from (_turned(slab) for slab in slabs)
+            yield from (_transpose(slab) for slab in slabs)
             return
-        turned = unpacked(self._sheet, self._work_dir)
+        turned = unpack_sheet(self._sheet, self._work_dir)
         try:
             slabs = turned.slabs(lines)
             assert slabs is not None
-            yield from (_turned(slab) for slab in slabs)
+            yield from (_transpose(slab) for slab in slabs)
         finally:
             turned.close()
 
 
-def _turned(slab: Pixels) -> Pixels:
+def _transpose(slab: Pixels) -> Pixels:
     return np.asarray(cv2.transpose(slab), slab.dtype)
 
 
-def rebatched(pieces: Iterator[Pixels], lines: int) -> Iterator[Pixels]:
+def rebatch_lines(pieces: Iterator[Pixels], lines: int) -> Iterator[Pixels]:
     """The same lines in blocks of `lines`, the last one shorter; copied only where blocks straddle pieces."""
     held: list[Pixels] = []
     count = 0

@@ -65,7 +65,7 @@ def cut_off(name: str, row: int, height: int) -> BadInput:
     return BadInput("strips-cut-off", name=name, row=row, height=height)
 
 
-def damaged(name: str, row: int, height: int) -> BadInput:
+def damaged_row_error(name: str, row: int, height: int) -> BadInput:
     """The refusal of a file whose bytes are not what they were."""
     return BadInput("strips-row-damaged", name=name, row=row, height=height)
 
@@ -128,7 +128,7 @@ class RawSheet:
             done += got
 
 
-def unpacked(sheet: Sheet, folder: Path | None) -> RawSheet:
+def unpack_sheet(sheet: Sheet, folder: Path | None) -> RawSheet:
     """The same picture as plain rows in a nameless temporary file, so that its columns can be read too.
 
     The file is as large as the picture and gone when it is closed, or when the process ends. Raises NoRoom.

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from sightline.errors import BadInput
 from sightline.media.strips.notes import Dropped, notes_of, with_gaps
-from sightline.media.strips.reader import rebatched
+from sightline.media.strips.reader import rebatch_lines
 
 _HEAD = struct.Struct("<2sHHHQ")
 _ENTRY = struct.Struct("<HHQQ")
@@ -40,7 +40,7 @@ class Spool:
         self.path, self.rows, self.lines = path, rows, 0
         self._rate, self._dropped = line_rate_hz, list[list[int]]()
         self._slot = 0
-        self._words = _described(self._rate, self._dropped)
+        self._words = _encode_description(self._rate, self._dropped)
         self._file = path.open("xb", buffering=0)
         self._file.write(_directory(rows, 0, self._place()))
         self._put_words()
@@ -66,7 +66,7 @@ class Spool:
             self._note(self.lines + gap.line, gap.count)
         if lost:
             self._slot = 1 - self._slot
-            self._words = _described(self._rate, self._dropped)
+            self._words = _encode_description(self._rate, self._dropped)
             self._put_words()
         self.lines += len(lines)
         self._file.seek(0)
@@ -118,7 +118,7 @@ class SpooledLines:
         """Leave only the first `total` lines (lost ones counted): what one camera has beyond the other."""
         lines, _ = _within_file(total, self.dropped)
         self.dropped = tuple(gap for gap in self.dropped if gap.line < lines)
-        words = _described(self._rate, [[gap.line, gap.count] for gap in self.dropped])
+        words = _encode_description(self._rate, [[gap.line, gap.count] for gap in self.dropped])
         slot = int(self._words_at == _WORDS_AT)
         place = (len(words), _WORDS_AT + slot * _WORDS_BYTES)
         with self.path.open("r+b") as file:
@@ -137,7 +137,7 @@ class SpooledLines:
             return
         pixels = np.memmap(self.path, np.uint8, "r", _PIXELS_AT, (self.lines, self.rows))
         pieces = (pixels[at : at + _CHUNK_LINES] for at in range(begin, self.lines, _CHUNK_LINES))
-        for piece in rebatched(with_gaps(pieces, dropped, _CHUNK_LINES), _CHUNK_LINES):
+        for piece in rebatch_lines(with_gaps(pieces, dropped, _CHUNK_LINES), _CHUNK_LINES):
             yield np.array(piece, np.uint8)
 
 
@@ -158,7 +158,7 @@ def _within_file(start: int, dropped: Sequence[Dropped]) -> tuple[int, list[Drop
     return start - lost, []
 
 
-def _described(line_rate_hz: float | None, dropped: list[list[int]]) -> bytes:
+def _encode_description(line_rate_hz: float | None, dropped: list[list[int]]) -> bytes:
     said = {"line_rate_hz": line_rate_hz, "dropped_lines": dropped}
     return json.dumps(said, separators=(",", ":")).encode() + b"\0"
 

@@ -18,7 +18,7 @@ from sightline.media.strips.notes import StripNotes, notes_of
 from sightline.media.strips.reader import chunk_lines
 from sightline.media.strips.sheet import Pixels
 from sightline.media.strips.stored_writer import FORMAT, TILE_LINES, level_lines
-from sightline.media.strips.tiff import PieceError, Pieces, opened, pieces_of
+from sightline.media.strips.tiff import PieceError, Pieces, open_tiff, pieces_of
 
 QUALITY = 90
 _MOST_OPEN = 16
@@ -45,7 +45,7 @@ class StripReader:
             raise self._damaged() from error
 
     def _open(self, path: Path) -> None:
-        with opened(path, self.name) as tiff:
+        with open_tiff(path, self.name) as tiff:
             page = tiff.pages.first
             document = json.loads(page.description)
             if document.get("format") != FORMAT:

@@ -120,7 +120,7 @@ class _Pyramid:
     def packed(self, tile: Pixels, level: int = 0) -> bytes:
         """One tile of `level` as it goes into the file; its overview is kept for later."""
         if level + 1 < len(self.lines):
-            self._offer(level + 1, quartered(tile))
+            self._offer(level + 1, average_four_lines(tile))
         if level == 0:
             bits, self.brightest = depth_of(self.brightest), max(self.brightest, brightest_of(tile))
             if depth_of(self.brightest) > bits:
@@ -162,7 +162,7 @@ class _Pyramid:
         self._end += len(data)
 
 
-def quartered(block: Pixels) -> Pixels:
+def average_four_lines(block: Pixels) -> Pixels:
     """Means of four lines each; what is left at the end makes one line of its own."""
     whole = len(block) // STEP * STEP
     parts = []

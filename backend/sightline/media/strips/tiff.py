@@ -16,7 +16,15 @@ import tifffile
 from numpy.typing import NDArray
 
 from sightline.errors import BadInput
-from sightline.media.strips.sheet import PIECE_BYTES, Pixels, RawSheet, Sheet, check_claim, cut_off, damaged
+from sightline.media.strips.sheet import (
+    PIECE_BYTES,
+    Pixels,
+    RawSheet,
+    Sheet,
+    check_claim,
+    cut_off,
+    damaged_row_error,
+)
 
 MAGICS = (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+")
 _UNPACK: dict[int, Any] = {
@@ -118,7 +126,7 @@ def _rows_per_strip(page: tifffile.TiffPage) -> int:
     return int(length if overflown and len(page.dataoffsets) == 1 else min(told, length))
 
 
-def opened(path: Path, name: str) -> tifffile.TiffFile:
+def open_tiff(path: Path, name: str) -> tifffile.TiffFile:
     """The tags of a TIFF. Raises BadInput for whatever tifffile makes of a damaged one."""
     logging.getLogger("tifffile").setLevel(logging.CRITICAL)
     try:
@@ -132,7 +140,7 @@ def opened(path: Path, name: str) -> tifffile.TiffFile:
 
 def tiff_sheet(path: Path, name: str) -> tuple[Sheet, str]:
     """The one grey picture in a TIFF, and its description. Raises BadInput for any other content."""
-    with opened(path, name) as tiff:
+    with open_tiff(path, name) as tiff:
         try:
             page = tiff.pages.first
             further = any(not one.aspage().is_reduced for one in tiff.pages[1:3])
@@ -236,7 +244,7 @@ class PackedSheet:
         try:
             piece = pieces.read(top // pieces.length * pieces.across + i, rows)
         except PieceError as error:
-            raise (cut_off if error.cut else damaged)(self.name, top, self.height_px) from None
+            raise (cut_off if error.cut else damaged_row_error)(self.name, top, self.height_px) from None
         right = min(pieces.width, self.width_px - i * pieces.width)
         piece = piece[:, :right]
         return np.invert(piece) if self._negative else piece

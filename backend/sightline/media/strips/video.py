@@ -75,7 +75,7 @@ def cut_strips(
     ):
         rows = count = 0
         for n, _, upright in frames_of(path, name, stream_number):
-            gray = _turned(upright, along)
+            gray = _turn_along_traffic(upright, along)
             if n == 0:
                 rows = gray.shape[0]
                 _check_cuts(cuts_px, gray.shape[1], along, name)
@@ -103,7 +103,7 @@ def cut_strips(
     return strips[0], strips[1]
 
 
-def _turned(gray: Gray, along: CutAlong) -> Gray:
+def _turn_along_traffic(gray: Gray, along: CutAlong) -> Gray:
     """The picture (rows, columns) turned so that traffic runs to the left or right, roofs up."""
     if along == "columns":
         return gray

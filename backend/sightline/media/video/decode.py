@@ -227,13 +227,13 @@ def _pictures(container: InputContainer) -> tuple[Picture, ...]:
     streams = container.streams.video
     if len(streams) < 2:
         return ()
-    moving, told = _moving(container), []
-    for one in streams:
-        context, moves = one.codec_context, one in moving
+    moving, pictures = _moving(container), []
+    for stream in streams:
+        context, moves = stream.codec_context, stream in moving
         size = (0, 0) if context is None else (context.width, context.height)
         name = None if context is None else context.name
-        told.append(Picture(name, *size, still=not moves, off=moves and _is_off(container, one)))
-    return tuple(told)
+        pictures.append(Picture(name, *size, still=not moves, off=moves and _is_off(container, stream)))
+    return tuple(pictures)
 
 
 def _check_size(name: str, width: int, height: int, aspect: Fraction | None) -> None:
@@ -252,7 +252,7 @@ def _check_size(name: str, width: int, height: int, aspect: Fraction | None) -> 
         raise BadInput("video-aspect-implausible", name=name, aspect=aspect)
 
 
-def decoded(
+def decode_frames(
     container: InputContainer,
     stream: VideoStream,
     damage: Damage | None = None,
@@ -346,14 +346,14 @@ def frames_of(
     name = name or path.name
     n = None
     with closing(open_container(path, name)) as container:
-        for n, frame, layout in numbered(container, video_stream(container, name, number=number), name):
+        for n, frame, layout in number_frames(container, video_stream(container, name, number=number), name):
             pts = frame_pts(frame)
             yield n, n if pts == NO_PTS else pts, upright_gray(frame, layout)
     if n is None:
         raise BadInput("video-no-frame", name=name)
 
 
-def numbered(
+def number_frames(
     container: InputContainer,
     stream: VideoStream,
     name: str,
@@ -368,7 +368,7 @@ def numbered(
     the pictures are not of `size_px`, which a camera pose is for.
     """
     damage, layout, n = damage or Damage(), None, 0
-    for frame in decoded(container, stream, damage):
+    for frame in decode_frames(container, stream, damage):
         look(damage.position)
         if layout is None:
             layout = layout_of(frame, stream.sample_aspect_ratio)

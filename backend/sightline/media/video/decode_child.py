@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.children import resident_bytes
-from sightline.media.video.decode_wire import Header, Link, error_header, unpacked
+from sightline.media.video.decode_wire import Header, Link, error_header, unpack_media
 from sightline.media.video.seeker import RecordingMedia
 from sightline.media.video.window import Window
 
@@ -50,7 +50,7 @@ class Child:
     def _take(self, header: Header, body: bytes) -> None:
         what = header["do"]
         if what == "know":
-            self._known[header["media"]] = unpacked(header, body)
+            self._known[header["media"]] = unpack_media(header, body)
         elif what == "forget":
             self._known.pop(header["media"], None)
         elif what == "drop":
@@ -60,7 +60,7 @@ class Child:
         else:
             self._wanted.add(int(header["id"]))
             media = self._known[header["media"]]
-            self._pool.submit(self._answer, header, lambda: self._do(header, media))
+            self._pool.submit(self._answer, header, lambda: self._do_request(header, media))
 
     def _answer(self, header: Header, work: Callable[[], tuple[Header, bytes]]) -> None:
         reply: Header = {"id": header["id"]}
@@ -77,7 +77,7 @@ class Child:
         except OSError:
             os._exit(0)
 
-    def _do(self, header: Header, media: RecordingMedia) -> tuple[Header, bytes]:
+    def _do_request(self, header: Header, media: RecordingMedia) -> tuple[Header, bytes]:
         wanted = self._asked_between_frames(int(header["id"]))
         what, display = header["do"], header.get("display", "plain")
         n = int(header.get("n", 0))

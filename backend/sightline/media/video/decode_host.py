@@ -29,10 +29,10 @@ from sightline.enums import Display
 from sightline.errors import SightlineError
 from sightline.media.video.decode_child import TOO_MUCH_MEMORY
 from sightline.media.video.decode_crashes import CannotDecode, CrashTracker
-from sightline.media.video.decode_wire import Header, Limits, Link, error_of, packed
+from sightline.media.video.decode_wire import Header, Limits, Link, error_of, pack_media
 from sightline.media.video.picture import Bgr, Gray
 from sightline.media.video.seeker import RecordingMedia
-from sightline.media.video.window import CancelCheck, NoLongerWanted, Rectangle, always
+from sightline.media.video.window import CancelCheck, NoLongerWanted, Rectangle, is_always_wanted
 from sightline.messages.said import Said
 
 log = logging.getLogger("sightline.decode")
@@ -110,7 +110,7 @@ class _Child:
         self._ready = False
         self._end: _Died | None = None
         self._is_closed = False
-        self._reader = threading.Thread(target=self._read, name="decode-reader", daemon=True)
+        self._reader = threading.Thread(target=self._read_answers, name="decode-reader", daemon=True)
         self._reader.start()
 
     @property
@@ -150,7 +150,7 @@ class _Child:
         if media.identity in self._known:
             self._known.move_to_end(media.identity)
             return
-        self._link.send(*packed(media))
+        self._link.send(*pack_media(media))
         self._known[media.identity] = None
         if len(self._known) > MOST_KNOWN:
             self._link.send({"do": "forget", "media": self._known.popitem(last=False)[0]})
@@ -174,7 +174,7 @@ class _Child:
                     call.answer.set_exception(_Died(self._why, frozenset()))
         self.process.kill()
 
-    def _read(self) -> None:
+    def _read_answers(self) -> None:
         try:
             while True:
                 header, body = self._link.receive()
@@ -219,7 +219,7 @@ class _Child:
             alone = is_killed or (is_full and not self._for_one)
             blamed = self._ready and not self._is_closed and not alone
             decoding = frozenset(call.recording for call in calls) if blamed else frozenset()
-            why = self._why or _why(status, self._limits)
+            why = self._why or _reason_of_exit(status, self._limits)
             self._end = _Died(why, self._crashes.died(decoding), alone=alone)
             self._link.close()
         if calls and not self._is_closed:
@@ -272,7 +272,7 @@ class DecodeHost:
         digest = hashlib.sha256(data).hexdigest()
         asked: Header = {"do": "image", "name": name, "colour": colour, "most_px": most_px}
         question = Question(asked, digest, None, data)
-        header, body = self._answer(question, always)
+        header, body = self._answer(question, is_always_wanted)
         return np.frombuffer(body, np.uint8).reshape(header["shape"]).copy()
 
     def warm(self, media: RecordingMedia) -> list[int]:
@@ -280,7 +280,7 @@ class DecodeHost:
         child = self._child
         if child is None or child.is_over:
             return []
-        return [int(n) for n in self._ask({"do": "warm"}, media, always)[0]["frames"]]
+        return [int(n) for n in self._ask({"do": "warm"}, media, is_always_wanted)[0]["frames"]]
 
     @property
     def memory_bytes(self) -> int:
@@ -317,12 +317,12 @@ class DecodeHost:
                     return self._running().ask(next(self._numbers), question, wanted)
             except _Died as died:
                 if died.alone:
-                    return self._alone(question, wanted)
+                    return self._ask_fresh_child(question, wanted)
                 if question.recording in died.culprits:
                     raise question.refusal(died.why) from died
         raise SightlineError("video-decoder-failing")
 
-    def _alone(self, question: Question, wanted: CancelCheck) -> Reply:
+    def _ask_fresh_child(self, question: Question, wanted: CancelCheck) -> Reply:
         """The answer of a fresh child that does nothing else, one such at a time."""
         with self._one_alone:
             self._crashes.check(question.recording)
@@ -347,7 +347,7 @@ class DecodeHost:
             return self._child
 
 
-def _why(status: int, limits: Limits) -> Said:
+def _reason_of_exit(status: int, limits: Limits) -> Said:
     if status == TOO_MUCH_MEMORY:
         return Said("video-decoder-memory", gigabytes=round(limits.memory_bytes / _GIGABYTE, 1))
     if status == -signal.SIGALRM:

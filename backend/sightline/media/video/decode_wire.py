@@ -61,7 +61,7 @@ class Link:
         self._connection.close()
 
 
-def packed(media: RecordingMedia) -> tuple[Header, bytes]:
+def pack_media(media: RecordingMedia) -> tuple[Header, bytes]:
     """A recording's file and frame table as a message."""
     arrays = (media.pts.astype("<i8"), media.crc.astype("<u4"), media.key.astype("u1"))
     header = {"do": "know", "media": media.identity, "path": str(media.path), "count": len(media)}
@@ -69,8 +69,8 @@ def packed(media: RecordingMedia) -> tuple[Header, bytes]:
     return header, b"".join(array.tobytes() for array in arrays)
 
 
-def unpacked(header: Header, body: bytes) -> RecordingMedia:
-    """The inverse of `packed`."""
+def unpack_media(header: Header, body: bytes) -> RecordingMedia:
+    """The inverse of `pack_media`."""
     count = int(header["count"])
     pts = np.frombuffer(body, "<i8", count)
     crc = np.frombuffer(body, "<u4", count, 8 * count)

@@ -18,10 +18,10 @@ _LEAST_GAMMA = 0.35
 
 def shown_as(image: Bgr, display: Display) -> Bgr:
     """The picture (h, w, 3) BGR as it is asked for."""
-    return brightened(image) if display == "bright" else image
+    return brighten_picture(image) if display == "bright" else image
 
 
-def brightened(image: Bgr) -> Bgr:
+def brighten_picture(image: Bgr) -> Bgr:
     """Gamma towards a middle grey, then local contrast (CLAHE) on luminance alone; a bright one stays so."""
     lab = cv2.cvtColor(image, cv2.COLOR_BGR2LAB)
     light = np.asarray(lab[..., 0], np.uint8)

@@ -89,7 +89,7 @@ def _corners(flat: Gray) -> NDArray[np.float32]:
     smooth = cv2.GaussianBlur(flat, (0, 0), 1.0)
     strength = np.asarray(cv2.cornerMinEigenVal(smooth, 7), np.float32)
     least = _QUALITY * float(np.percentile(strength, 99.5))
-    found: list[NDArray[np.float32]] = []
+    corners: list[NDArray[np.float32]] = []
     for row in range(_CELLS[1]):
         for column in range(_CELLS[0]):
             mask = np.zeros_like(flat)
@@ -97,8 +97,8 @@ def _corners(flat: Gray) -> NDArray[np.float32]:
             x0, x1 = width * column // _CELLS[0], width * (column + 1) // _CELLS[0]
             mask[max(y0, _WINDOW // 2) : min(y1, height - _WINDOW // 2),
                  max(x0, _WINDOW // 2) : min(x1, width - _WINDOW // 2)] = 255  # fmt: skip
-            found += _of_cell(strength, mask, least)
-    return np.array(found, np.float32).reshape(-1, 2)
+            corners += _of_cell(strength, mask, least)
+    return np.array(corners, np.float32).reshape(-1, 2)
 
 
 def _of_cell(strength: NDArray[np.float32], mask: Gray, least: float) -> list[NDArray[np.float32]]:
@@ -130,11 +130,11 @@ def _followed(
     trip = np.linalg.norm(back.reshape(-1, 2) - corners, axis=1)
     fine = (found.ravel() == 1) & (again.ravel() == 1) & (trip < _ROUND_TRIP_PX)
     fine &= np.isfinite(after).all(axis=1)
-    fine[fine] = [_alike(ours, theirs, a, b) for a, b in zip(corners[fine], after[fine], strict=True)]
+    fine[fine] = [_is_same_patch(ours, theirs, a, b) for a, b in zip(corners[fine], after[fine], strict=True)]
     return corners[fine], after[fine]
 
 
-def _alike(ours: Gray, theirs: Gray, before: NDArray[np.float32], after: NDArray[np.float32]) -> bool:
+def _is_same_patch(ours: Gray, theirs: Gray, before: NDArray[np.float32], after: NDArray[np.float32]) -> bool:
     """Whether the small pictures around the two points are the same one, by their correlation."""
     size = (_WINDOW, _WINDOW)
     one = cv2.getRectSubPix(ours, size, (float(before[0]), float(before[1])))

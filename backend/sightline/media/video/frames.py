@@ -11,7 +11,7 @@ from sightline.media.video.caches import DiskCache, MemoryCache
 from sightline.media.video.picture import Bgr, Gray
 from sightline.media.video.prefetch import Prefetcher
 from sightline.media.video.seeker import RecordingMedia
-from sightline.media.video.window import CancelCheck, NoLongerWanted, Window, always
+from sightline.media.video.window import CancelCheck, NoLongerWanted, Window, is_always_wanted
 
 if TYPE_CHECKING:
     from sightline.media.video.decode_host import DecodeHost
@@ -48,7 +48,11 @@ class FrameServer:
         self._prefetcher = Prefetcher(self._jpegs, pictures, _key) if pictures else None
 
     def still(
-        self, media: RecordingMedia, n: int, wanted: CancelCheck = always, display: Display = "plain"
+        self,
+        media: RecordingMedia,
+        n: int,
+        wanted: CancelCheck = is_always_wanted,
+        display: Display = "plain",
     ) -> bytes:
         """Frame n as JPEG (95), upright, square pixels, colour as recorded; "bright": to look at only."""
         _check(media, n)
@@ -65,7 +69,7 @@ class FrameServer:
             self._prefetcher.asked(media, n, len(data))
         return data
 
-    def prepare(self, media: RecordingMedia, n: int, wanted: CancelCheck = always) -> int:
+    def prepare(self, media: RecordingMedia, n: int, wanted: CancelCheck = is_always_wanted) -> int:
         """Have frame n ready on disk before somebody asks; its size there in bytes."""
         _check(media, n)
         key = _key(media, n, "plain")
@@ -76,12 +80,12 @@ class FrameServer:
         self._disk.put(key, data)
         return len(data)
 
-    def bgr(self, media: RecordingMedia, n: int, wanted: CancelCheck = always) -> Bgr:
+    def bgr(self, media: RecordingMedia, n: int, wanted: CancelCheck = is_always_wanted) -> Bgr:
         """Frame n, (height_px, width_px, 3) BGR."""
         _check(media, n)
         return self._pictures.bgr(media, n, wanted)
 
-    def gray(self, media: RecordingMedia, n: int, wanted: CancelCheck = always) -> Gray:
+    def gray(self, media: RecordingMedia, n: int, wanted: CancelCheck = is_always_wanted) -> Gray:
         """Frame n, (height_px, width_px) luminance."""
         _check(media, n)
         return self._pictures.gray(media, n, wanted)
@@ -96,7 +100,7 @@ class FrameServer:
         h: int,
         scale: int = 1,
         display: Display = "plain",
-        wanted: CancelCheck = always,
+        wanted: CancelCheck = is_always_wanted,
     ) -> bytes:
         """The rectangle of w x h pixels whose top-left pixel is (x, y), lossless; each pixel `scale`
         times as large.
@@ -149,13 +153,13 @@ class FrameServer:
 
 def runs(numbers: Iterable[int]) -> list[tuple[int, int]]:
     """Runs of consecutive numbers as (first, last), in order."""
-    found: list[tuple[int, int]] = []
+    spans: list[tuple[int, int]] = []
     for n in sorted(numbers):
-        if found and found[-1][1] == n - 1:
-            found[-1] = (found[-1][0], n)
+        if spans and spans[-1][1] == n - 1:
+            spans[-1] = (spans[-1][0], n)
         else:
-            found.append((n, n))
-    return found
+            spans.append((n, n))
+    return spans
 
 
 def _key(media: RecordingMedia, n: int, display: Display = "plain") -> str:

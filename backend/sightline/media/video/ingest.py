@@ -19,7 +19,7 @@ from sightline.media.video.decode import (
     VideoFacts,
     facts_of,
     frame_pts,
-    numbered,
+    number_frames,
     open_container,
     picture_read,
     require_whole,
@@ -178,7 +178,7 @@ def _decode_all(
     container: InputContainer, stream: VideoStream, damage: Damage, watch: Watch, thumb_dir: Path
 ) -> tuple[VideoFacts, _Rows, ThumbnailWriter]:
     rows = _Rows([], [], [])
-    for n, frame, layout in numbered(container, stream, watch.name, look=watch.look, damage=damage):
+    for n, frame, layout in number_frames(container, stream, watch.name, look=watch.look, damage=damage):
         if n == 0:
             facts = facts_of(container, stream, frame)
             thumbs = ThumbnailWriter(thumb_dir, layout, facts.duration_s)

@@ -12,7 +12,7 @@ from sightline.detection.finder import PassFinder, downsample
 from sightline.detection.steadiness import Wander
 from sightline.errors import BadInput, Stopped
 from sightline.media.cancelling import Cancelled, Progress, Watch
-from sightline.media.video.decode import numbered, open_container, video_stream
+from sightline.media.video.decode import number_frames, open_container, video_stream
 from sightline.media.video.picture import upright_gray
 from sightline.messages.said import Said
 
@@ -79,7 +79,7 @@ def _searched(
         finder: PassFinder | None = None
         stopped = partial(Stopped, "video-search-cancelled")
         watch = Watch(on_progress, is_cancelled, name, path.stat().st_size, stopped)
-        for n, frame, layout in numbered(container, stream, name, look=watch.look):
+        for n, frame, layout in number_frames(container, stream, name, look=watch.look):
             if n % stride:
                 continue
             gray = upright_gray(frame, layout)

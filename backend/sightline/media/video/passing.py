@@ -12,7 +12,7 @@ from sightline.geometry.follow_pass import PassFrame
 from sightline.media.video.decode import (
     NO_PTS,
     frame_pts,
-    numbered,
+    number_frames,
     open_container,
     require_whole,
     video_stream,
@@ -41,11 +41,11 @@ def frames_between(
     filming.
     """
     stamps: list[Fraction] = []
-    seen: list[tuple[int, Gray, float]] = []
+    pictures: list[tuple[int, Gray, float]] = []
     with closing(open_container(path, name)) as container:
         require_whole(path, name, stream_number)
         stream = video_stream(container, name, number=stream_number)
-        for n, frame, layout in numbered(container, stream, name, size_px):
+        for n, frame, layout in number_frames(container, stream, name, size_px):
             if n > last + _MOST_EARLY:
                 break
             pts, base = frame_pts(frame), frame.time_base
@@ -55,10 +55,10 @@ def frames_between(
                 raise BadInput("video-no-times-follow", name=name)
             stamps.append(pts * base)
             if first <= n <= last:
-                seen.append((n, upright_gray(frame, layout), float(base)))
+                pictures.append((n, upright_gray(frame, layout), float(base)))
         stated = stated_of(container, path)
     stamps.sort()
-    out = [PassFrame(n, float(stamps[n]), gray, tick_s) for n, gray, tick_s in seen]
+    out = [PassFrame(n, float(stamps[n]), gray, tick_s) for n, gray, tick_s in pictures]
     time_s = np.array([one.time_s for one in out])
     if filmed_hz is None:
         require_clock_of_filming(clock_doubt_of(time_s, stated), name)

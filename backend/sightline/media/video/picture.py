@@ -1,8 +1,8 @@
 """From a decoded frame to upright, square pixels: the one place where rotation and pixel aspect are
 applied.
 
-Everything that shows or measures a picture goes through `upright`, so a click, a detected corner and a
-calibration speak of the same pixels.
+Everything that shows or measures a picture goes through `upright_picture`, so a click, a detected corner and
+a calibration speak of the same pixels.
 """
 
 import math
@@ -104,14 +104,16 @@ def _turns(frame: av.VideoFrame) -> tuple[bool, bool, bool, float]:
     return True, c < 0, b < 0, left_deg
 
 
-def upright(frame: av.VideoFrame, layout: Layout) -> Bgr:
+def upright_picture(frame: av.VideoFrame, layout: Layout) -> Bgr:
     """The picture as it is shown and measured: (height_px, width_px, 3) BGR, upright, square pixels."""
-    return _turned(_converted(frame, "bgr24"), layout)
+    return _apply_layout(_converted(frame, "bgr24"), layout)
 
 
 def upright_gray(frame: av.VideoFrame, layout: Layout) -> Gray:
-    """Like `upright`, but luminance alone, (height_px, width_px), stretched to the full range 0-255."""
-    return _turned(_luma(frame), layout)
+    """Like `upright_picture`, but luminance alone, (height_px, width_px), stretched to the full range
+    0-255.
+    """
+    return _apply_layout(_luma(frame), layout)
 
 
 def _luma(frame: av.VideoFrame) -> Gray:
@@ -126,10 +128,10 @@ def _luma(frame: av.VideoFrame) -> Gray:
 
 
 def upright_small(frame: av.VideoFrame, layout: Layout, width_px: int) -> Bgr:
-    """Like `upright`, shrunk to `width_px` before colours are converted: for thumbnails."""
+    """Like `upright_picture`, shrunk to `width_px` before colours are converted: for thumbnails."""
     height_px = max(1, round(layout.height_px * width_px / layout.width_px))
     size = (height_px, width_px) if layout.transpose else (width_px, height_px)
-    return _turned(
+    return _apply_layout(
         _converted(frame, "bgr24", size),
         replace(layout, coded_width_px=size[0], coded_height_px=size[1], sample_aspect=Fraction(1)),
     )
@@ -150,7 +152,7 @@ def _converted(
     return np.asarray(converted.to_ndarray(), np.uint8)
 
 
-def _turned(image: NDArray[np.uint8], layout: Layout) -> NDArray[np.uint8]:
+def _apply_layout(image: NDArray[np.uint8], layout: Layout) -> NDArray[np.uint8]:
     size = (layout.square_width_px, layout.square_height_px)
     if size != (image.shape[1], image.shape[0]):
         image = np.asarray(cv2.resize(image, size, interpolation=cv2.INTER_CUBIC), np.uint8)

@@ -15,8 +15,8 @@ from sightline.errors import Stopped
 from sightline.geometry.road_pose import RoadPose
 from sightline.media.cancelling import Cancelled, Progress, Watch
 from sightline.media.networks import proposal_networks
-from sightline.media.video.decode import numbered, open_container, video_stream
-from sightline.media.video.picture import Bgr, Gray, Layout, upright, upright_gray
+from sightline.media.video.decode import number_frames, open_container, video_stream
+from sightline.media.video.picture import Bgr, Gray, Layout, upright_gray, upright_picture
 from sightline.proposals.frames import frame_seen, frames_to_look_at
 from sightline.proposals.propose import Proposals, propose_points
 from sightline.proposals.road import road_behind
@@ -57,7 +57,7 @@ class _Collector:
         gray = upright_gray(frame, layout)
         if n % self._every == 0:
             self._road.append((n, gray))
-        picture = upright(frame, layout) if takers else None
+        picture = upright_picture(frame, layout) if takers else None
         for one in takers:
             assert picture is not None
             one.pictures[n] = (picture, gray)
@@ -72,19 +72,19 @@ class _Collector:
         while self._road and self._road[0][0] < min(first, n or 0) - self._ahead:
             self._road.popleft()
 
-    def _proposed(self, one: _Waiting) -> Proposals | str:
-        found, ahead = one.found, self._ahead
-        if found.direction is None:
+    def _proposed(self, waiting: _Waiting) -> Proposals | str:
+        found_pass, ahead = waiting.found, self._ahead
+        if found_pass.direction is None:
             return NO_DIRECTION
-        span = found.first_frame - ahead, found.last_frame + ahead
+        span = found_pass.first_frame - ahead, found_pass.last_frame + ahead
         road = road_behind([gray for n, gray in self._road if span[0] <= n <= span[1]])
         if isinstance(road, str):
             return road
         seen = [
-            frame_seen(n, picture, gray, road, found.boxes)
-            for n, (picture, gray) in sorted(one.pictures.items())
+            frame_seen(n, picture, gray, road, found_pass.boxes)
+            for n, (picture, gray) in sorted(waiting.pictures.items())
         ]
-        return propose_points(self._networks, seen, self._pose, found.direction, found.best_frame)
+        return propose_points(self._networks, seen, self._pose, found_pass.direction, found_pass.best_frame)
 
 
 def propose_in_video(
@@ -111,7 +111,7 @@ def propose_in_video(
         stopped = partial(Stopped, "video-proposals-cancelled")
         watch = Watch(on_progress, is_cancelled, name, path.stat().st_size, stopped)
         size_px = pose.camera.width_px, pose.camera.height_px
-        for n, frame, layout in numbered(container, stream, name, size_px, watch.look):
+        for n, frame, layout in number_frames(container, stream, name, size_px, watch.look):
             collector.offer(n, frame, layout)
             yield from collector.done(n)
     yield from collector.done(None)

@@ -11,7 +11,7 @@ from sightline.media.video.decode import Damage, VideoFacts
 from sightline.media.video.remux import WorkingCopy
 from sightline.media.video.sniff import Extent
 from sightline.media.video.stated import Stated
-from sightline.messages.said import Said, listed, with_commas
+from sightline.messages.said import Said, join_with_and, with_commas
 
 RATE_TOLERANCE = 0.02
 ROUNDING = 1.001
@@ -216,7 +216,7 @@ def _shape_notes(facts: VideoFacts) -> list[Said]:
             )
         )
     if facts.shown_upright:
-        notes.append(Said("video-shown-upright", done=listed(facts.shown_upright)))
+        notes.append(Said("video-shown-upright", done=join_with_and(facts.shown_upright)))
     if facts.left_turned_deg > LEAST_TURN_DEG:
         notes.append(Said("video-not-turned", degrees=round(facts.left_turned_deg)))
     if facts.interlaced:

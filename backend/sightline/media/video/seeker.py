@@ -25,7 +25,7 @@ from sightline.errors import BadInput, Damaged
 from sightline.media.video.decode import (
     DECODER_THREADS,
     NO_PTS,
-    decoded,
+    decode_frames,
     frame_pts,
     open_container,
     same_size,
@@ -164,7 +164,7 @@ class Seeker:
             early = pts is not None and pts < self._whole_from
             context.skip_frame = self._skip if early else "DEFAULT"
 
-        return decoded(container, self._stream, look=look)
+        return decode_frames(container, self._stream, look=look)
 
     def _attempts(self, n: int) -> Iterator[_Attempt]:
         """Where to begin and how, the quickest first."""

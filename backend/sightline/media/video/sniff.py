@@ -58,7 +58,7 @@ def why_not_video(path: Path) -> str | None:
         head = file.read(HEAD_BYTES)
     if not head:
         return "empty"
-    return _playlist(head) or _still(head) or _other(head) or _cut_before_index(path, head)
+    return _playlist(head) or _still(head) or _other_kind(head) or _cut_before_index(path, head)
 
 
 def _playlist(head: bytes) -> str | None:
@@ -79,7 +79,7 @@ def _still(head: bytes) -> str | None:
     return None
 
 
-def _other(head: bytes) -> str | None:
+def _other_kind(head: bytes) -> str | None:
     for mark, what in _OTHERS:
         if head.startswith(mark):
             return what
@@ -250,10 +250,10 @@ def _in_parts(file: BinaryIO, track: list[Box], ticks_hz: int) -> bool:
 
 def _edits(file: BinaryIO, box: Box) -> list[tuple[int, int]]:
     """How long each edit is, in ticks of the file, and where it begins in its track's; below 0: empty."""
-    head = _read(file, box, 8)
+    head = _read_inside(file, box, 8)
     each = struct.Struct(">QqI" if head[0] == 1 else ">IiI")
     count = min(struct.unpack(">I", head[4:])[0], _MOST_EDITS, (box.end - box.inside) // each.size)
-    told = _read(file, box, 8 + count * each.size)[8:]
+    told = _read_inside(file, box, 8 + count * each.size)[8:]
     return [(lasted, begins) for lasted, begins, _ in each.iter_unpack(told)]
 
 
@@ -261,12 +261,12 @@ def _after_times(file: BinaryIO, among: Sequence[Box], kind: bytes) -> int:
     """What stands in a header behind the times of its making: the ticks a second of a file or a picture, the
     number of a track. Raises KeyError where there is no such header.
     """
-    head = _read(file, {box.kind: box for box in among}[kind], 24)
+    head = _read_inside(file, {box.kind: box for box in among}[kind], 24)
     told: int = struct.unpack_from(">I", head, 20 if head[0] == 1 else 12)[0]
     return told
 
 
-def _read(file: BinaryIO, box: Box, count: int) -> bytes:
+def _read_inside(file: BinaryIO, box: Box, count: int) -> bytes:
     """The first bytes inside a box."""
     file.seek(box.inside)
     return file.read(count)

@@ -16,7 +16,7 @@ from sightline.errors import NotFound
 from sightline.media.images import jpeg, no_larger, png, read_image, read_image_bgr
 from sightline.media.video.caches import MemoryCache
 from sightline.media.video.display import shown_as
-from sightline.media.video.picture import Bgr, Gray, Layout, has_half_chroma, upright, upright_gray
+from sightline.media.video.picture import Bgr, Gray, Layout, has_half_chroma, upright_gray, upright_picture
 from sightline.media.video.seeker import WHOLE, Decoded, RecordingMedia, Seeker
 
 JPEG_QUALITY = 95
@@ -27,7 +27,7 @@ CancelCheck = Callable[[], bool]
 Rectangle = tuple[int, int, int, int, int]
 
 
-def always() -> bool:
+def is_always_wanted() -> bool:
     return True
 
 
@@ -73,7 +73,7 @@ class Window:
         """Frame n as JPEG, quality 95, colour sampled as in the recording; "bright": to look at only."""
         where = self._prefetch_window() if ahead and n not in self.warm(media) else self
         frame, layout = where._decoded(media, n, wanted)
-        picture = shown_as(upright(frame, layout), display)
+        picture = shown_as(upright_picture(frame, layout), display)
         return jpeg(picture, JPEG_QUALITY, half_chroma=has_half_chroma(frame, layout))
 
     def crop_png(
@@ -88,7 +88,7 @@ class Window:
 
     def bgr(self, media: RecordingMedia, n: int, wanted: CancelCheck) -> Bgr:
         """Frame n, (height_px, width_px, 3) BGR."""
-        return upright(*self._decoded(media, n, wanted))
+        return upright_picture(*self._decoded(media, n, wanted))
 
     def gray(self, media: RecordingMedia, n: int, wanted: CancelCheck) -> Gray:
         """Frame n, (height_px, width_px) luminance."""

@@ -57,19 +57,19 @@ def observations_of(
     sheets = [one for one in list_sheets(session, survey_id) if one.recording_id in recording_ids]
     pairs = {one.vehicle_id: one for one in list_wheel_pairs(session, survey_id)}
     models = _models(session, sheets)
-    seen: list[Seen] = []
+    observations: list[Seen] = []
     left_out: list[LeftOutVehicle] = []
     for vehicle in sheets:
         found = (_tyres(vehicle, pairs.get(vehicle.id), models, u_wheelbase_m), _roof(vehicle))
-        for what, one in zip(("tyres", "roof"), found, strict=True):
-            if isinstance(one, ObservedPass):
-                seen.append(Seen(vehicle=vehicle, what=what, observed=one))
-            elif one is not None:
+        for what, outcome in zip(("tyres", "roof"), found, strict=True):
+            if isinstance(outcome, ObservedPass):
+                observations.append(Seen(vehicle=vehicle, what=what, observed=outcome))
+            elif outcome is not None:
                 left_out.append(
-                    LeftOutVehicle(vehicle_id=vehicle.id, number=vehicle.number, what=what, reason=one)
+                    LeftOutVehicle(vehicle_id=vehicle.id, number=vehicle.number, what=what, reason=outcome)
                 )
     numbers = {one.id: one.number for one in sheets}
-    return Observations(seen=tuple(seen), left_out=tuple(left_out), numbers=numbers)
+    return Observations(seen=tuple(observations), left_out=tuple(left_out), numbers=numbers)
 
 
 def _models(
@@ -116,14 +116,14 @@ def _tyres(
 
 def _roof(vehicle: VehicleSheet) -> ObservedPass | Said | None:
     """The roof with its known height and inset; why not; None where nobody measured it."""
-    made = next((one for one in vehicle.measurements if one.values.target == "roof"), None)
-    if made is None or made.review.verdict == "rejected":
+    measurement = next((one for one in vehicle.measurements if one.values.target == "roof"), None)
+    if measurement is None or measurement.review.verdict == "rejected":
         return None
     if vehicle.manufacturer_height_m is None:
         return Said("adjustment-no-height")
     if vehicle.reference_m is None:
         return _BY_SIZE
-    values = made.values
+    values = measurement.values
     if values.inset_m is None or values.u_inset_m is None or (values.inset_m, values.u_inset_m) in _CROWNS:
         return Said("adjustment-roof-not-near-edge")
     frames = np.repeat(np.array(values.frames), 2)

@@ -19,7 +19,7 @@ from sightline.measurements.service import answers_again
 from sightline.measurements.store import list_measurements
 from sightline.messages.said import Said
 from sightline.poses.records import Pose, SolvedPose
-from sightline.poses.service import described
+from sightline.poses.service import describe_pose
 from sightline.poses.store import get_pose
 from sightline.quality.adjusting.observations import Observations, Seen, observations_of
 from sightline.quality.adjusting.records import (
@@ -46,36 +46,36 @@ def check_adjustments(
     ready = list_recordings(session, survey_id)
     # by recording: a pose that is put in force stays where the one before it stood
     poses = dict.fromkeys(one.pose_id for one in sorted(ready, key=lambda one: one.id))
-    return tuple(_checked(session, pose_id, known)[0] for pose_id in poses if pose_id is not None)
+    return tuple(_adjust_pose(session, pose_id, known)[0] for pose_id in poses if pose_id is not None)
 
 
-def _checked(
+def _adjust_pose(
     session: Session, pose_id: int, known: KnownUncertainties
 ) -> tuple[PoseAdjustment, Adjustment | None]:
     stored = get_pose(session, pose_id)
     users = _users(session, stored)
-    seen = observations_of(session, stored.survey_id, {one.id for one in users}, known.u_wheelbase_m)
+    observations = observations_of(session, stored.survey_id, {one.id for one in users}, known.u_wheelbase_m)
     empty = PoseAdjustment(
         pose_id=pose_id,
         recordings=tuple(one.name for one in users),
         adjusted_from=stored.adjusted_from,
         known=known,
-        tyres=sum(one.what == "tyres" for one in seen.seen),
-        roofs=sum(one.what == "roof" for one in seen.seen),
-        left_out=seen.left_out,
+        tyres=sum(one.what == "tyres" for one in observations.seen),
+        roofs=sum(one.what == "roof" for one in observations.seen),
+        left_out=observations.left_out,
     )
     if stored.adjusted_from is not None:
         # the traffic is in its covariance already; used twice it would count as twice as much
         return replace(empty, reason=Said("adjustment-done-before")), None
-    if not seen.seen:
+    if not observations.seen:
         return replace(empty, reason=Said("adjustment-no-lengths-yet")), None
     pose = road_pose(session, pose_id)
     try:
-        found = _adjusted(pose, seen.seen, known)
+        found = _adjusted(pose, observations.seen, known)
     except BadInput as refused:
         return replace(empty, reason=refused.said), None
-    heights = _heights(session, stored.survey_id, found.pose, seen.numbers)
-    return _told(empty, pose, seen, found, heights), found
+    heights = _heights(session, stored.survey_id, found.pose, observations.numbers)
+    return _describe_adjustment(empty, pose, observations, found, heights), found
 
 
 def _users(session: Session, pose: Pose) -> list[Recording]:
@@ -87,44 +87,44 @@ def _adjusted(pose: RoadPose, seen: tuple[Seen, ...], known: KnownUncertainties)
     return adjust(pose, passes, known.u_wheelbase_common_m, known.u_roof_common_m)
 
 
-def _told(
+def _describe_adjustment(
     empty: PoseAdjustment,
     pose: RoadPose,
-    seen: Observations,
-    found: Adjustment,
+    observations: Observations,
+    adjustment: Adjustment,
     heights: list[AdjustedHeight],
 ) -> PoseAdjustment:
-    of_name = {one.observed.name: one for one in seen.seen}
+    of_name = {one.observed.name: one for one in observations.seen}
     wrong = [
         LeftOutVehicle(
-            vehicle_id=of_name[one.name].vehicle.id,
-            number=of_name[one.name].vehicle.number,
-            what=of_name[one.name].what,
-            reason=one.reason,
+            vehicle_id=of_name[left.name].vehicle.id,
+            number=of_name[left.name].vehicle.number,
+            what=of_name[left.name].what,
+            reason=left.reason,
         )
-        for one in found.left_out
+        for left in adjustment.left_out
     ]
     heights.sort(key=lambda one: -abs(one.change_m))
     return filled_from(
         PoseAdjustment,
-        found,
+        adjustment,
         empty,
         left_out=(*wrong, *empty.left_out),
-        without_model=_without_models(pose, seen, found, empty.known),
+        without_model=_without_models(pose, observations, adjustment, empty.known),
         heights=tuple(heights[:_MOST_HEIGHTS]),
         largest_change_m=abs(heights[0].change_m) if heights else None,
     )
 
 
 def _without_models(
-    pose: RoadPose, seen: Observations, found: Adjustment, known: KnownUncertainties
+    pose: RoadPose, observations: Observations, found: Adjustment, known: KnownUncertainties
 ) -> tuple[WithoutModel, ...]:
     """The leave-one-model check: does one model alone carry the result?"""
     with_all = _camera_height(found)
-    models = sorted({one.model for one in seen.seen})
+    models = sorted({one.model for one in observations.seen})
     out = []
     for model in models[:_MOST_MODELS] if len(models) > 1 else []:
-        others = tuple(one for one in seen.seen if one.model != model)
+        others = tuple(one for one in observations.seen if one.model != model)
         try:
             change = _camera_height(_adjusted(pose, others, known)).value - with_all.value
         except BadInput:
@@ -132,7 +132,7 @@ def _without_models(
         out.append(
             WithoutModel(
                 model=model,
-                vehicles=len({one.vehicle.id for one in seen.seen if one.model == model}),
+                vehicles=len({one.vehicle.id for one in observations.seen if one.model == model}),
                 camera_height_change_m=change,
                 by_u=abs(change) / with_all.u_after,
             )
@@ -150,15 +150,15 @@ def _heights(
     """Stored heights of vehicles (numbers by id), and those of the same clicks and insets when adjusted."""
     made = [one for one in list_measurements(session, survey_id) if one.vehicle_id in numbers]
     out = []
-    for one, new in zip(made, answers_again(adjusted, made), strict=True):
-        old = one.values
+    for measurement, new in zip(made, answers_again(adjusted, made), strict=True):
+        old = measurement.values
         if old.height_m is None or new.height_m is None:
             continue
         out.append(
             AdjustedHeight(
-                measurement_id=one.id,
-                vehicle_id=one.vehicle_id,
-                number=numbers[one.vehicle_id],
+                measurement_id=measurement.id,
+                vehicle_id=measurement.vehicle_id,
+                number=numbers[measurement.vehicle_id],
                 target=old.target,
                 height_m=old.height_m,
                 U95_height_m=old.U95_height_m or 0.0,
@@ -178,35 +178,35 @@ def put_in_force(
     `seen_camera_height_m`: the change of the camera's height that was shown. Raises NotFound, BadInput where
     the traffic gives no pose, Conflict where it now says something else or nobody uses the pose.
     """
-    told, found = _checked(session, pose_id, known)
-    if found is None or found.used == 0:
+    told, adjustment = _adjust_pose(session, pose_id, known)
+    if adjustment is None or adjustment.used == 0:
         why = told.reason or Said("adjustment-no-pass")
         raise BadInput(why.code, **why.values)
-    if abs(_camera_height(found).value - seen_camera_height_m) > _SAME_M:
+    if abs(_camera_height(adjustment).value - seen_camera_height_m) > _SAME_M:
         raise Conflict("adjusting-changed-meanwhile")
     before = get_pose(session, pose_id)
-    made = replace_in_force(
+    pose = replace_in_force(
         session,
         before,
         _users(session, before),
-        _adjusted_pose(before, found),
+        _adjusted_pose(before, adjustment),
         turned_from=before.turned_from,
         turned_by_rad=before.turned_by_rad,
         adjusted_from=pose_id,
         actor=actor,
     )
-    return made, ask_to_compute(session, before.survey_id, kind="adjustment", actor=actor)
+    return pose, ask_to_compute(session, before.survey_id, kind="adjustment", actor=actor)
 
 
-def _adjusted_pose(before: Pose, found: Adjustment) -> SolvedPose:
+def _adjusted_pose(before: Pose, adjustment: Adjustment) -> SolvedPose:
     corners = np.asarray(before.overlay.get("corners_px") or [], dtype=np.float64).reshape(-1, 2)
-    solved = described(found.pose, corners)
-    told = Said("pose-adjusted-by-passes", passes=found.used)
+    solved = describe_pose(adjustment.pose, corners)
+    note = Said("pose-adjusted-by-passes", passes=adjustment.used)
     return {
         **solved,
-        "summary": [told, *solved["summary"]],
-        "document": {**solved["document"], "adjustment": adjustment_to_dict(found)},
-        "warnings": [*before.warnings, told, Said("pose-before", pose=before.id), *found.notes],
+        "summary": [note, *solved["summary"]],
+        "document": {**solved["document"], "adjustment": adjustment_to_dict(adjustment)},
+        "warnings": [*before.warnings, note, Said("pose-before", pose=before.id), *adjustment.notes],
     }
 
 

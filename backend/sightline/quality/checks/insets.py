@@ -15,11 +15,11 @@ from sightline.geometry.height import shared_covariance
 from sightline.geometry.inset_trend import (
     InsetEstimate,
     Sightings,
+    combine_sightings,
     inset_from_known_heights,
     inset_from_solved,
     inset_from_trend,
     sightings,
-    together,
 )
 from sightline.geometry.insets import INSET_CHOICES, USUAL_INSETS, bias_m, inset_name, target_of
 from sightline.geometry.road_pose import RoadPose
@@ -157,12 +157,12 @@ def check_insets(session: Session, survey_id: int) -> InsetCheck:
         for one in list_measurements(session, survey_id)
         if one.review.verdict != "rejected" and one.vehicle_id in known
     ]
-    found = tuple(
+    checked = tuple(
         _inset(session, survey, name, [one for one in standing if _is_of(name, one, known)], known)
         for name in get_args(InsetName)
     )
     camera_m = _camera_height(session, survey_id)
-    return InsetCheck(found, camera_m, CASES_AT_M, cases(survey, camera_m))
+    return InsetCheck(checked, camera_m, CASES_AT_M, cases(survey, camera_m))
 
 
 def _is_of(name: InsetName, one: Measurement, known: Mapping[int, VehicleSheet]) -> bool:
@@ -202,7 +202,7 @@ def _inset(
 ) -> TargetInsets:
     in_force, (target, _) = survey.insets[name], target_of(name)
     fitting = [one for one in standing if not _is_other_choice(one, in_force)]
-    rows = _rows(session, fitting)
+    rows = _uncorrected_rows(session, fitting)
     estimates = [_from_known(rows, known)] if target == "roof" else []
     estimates += [_from_trend(rows, known), _from_solved(session, fitting, known)]
     default = USUAL_INSETS[name][:2]
@@ -219,26 +219,26 @@ def _inset(
     )
 
 
-def _is_other_choice(one: Measurement, in_force: Inset) -> bool:
+def _is_other_choice(measurement: Measurement, in_force: Inset) -> bool:
     """Whether it was clicked as something else: a roof's crown."""
-    stored = (one.values.inset_m, one.values.u_inset_m)
-    others = {(inset, u) for _, inset, u in INSET_CHOICES.get(one.values.target, ())[1:]}
+    stored = (measurement.values.inset_m, measurement.values.u_inset_m)
+    others = {(inset, u) for _, inset, u in INSET_CHOICES.get(measurement.values.target, ())[1:]}
     return stored in others and stored != (in_force.inset_m, in_force.u_inset_m)
 
 
-def _rows(session: Session, made: Sequence[Measurement]) -> _Rows:
+def _uncorrected_rows(session: Session, made: Sequence[Measurement]) -> _Rows:
     """The uncorrected heights of measurements, each under the pose that it was measured with."""
     parts, kept = [], []
     for pose, of_pose in _by_pose(session, made):
-        seen, fine = sightings(
+        sighted, fine = sightings(
             pose,
             [one.values.contact for one in of_pose],
             [one.values.target_point for one in of_pose],
             [one.values.sigma_px for one in of_pose],
         )
-        parts.append(seen)
+        parts.append(sighted)
         kept += [one for one, good in zip(of_pose, fine, strict=True) if good]
-    return _Rows(tuple(kept), together(parts) if kept else None)
+    return _Rows(tuple(kept), combine_sightings(parts) if kept else None)
 
 
 def _by_pose(session: Session, made: Sequence[Measurement]) -> Iterator[tuple[RoadPose, list[Measurement]]]:
@@ -253,13 +253,13 @@ def _from_known(rows: _Rows, known: dict[int, VehicleSheet]) -> Estimate:
     has = np.array([height is not None for height in heights], dtype=np.bool_)
     if rows.seen is None or not has.any():
         return Estimate("known_heights", Said("inset-no-known-roof"))
-    found = inset_from_known_heights(
+    estimate = inset_from_known_heights(
         rows.seen.only(has),
         [height for height in heights if height is not None],
         [u_m for u_m, height in zip(u, heights, strict=True) if height is not None],
     )
     made = [one for one, good in zip(rows.made, has, strict=True) if good]
-    return _estimate("known_heights", found, made, known)
+    return _estimate("known_heights", estimate, made, known)
 
 
 def _from_trend(rows: _Rows, known: dict[int, VehicleSheet]) -> Estimate:
@@ -282,55 +282,56 @@ def _from_solved(session: Session, made: Sequence[Measurement], known: dict[int,
         good = [(one, inset) for one, inset in alone if inset is not None]
         solved += good
         shared.append(shared_covariance(pose, [inset.parts for _, inset in good]))
-    found = inset_from_solved(
+    estimate = inset_from_solved(
         [inset.inset_m for _, inset in solved],
         [inset.parts.u_own for _, inset in solved],
         scipy.linalg.block_diag(*shared),
     )
-    return _estimate("two_frames", found, [one for one, _ in solved], known)
+    return _estimate("two_frames", estimate, [one for one, _ in solved], known)
 
 
 def _estimate(
     method: InsetMethod,
-    found: InsetEstimate | Said,
-    made: Sequence[Measurement],
+    estimate: InsetEstimate | Said,
+    measurements: Sequence[Measurement],
     known: dict[int, VehicleSheet],
 ) -> Estimate:
-    if isinstance(found, Said):
-        return Estimate(method, found)
-    gone = [known[made[i].vehicle_id] for i in found.left_out]
+    if isinstance(estimate, Said):
+        return Estimate(method, estimate)
+    gone = [known[measurements[i].vehicle_id] for i in estimate.left_out]
     left_out = tuple(VehicleName(one.id, one.number) for one in gone)
     return filled_from(
-        Estimate, found, method=method, left_out=left_out, reason=None, difference_m=None, offer=None
+        Estimate, estimate, method=method, left_out=left_out, reason=None, difference_m=None, offer=None
     )
 
 
-def _offered(one: Estimate, name: InsetName, in_force: Inset, seen: Sightings | None) -> Estimate:
+def _offered(estimate: Estimate, name: InsetName, in_force: Inset, sighted: Sightings | None) -> Estimate:
     """The estimate with what it would change, and as the survey's inset where it may become that: it says
     another one, or the same with a smaller u.
     """
-    if one.inset_m is None or one.u_inset_m is None:
-        return one
+    if estimate.inset_m is None or estimate.u_inset_m is None:
+        return estimate
     difference = None
-    if seen is not None:
-        by_inset = (seen.measured_m - seen.camera_height_m) / seen.distance_m
-        difference = float(np.median(by_inset)) * (one.inset_m - in_force.inset_m)
-    offer, caution = None, one.caution
+    if sighted is not None:
+        by_inset = (sighted.measured_m - sighted.camera_height_m) / sighted.distance_m
+        difference = float(np.median(by_inset)) * (estimate.inset_m - in_force.inset_m)
+    offer, caution = None, estimate.caution
     if caution is None:
-        between = USUAL_INSETS[name][1] if one.spread_m is None else one.spread_m
-        u = float(np.ceil(np.hypot(one.u_inset_m, between) / _OFFER_STEP_M - 1e-9)) * _OFFER_STEP_M
-        note = _NOTES[one.method].format(n=one.vehicles)
-        mean = f"{one.inset_m:.3f} m (u = {one.u_inset_m:.3f} m) on average, {between:.2f} m between vehicles"
-        agrees = abs(one.inset_m - in_force.inset_m) <= COVERAGE_95 * one.u_inset_m
+        between = USUAL_INSETS[name][1] if estimate.spread_m is None else estimate.spread_m
+        u = float(np.ceil(np.hypot(estimate.u_inset_m, between) / _OFFER_STEP_M - 1e-9)) * _OFFER_STEP_M
+        note = _NOTES[estimate.method].format(n=estimate.vehicles)
+        mean = f"{estimate.inset_m:.3f} m (u = {estimate.u_inset_m:.3f} m) on average, "
+        mean += f"{between:.2f} m between vehicles"
+        agrees = abs(estimate.inset_m - in_force.inset_m) <= COVERAGE_95 * estimate.u_inset_m
         if agrees and round(u, 2) >= in_force.u_inset_m:
             caution = _NO_GAIN
         else:
             offer = Offer(
-                round(one.inset_m, 2),
+                round(estimate.inset_m, 2),
                 round(u, 2),
-                f"{note}: {mean}{' (estimate)' if one.spread_m is None else ''}",
+                f"{note}: {mean}{' (estimate)' if estimate.spread_m is None else ''}",
             )
-    return Estimate(**{**vars(one), "difference_m": difference, "offer": offer, "caution": caution})
+    return Estimate(**{**vars(estimate), "difference_m": difference, "offer": offer, "caution": caution})
 
 
 def _median(values: Sequence[float]) -> float | None:

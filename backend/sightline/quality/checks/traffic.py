@@ -142,13 +142,16 @@ def check_pose(
     pose = road_pose(session, pose_id)
     users = tuple(one for one in ready if one.pose_id == pose_id)
     ids = {one.id for one in users}
-    told = _headings(
+    headings = _headings(
         pose, [v for v in passes if v.recording_id in ids], [p for p in pairs if p.recording_id in ids]
     )
-    good = [one.found for one in told if isinstance(one.found, Heading)]
+    good = [one.found for one in headings if isinstance(one.found, Heading)]
     summary = summary_of_headings(pose, good)
     used = iter(summary.used if isinstance(summary, Headings) else [True] * len(good))
-    shown = tuple(_shown(one, bool(next(used)) if isinstance(one.found, Heading) else False) for one in told)
+    shown = tuple(
+        _vehicle_heading(one, bool(next(used)) if isinstance(one.found, Heading) else False)
+        for one in headings
+    )
     stored = get_pose(session, pose_id)
     check = PoseCheck(
         pose_id=pose_id,
@@ -180,10 +183,10 @@ def check_pose(
 
 def _headings(pose: RoadPose, passes: Sequence[VehicleSheet], pairs: Sequence[WheelPair]) -> list[_Told]:
     """One heading a vehicle, by number: from its tyre contacts, else from its best two-frame measurement."""
-    found = headings_of_pairs(
+    solved = headings_of_pairs(
         pose, [one.first for one in pairs], [one.second for one in pairs], DEFAULT_SIGMA_PX
     )
-    told = {
+    by_vehicle = {
         pair.vehicle_id: _Told(
             vehicle_id=pair.vehicle_id,
             number=pair.vehicle_number,
@@ -192,15 +195,15 @@ def _headings(pose: RoadPose, passes: Sequence[VehicleSheet], pairs: Sequence[Wh
             source="tyres",
             found=one,
         )
-        for pair, one in zip(pairs, found, strict=True)
+        for pair, one in zip(pairs, solved, strict=True)
     }
     for vehicle in passes:
-        if vehicle.id in told and isinstance(told[vehicle.id].found, Heading):
+        if vehicle.id in by_vehicle and isinstance(by_vehicle[vehicle.id].found, Heading):
             continue
         best = _from_frames(pose, vehicle.measurements)
         if best is not None:
             frame, heading = best
-            told[vehicle.id] = _Told(
+            by_vehicle[vehicle.id] = _Told(
                 vehicle_id=vehicle.id,
                 number=vehicle.number,
                 recording_id=vehicle.recording_id,
@@ -208,46 +211,46 @@ def _headings(pose: RoadPose, passes: Sequence[VehicleSheet], pairs: Sequence[Wh
                 source="two_frames",
                 found=heading,
             )
-    return sorted(told.values(), key=lambda one: one.number)
+    return sorted(by_vehicle.values(), key=lambda one: one.number)
 
 
 def _from_frames(pose: RoadPose, made: Sequence[Measurement]) -> tuple[int, Heading] | None:
     """The heading that two-frame clicks solve for, nothing being known of it before."""
     best: tuple[int, Heading] | None = None
-    for one in made:
-        if not one.values.more_frames or one.review.verdict == "rejected":
+    for measurement in made:
+        if not measurement.values.more_frames or measurement.review.verdict == "rejected":
             continue
-        values = one.values
+        values = measurement.values
         solved = measure_frames(pose, values.contacts, values.target_points, values.sigma_px, None)
         if solved.heading_rad is None or solved.heading_parts is None or solved.travel_m is None:
             continue
         heading = Heading(solved.heading_rad, solved.heading_parts, solved.travel_m)
         if best is None or heading.u_heading_rad < best[1].u_heading_rad:
-            best = one.values.frame, heading
+            best = measurement.values.frame, heading
     return best
 
 
-def _shown(one: _Told, used: bool) -> VehicleHeading:
-    if isinstance(one.found, Said):
-        return filled_from(VehicleHeading, one, used=False, reason=one.found)
+def _vehicle_heading(heading: _Told, used: bool) -> VehicleHeading:
+    if isinstance(heading.found, Said):
+        return filled_from(VehicleHeading, heading, used=False, reason=heading.found)
     reason = None if used else Said("heading-outlier")
-    u = one.found.u_heading_rad
-    return filled_from(VehicleHeading, one, one.found, used=used, u_heading_rad=u, reason=reason)
+    u = heading.found.u_heading_rad
+    return filled_from(VehicleHeading, heading, heading.found, used=used, u_heading_rad=u, reason=reason)
 
 
-def _verdict(found: Headings, changes: Changes) -> tuple[Said, ...]:
+def _verdict(headings: Headings, changes: Changes) -> tuple[Said, ...]:
     """How the axes lie against the traffic, and what it matters."""
-    mean_deg = round(abs(float(np.rad2deg(found.mean_rad))), 2)
-    u_deg, count = round(float(np.rad2deg(found.u_mean_rad)), 2), int(found.used.sum())
+    mean_deg = round(abs(float(np.rad2deg(headings.mean_rad))), 2)
+    u_deg, count = round(float(np.rad2deg(headings.u_mean_rad)), 2), int(headings.used.sum())
     axes = (
         Said("traffic-turned", mean_deg=mean_deg, u_deg=u_deg, count=count)
-        if found.proposed
+        if headings.proposed
         else Said("traffic-agrees", mean_deg=mean_deg, u_deg=u_deg, count=count)
     )
     if not changes.count:
         return (axes,)
     largest_m = round(changes.largest_m, 4)
-    if not found.proposed:
+    if not headings.proposed:
         return axes, Said("traffic-turn-would-change", largest_m=largest_m)
     return axes, Said("traffic-turn-changes", count=changes.count, largest_m=largest_m)
 

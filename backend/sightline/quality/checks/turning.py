@@ -7,14 +7,14 @@ import numpy as np
 
 from sightline.enums import Target
 from sightline.geometry.road_pose import RoadPose
-from sightline.geometry.traffic import turned
+from sightline.geometry.traffic import turn_pose_to_heading
 from sightline.infra.database import Session
 from sightline.measurements.records import Measurement
 from sightline.measurements.road_poses import road_pose
 from sightline.measurements.service import answers_again
 from sightline.messages.said import Said
 from sightline.poses.records import Pose, SolvedPose
-from sightline.poses.service import described
+from sightline.poses.service import describe_pose
 from sightline.poses.store import get_pose
 from sightline.quality.in_force import replace_in_force
 from sightline.recordings.records import Recording
@@ -45,21 +45,23 @@ class Changes:
 
 def changes_of_heights(pose: RoadPose, turn_rad: float, standing: Sequence[Measurement]) -> Changes:
     """What turning the pose would change, the clicks and insets being the same; no measurement is touched."""
-    found = [
+    changes = [
         HeightChange(
-            measurement_id=one.id,
-            vehicle_id=one.vehicle_id,
-            target=one.values.target,
-            height_m=one.values.height_m,
+            measurement_id=measurement.id,
+            vehicle_id=measurement.vehicle_id,
+            target=measurement.values.target,
+            height_m=measurement.values.height_m,
             turned_height_m=new.height_m,
-            difference_m=new.height_m - one.values.height_m,
+            difference_m=new.height_m - measurement.values.height_m,
         )
-        for one, new in zip(standing, answers_again(turned(pose, turn_rad), standing), strict=True)
-        if one.values.height_m is not None and new.height_m is not None
+        for measurement, new in zip(
+            standing, answers_again(turn_pose_to_heading(pose, turn_rad), standing), strict=True
+        )
+        if measurement.values.height_m is not None and new.height_m is not None
     ]
-    found.sort(key=lambda one: -abs(one.difference_m))
-    largest = abs(found[0].difference_m) if found else 0.0
-    return Changes(len(found), largest, tuple(found[:_MOST_LISTED]))
+    changes.sort(key=lambda one: -abs(one.difference_m))
+    largest = abs(changes[0].difference_m) if changes else 0.0
+    return Changes(len(changes), largest, tuple(changes[:_MOST_LISTED]))
 
 
 def turned_pose(
@@ -67,11 +69,11 @@ def turned_pose(
 ) -> SolvedPose:
     """A stored pose turned about the road's normal, with its words and drawing; nothing is stored."""
     stored = get_pose(session, pose_id)
-    pose = turned(road_pose(session, pose_id), turn_rad, u_turn_rad)
+    pose = turn_pose_to_heading(road_pose(session, pose_id), turn_rad, u_turn_rad)
     corners = np.asarray(stored.overlay.get("corners_px") or [], dtype=np.float64).reshape(-1, 2)
     turn_deg = round(float(np.rad2deg(turn_rad)), 2)
     told = Said("pose-turned-by-vehicles", turn_deg=turn_deg, vehicles=vehicles)
-    solved = described(pose, corners)
+    solved = describe_pose(pose, corners)
     warnings = [*stored.warnings, told, Said("pose-before", pose=pose_id)]
     return {**solved, "summary": [told, *solved["summary"]], "warnings": warnings}
 

@@ -99,28 +99,28 @@ def _of_pose(services: Services, pose: Pose) -> Background:
 
 def document_of(check: _Check) -> DriftCheck:
     """What is stored and shown: plain lists, every number with its unit."""
-    found = check.found
+    drift_course = check.found
     changes = [(look, _change(check.road, look.motion)) for look in check.looks]
-    spans = [_span_row(check.road, span) for span in found.spans]
+    spans = [_span_row(check.road, span) for span in drift_course.spans]
     bumps: list[DriftStep] = [
         {"after": one.after, "frame": one.frame, "time_s": check.time_s(one.frame), "by_px": one.by_px}
-        for one in found.bumps
+        for one in drift_course.bumps
     ]
-    seen = [change for _, change in changes if change is not None and change.distance_m is not None]
+    with_distance = [change for _, change in changes if change is not None and change.distance_m is not None]
     floor = _floor(check)
     state: DriftState = (
-        "unknown" if found.reason else "moved" if any(span["moved"] for span in spans) else "still"
+        "unknown" if drift_course.reason else "moved" if any(span["moved"] for span in spans) else "still"
     )
     document: DriftCheck = {
         "pose_id": check.pose.id,
         "pose_recording_id": check.pose.recording_id,
         "state": state,
         "words": [],
-        "reason": found.reason,
-        "floor_px": found.floor_px,
+        "reason": drift_course.reason,
+        "floor_px": drift_course.floor_px,
         "floor_m": floor,
         "target_m": TARGET_M,
-        "distance_m": seen[0].distance_m if seen else None,
+        "distance_m": with_distance[0].distance_m if with_distance else None,
         "looks": [_look_row(check, look, change) for look, change in changes],
         "bumps": bumps,
         "spans": spans,
@@ -178,14 +178,14 @@ def words_of(document: DriftCheck, time_s: Callable[[int], float]) -> list[Said]
             return [Said("drift-still", floor_px=floor_px)]
         return [Said("drift-still-of-height", floor_px=floor_px, floor_m=round(floor_m, 4))]
     moved = [one for one in document["spans"] if one["moved"]]
-    said = [_said(one, document["bumps"], time_s) for one in moved[:_MOST_SAID]]
+    said = [_describe_span(one, document["bumps"], time_s) for one in moved[:_MOST_SAID]]
     more = len(moved) - _MOST_SAID
     said += [Said("drift-more", count=more)] if more > 0 else []
     near_m = next((at for one in moved if (at := one.get("distance_m")) is not None), None)
     return said if near_m is None else [*said, Said("drift-near", target_m=TARGET_M, distance_m=near_m)]
 
 
-def _said(span: DriftSpan, bumps: list[DriftStep], time_s: Callable[[int], float]) -> Said:
+def _describe_span(span: DriftSpan, bumps: list[DriftStep], time_s: Callable[[int], float]) -> Said:
     first, last = span["first_frame"], span["last_frame"]
     bumped = any(bump["after"] < first <= bump["frame"] for bump in bumps)
     how = "bumped" if bumped else "before" if first == 0 else "drifted"

@@ -65,13 +65,15 @@ class Decision(In):
 
 def drift_body(recording: Recording) -> DriftBody:
     check, decision = drift_check_of(recording.drift, recording.pose_id), recording.drift_decision
-    told = None if decision is None else {**decision, "holds": decision["pose_id"] == recording.pose_id}
+    shown_decision = (
+        None if decision is None else {**decision, "holds": decision["pose_id"] == recording.pose_id}
+    )
     return DriftBody.model_validate(
         {
             "recording_id": recording.id,
             "pose_id": recording.pose_id,
             "check": check,
-            "decision": told,
+            "decision": shown_decision,
             "flagged": open_spans(recording.drift, decision, recording.pose_id),
         }
     )

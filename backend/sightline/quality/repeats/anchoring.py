@@ -14,7 +14,7 @@ from sightline.measurements.height_of_clicks import answer
 from sightline.measurements.records import Measurement, MeasurementValues
 from sightline.measurements.road_poses import road_pose
 from sightline.measurements.service import clicked_again
-from sightline.quality.repeats.clicks import alone
+from sightline.quality.repeats.clicks import height_of_first_frame
 from sightline.quality.repeats.query import measurements_with_proposals
 from sightline.statistics.anchoring import Shift, shift, verdict
 from sightline.vehicles.proposing.plan_store import get_free_plan
@@ -58,33 +58,33 @@ def anchoring(session: Session, survey_id: int) -> Anchoring:
     with what they were shown: to leave out what they turned down would choose the proposals that are right.
     """
     found = measurements_with_proposals(session, survey_id)
-    told = [one for each in found if (one := _told(session, each)) is not None]
-    made = [one.made for one in told if one.kept == "shown"]
-    targets = sorted({one.target for one in told})
+    differences = [one for each in found if (one := _compare_with_proposal(session, each)) is not None]
+    origins = [one.made for one in differences if one.kept == "shown"]
+    targets = sorted({one.target for one in differences})
     return Anchoring(
         plan=get_free_plan(session, survey_id),
         goal_m=GOAL_M,
-        confirmed=made.count("confirmed"),
-        moved=made.count("moved"),
-        afresh=len(made) - made.count("confirmed") - made.count("moved"),
+        confirmed=origins.count("confirmed"),
+        moved=origins.count("moved"),
+        afresh=len(origins) - origins.count("confirmed") - origins.count("moved"),
         targets=tuple(
-            _of_target(target, [one for one in told if target in (None, one.target)])
+            _of_target(target, [one for one in differences if target in (None, one.target)])
             for target in (None, *targets)
         ),
     )
 
 
-def _told(session: Session, one: Measurement) -> _Told | None:
+def _compare_with_proposal(session: Session, measurement: Measurement) -> _Told | None:
     """A height minus that of its proposed points, with all else alike; None where either has none."""
-    height_m, _ = alone(session, one)
-    proposed_m = _proposed_height_m(session, one.values)
-    if height_m is None or proposed_m is None or one.values.proposal is None:
+    height_m, _ = height_of_first_frame(session, measurement)
+    proposed_m = _proposed_height_m(session, measurement.values)
+    if height_m is None or proposed_m is None or measurement.values.proposal is None:
         return None
     return _Told(
-        vehicle_id=one.vehicle_id,
-        target=one.values.target,
-        kept=one.values.proposal,
-        made=one.values.made,
+        vehicle_id=measurement.vehicle_id,
+        target=measurement.values.target,
+        kept=measurement.values.proposal,
+        made=measurement.values.made,
         difference_m=height_m - proposed_m,
     )
 

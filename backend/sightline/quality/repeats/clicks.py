@@ -78,18 +78,18 @@ def clicks_of_survey(session: Session, survey_id: int) -> tuple[Click, ...]:
     return tuple(out)
 
 
-def alone(session: Session, one: Measurement) -> tuple[float | None, float | None]:
+def height_of_first_frame(session: Session, measurement: Measurement) -> tuple[float | None, float | None]:
     """(height, its part from the clicks) in metres of the first frame's clicks alone; None without a height.
 
     Of a measurement on several frames or a whole pass too: a repeat is on one, and only like can be compared
     with like.
     """
-    if not one.values.more_frames and one.values.followed is None:
-        return one.values.height_m, _u_clicks(one.values.height_m, one.values.budget)
-    values = one.values
+    if not measurement.values.more_frames and measurement.values.followed is None:
+        return measurement.values.height_m, _u_clicks(measurement.values.height_m, measurement.values.budget)
+    values = measurement.values
     # of this frame alone
     clicks = filled_from(Clicks, values, frame=0, more_frames=(), followed=None)
-    found = answer(road_pose(session, one.values.pose_id), clicks)
+    found = answer(road_pose(session, measurement.values.pose_id), clicks)
     return found.height_m, _u_clicks(found.height_m, found.budget)
 
 
@@ -111,17 +111,17 @@ def _standing_before(revisions: list[Measurement], again: list[Measurement]) -> 
     return alike[-1] if alike else first
 
 
-def _click(session: Session, one: Measurement, first: Measurement, person: Who) -> Click:
-    height_m, u_clicks_m = alone(session, one)
+def _click(session: Session, measurement: Measurement, first: Measurement, person: Who) -> Click:
+    height_m, u_clicks_m = height_of_first_frame(session, measurement)
     return filled_from(
         Click,
-        one,
-        one.values,
-        measurement_id=one.id,
+        measurement,
+        measurement.values,
+        measurement_id=measurement.id,
         first_id=first.id,
         first_contact=first.values.contact,
         person=person,
         height_m=height_m,
         u_clicks_m=u_clicks_m,
-        u_pixel_m=None if u_clicks_m is None else u_clicks_m / one.values.sigma_px,
+        u_pixel_m=None if u_clicks_m is None else u_clicks_m / measurement.values.sigma_px,
     )

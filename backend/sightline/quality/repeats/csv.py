@@ -1,6 +1,15 @@
 """The table of repeats in an export: what repeatability and reproducibility are computed from."""
 
-from sightline.infra.csv_package.columns import flag, integer, key, metres, moment, person, text, within
+from sightline.infra.csv_package.columns import (
+    columns_within,
+    flag,
+    integer,
+    key,
+    metres,
+    moment,
+    person,
+    text,
+)
 from sightline.infra.csv_package.schema import Table, ids_of
 from sightline.measurements.again.csv import out_of_date
 from sightline.measurements.csv import FRAME, PASS, POINTS, POSE, REASON
@@ -14,12 +23,12 @@ REPEATS: Table[Measurement] = Table(
         key("id", "repeat"),
         key("measurement_id", "measurement that was clicked again", lambda m: m.repeat_of),
         *PASS,
-        *within("values", text("target", "what was measured", required=True)),
+        *columns_within("values", text("target", "what was measured", required=True)),
         *FRAME,
-        *within("values", integer("frame_crc32", "CRC-32 of the decoded luma of that frame")),
+        *columns_within("values", integer("frame_crc32", "CRC-32 of the decoded luma of that frame")),
         *POINTS,
         *POSE,
-        *within(
+        *columns_within(
             "values",
             metres("inset_m", "inset: distance from the vertical plane through the contact to the target"),
             metres("u_inset_m", "standard uncertainty of the inset (k = 1)"),

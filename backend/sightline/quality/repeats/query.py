@@ -77,7 +77,7 @@ def measurements_to_click_again(
     return [one for one in found if one not in mine], [one for one in found if one in mine]
 
 
-def blind(session: Session, series_ids: Sequence[int]) -> tuple[Blind, ...]:
+def list_blind(session: Session, series_ids: Sequence[int]) -> tuple[Blind, ...]:
     """What may be told of these measurements, in their order."""
     query = (
         select(

@@ -21,8 +21,13 @@ from sightline.measurements.records import ClickSigma, Measurement
 from sightline.measurements.store import get_measurement
 from sightline.messages.said import Said
 from sightline.people.store import get_person
-from sightline.quality.repeats.clicks import Click, alone, clicks_of_survey
-from sightline.quality.repeats.query import Blind, blind, measurements_to_click_again, repeats_of_measurement
+from sightline.quality.repeats.clicks import Click, clicks_of_survey, height_of_first_frame
+from sightline.quality.repeats.query import (
+    Blind,
+    list_blind,
+    measurements_to_click_again,
+    repeats_of_measurement,
+)
 from sightline.statistics.repeatability import (
     LEAST_FREEDOM,
     Gauge,
@@ -143,7 +148,7 @@ def findings(session: Session, survey_id: int) -> Findings:
 def comparisons(session: Session, measurement_id: int) -> tuple[Comparison, ...]:
     """The standing repeats of a measurement, each against its current revision."""
     first = get_measurement(session, measurement_id)
-    height_m, u_m = alone(session, first)
+    height_m, u_m = height_of_first_frame(session, first)
     return tuple(
         _comparison(session, first, height_m, u_m, one)
         for one in repeats_of_measurement(session, measurement_id)
@@ -157,7 +162,7 @@ def sample(
     fresh, known = measurements_to_click_again(session, survey_id, person_id=person_id, only_own=only_own)
     draw = Random(f"{person_id} {len(known)} {len(fresh)}")  # the same until something is clicked
     chosen = draw.sample(fresh, min(count, len(fresh)))
-    return blind(session, chosen + draw.sample(known, min(count - len(chosen), len(known))))
+    return list_blind(session, chosen + draw.sample(known, min(count - len(chosen), len(known))))
 
 
 def use_own_sigma(session: Session, survey_id: int, person_id: int, *, own: bool, actor: int) -> ClickSigma:
@@ -168,12 +173,14 @@ def use_own_sigma(session: Session, survey_id: int, person_id: int, *, own: bool
     if not own:
         return choose_click_sigma(session, survey_id, person_id, sigma_px=None, pairs=0, actor=actor)
     who = get_person(session, person_id)
-    found = _of_person(clicks_of_survey(session, survey_id), Who(who.id, who.name), None)
-    if not found.may_choose or found.sigma.sd is None:
-        raise BadInput("quality-repeats-too-few", name=who.name, pairs=found.pairs, least_pairs=LEAST_PAIRS)
-    sigma_px = round(found.sigma.sd, 3)
+    person_clicks = _of_person(clicks_of_survey(session, survey_id), Who(who.id, who.name), None)
+    if not person_clicks.may_choose or person_clicks.sigma.sd is None:
+        raise BadInput(
+            "quality-repeats-too-few", name=who.name, pairs=person_clicks.pairs, least_pairs=LEAST_PAIRS
+        )
+    sigma_px = round(person_clicks.sigma.sd, 3)
     return choose_click_sigma(
-        session, survey_id, person_id, sigma_px=sigma_px, pairs=found.pairs, actor=actor
+        session, survey_id, person_id, sigma_px=sigma_px, pairs=person_clicks.pairs, actor=actor
     )
 
 
@@ -198,7 +205,7 @@ def _of_target(clicks: Sequence[Click], target: Target | None) -> OfTarget:
 def _another_frame(clicks: Sequence[Click]) -> Spread:
     """Of one person's heights of one target, each frame's mean once."""
     cells, heights = [], []
-    for name, found in _by(clicks, lambda one: (*one.framed, one.person.id, one.frame)):
+    for name, found in _group_clicks(clicks, lambda one: (*one.framed, one.person.id, one.frame)):
         cells.append(name[:-1])
         heights.append(fmean(_floats([one.height_m for one in found])))
     sums = within_cells(heights, codes_of(cells))
@@ -207,14 +214,14 @@ def _another_frame(clicks: Sequence[Click]) -> Spread:
 
 def _elsewhere(clicks: Sequence[Click]) -> list[Click]:
     """Repeats with a height on another frame than what they repeat, alike in all else."""
-    firsts = {one.first_id: one for one in clicks if one.measurement_id == one.first_id}
+    firsts = {click.first_id: click for click in clicks if click.measurement_id == click.first_id}
     return [
-        one
-        for one in clicks
-        if (first := firsts.get(one.first_id))
-        and first.frame != one.frame
-        and first.framed == one.framed
-        and None not in (first.height_m, one.height_m)
+        click
+        for click in clicks
+        if (first := firsts.get(click.first_id))
+        and first.frame != click.frame
+        and first.framed == click.framed
+        and None not in (first.height_m, click.height_m)
     ]
 
 
@@ -282,14 +289,14 @@ def _wheel(wheels: list[tuple[object, Point]], at: object, contact: Point) -> in
 
 def _operator_bias(clicks: Sequence[Click], person: Who) -> Iterator[float]:
     """Mean height of the person minus that of the others, of each item that both clicked."""
-    for _, found in _by(clicks, lambda one: one.item):
+    for _, found in _group_clicks(clicks, lambda one: one.item):
         own = [one.height_m for one in found if one.person.id == person.id and one.height_m is not None]
         others = [one.height_m for one in found if one.person.id != person.id and one.height_m is not None]
         if own and others:
             yield sum(own) / len(own) - sum(others) / len(others)
 
 
-def _by(
+def _group_clicks(
     clicks: Sequence[Click], key: Callable[[Click], tuple[float, ...]]
 ) -> Iterator[tuple[tuple[float, ...], list[Click]]]:
     for name, found in groupby(sorted(clicks, key=key), key):
@@ -297,21 +304,21 @@ def _by(
 
 
 def _differences(clicks: Sequence[Click]) -> Iterator[Difference]:
-    firsts = {one.first_id: one for one in clicks if one.measurement_id == one.first_id}
-    for one in clicks:
-        first = firsts.get(one.first_id)
-        if first is None or first is one or first.item != one.item:
+    firsts = {click.first_id: click for click in clicks if click.measurement_id == click.first_id}
+    for click in clicks:
+        first = firsts.get(click.first_id)
+        if first is None or first is click or first.item != click.item:
             continue
-        if None in (first.height_m, one.height_m, first.u_clicks_m, one.u_clicks_m):
+        if None in (first.height_m, click.height_m, first.u_clicks_m, click.u_clicks_m):
             continue
-        a, b, u_a, u_b = _floats([first.height_m, one.height_m, first.u_clicks_m, one.u_clicks_m])
+        a, b, u_a, u_b = _floats([first.height_m, click.height_m, first.u_clicks_m, click.u_clicks_m])
         yield Difference(
             first_id=first.measurement_id,
-            repeat_id=one.measurement_id,
-            vehicle_id=one.vehicle_id,
-            target=one.target,
+            repeat_id=click.measurement_id,
+            vehicle_id=click.vehicle_id,
+            target=click.target,
             first_person=first.person,
-            person=one.person,
+            person=click.person,
             mean_m=(a + b) / 2,
             difference_m=b - a,
             expected_m=expanded(hypot(u_a, u_b)),
@@ -319,16 +326,16 @@ def _differences(clicks: Sequence[Click]) -> Iterator[Difference]:
 
 
 def _comparison(
-    session: Session, first: Measurement, height_m: float | None, u_m: float | None, one: Measurement
+    session: Session, first: Measurement, height_m: float | None, u_m: float | None, repeat: Measurement
 ) -> Comparison:
-    again_m, u_again_m = alone(session, one)
-    reason = _not_alike(first, one, height_m, again_m)
+    again_m, u_again_m = height_of_first_frame(session, repeat)
+    reason = _not_alike(first, repeat, height_m, again_m)
     if reason or height_m is None or again_m is None or u_m is None or u_again_m is None:
         reason = reason or Said("repeat-no-uncertainty")
-        return Comparison(repeat=one, first_height_m=height_m, reason=reason)
+        return Comparison(repeat=repeat, first_height_m=height_m, reason=reason)
     difference, expected = again_m - height_m, expanded(hypot(u_m, u_again_m))
     return Comparison(
-        repeat=one,
+        repeat=repeat,
         first_height_m=height_m,
         difference_m=difference,
         expected_m=expected,
@@ -337,16 +344,16 @@ def _comparison(
 
 
 def _not_alike(
-    first: Measurement, one: Measurement, height_m: float | None, again_m: float | None
+    first: Measurement, repeat: Measurement, height_m: float | None, again_m: float | None
 ) -> Said | None:
     if height_m is None:
         return Said("repeat-first-no-height", reason=first.values.reason)
     if again_m is None:
-        return Said("repeat-second-no-height", reason=one.values.reason)
-    if first.values.frame != one.values.frame:
+        return Said("repeat-second-no-height", reason=repeat.values.reason)
+    if first.values.frame != repeat.values.frame:
         return Said("repeat-other-frame")
-    if first.values.pose_id != one.values.pose_id:
+    if first.values.pose_id != repeat.values.pose_id:
         return Said("repeat-other-pose")
-    if first.values.inset_m != one.values.inset_m:
+    if first.values.inset_m != repeat.values.inset_m:
         return Said("repeat-other-inset")
     return None

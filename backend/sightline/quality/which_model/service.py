@@ -71,14 +71,14 @@ def which_model(session: Session, vehicle_id: int) -> WhichModel:
 def _height(sheet: VehicleSheet, size: ModelSize) -> MeasuredSize:
     """The height of the target that shows this size, if it stands and is not rejected."""
     target = TARGET_OF[size]
-    made = next((one for one in sheet.measurements if one.values.target == target), None)
-    if made is None:
+    measurement = next((one for one in sheet.measurements if one.values.target == target), None)
+    if measurement is None:
         return MeasuredSize(size=size, reason=Said("size-not-measured"))
-    if made.review.verdict == "rejected":
+    if measurement.review.verdict == "rejected":
         return MeasuredSize(size=size, reason=Said("size-rejected"))
-    if made.values.height_m is None:
-        return MeasuredSize(size=size, reason=made.values.reason)
-    return MeasuredSize(size=size, value_m=made.values.height_m, u_m=made.values.u_height_m)
+    if measurement.values.height_m is None:
+        return MeasuredSize(size=size, reason=measurement.values.reason)
+    return MeasuredSize(size=size, value_m=measurement.values.height_m, u_m=measurement.values.u_height_m)
 
 
 def _wheelbase(session: Session, vehicle_id: int) -> MeasuredSize:
@@ -86,13 +86,13 @@ def _wheelbase(session: Session, vehicle_id: int) -> MeasuredSize:
     pair = of_vehicle(session, vehicle_id)
     if pair is None or pair.pose_id is None:
         return MeasuredSize(size="wheelbase", reason=Said("size-no-tyres"))
-    found = heading_of_pair(road_pose(session, pair.pose_id), pair.first, pair.second, DEFAULT_SIGMA_PX)
-    if isinstance(found, Said):
-        return MeasuredSize(size="wheelbase", reason=found)
-    if found.u_base_m is None:
+    heading = heading_of_pair(road_pose(session, pair.pose_id), pair.first, pair.second, DEFAULT_SIGMA_PX)
+    if isinstance(heading, Said):
+        return MeasuredSize(size="wheelbase", reason=heading)
+    if heading.u_base_m is None:
         return MeasuredSize(size="wheelbase", reason=Said("size-no-tyres"))
-    u_m = float(np.hypot(found.u_base_m, SCALE_U * found.base_m))
-    return MeasuredSize(size="wheelbase", value_m=found.base_m, u_m=u_m)
+    u_m = float(np.hypot(heading.u_base_m, SCALE_U * heading.base_m))
+    return MeasuredSize(size="wheelbase", value_m=heading.base_m, u_m=u_m)
 
 
 def _numbers(values: object) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
@@ -118,7 +118,7 @@ def _fitting(
     measured: Sequence[MeasuredSize],
     u_m: np.ndarray[tuple[int, ...], np.dtype[np.float64]],
 ) -> FittingModel:
-    told = zip(measured, fits.deviate[index], u_m, strict=True)
+    compared = zip(measured, fits.deviate[index], u_m, strict=True)
     return FittingModel(
         entry=entry,
         chi_square=float(fits.chi_square[index]),
@@ -127,7 +127,7 @@ def _fitting(
         cannot=bool(fits.cannot[index]),
         differences=tuple(
             SizeDifference(size=one.size, difference_m=float(z * u), u_m=float(u))
-            for one, z, u in told
+            for one, z, u in compared
             if np.isfinite(z)
         ),
     )

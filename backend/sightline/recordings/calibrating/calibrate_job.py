@@ -65,13 +65,13 @@ def run_calibration(context: JobContext) -> Finish:
     wish = CalibrationRequest(**asked)
     with services.reading() as session:
         camera = get_camera(session, camera_id)
-    seen = (
+    detected = (
         _from_images(context, services, camera_id, wish)
         if wish.recording_id is None
         else (_from_recording(context, services, wish))
     )
     context.progress(FITTING, Said("job-lens-fitting"))
-    views = unique_names(seen)
+    views = unique_names(detected)
     named_views = [(one.name, one.corners, one.size) for one in views]
     checked = calibrate_and_check(named_views, wish.board, wish.model, wish.bent_board)
     result = checked.result
@@ -80,7 +80,7 @@ def run_calibration(context: JobContext) -> Finish:
     summary = summary_of(named, len(result.corners), len(views))
 
     def finish(session: Session) -> Mapping[str, Any]:
-        made = add_calibration(
+        calibration = add_calibration(
             session,
             camera_id,
             source="images" if wish.recording_id is None else "clip",
@@ -93,7 +93,7 @@ def run_calibration(context: JobContext) -> Finish:
             recording_id=wish.recording_id,
             actor=context.actor,
         )
-        return {"calibration_id": made.id, "camera_id": camera_id}
+        return {"calibration_id": calibration.id, "camera_id": camera_id}
 
     return finish
 
@@ -123,12 +123,12 @@ def _from_recording(context: JobContext, services: Services, wish: CalibrationRe
     assert wish.recording_id is not None
     opened = stills_of(services).open(wish.recording_id)
     frames = frames_of(wish, len(opened.media))
-    seen = []
+    views = []
     for index, n in enumerate(frames):
         context.progress(LOOKING * index / len(frames), Said("job-board-searching-frame", frame=n))
         gray = stills_of(services).gray(wish.recording_id, n)
         size = (int(gray.shape[1]), int(gray.shape[0]))
-        seen.append(
+        views.append(
             DetectedView(f"{opened.recording.name} frame {n}", find_board(gray, wish.board), size, frame=n)
         )
-    return seen
+    return views

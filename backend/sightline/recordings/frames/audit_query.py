@@ -19,7 +19,7 @@ def _promise(event: Event, promised: dict[int, str]) -> None:
         promised.pop(event.entity_id, None)
 
 
-def _stored(session: Session) -> Iterator[tuple[int, str]]:
+def _stored_fingerprints(session: Session) -> Iterator[tuple[int, str]]:
     query = select(recordings.c.id).where(
         recordings.c.frame_count.is_not(None), recordings.c.deleted_at.is_(None)
     )
@@ -27,4 +27,4 @@ def _stored(session: Session) -> Iterator[tuple[int, str]]:
         yield recording_id, frame_table_fingerprint(get_frame_table(session, recording_id))
 
 
-register(Fingerprint("frames", _promise, _stored))
+register(Fingerprint("frames", _promise, _stored_fingerprints))

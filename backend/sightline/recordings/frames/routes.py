@@ -11,7 +11,7 @@ from sightline.infra.services import Services
 from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import PathFrame, PathId, Viewer, Wired
 from sightline.infra.web.disconnect import CancelCheck, run_unless_cancelled
-from sightline.infra.web.pictures import JPEG, PNG, is_held, jpeg_once, picture_response, unchanged
+from sightline.infra.web.pictures import JPEG, PNG, answer_not_modified, is_held, jpeg_once, picture_response
 from sightline.recordings.frames.stills import Still, stills_of
 from sightline.recordings.ingest_job import thumbnail
 
@@ -80,7 +80,7 @@ async def still(
         stills_of(services).announce_request(recording_id, n)
         return stills_of(services).still(recording_id, n, display, wanted)
 
-    return await _shown(request, services, recording_id, n, _display(display), "image/jpeg", still)
+    return await _answer_picture(request, services, recording_id, n, _display(display), "image/jpeg", still)
 
 
 @router.get("/recordings/{recording_id}/frames/{n}/crop.png", response_class=Response, responses=PNG)
@@ -102,14 +102,14 @@ async def crop(
         return stills_of(services).crop(recording_id, n, (x, y, w, h), display, wanted)
 
     kind = f"-{x}.{y}.{w}.{h}{_display(display)}"
-    return await _shown(request, services, recording_id, n, kind, "image/png", cut)
+    return await _answer_picture(request, services, recording_id, n, kind, "image/png", cut)
 
 
 def _display(display: Display) -> str:
     return "" if display == "plain" else f"-{display}"
 
 
-async def _shown(
+async def _answer_picture(
     request: Request,
     services: Services,
     recording_id: int,
@@ -122,7 +122,9 @@ async def _shown(
 
     def work(wanted: CancelCheck) -> Response:
         etag = f'"{stills_of(services).crc(recording_id, n):08x}{kind}"'
-        return unchanged(etag) if is_held(request, etag) else picture(make(wanted), media_type, etag)
+        return (
+            answer_not_modified(etag) if is_held(request, etag) else picture(make(wanted), media_type, etag)
+        )
 
     return await run_unless_cancelled(request, work)
 

@@ -16,7 +16,7 @@ from sightline.infra.services import BELIEVED_S, Services
 from sightline.media.store.local import MediaStore
 from sightline.media.video.frames import FrameServer
 from sightline.media.video.seeker import RecordingMedia
-from sightline.media.video.window import CancelCheck, always
+from sightline.media.video.window import CancelCheck, is_always_wanted
 from sightline.recordings.frames.store import get_frame_table
 from sightline.recordings.records import Recording
 from sightline.recordings.store import get_ready_recording
@@ -71,7 +71,7 @@ class Stills:
             known = self._open.get(recording_id)
         if known is not None and self._timer() - known.looked_at_s < BELIEVED_S:
             return known
-        fresh = self._read(recording_id, known)
+        fresh = self._read_recording(recording_id, known)
         with self._lock:
             self._open[recording_id] = fresh
         return fresh
@@ -82,7 +82,7 @@ class Stills:
             self.on_request(recording_id, n)
 
     def still(
-        self, recording_id: int, n: int, display: Display = "plain", wanted: CancelCheck = always
+        self, recording_id: int, n: int, display: Display = "plain", wanted: CancelCheck = is_always_wanted
     ) -> Still:
         """Frame n as JPEG, upright; "bright" is to look at only. NoLongerWanted once `wanted` says no."""
         opened = self._with_frame(recording_id, n)
@@ -95,7 +95,7 @@ class Stills:
         n: int,
         rectangle: tuple[int, int, int, int],
         display: Display = "plain",
-        wanted: CancelCheck = always,
+        wanted: CancelCheck = is_always_wanted,
     ) -> Still:
         """A rectangle (x, y, w, h) of frame n as PNG; black where it reaches out of the picture."""
         opened = self._with_frame(recording_id, n)
@@ -130,7 +130,7 @@ class Stills:
             raise NotFound("video-frame-outside", n=n, count=len(opened.media) - 1)
         return opened
 
-    def _read(self, recording_id: int, known: OpenRecording | None) -> OpenRecording:
+    def _read_recording(self, recording_id: int, known: OpenRecording | None) -> OpenRecording:
         with reading(self._sessions) as session:
             recording = get_ready_recording(session, recording_id)
             # A distant store may have dropped its local copy; asking for the path brings it back.

@@ -78,14 +78,14 @@ def remove_frames(session: Session, recording_id: int) -> None:
     session.execute(delete(frames).where(frames.c.recording_id == recording_id))
 
 
-def frame_table_fingerprint(found: FrameTable) -> str:
+def frame_table_fingerprint(frame_table: FrameTable) -> str:
     """sha256 over all four columns; kept in the audit event of the ingest."""
     digest = hashlib.sha256()
     kinds: tuple[tuple[Any, str], ...] = (
-        (found.pts, "<i8"),
-        (found.time_s, "<f8"),
-        (found.key, "?"),
-        (found.crc32, "<u4"),
+        (frame_table.pts, "<i8"),
+        (frame_table.time_s, "<f8"),
+        (frame_table.key, "?"),
+        (frame_table.crc32, "<u4"),
     )
     for array, kind in kinds:
         digest.update(np.ascontiguousarray(array, dtype=kind).tobytes())

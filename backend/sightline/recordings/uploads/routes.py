@@ -239,7 +239,7 @@ async def _next(pieces: AsyncIterator[bytes]) -> bytes | None:
 
 def filename_of(metadata: str | None) -> str:
     """The file name in tus's Upload-Metadata ("key base64,key base64"). Raises BadInput."""
-    name = _told(metadata, "filename", "file name")
+    name = _metadata_value(metadata, "filename", "file name")
     if name is None:
         raise BadInput("recordings-upload-without-name")
     return clean_name(name)
@@ -247,13 +247,13 @@ def filename_of(metadata: str | None) -> str:
 
 def purpose_of(metadata: str | None) -> UploadPurpose:
     """What the file is for: a video unless it is said to be a strip. Raises BadInput."""
-    told = _told(metadata, "purpose", "purpose")
+    told = _metadata_value(metadata, "purpose", "purpose")
     if told not in (None, "video", "strip"):
         raise BadInput("recordings-upload-purpose")
     return "strip" if told == "strip" else "video"
 
 
-def _told(metadata: str | None, wanted: str, word: str) -> str | None:
+def _metadata_value(metadata: str | None, wanted: str, word: str) -> str | None:
     for pair in (metadata or "").split(","):
         key, _, value = pair.strip().partition(" ")
         if key != wanted:

@@ -137,7 +137,7 @@ def take_bytes(services: Services, upload: Upload, at: int, chunks: Iterable[byt
 def upload_arrived_whole(services: Services, upload: Upload, actor: int | None) -> int | None:
     """What follows from the last byte, sent by `actor`: a recording (its id), or a waiting strip."""
     if upload.purpose == "video":
-        return complete(services, upload.id, actor).id
+        return complete_upload(services, upload.id, actor).id
     keep_strip(services, upload.id, actor)
     return None
 
@@ -146,7 +146,9 @@ def keep_strip(services: Services, upload_id: int, actor: int | None) -> Upload:
     """Store a strip whose bytes are all here; may be done again. Raises Conflict while bytes are missing."""
     with services.reading() as session:
         upload = get_upload(session, upload_id)
-    return upload if upload.finished_at is not None else _kept(services, upload_id, actor, _note_strip)
+    return (
+        upload if upload.finished_at is not None else _store_upload(services, upload_id, actor, _note_strip)
+    )
 
 
 def _note_strip(
@@ -159,13 +161,13 @@ def _note_strip(
         return strip_arrived(session, upload_id, media_key=key, sha256=whole.sha256, actor=actor)
 
 
-def complete(services: Services, upload_id: int, actor: int | None) -> Recording:
+def complete_upload(services: Services, upload_id: int, actor: int | None) -> Recording:
     """Make the recording of an upload whose bytes are all here; the same one if that was done.
 
     Raises Conflict while bytes are missing, NoRoom.
     """
     done = _recording_of(services, upload_id)
-    return _kept(services, upload_id, actor, _note_recording) if done is None else done
+    return _store_upload(services, upload_id, actor, _note_recording) if done is None else done
 
 
 def _note_recording(
@@ -182,7 +184,7 @@ def _note_recording(
         return done
 
 
-def _kept(
+def _store_upload(
     services: Services,
     upload_id: int,
     actor: int | None,
@@ -197,19 +199,19 @@ def _kept(
     key = key_of(whole.sha256, word + suffix_of(upload.filename))
     # Linked where the store can: a copy would need the room twice. The part is discarded further down.
     services.media.put_file(key, whole.path, link=True)
-    made = note(services, upload_id, actor, key, whole)
+    noted = note(services, upload_id, actor, key, whole)
     if not services.media.exists(key):
         # What had the same content was deleted between the two steps above, with its file.
         services.media.put_file(key, whole.path, link=True)
     upload_parts.discard(upload_folder(services), part_name(upload_id))
-    return made
+    return noted
 
 
 def _record(
     session: Session, upload_id: int, actor: int | None, key: str, whole: upload_parts.FinishedUpload
 ) -> Recording:
     upload = get_upload(session, upload_id)
-    made = create_recording(
+    recording = create_recording(
         session,
         upload.survey_id,
         name=upload.filename,
@@ -218,9 +220,9 @@ def _record(
         size_bytes=whole.size,
         actor=actor,
     )
-    finish_upload(session, upload_id, recording_id=made.id, actor=actor)
-    queue_ingest(session, made, actor)
-    return get_recording(session, made.id)
+    finish_upload(session, upload_id, recording_id=recording.id, actor=actor)
+    queue_ingest(session, recording, actor)
+    return get_recording(session, recording.id)
 
 
 def _recording_of(services: Services, upload_id: int) -> Recording | None:

@@ -40,7 +40,7 @@ def create_upload(
 
 def get_upload(session: Session, upload_id: int) -> Upload:
     """One upload. Raises NotFound."""
-    return the_one(_where(session, uploads.c.id == upload_id), "upload", upload_id)
+    return the_one(_fetch_uploads(session, uploads.c.id == upload_id), "upload", upload_id)
 
 
 def unfinished_uploads(
@@ -49,7 +49,7 @@ def unfinished_uploads(
     """The uploads that can go on, of one survey or of all, by one person or by all."""
     wanted = {uploads.c.survey_id: survey_id, uploads.c.created_by: maker}
     asked = (column == value for column, value in wanted.items() if value is not None)
-    return _where(session, uploads.c.finished_at.is_(None), *asked)
+    return _fetch_uploads(session, uploads.c.finished_at.is_(None), *asked)
 
 
 def finish_upload(session: Session, upload_id: int, *, recording_id: int, actor: int | None) -> Upload:
@@ -79,7 +79,9 @@ def strip_arrived(
 def strips_waiting(session: Session, survey_id: int | None = None) -> tuple[Upload, ...]:
     """The strips that arrived and belong to no scan yet, of one survey or of all."""
     waiting = (uploads.c.purpose == "strip", uploads.c.finished_at.is_not(None), uploads.c.scan_id.is_(None))
-    return _where(session, *waiting, *([] if survey_id is None else [uploads.c.survey_id == survey_id]))
+    return _fetch_uploads(
+        session, *waiting, *([] if survey_id is None else [uploads.c.survey_id == survey_id])
+    )
 
 
 def remove_upload(session: Session, upload_id: int, *, actor: int | None) -> Upload:
@@ -96,5 +98,5 @@ def remove_upload(session: Session, upload_id: int, *, actor: int | None) -> Upl
     return gone
 
 
-def _where(session: Session, *conditions: ColumnElement[bool]) -> tuple[Upload, ...]:
+def _fetch_uploads(session: Session, *conditions: ColumnElement[bool]) -> tuple[Upload, ...]:
     return tuple(record_of(Upload, row) for row in written_rows(session, uploads, *conditions))

@@ -3,9 +3,9 @@
 from sqlalchemy import BigInteger, Column, ForeignKey, Integer, String
 
 from sightline.enums import UploadPurpose
-from sightline.infra.database.types import UtcDateTime, enum_check, made_columns, needs_media, numbered
+from sightline.infra.database.types import UtcDateTime, enum_check, made_columns, needs_media, numbered_table
 
-uploads = numbered(
+uploads = numbered_table(
     "uploads",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("filename", String(400), nullable=False),

@@ -31,21 +31,21 @@ _NAMED = {
 _e = audit_events.c
 
 
-def with_names(session: Session, found: Sequence[AuditEvent]) -> tuple[NamedEvent, ...]:
+def with_names(session: Session, events: Sequence[AuditEvent]) -> tuple[NamedEvent, ...]:
     """Events with the names of what they are about, in their order."""
-    names = _names(session, found)
-    of_surveys = _by_id(session, surveys.c.name, (one.survey_id for one in found))
-    subjects = _subjects(session, found)
+    names = _names(session, events)
+    of_surveys = _by_id(session, surveys.c.name, (event.survey_id for event in events))
+    subjects = _subjects(session, events)
     return tuple(
         NamedEvent(
-            one,
+            event,
             Subject(
-                survey=of_surveys.get(one.survey_id),
-                name=names.get((one.entity, one.entity_id)),
-                **subjects.get(one.id, {}),
+                survey=of_surveys.get(event.survey_id),
+                name=names.get((event.entity, event.entity_id)),
+                **subjects.get(event.id, {}),
             ),
         )
-        for one in found
+        for event in events
     )
 
 
@@ -84,12 +84,16 @@ def _by_id(session: Session, column: Any, ids: Iterable[int | None]) -> dict[int
     return {row[0]: row[1] for row in session.execute(select(key, column).where(key.in_(wanted)))}
 
 
-def _subjects(session: Session, found: Sequence[AuditEvent]) -> dict[int, dict[str, Any]]:
+def _subjects(session: Session, events: Sequence[AuditEvent]) -> dict[int, dict[str, Any]]:
     """Vehicle and target of each event that has them, by event."""
-    of_series = _series(session, found)
+    of_series = _series(session, events)
     vehicle_of = {
-        **{one.id: one.entity_id for one in found if one.entity == "vehicle"},
-        **{one.id: _told(one, "vehicle_id") for one in found if one.entity in ("wheel_pair", "measurement")},
+        **{one.id: one.entity_id for one in events if one.entity == "vehicle"},
+        **{
+            one.id: _number_in_event(one, "vehicle_id")
+            for one in events
+            if one.entity in ("wheel_pair", "measurement")
+        },
         **{id_: of["vehicle_id"] for id_, of in of_series.items()},
     }
     numbers = _by_id(session, vehicles.c.number, vehicle_of.values())
@@ -99,8 +103,8 @@ def _subjects(session: Session, found: Sequence[AuditEvent]) -> dict[int, dict[s
         if vehicle in numbers
     }
     scanned = {
-        one.id: one.entity_id if one.entity == "scan_vehicle" else _told(one, "scan_vehicle_id")
-        for one in found
+        one.id: one.entity_id if one.entity == "scan_vehicle" else _number_in_event(one, "scan_vehicle_id")
+        for one in events
         if one.entity in ("scan_vehicle", "measurement", "review")
     }
     of_scans = _by_id(session, scan_vehicles.c.number, scanned.values())
@@ -117,19 +121,19 @@ def _target(series: Mapping[str, Any] | None) -> dict[str, Any]:
     return {"target": series["target"], "measurement_id": series["repeat_of"] or series["id"]}
 
 
-def _told(event: AuditEvent, name: str) -> int | None:
+def _number_in_event(event: AuditEvent, name: str) -> int | None:
     for state in (event.after, event.before):
         if state and isinstance(state.get(name), int):
             return int(state[name])
     return None
 
 
-def _series(session: Session, found: Sequence[AuditEvent]) -> dict[int, dict[str, Any]]:
+def _series(session: Session, events: Sequence[AuditEvent]) -> dict[int, dict[str, Any]]:
     """The measurement of each event on one, or on a verdict: its vehicle and target."""
-    judged = {one.id: one.entity_id for one in found if one.entity == "review"}
+    judged = {one.id: one.entity_id for one in events if one.entity == "review"}
     rows = session.execute(select(reviews.c.id, reviews.c.series_id).where(reviews.c.id.in_(judged.values())))
     of_review = {row.id: row.series_id for row in rows} if judged else {}
-    series_of = {one.id: one.entity_id for one in found if one.entity == "measurement"}
+    series_of = {one.id: one.entity_id for one in events if one.entity == "measurement"}
     series_of |= {id_: of_review.get(review) for id_, review in judged.items()}
     wanted = {one for one in series_of.values() if one is not None}
     query = (

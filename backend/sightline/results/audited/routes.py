@@ -30,7 +30,7 @@ def list_named_events(
     limit: Annotated[int, Query(ge=1, le=1000)] = 100,
 ) -> tuple[NamedEvent, ...]:
     """Events with the names of what they are about, newest first; `before_id` turns the page."""
-    found = trail.listing(
+    events = trail.listing(
         session,
         survey_id=survey_id,
         entity=entity,
@@ -41,7 +41,7 @@ def list_named_events(
         before_id=before_id,
         limit=limit,
     )
-    return query.with_names(session, found)
+    return query.with_names(session, events)
 
 
 @router.get("/audit/people")

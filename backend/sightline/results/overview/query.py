@@ -163,11 +163,11 @@ def _answered_vehicles(session: Session, of: Sequence[Survey]) -> dict[int, dict
     each = with_answers(of_survey, vehicles.c.check_target).where(*wanted).subquery()
     ways = [column for column in each.c if column.name != "id"]
     by_id = {survey.id: survey for survey in of}
-    found: dict[int, dict[str, int]] = {
+    by_survey: dict[int, dict[str, int]] = {
         survey.id: {"vehicles": 0, "vehicles_measured": 0, "not_visible": 0} for survey in of
     }
     for row in session.execute(select(*ways, func.count().label("count")).group_by(*ways)).mappings():
-        survey, counts = by_id[row["survey_id"]], found[row["survey_id"]]
+        survey, counts = by_id[row["survey_id"]], by_survey[row["survey_id"]]
         hidden = {target for target, name in NOT_VISIBLE.items() if row[name] is not None}
         counts["not_visible"] += row["count"] * len(hidden)
         if not (row["check_target"] or survey.sampling.takes_all):
@@ -179,9 +179,9 @@ def _answered_vehicles(session: Session, of: Sequence[Survey]) -> dict[int, dict
         if not survey.sampling.takes_all:
             ends = [one.end for one in pass_answers(session, survey)]
             answered = ends.count("measured") + ends.count("not_visible")
-            found[survey.id]["vehicles"] += answered + ends.count("open")
-            found[survey.id]["vehicles_measured"] += answered
-    return found
+            by_survey[survey.id]["vehicles"] += answered + ends.count("open")
+            by_survey[survey.id]["vehicles_measured"] += answered
+    return by_survey
 
 
 def _by_survey(session: Session, query: Select[Any]) -> dict[int, dict[str, int]]:
@@ -200,7 +200,7 @@ def _steps(
     its step not done.
     """
     outdated = since is not None and since.makes_outdated
-    told: list[tuple[StepKey, bool, bool, list[Said]]] = [
+    steps: list[tuple[StepKey, bool, bool, list[Said]]] = [
         ("camera", facts.calibrated_cameras > 0, facts.cameras > 0, _camera_words(facts)),
         (
             "recordings",
@@ -223,10 +223,10 @@ def _steps(
         ),
         ("results", facts.exports > 0 and not outdated, outdated, _result_words(facts)),
     ]
-    following = None if only_scans else next((key for key, done, *_ in told if not done), None)
+    following = None if only_scans else next((key for key, done, *_ in steps if not done), None)
     return tuple(
         Step(key, "done" if done else "next" if key == following else "begun" if begun else "waiting", words)
-        for key, done, begun, words in told
+        for key, done, begun, words in steps
     )
 
 
@@ -269,19 +269,19 @@ def _vehicle_words(counts: SurveyCounts) -> list[Said]:
 
 def _review_words(counts: SurveyCounts, scans: ScanProgress) -> list[Said]:
     """What is open and what is accepted, of frames and of line scans apart: results are of frames."""
-    said = []
+    words = []
     if counts.to_review:
-        said.append(Said("overview-review", count=counts.to_review))
+        words.append(Said("overview-review", count=counts.to_review))
     if scans.heights_to_review:
-        said.append(Said("overview-review-line-heights", count=scans.heights_to_review))
+        words.append(Said("overview-review-line-heights", count=scans.heights_to_review))
     if counts.rejected:
-        said.append(Said("overview-remeasure", count=counts.rejected))
+        words.append(Said("overview-remeasure", count=counts.rejected))
     if scans.heights_rejected:
-        said.append(Said("overview-remeasure-line-heights", count=scans.heights_rejected))
+        words.append(Said("overview-remeasure-line-heights", count=scans.heights_rejected))
     if scans.heights_accepted:
-        said.append(Said("overview-accepted", count=counts.accepted, scans=scans.heights_accepted))
-    if said:
-        return said
+        words.append(Said("overview-accepted", count=counts.accepted, scans=scans.heights_accepted))
+    if words:
+        return words
     if counts.measurements:
         return [Said("overview-reviewed", count=counts.accepted)]
     return [Said("overview-nothing-to-review")]

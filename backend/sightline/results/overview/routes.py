@@ -69,7 +69,7 @@ def survey_body(overview: SurveyOverview, role: ActingRole) -> SurveyBody:
     )
 
 
-def _said(kind: type[T], part: BaseModel | None, before: T) -> T:
+def _part_of_body(kind: type[T], part: BaseModel | None, before: T) -> T:
     """What a body says of a part of a survey; left out, it is what it was before."""
     return before if part is None else kind(**part.model_dump())
 
@@ -85,20 +85,20 @@ def list_surveys(who: Viewer, session: Reading, seen: SurveysSeen) -> list[Surve
 @router.post("/surveys", status_code=201)
 def add_survey(body: FirstSurvey, who: Operator, session: Writing) -> SurveyBody:
     """A new, empty survey; whoever makes it manages it."""
-    made = store.create_survey(
+    survey = store.create_survey(
         session,
         name=body.name,
         site=body.site,
         description=body.description,
-        traffic=_said(TrafficFacts, body.traffic, TrafficFacts()),
-        place=_said(Place, body.place, Place()),
-        asked=_said(Asked, body.asked, Asked()),
+        traffic=_part_of_body(TrafficFacts, body.traffic, TrafficFacts()),
+        place=_part_of_body(Place, body.place, Place()),
+        asked=_part_of_body(Asked, body.asked, Asked()),
         open_to_all=body.open_to_all,
         actor=who.id,
     )
-    put_member(session, made.id, who.id, "manager", actor=who.id)
+    put_member(session, survey.id, who.id, "manager", actor=who.id)
     role: ActingRole = "admin" if who.role == "admin" else "manager"
-    return survey_body(survey_overview(session, made.id), role)
+    return survey_body(survey_overview(session, survey.id), role)
 
 
 @router.get("/surveys/{survey_id}")
@@ -122,9 +122,9 @@ def change_survey(
         name=body.name,
         site=body.site,
         description=body.description,
-        traffic=_said(TrafficFacts, body.traffic, before.traffic),
-        place=_said(Place, body.place, before.place),
-        asked=_said(Asked, body.asked, before.asked),
+        traffic=_part_of_body(TrafficFacts, body.traffic, before.traffic),
+        place=_part_of_body(Place, body.place, before.place),
+        asked=_part_of_body(Asked, body.asked, before.asked),
         classes=chosen_classes(
             (VehicleClass(**one.model_dump()) for one in body.classes or ()), before.classes
         ),

@@ -37,15 +37,15 @@ def sight_distances_of_measurements(
 
 
 def _shares(share: list[str]) -> dict[Category, float]:
-    found: dict[Category, float] = {}
+    shares: dict[Category, float] = {}
     known: dict[str, Category] = {word: word for word in get_args(Category)}
-    for one in share:
-        word, _, percent = one.partition(":")
+    for part in share:
+        word, _, percent = part.partition(":")
         try:
             number = float(percent)
         except ValueError:
             number = -1.0
         if word not in known or not 0.0 <= number <= 100.0:
-            raise BadInput("sightdistance-share", share=one[:60])
-        found[known[word]] = number / 100.0
-    return found
+            raise BadInput("sightdistance-share", share=part[:60])
+        shares[known[word]] = number / 100.0
+    return shares

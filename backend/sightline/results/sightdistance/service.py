@@ -86,7 +86,7 @@ def of_class(eye: RuleToday, thing: RuleToday | None, of_chosen: bool) -> SightC
     return "eyes" if eye.by_class else "objects" if thing is not None and thing.by_class else "all"
 
 
-def exact(height_m: float) -> HeightRead:
+def exact_height(height_m: float) -> HeightRead:
     """A height that is taken as exact, as a standard's."""
     return HeightRead(Bounded(height_m))
 
@@ -102,12 +102,14 @@ def height_of_rule(rule: RuleToday) -> HeightRead | None:
     )
 
 
-def height_of(found: TotalPercentile, by_pose_m: Mapping[int, float] | None = None) -> HeightRead:
+def height_of(percentile: TotalPercentile, by_pose_m: Mapping[int, float] | None = None) -> HeightRead:
     """A percentile as a height on the road."""
-    if found.value is None:
-        return HeightRead(None, found.reason)
+    if percentile.value is None:
+        return HeightRead(None, percentile.reason)
     return HeightRead(
-        Bounded(found.value, found.U95_low, found.U95_high, found.reason), None, by_pose_m or {}
+        Bounded(percentile.value, percentile.U95_low, percentile.U95_high, percentile.reason),
+        None,
+        by_pose_m or {},
     )
 
 
@@ -125,7 +127,7 @@ def sight_distances(session: Session, question: SightQuestion) -> SightDistances
         by_rule = Standard("", what, question.object_m, "", percent=question.object_percent)
         thing = _today(session, objects, by_rule)
     cases = [
-        case_of(question, "standard", exact(question.eye_m), exact(question.object_m)),
+        case_of(question, "standard", exact_height(question.eye_m), exact_height(question.object_m)),
         case_of(question, "survey", height_of_rule(eye), None if thing is None else height_of_rule(thing)),
     ]
     if question.shares:
@@ -145,7 +147,7 @@ def case_of(
     """
     target = question.object_target
     if thing is None and target is None:
-        thing = exact(question.object_m)
+        thing = exact_height(question.object_m)
     named: list[tuple[StatisticsTarget, HeightRead | None]] = [("driver_eye", eye)]
     named += [] if target is None else [(target, thing)]
     if eye is None or thing is None or eye.height_m is None or thing.height_m is None:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import get_args
 
 from sightline.enums import Lighting, LotLeaving, LotRole, LotState, Target
-from sightline.infra.csv_package.columns import integer, key, moment, number, person, text, within
+from sightline.infra.csv_package.columns import columns_within, integer, key, moment, number, person, text
 from sightline.infra.csv_package.schema import Column, Table, ids_of
 from sightline.reviews.lots.records import Decision, Lot, LotItem
 
@@ -18,7 +18,7 @@ class ItemOfLot:
     item: LotItem
 
 
-def _decided(name: str, meaning: str, of: Callable[[Decision], int]) -> Column[Lot]:
+def _decision_column(name: str, meaning: str, of: Callable[[Decision], int]) -> Column[Lot]:
     return integer(name, meaning, lambda lot: of(lot.decision) if lot.decision else None, minimum=0)
 
 
@@ -31,7 +31,7 @@ LOTS: Table[Lot] = Table(
     (
         key("id", "lot"),
         key("number", "number of the lot in its survey"),
-        *within(
+        *columns_within(
             "common",
             text("target", "target of all its heights", enum=get_args(Target)),
             text("lighting", "lighting of all", enum=get_args(Lighting)),
@@ -46,7 +46,7 @@ LOTS: Table[Lot] = Table(
             required=True,
             minimum=0,
         ),
-        *within(
+        *columns_within(
             "risks",
             number(
                 "producer_quality", "fraction nonconforming of a lot that should be accepted", required=True
@@ -69,9 +69,9 @@ LOTS: Table[Lot] = Table(
             required=True,
             enum=get_args(LotState),
         ),
-        _decided("judged", "heights of the sample that were judged", lambda one: one.judged),
-        _decided("nonconforming", "nonconforming ones among them", lambda one: one.nonconforming),
-        _decided(
+        _decision_column("judged", "heights of the sample that were judged", lambda one: one.judged),
+        _decision_column("nonconforming", "nonconforming ones among them", lambda one: one.nonconforming),
+        _decision_column(
             "rest",
             "heights beside the sample that followed the decision; of one taken back: that it still held for",
             lambda one: one.rest,
@@ -99,7 +99,7 @@ LOT_ITEMS: Table[ItemOfLot] = Table(
     "What each lot holds, in the order of the draw.",
     (
         key("lot_id", "lot", lambda one: one.lot.id),
-        *within(
+        *columns_within(
             "item",
             integer("place", "when it was drawn, from 1", required=True, minimum=1),
             key("measurement_id", "measurement"),

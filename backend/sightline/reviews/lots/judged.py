@@ -41,48 +41,48 @@ def items_of(found: Iterable[ItemNow], sample_size: int) -> tuple[LotItem, ...]:
     """The items in the order of the draw, each with its part: the sample are the first that did not leave."""
     out: list[LotItem] = []
     taken = 0
-    for one in sorted(found, key=lambda item: item.place):
-        standing, conforming = _judged(one)
-        why = None if conforming is not None else _left(one, standing)
+    for drawn in sorted(found, key=lambda item: item.place):
+        standing, conforming = _follow_verdicts(drawn)
+        why = None if conforming is not None else _left(drawn, standing)
         if why is None and taken < sample_size:
             taken += 1
-            out.append(_item(one, "sample", conforming))
+            out.append(_item(drawn, "sample", conforming))
             continue
         if why is None and conforming is not None:
             why = "verdict_of_its_own"
-        elif why is None and standing != one.revision:
+        elif why is None and standing != drawn.revision:
             why = "measured_again"
         role: LotRole = "rest" if why is None else "left"
-        out.append(_item(one, role, conforming, why))
+        out.append(_item(drawn, role, conforming, why))
     return tuple(out)
 
 
-def _item(one: ItemNow, role: LotRole, conforming: bool | None, why: LotLeaving | None = None) -> LotItem:
+def _item(item: ItemNow, role: LotRole, conforming: bool | None, why: LotLeaving | None = None) -> LotItem:
     return LotItem(
-        measurement_id=one.measurement_id,
-        revision=one.revision,
-        place=one.place,
+        measurement_id=item.measurement_id,
+        revision=item.revision,
+        place=item.place,
         role=role,
         conforming=conforming,
         why=why,
     )
 
 
-def _judged(one: ItemNow) -> tuple[int, bool | None]:
+def _follow_verdicts(one: ItemNow) -> tuple[int, bool | None]:
     """The revision that the verdicts led to, and what they say of the lot's; a reopened one waits again."""
     standing, conforming = one.revision, None
-    for said in one.said:
-        if said.revision != standing:
+    for judgement in one.said:
+        if judgement.revision != standing:
             continue
-        standing = said.result_revision
-        if said.verdict == "reopened":
+        standing = judgement.result_revision
+        if judgement.verdict == "reopened":
             conforming = None
         else:
-            conforming = said.verdict != "rejected" and not _moved(one, standing)
+            conforming = judgement.verdict != "rejected" and not _has_moved(one, standing)
     return standing, conforming
 
 
-def _moved(one: ItemNow, standing: int) -> bool:
+def _has_moved(one: ItemNow, standing: int) -> bool:
     """Whether the height that stands is another one than the lot's by more than the U95 that had."""
     if standing == one.revision:
         return False
@@ -90,7 +90,7 @@ def _moved(one: ItemNow, standing: int) -> bool:
     return then is None or now is None or U95 is None or abs(now - then) > U95
 
 
-def _left(one: ItemNow, standing: int) -> LotLeaving | None:
-    if one.gone is not None:
-        return one.gone
-    return None if one.newest == standing else "measured_again"
+def _left(item: ItemNow, standing: int) -> LotLeaving | None:
+    if item.gone is not None:
+        return item.gone
+    return None if item.newest == standing else "measured_again"

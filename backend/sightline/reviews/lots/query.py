@@ -137,7 +137,7 @@ def items_now(session: Session, lots_: Sequence[Lot]) -> dict[int, list[ItemNow]
     if not lots_:
         return {}
     wanted = _item.lot_id.in_([one.id for one in lots_])
-    said = _said(session, wanted)
+    judgements = _fetch_judgements(session, wanted)
     heights = _heights(session, wanted)
     current = (
         select(*(_item.lot_id, _item.series_id, _item.revision, _item.place), _m.revision.label("newest"))
@@ -149,30 +149,32 @@ def items_now(session: Session, lots_: Sequence[Lot]) -> dict[int, list[ItemNow]
         .where(wanted, is_current)
         .order_by(_item.lot_id, _item.place)
     )
-    found: dict[int, list[ItemNow]] = {one.id: [] for one in lots_}
+    by_lot: dict[int, list[ItemNow]] = {one.id: [] for one in lots_}
     for row in session.execute(current):
         key = (row.lot_id, row.series_id)
-        found[row.lot_id].append(
+        by_lot[row.lot_id].append(
             ItemNow(
                 measurement_id=row.series_id,
                 revision=row.revision,
                 place=row.place,
                 newest=row.newest,
-                gone=_gone(row.deleted_at is not None, row.withdrawn),
-                said=said.get(key, ()),
+                gone=_reason_of_leaving(row.deleted_at is not None, row.withdrawn),
+                said=judgements.get(key, ()),
                 heights=heights.get(key, {}),
             )
         )
-    return found
+    return by_lot
 
 
-def _gone(deleted: bool, withdrawn: bool) -> LotLeaving | None:
+def _reason_of_leaving(deleted: bool, withdrawn: bool) -> LotLeaving | None:
     if deleted:
         return "vehicle_deleted"
     return "withdrawn" if withdrawn else None
 
 
-def _said(session: Session, wanted: ColumnElement[bool]) -> dict[tuple[int, int], list[Judgement]]:
+def _fetch_judgements(
+    session: Session, wanted: ColumnElement[bool]
+) -> dict[tuple[int, int], list[Judgement]]:
     r = reviews.c
     query = (
         select(_item.lot_id, r.series_id, r.revision, r.result_revision, r.verdict)

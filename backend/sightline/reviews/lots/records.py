@@ -9,7 +9,7 @@ from pydantic import Field
 
 from sightline.enums import Lighting, LotChoice, LotLeaving, LotRole, LotState, Target
 from sightline.infra.audit.records import Who
-from sightline.statistics.acceptance import Outgoing, RiskPoints, outgoing
+from sightline.statistics.acceptance import Outgoing, RiskPoints, estimate_outgoing
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -72,7 +72,7 @@ class Lot:
         made = self.decision
         if made is None or made.choice != "accepted":
             return None
-        return outgoing(made.judged + made.rest, made.judged, made.nonconforming)
+        return estimate_outgoing(made.judged + made.rest, made.judged, made.nonconforming)
 
 
 @dataclass(frozen=True, slots=True)

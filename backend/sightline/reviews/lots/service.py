@@ -55,14 +55,14 @@ def draw_lots(
     anything.
     """
     require_risks(risks)
-    made = []
+    drawn = []
     for common, items in _groups(session, survey_id, by):
         plan = single_plan(len(items), risks)
         if plan.saves:
-            made.append(store.add_lot(session, survey_id, common, items, plan, risks, actor=actor))
-    if not made:
+            drawn.append(store.add_lot(session, survey_id, common, items, plan, risks, actor=actor))
+    if not drawn:
         raise BadInput("lots-nothing-to-draw")
-    return tuple(made)
+    return tuple(drawn)
 
 
 def accept_lot(session: Session, lot_id: int, *, actor: int) -> Lot:
@@ -126,18 +126,18 @@ def take_back_lot(session: Session, lot_id: int, *, actor: int) -> Lot:
 def shown_lots(session: Session, survey_id: int, *, actor: int | None) -> tuple[ShownLot, ...]:
     """A survey's lots with all that is told of them, newest first."""
     found = lots_with_items(session, query.list_lots(session, survey_id))
-    return tuple(_shown(session, lot, items, actor) for lot, items in reversed(found))
+    return tuple(_show_lot(session, lot, items, actor) for lot, items in reversed(found))
 
 
 def shown_lot(session: Session, lot: Lot, *, actor: int | None) -> ShownLot:
     """One of them."""
     ((_, items),) = lots_with_items(session, (lot,))
-    return _shown(session, lot, items, actor)
+    return _show_lot(session, lot, items, actor)
 
 
-def lots_with_items(session: Session, found: Sequence[Lot]) -> list[tuple[Lot, tuple[LotItem, ...]]]:
+def lots_with_items(session: Session, lots: Sequence[Lot]) -> list[tuple[Lot, tuple[LotItem, ...]]]:
     """Each lot with its items: as they stand, or as they stood when it was decided."""
-    now = query.items_now(session, found)
+    now = query.items_now(session, lots)
     return [
         (
             lot,
@@ -145,7 +145,7 @@ def lots_with_items(session: Session, found: Sequence[Lot]) -> list[tuple[Lot, t
             if lot.state == "open"
             else decided_items(lot, now[lot.id]),
         )
-        for lot in found
+        for lot in lots
     ]
 
 
@@ -156,13 +156,13 @@ def decided_items(lot: Lot, now: Sequence[Any]) -> tuple[LotItem, ...]:
     roles: dict[int, LotRole] = {**dict.fromkeys(first.left_out, "left"), **dict.fromkeys(sample, "sample")}
     return tuple(
         LotItem(
-            measurement_id=one.measurement_id,
-            revision=one.revision,
-            place=one.place,
-            role=roles.get(one.measurement_id, "rest"),
-            why=first.left_out.get(one.measurement_id),
+            measurement_id=item.measurement_id,
+            revision=item.revision,
+            place=item.place,
+            role=roles.get(item.measurement_id, "rest"),
+            why=first.left_out.get(item.measurement_id),
         )
-        for one in now
+        for item in now
     )
 
 
@@ -206,7 +206,7 @@ def progress_of(lot: Lot, items: Sequence[LotItem], own: Collection[int] = ()) -
     )
 
 
-def _shown(session: Session, lot: Lot, items: Sequence[LotItem], actor: int | None) -> ShownLot:
+def _show_lot(session: Session, lot: Lot, items: Sequence[LotItem], actor: int | None) -> ShownLot:
     progress = _progress(session, lot, items, actor)
     plan = SamplingPlan(lot.size, lot.sample_size, lot.acceptance_number, 0.0, 0.0)
     shown_to = min(1.0, 2.5 * lot.risks.consumer_quality)
@@ -216,12 +216,12 @@ def _shown(session: Session, lot: Lot, items: Sequence[LotItem], actor: int | No
         state=lot.state,
         progress=progress,
         curve=tuple(CurvePoint(*map(float, at)) for at in zip(curve.fraction, curve.accepted, strict=True)),
-        kept=_kept(lot),
+        kept=_risks_kept(lot),
         outgoing=lot.outgoing,
     )
 
 
-def _kept(lot: Lot) -> RiskPoints:
+def _risks_kept(lot: Lot) -> RiskPoints:
     """Both points of the curve at whole numbers of heights, as the plan keeps them."""
     plan = (lot.sample_size, lot.acceptance_number)
     good, bad = worst_good(lot.size, lot.risks), best_bad(lot.size, lot.risks)

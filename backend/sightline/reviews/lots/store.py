@@ -36,7 +36,7 @@ def add_lot(
     actor: int | None,
 ) -> int:
     """Draw a lot of (measurement, revision): the seed is the chain's end, which nobody chooses. Its id."""
-    head = trail.held(session, survey_chain(survey_id))
+    head = trail.hold_chain_end(session, survey_chain(survey_id))
     seed = seed_of(head.hash, items)
     revisions = dict(items)
     drawn = [(number, revisions[number]) for number in drawn_order(seed, revisions)]
@@ -66,26 +66,26 @@ def add_decision(
 ) -> int:
     """Note what becomes of a lot as its items stand."""
     sample = [one for one in items if one.role == "sample"]
-    told = {
+    account = {
         "judged": sum(one.conforming is not None for one in sample),
         "nonconforming": sum(one.conforming is False for one in sample),
         "rest": sum(one.role == "rest" for one in items),
         "sample": [one.measurement_id for one in sample],
         "left_out": {str(one.measurement_id): one.why for one in items if one.role == "left"},
     }
-    return _add_decision(session, lot, choice, told, actor)
+    return _add_decision(session, lot, choice, account, actor)
 
 
 def add_taking_back(session: Session, lot: Lot, accepted: Decision, rest: int, *, actor: int | None) -> int:
     """Note that an acceptance was taken back; `rest` verdicts stood by it still."""
-    told = {
+    account = {
         "judged": accepted.judged,
         "nonconforming": accepted.nonconforming,
         "rest": rest,
         "sample": list(accepted.sample),
         "left_out": {str(number): why for number, why in accepted.left_out.items()},
     }
-    return _add_decision(session, lot, "taken_back", told, actor)
+    return _add_decision(session, lot, "taken_back", account, actor)
 
 
 def _add_decision(

@@ -3,8 +3,8 @@
 from sqlalchemy import CheckConstraint, Column, ForeignKey, Integer, String, UniqueConstraint
 
 from sightline.enums import LotChoice
-from sightline.infra.audit.vouched import WrittenOnceApart, table_written_once, vouched
-from sightline.infra.database.types import CanonicalJson, columns_for, enum_check, numbered
+from sightline.infra.audit.vouched import WrittenOnceApart, table_written_once, vouched_info
+from sightline.infra.database.types import CanonicalJson, columns_for, enum_check, numbered_table
 from sightline.statistics.acceptance import RiskPoints
 
 # Heights of a survey that are judged by a sample. The audit event names its items and binds the draw.
@@ -26,7 +26,7 @@ lots = table_written_once(
 
 
 # `place`: when it is drawn, from 1.
-lot_items = numbered(
+lot_items = numbered_table(
     "lot_items",
     Column("lot_id", ForeignKey("lots.id"), nullable=False),
     Column("series_id", ForeignKey("measurement_series.id"), nullable=False, index=True),
@@ -34,7 +34,7 @@ lot_items = numbered(
     Column("place", Integer, nullable=False),
     UniqueConstraint("lot_id", "place"),
     UniqueConstraint("lot_id", "series_id"),
-    info=vouched(WrittenOnceApart("lot_items")),
+    info=vouched_info(WrittenOnceApart("lot_items")),
 )
 
 

@@ -38,12 +38,12 @@ class LotEvents:
         row = {name: value for name, value in after.items() if name not in apart}
         if content_hash(row) != after["content_sha256"]:
             raise Damaged("lots-event-another-row", number=event["number"])
-        told = {**after, "id": row_id, "event": int(event["number"]), "head": event["previous_hash"]}
-        told["created_at"] = datetime.fromisoformat(after["created_at"])
+        entry = {**after, "id": row_id, "event": int(event["number"]), "head": event["previous_hash"]}
+        entry["created_at"] = datetime.fromisoformat(after["created_at"])
         if entity == "lot":
-            self.draws[row_id] = told
+            self.draws[row_id] = entry
         else:
-            self.decisions[int(after["lot_id"])].append(told)
+            self.decisions[int(after["lot_id"])].append(entry)
 
 
 def check_lots(files: Files, events: LotEvents, replay: Replay, vehicle_of: Mapping[int, int]) -> None:
@@ -86,12 +86,12 @@ def _lot(draw: Event, decisions: Sequence[Event]) -> Lot:
 
 
 def _heights(files: Files, wanted: set[int]) -> Heights:
-    found: dict[int, dict[int, tuple[float | None, float | None]]] = defaultdict(dict)
+    by_measurement: dict[int, dict[int, tuple[float | None, float | None]]] = defaultdict(dict)
     columns = ("measurement_id", "revision", "height_m", "U95_height_m")
     for number, revision, height, u95 in read_columns(files, "revisions.csv", columns):
         if int(number) in wanted:
-            found[int(number)][int(revision)] = (figure_of(height), figure_of(u95))
-    return found
+            by_measurement[int(number)][int(revision)] = (figure_of(height), figure_of(u95))
+    return by_measurement
 
 
 def _check_draw(lot: Lot, draw: Event) -> None:
@@ -127,17 +127,17 @@ def _check_decisions(
     if [one["choice"] for one in decisions] not in _COURSES:
         raise Damaged("lots-decided-otherwise", id=lot.id)
     left = set(first.left_out)
-    drawn = [one.measurement_id for one in items if one.measurement_id not in left]
+    drawn = [item.measurement_id for item in items if item.measurement_id not in left]
     if list(first.sample) != drawn[: lot.sample_size] or first.rest != len(drawn) - len(first.sample):
         raise Damaged("lots-sample-differs", id=lot.id)
     span = (int(draw["event"]), int(decisions[0]["event"]))
     least, most, judged = 0, 0, 0
-    for one in items:
-        if one.role != "sample":
+    for item in items:
+        if item.role != "sample":
             continue
-        said = [each for each in by_series.get(one.measurement_id, ()) if span[0] < each["event"] < span[1]]
+        said = [each for each in by_series.get(item.measurement_id, ()) if span[0] < each["event"] < span[1]]
         conforming = _conforming(
-            one, said, heights.get(one.measurement_id) if there(one.measurement_id) else None
+            item, said, heights.get(item.measurement_id) if there(item.measurement_id) else None
         )
         judged += conforming is not None
         least += conforming == {False}
@@ -153,28 +153,28 @@ _COURSES = (["accepted"], ["full_inspection"], ["dissolved"], ["accepted", "take
 
 
 def _conforming(
-    one: LotItem, said: Sequence[Event], heights: Mapping[int, tuple[float | None, float | None]] | None
+    item: LotItem, events: Sequence[Event], heights: Mapping[int, tuple[float | None, float | None]] | None
 ) -> set[bool] | None:
     """What the verdicts may say of an item: None where nobody judged it; both where a fix moved it by just
     about its U95, or where its heights are not in the package any more (its vehicle was deleted).
     """
     verdicts = [
-        Judgement(int(each["revision"]), int(each["result_revision"]), each["verdict"]) for each in said
+        Judgement(int(each["revision"]), int(each["result_revision"]), each["verdict"]) for each in events
     ]
-    found: set[bool | None] = set()
+    answers: set[bool | None] = set()
     for hair in (-_LENGTH_M, _LENGTH_M) if heights is not None else (-1e9, 1e9):
-        known = heights if heights is not None else {each: (0.0, 0.0) for each in _revisions(one, verdicts)}
+        known = heights if heights is not None else {each: (0.0, 0.0) for each in _revisions(item, verdicts)}
         moved = {each: (height, None if u95 is None else u95 + hair) for each, (height, u95) in known.items()}
         now = ItemNow(
-            measurement_id=one.measurement_id,
-            revision=one.revision,
+            measurement_id=item.measurement_id,
+            revision=item.revision,
             place=1,
-            newest=max(_revisions(one, verdicts)),
+            newest=max(_revisions(item, verdicts)),
             said=verdicts,
             heights=moved,
         )
-        found.add(items_of([now], 1)[0].conforming)
-    return None if None in found else {bool(each) for each in found}
+        answers.add(items_of([now], 1)[0].conforming)
+    return None if None in answers else {bool(each) for each in answers}
 
 
 def _revisions(one: LotItem, verdicts: Sequence[Judgement]) -> set[int]:

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from sightline.infra.database import Session
 from sightline.linescan.line_height import LineHeight
-from sightline.measurements.again.service import Tell, changes_among, untold
+from sightline.measurements.again.service import Tell, changes_among, ignore_progress
 from sightline.measurements.again.store import Changed
 from sightline.measurements.height_of_clicks import filled_in
 from sightline.measurements.records import Clicks, ScanHeight, ScanHeightValues
@@ -22,7 +22,7 @@ LineAnswers = dict[tuple[int, Clicks], LineHeight]
 
 
 def line_changes_to_come(
-    session: Session, survey_id: int, answers: LineAnswers, *, tell: Tell = untold
+    session: Session, survey_id: int, answers: LineAnswers, *, tell: Tell = ignore_progress
 ) -> list[Changed]:
     """The standing heights of line scans that come out otherwise with the facts of now. Raises NotFound."""
     standing = standing_scan_heights(session, survey_id)
@@ -39,9 +39,9 @@ def _computed(
         scan_id: (stored.id, pose_of(stored.values))
         for scan_id, stored in current_line_poses_of_survey(session, survey_id).items()
     }
-    for one in standing:
-        pose_id, pose = poses[one.scan_id]
-        clicks = filled_in(clicks_to_compute_again(one.values), insets, one.category)
+    for height in standing:
+        pose_id, pose = poses[height.scan_id]
+        clicks = filled_in(clicks_to_compute_again(height.values), insets, height.category)
         key = pose_id, clicks
         found = answers[key] = answers[key] if key in answers else answer(pose, clicks)
-        yield height_values(pose_id, clicks, found, remarks_on_clicks(one.values))
+        yield height_values(pose_id, clicks, found, remarks_on_clicks(height.values))

@@ -16,10 +16,10 @@ from sightline.measurements.again.service import (
     Tell,
     changes_back,
     count_out_of_date,
+    ignore_progress,
     measurement_changes_to_come,
     measurements_out_of_date,
     require_undoable,
-    untold,
 )
 from sightline.measurements.again.store import Changed, add_computing
 from sightline.measurements.store import append_computed_again
@@ -52,7 +52,12 @@ def out_of_date(session: Session, survey_id: int) -> OutOfDate:
 
 
 def changes_to_come(
-    session: Session, survey_id: int, answers: AllAnswers, *, only_waiting: bool = False, tell: Tell = untold
+    session: Session,
+    survey_id: int,
+    answers: AllAnswers,
+    *,
+    only_waiting: bool = False,
+    tell: Tell = ignore_progress,
 ) -> list[Changed]:
     """The standing heights that come out as others with the facts that hold now.
 
@@ -80,7 +85,7 @@ def compute_again(
 ) -> Computing | None:
     """Store every height that comes out as another one as a new revision; None where there is none."""
     changes = changes_to_come(session, survey_id, answers or AllAnswers(), only_waiting=only_waiting)
-    return _stored(session, survey_id, changes, kind=kind, actor=actor) if changes else None
+    return _store_computing(session, survey_id, changes, kind=kind, actor=actor) if changes else None
 
 
 def undo_computing(session: Session, computing_id: int, *, actor: int | None) -> Computing:
@@ -89,13 +94,15 @@ def undo_computing(session: Session, computing_id: int, *, actor: int | None) ->
     What was changed since stays as it is and is counted in `kept`; what was rejected since stays rejected.
     Raises Conflict where a later computing stands, or this one cannot be undone.
     """
-    one = require_undoable(session, computing_id)
+    computing = require_undoable(session, computing_id)
     made = [*made_by(session, computing_id), *scan_heights_made_by(session, computing_id)]
     changes, kept = changes_back(made)
-    return _stored(session, one.survey_id, changes, kind="undo", undoes=computing_id, kept=kept, actor=actor)
+    return _store_computing(
+        session, computing.survey_id, changes, kind="undo", undoes=computing_id, kept=kept, actor=actor
+    )
 
 
-def _stored(
+def _store_computing(
     session: Session,
     survey_id: int,
     changes: Sequence[Changed],
@@ -115,17 +122,17 @@ def _stored(
 
 def heights_of(session: Session, computing_id: int) -> ComputedHeights:
     """A computing with its heights, old beside new. Raises NotFound."""
-    one = get_computing(session, computing_id)
-    found = list(computed_heights(session, computing_id))
-    changes = [row.change_m for row in found if row.change_m is not None and not row.repeat]
+    computing = get_computing(session, computing_id)
+    heights = list(computed_heights(session, computing_id))
+    changes = [row.change_m for row in heights if row.change_m is not None and not row.repeat]
     try:
         require_undoable(session, computing_id)
         why_not = None
     except (Conflict, NotFound) as refused:
         why_not = refused.message
-    ordered = sorted(found, key=lambda row: (not row.to_review, -(row.moved_by_u or 0.0)))
+    ordered = sorted(heights, key=lambda row: (not row.to_review, -(row.moved_by_u or 0.0)))
     return ComputedHeights(
-        computing=one,
+        computing=computing,
         listed=tuple(ordered[:_MOST_LISTED]),
         mean_change_m=sum(changes) / len(changes) if changes else None,
         undoable=why_not,

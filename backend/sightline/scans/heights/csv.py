@@ -6,6 +6,7 @@ from typing import Any, get_args
 
 from sightline.enums import JsonObject, Point, ScanVerdict
 from sightline.infra.csv_package.columns import (
+    columns_within,
     flag,
     integer,
     key,
@@ -14,7 +15,6 @@ from sightline.infra.csv_package.columns import (
     number,
     person,
     text,
-    within,
 )
 from sightline.infra.csv_package.files import Staging
 from sightline.infra.csv_package.schema import Column, Table, ids_of
@@ -93,7 +93,7 @@ LINE_POSES: Table[StoredLinePose] = Table(
         key("id", "calibration"),
         key("scan_id", "line-scan recording"),
         key("revision", "number of the calibration, from 1"),
-        *within("values", *_SOLVED),
+        *columns_within("values", *_SOLVED),
         person("created_by_id", _MAKER),
         moment("created_at", _MADE_AT),
     ),
@@ -150,7 +150,7 @@ _COLUMNS = {one.name: one for one in MEASUREMENTS.columns}
 
 def _as_of_frames(*names: str) -> Columns:
     """Columns of measurements.csv: what they are of is in a height of a line scan by the same names."""
-    return within("height", *(_COLUMNS[name] for name in names))
+    return columns_within("height", *(_COLUMNS[name] for name in names))
 
 
 LINE_HEIGHTS: Table[ListedHeight] = Table(
@@ -160,16 +160,20 @@ LINE_HEIGHTS: Table[ListedHeight] = Table(
     (
         key("id", "revision of a height", lambda h: h.height.revision_id),
         key("measurement_id", "measurement that this is a revision of", lambda h: h.height.id),
-        *within("height", key("vehicle_id", "vehicle of a line-scan recording")),
+        *columns_within("height", key("vehicle_id", "vehicle of a line-scan recording")),
         *_as_of_frames("target", "revision"),
         flag("current", "true for the newest revision", required=True),
         *_as_of_frames("withdrawn"),
-        *within("height.values", key("pose_id", "calibration that it was computed with, in line_poses")),
+        *columns_within(
+            "height.values", key("pose_id", "calibration that it was computed with, in line_poses")
+        ),
         *_clicked("contact", "tyre's contact", lambda v: v.contact),
         *_clicked("target", "target", lambda v: v.target_point),
         *_as_of_frames("sigma_px", "inset_m", "u_inset_m", "inset_from"),
         *_as_of_frames("side", "distance_m"),
-        *within("height.values", metres("u_distance_m", "standard uncertainty of distance_m (k = 1)")),
+        *columns_within(
+            "height.values", metres("u_distance_m", "standard uncertainty of distance_m (k = 1)")
+        ),
         *_as_of_frames("height_m", "u_height_m", "U95_height_m", "status", "reason", "reason_code"),
         *_as_of_frames("flags", "flags_code", "code_version", "computing_id"),
         integer(
@@ -177,7 +181,7 @@ LINE_HEIGHTS: Table[ListedHeight] = Table(
         ),
         *_as_of_frames("created_by_id", "created_at"),
         *_as_of_frames("verdict", "review_reason", "reviewer_id", "reviewed_at"),
-        *within("height", out_of_date("line camera's calibration")),
+        *columns_within("height", out_of_date("line camera's calibration")),
     ),
     primary=("id",),
     foreign=ids_of(
@@ -195,9 +199,9 @@ LINE_HEIGHT_REVIEWS: Table[JudgedHeight] = Table(
     "line_height_reviews",
     "Every verdict given on a revision of a height measured in a line scan, oldest first.",
     (
-        *within("review", key("id", "verdict")),
+        *columns_within("review", key("id", "verdict")),
         key("height_id", "revision that was judged, in line_heights"),
-        *within("review", *given_verdict(get_args(ScanVerdict))),
+        *columns_within("review", *given_verdict(get_args(ScanVerdict))),
     ),
     primary=("id",),
     foreign=ids_of(height_id="line_heights", reviewer_id="people"),
@@ -252,12 +256,14 @@ def _listed(
     """The revisions of a recording's heights, each height's oldest first; `pose_id`: the calibration that
     counts; `id_of`: each by height and number.
     """
-    newest = {one.id: one.revision for one in revisions}
-    for one in revisions:
-        current = newest[one.id] == one.revision
-        if current and not one.withdrawn:
-            one = replace(one, out_of_date=causes_now_of_scan(one.values, pose_id, insets, one.category))
-        yield ListedHeight(one, current, id_of.get((one.id, one.verdict_of_revision)))
+    newest = {revision.id: revision.revision for revision in revisions}
+    for revision in revisions:
+        current = newest[revision.id] == revision.revision
+        if current and not revision.withdrawn:
+            revision = replace(
+                revision, out_of_date=causes_now_of_scan(revision.values, pose_id, insets, revision.category)
+            )
+        yield ListedHeight(revision, current, id_of.get((revision.id, revision.verdict_of_revision)))
 
 
 def _budget(height: ScanHeight) -> Iterator[HeightBudgetEntry]:

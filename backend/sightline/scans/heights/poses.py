@@ -20,7 +20,7 @@ from sightline.linescan.line_pose import LinePose, LinePoseError, solve_line_pos
 from sightline.messages.said import Said
 from sightline.scans.heights.pose_store import append_line_pose, line_pose_history
 from sightline.scans.heights.records import LinePoseValues, StoredLinePose
-from sightline.scans.service import require_ready, shows
+from sightline.scans.service import is_within_strips, require_ready
 from sightline.scans.store import get_scan
 
 # Lengths are kept to the micrometre, which is what the CSV carries: an export recomputes to the same figure.
@@ -90,12 +90,12 @@ def preview_line_pose(rod: Rod) -> SolvedRod:
         pose = _solved(rod)
     except LinePoseError as error:
         return SolvedRod("not_solvable", error.said)
-    return _told(pose, rod)
+    return _describe_rod(pose, rod)
 
 
 def line_pose_result(stored: StoredLinePose) -> SolvedRod:
     """The same of a stored pose."""
-    return _told(pose_of(stored.values), rod_of(stored.values))
+    return _describe_rod(pose_of(stored.values), rod_of(stored.values))
 
 
 def shown_line_pose(stored: StoredLinePose) -> ShownLinePose:
@@ -120,7 +120,7 @@ def store_line_pose(
     require_ready(scan)
     rounded = _rounded(rod)
     for mark in rounded.marks:
-        if not shows(scan, mark.line, mark.row_px):
+        if not is_within_strips(scan, mark.line, mark.row_px):
             raise BadInput("scans-mark-outside", row_px=mark.row_px, line=mark.line)
     values = solved_values(_solved(rounded), rounded)
     return append_line_pose(session, scan_id, values, seen_revision=seen_revision, actor=actor)
@@ -170,7 +170,7 @@ def _solved(rod: Rod) -> LinePose:
     )
 
 
-def _told(pose: LinePose, rod: Rod) -> SolvedRod:
+def _describe_rod(pose: LinePose, rod: Rod) -> SolvedRod:
     distance, height, row = _columns(rod.marks)
     residuals = pose.rows_of(distance, height) - np.array(row)
     u_height = sqrt(pose.covariance[3, 3])

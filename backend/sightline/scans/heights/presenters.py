@@ -13,22 +13,22 @@ from sightline.scans.heights.store import revisions_of_own_clicks
 from sightline.surveys.store import get_survey
 
 
-def scan_height_bodies(session: Session, found: Sequence[ScanHeight], asker: int) -> list[ScanHeightBody]:
+def scan_height_bodies(session: Session, heights: Sequence[ScanHeight], asker: int) -> list[ScanHeightBody]:
     """Revisions of one survey's heights, and what the asker is told of them."""
-    if not found:
+    if not heights:
         return []
-    poses = ((id_, current_line_poses(session, id_)) for id_ in {one.scan_id for one in found})
+    poses = ((id_, current_line_poses(session, id_)) for id_ in {height.scan_id for height in heights})
     pose_ids = {id_: None if pose is None else pose.id for id_, pose in poses}
-    insets = get_survey(session, found[0].survey_id).insets
-    own = revisions_of_own_clicks(session, [one.revision_id for one in found], asker)
+    insets = get_survey(session, heights[0].survey_id).insets
+    own = revisions_of_own_clicks(session, [height.revision_id for height in heights], asker)
     return [
         filled_from(
             ScanHeightBody,
-            one,
-            one.values,
-            older=bool(causes_now_of_scan(one.values, pose_ids[one.scan_id], insets, one.category)),
-            U95_distance_m=expanded(one.values.u_distance_m),
-            mine=one.revision_id in own,
+            height,
+            height.values,
+            older=bool(causes_now_of_scan(height.values, pose_ids[height.scan_id], insets, height.category)),
+            U95_distance_m=expanded(height.values.u_distance_m),
+            mine=height.revision_id in own,
         )
-        for one in found
+        for height in heights
     ]

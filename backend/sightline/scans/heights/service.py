@@ -26,7 +26,7 @@ from sightline.scans.heights.poses import pose_of
 from sightline.scans.heights.records import StoredLinePose
 from sightline.scans.heights.store import append_scan_height
 from sightline.scans.records import ScanVehicle
-from sightline.scans.service import shows
+from sightline.scans.service import is_within_strips
 from sightline.scans.store import get_scan
 from sightline.scans.vehicles.store import get_scan_vehicle
 from sightline.surveys.records import Inset
@@ -77,16 +77,16 @@ def preview_line_height(
     only_contact = only_contact and distance_m is not None
     rungs: tuple[LineRung, ...] = ()
     if only_contact or clicks.inset_m is None:
-        found = LineHeight("not_measurable", None if only_contact else SIDE_UNKNOWN, distance_m)
+        height = LineHeight("not_measurable", None if only_contact else SIDE_UNKNOWN, distance_m)
     else:
-        found = answer(pose, clicks)
+        height = answer(pose, clicks)
     if clicks.inset_m is not None and distance_m is not None:
         rungs = tuple(LineRung(*one) for one in ladder(pose, distance_m + clicks.inset_m, scan.rows_px or 0))
     return filled_from(
         HeightPreview,
-        found,
-        status="contact" if only_contact else found.status,
-        U95_distance_m=expanded(found.u_distance_m),
+        height,
+        status="contact" if only_contact else height.status,
+        U95_distance_m=expanded(height.u_distance_m),
         inset_m=clicks.inset_m,
         u_inset_m=clicks.u_inset_m,
         ladder=rungs,
@@ -107,11 +107,11 @@ def store_scan_height(
     if clicks.inset_m is None:
         raise BadInput("scans-side-missing")
     for line, row in (clicks.contact, clicks.target_point):
-        if not shows(scan, line, row):
+        if not is_within_strips(scan, line, row):
             raise BadInput("scans-click-outside", line=line, row=row)
     pose = _pose(session, scan.id)
     found = answer(pose_of(pose.values), clicks)
-    values = height_values(pose.id, clicks, found, _beside(vehicle, clicks))
+    values = height_values(pose.id, clicks, found, _warn_beside_vehicle(vehicle, clicks))
     return append_scan_height(session, vehicle_id, values, seen_revision=seen_revision, actor=actor)
 
 
@@ -128,15 +128,15 @@ def answer(pose: LinePose, clicks: Clicks) -> LineHeight:
     )
 
 
-def height_values(pose_id: int, clicks: Clicks, found: LineHeight, flags: list[Said]) -> ScanHeightValues:
+def height_values(pose_id: int, clicks: Clicks, height: LineHeight, flags: list[Said]) -> ScanHeightValues:
     """What was found as it is stored; `flags`: what is to be said beside what it says itself."""
     return filled_from(
         ScanHeightValues,
-        found,
+        height,
         clicks,
         line_pose_id=pose_id,
-        budget=[asdict(entry) for entry in found.budget],
-        flags=[*found.flags, *flags],
+        budget=[asdict(entry) for entry in height.budget],
+        flags=[*height.flags, *flags],
         code_version=code_version(),
     )
 
@@ -176,7 +176,7 @@ def _pose(session: Session, scan_id: int) -> StoredLinePose:
     return found
 
 
-def _beside(vehicle: ScanVehicle, clicks: Clicks) -> list[Said]:
+def _warn_beside_vehicle(vehicle: ScanVehicle, clicks: Clicks) -> list[Said]:
     if vehicle.measurement is None:
         return []
     front, rear = vehicle.measurement.values.front_line_1, vehicle.measurement.values.rear_line_1

@@ -58,13 +58,13 @@ def withdraw_scan_height(
 
 def current(session: Session, vehicle_id: int, target: Target) -> ScanHeight | None:
     """The newest revision of one target, withdrawn or not; None where it was never measured."""
-    found = _where(session, _s.scan_vehicle_id == vehicle_id, _m.target == target, is_current)
+    found = _fetch_heights(session, _s.scan_vehicle_id == vehicle_id, _m.target == target, is_current)
     return found[0] if found else None
 
 
 def scan_heights_of(session: Session, height_ids: Collection[int]) -> tuple[ScanHeight, ...]:
     """The newest revision of each of these; of frames none."""
-    return _where(session, _s.id.in_(height_ids), is_current)
+    return _fetch_heights(session, _s.id.in_(height_ids), is_current)
 
 
 def require_scan_height_revision(session: Session, height_id: int, revision: int) -> ScanHeight:
@@ -101,34 +101,34 @@ def scan_height_states(*conditions: ColumnElement[bool]) -> Select[Any]:
 
 def list_scan_heights(session: Session, scan_id: int) -> tuple[ScanHeight, ...]:
     """The newest revision of every target of a scan's living vehicles, withdrawn or not."""
-    return _where(session, _s.scan_id == scan_id, is_current, _alive)
+    return _fetch_heights(session, _s.scan_id == scan_id, is_current, _alive)
 
 
 def standing_scan_heights(session: Session, survey_id: int) -> tuple[ScanHeight, ...]:
     """The standing heights of a survey's living vehicles, in the order of their making."""
-    return _where(session, _s.survey_id == survey_id, stands)
+    return _fetch_heights(session, _s.survey_id == survey_id, stands)
 
 
 def scan_heights_made_by(session: Session, computing_id: int) -> list[Made]:
     """The heights that a computing made, of vehicles that are still there."""
     made = select(_m.series_id).where(_m.computing_id == computing_id)
-    return made_among(_where(session, _s.id.in_(made), _alive), computing_id)
+    return made_among(_fetch_heights(session, _s.id.in_(made), _alive), computing_id)
 
 
 def scan_height_revisions(session: Session, height_id: int) -> tuple[ScanHeight, ...]:
     """Every revision of a height, oldest first."""
-    return _where(session, _s.id == height_id)
+    return _fetch_heights(session, _s.id == height_id)
 
 
 def scan_height_history(session: Session, vehicle_id: int) -> tuple[ScanHeight, ...]:
     """Every revision of a vehicle's heights, oldest first."""
-    return _where(session, _s.scan_vehicle_id == vehicle_id)
+    return _fetch_heights(session, _s.scan_vehicle_id == vehicle_id)
 
 
 def scan_height_history_of_scan(session: Session, scan_id: int) -> dict[int, list[ScanHeight]]:
     """The same for every vehicle of a scan that has heights, by vehicle; one query."""
     found: dict[int, list[ScanHeight]] = {}
-    for one in _where(session, _s.scan_id == scan_id):
+    for one in _fetch_heights(session, _s.scan_id == scan_id):
         found.setdefault(one.vehicle_id, []).append(one)
     return found
 
@@ -168,11 +168,11 @@ def _append(
         verdict_of_revision=None
         if before is None or withdrawn
         else verdict_that_stood(session, OF_LINES, series_id, values),
-        made_of=lambda row: _where(session, _m.id == row.id)[0],
+        made_of=lambda row: _fetch_heights(session, _m.id == row.id)[0],
     )
 
 
-def _where(session: Session, *conditions: ColumnElement[bool]) -> tuple[ScanHeight, ...]:
+def _fetch_heights(session: Session, *conditions: ColumnElement[bool]) -> tuple[ScanHeight, ...]:
     """By the order of their making, with their vehicle's class."""
     query = (
         scan_height_rows(scan_vehicles.c.category)

@@ -10,7 +10,7 @@ from sightline.enums import Category, ComputingCause, DriverSide, InsetSource, T
 from sightline.errors import Damaged
 from sightline.geometry.sides import FoundSide
 from sightline.infra.audit.hashing import content_hash
-from sightline.infra.csv_package.columns import code_of, joined
+from sightline.infra.csv_package.columns import code_of, join_sentences
 from sightline.infra.csv_package.files import Files, read_columns, read_rows
 from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.linescan.line_height import LineHeight
@@ -78,7 +78,7 @@ def height_or_verdict(
         raise Damaged("measurements-event-another-row", id=number)
     points = {name: row[column] for name, column in zip(_CLICKED, _STORED, strict=False)}
     judged = row["verdict_of_revision"]
-    told = {
+    cells = {
         "vehicle_id": after["scan_vehicle_id"],
         "measurement_id": number,
         "pose_id": row["line_pose_id"],
@@ -90,7 +90,7 @@ def height_or_verdict(
     revision_ids[number, row["revision"]] = after["revision_id"]
     left_out = ("reason", "flags", "pose_id")
     plain = {name: value for name, value in row.items() if name not in left_out}
-    return "line_height", after["revision_id"], {**plain, **points, **told}
+    return "line_height", after["revision_id"], {**plain, **points, **cells}
 
 
 def _out_of_date(files: Files) -> None:
@@ -103,10 +103,10 @@ def _out_of_date(files: Files) -> None:
         of_scan = newest.get(row["scan_id"], (0, 0))
         newest[row["scan_id"]] = max(of_scan, (int(row["revision"]), int(row["id"])))
     for row in read_rows(files, LINE_HEIGHTS.key):
-        found: tuple[ComputingCause, ...] = ()
+        causes: tuple[ComputingCause, ...] = ()
         if row["current"] == "true" and row["withdrawn"] != "true":
             clicks, of = _clicks(row), row["vehicle_id"]
-            found = causes_now(
+            causes = causes_now(
                 clicks.target,
                 facts_of(clicks, int(row["pose_id"])),
                 pose_id=newest[scans[of]][1],
@@ -114,7 +114,7 @@ def _out_of_date(files: Files) -> None:
                 category=cast(Category | None, category[of] or None),
                 insets=insets,
             )
-        if row["out_of_date"] != joined(found):
+        if row["out_of_date"] != join_sentences(causes):
             raise Damaged("computing-mark-wrong", path=LINE_HEIGHTS.key, id=row["id"])
 
 
@@ -123,12 +123,12 @@ def line_height_put_back(then: Row, row: Row) -> bool:
     return all(then[name] == row[name] for name in _CLICKED) and same_figures(then, row)
 
 
-def _rod(row: Row, marks: list[Row], told: Mapping[str, Any]) -> Rod:
+def _rod(row: Row, marks: list[Row], after: Mapping[str, Any]) -> Rod:
     """What was marked, as the event tells it."""
     numbers = ("distance_m", "height_m", "row_px", "line")
     clicked = tuple(Mark(*(float(mark[column]) for column in numbers)) for mark in marks)
     numbered = all(mark["mark"] == str(number) for number, mark in enumerate(marks, 1))
-    if not numbered or [asdict(mark) for mark in clicked] != told["marks"]:
+    if not numbered or [asdict(mark) for mark in clicked] != after["marks"]:
         raise Damaged("scans-marks-differ", path=LINE_MARKS.key, id=row["id"])
     sigma_px = float(row["sigma_px"]) if row["sigma_px"] else None
     return Rod(clicked, sigma_px, float(row["u_distance_m"]), float(row["u_lean_rad"]))
@@ -140,12 +140,14 @@ def _pose(row: Row, rod: Rod, marks: list[Row]) -> LinePose:
         pose = solve(rod)
     except LinePoseError as error:
         raise Damaged("scans-marks-unsolvable", name=name) from error
-    _same(name, row, "camera_height_m", pose.camera_height_m)
-    _same(name, row, "u_camera_height_m", math.sqrt(pose.covariance[3, 3]))
-    _same(name, row, "rms_px", pose.rms_px)
+    _compare_value(name, row, "camera_height_m", pose.camera_height_m)
+    _compare_value(name, row, "u_camera_height_m", math.sqrt(pose.covariance[3, 3]))
+    _compare_value(name, row, "rms_px", pose.rms_px)
     for number, (mark, one) in enumerate(zip(rod.marks, marks, strict=True), 1):
         model = float(pose.rows_of(mark.distance_m, mark.height_m))
-        _same(f"{LINE_MARKS.key}: mark {number} of {row['id']}", one, "residual_px", model - mark.row_px)
+        _compare_value(
+            f"{LINE_MARKS.key}: mark {number} of {row['id']}", one, "residual_px", model - mark.row_px
+        )
     return pose
 
 
@@ -176,16 +178,16 @@ def _heights(
         )
 
 
-def _height(row: Row, found: LineHeight, budget: list[Row]) -> None:
+def _height(row: Row, height: LineHeight, budget: list[Row]) -> None:
     name = f"{LINE_HEIGHTS.key}: height {row['id']}"
-    if row["status"] != found.status:
-        raise Damaged("measurements-status-differs", name=name, status=row["status"], status_2=found.status)
+    if row["status"] != height.status:
+        raise Damaged("measurements-status-differs", name=name, status=row["status"], status_2=height.status)
     for column in _FIGURES:
-        _same(name, row, column, getattr(found, column))
-    if [one["source"] for one in budget] != [one.source for one in found.budget]:
+        _compare_value(name, row, column, getattr(height, column))
+    if [one["source"] for one in budget] != [one.source for one in height.budget]:
         raise Damaged("scans-sources-differ", path=LINE_BUDGET.key, id=row["id"])
-    for told, entry in zip(budget, found.budget, strict=True):
-        _same(f"{LINE_BUDGET.key}: {entry.source} of height {row['id']}", told, "u_m", entry.u_m)
+    for told, entry in zip(budget, height.budget, strict=True):
+        _compare_value(f"{LINE_BUDGET.key}: {entry.source} of height {row['id']}", told, "u_m", entry.u_m)
 
 
 def _clicks(row: Row) -> Clicks:
@@ -204,12 +206,12 @@ def _clicks(row: Row) -> Clicks:
     )
 
 
-def _same(name: str, row: Row, column: str, value: float | None) -> None:
-    told = row[column]
-    if not told and value is None:
+def _compare_value(name: str, row: Row, column: str, value: float | None) -> None:
+    stored = row[column]
+    if not stored and value is None:
         return
-    if not told or value is None or math.fabs(float(told) - value) > _TOLERANCE:
+    if not stored or value is None or math.fabs(float(stored) - value) > _TOLERANCE:
         computed = "nothing" if value is None else f"{value:.6f}"
         raise Damaged(
-            "scans-marks-clicks-give", name=name, column=column, told=told or "empty", computed=computed
+            "scans-marks-clicks-give", name=name, column=column, told=stored or "empty", computed=computed
         )

@@ -107,13 +107,13 @@ def last_number(folder: Path) -> int:
     return max(numbers, default=0)
 
 
-def interrupted(folder: Path) -> Told | None:
+def interrupted_segment(folder: Path) -> Told | None:
     """The last segment of a folder where it was not closed: its program was killed."""
     told = _unended(folder, last_number(folder))
     return told if told is not None and not told.closed else None
 
 
-def unmoved(folder: Path) -> list[Told]:
+def unmoved_segments(folder: Path) -> list[Told]:
     """Segments that were closed and not ended: the program was killed before their strips were moved."""
     numbers = sorted(
         int(found[1]) for path in folder.glob("*.jsonl") if (found := _NAME.fullmatch(path.name))
@@ -129,7 +129,7 @@ def _unended(folder: Path, number: int) -> Told | None:
         file.seek(max(0, path.stat().st_size - _LAST_BYTES))
         if b'"ended"' in file.read():
             return None
-    return _read(path, number)
+    return _read_segment(path, number)
 
 
 def append(folder: Path, number: int, said: dict[str, Any]) -> None:
@@ -138,11 +138,11 @@ def append(folder: Path, number: int, said: dict[str, Any]) -> None:
         file.write("\n" + json.dumps(said) + "\n")
 
 
-def told_line(one: LiveVehicle) -> dict[str, Any]:
+def told_line(live_vehicle: LiveVehicle) -> dict[str, Any]:
     """What is said of a vehicle that was told."""
-    at = one.vehicle.motion.crossings
+    at = live_vehicle.vehicle.motion.crossings
     lines = {"front_line": float(at.front_line_1), "rear_line": float(at.rear_line_1)}
-    return {"vehicles": one.vehicle.number, **lines, "left_line": left_by(at)}
+    return {"vehicles": live_vehicle.vehicle.number, **lines, "left_line": left_by(at)}
 
 
 def left_by(at: Crossings) -> float:
@@ -150,7 +150,7 @@ def left_by(at: Crossings) -> float:
     return float(max(at.rear_line_1, at.rear_line_2))
 
 
-def _read(path: Path, number: int) -> Told | None:
+def _read_segment(path: Path, number: int) -> Told | None:
     lines = _lines(path)
     head = next(lines, None)
     if head is None or head.get("format") != FORMAT:
@@ -160,22 +160,22 @@ def _read(path: Path, number: int) -> Told | None:
     stand, before = dict[float, Crossings](), Before(*head.get("before", ()))
     settled, left = max(0.0, before.settled), before.left
     passed = [(front, rear) for front, rear in before.passed]
-    for said in lines:
-        if "settled" in said:
+    for entry in lines:
+        if "settled" in entry:
             stand.clear()
             # less than before where one that was given up is seen to leave
-            settled = max(before.settled, said["settled"])
+            settled = max(before.settled, entry["settled"])
         # of several that are complete at once, those that follow stand no longer and are not yet told
-        stand |= {one[0]: Crossings(*one) for one in said.get("stand", ())}
-        stand.pop(said.get("front_line", -1.0), None)
-        if "front_line" in said:
-            passed.append((said["front_line"], said["rear_line"]))
-            left = max(left, said.get("left_line", said["rear_line"]))
-        if "closed" in said:
-            known |= {"closed": True, "notes": tuple(map(Said.read, said["closed"]))}
-        known |= {"kept": True} if "scan_id" in said else {}
-        known |= {name: said[name] for name in ("vehicles", "scan_id") if name in said}
-        known["last_at"] = said.get("at", known["last_at"])
+        stand |= {one[0]: Crossings(*one) for one in entry.get("stand", ())}
+        stand.pop(entry.get("front_line", -1.0), None)
+        if "front_line" in entry:
+            passed.append((entry["front_line"], entry["rear_line"]))
+            left = max(left, entry.get("left_line", entry["rear_line"]))
+        if "closed" in entry:
+            known |= {"closed": True, "notes": tuple(map(Said.read, entry["closed"]))}
+        known |= {"kept": True} if "scan_id" in entry else {}
+        known |= {name: entry[name] for name in ("vehicles", "scan_id") if name in entry}
+        known["last_at"] = entry.get("at", known["last_at"])
     return Told(
         number=number,
         began_at=datetime.fromisoformat(head["began_at"]),

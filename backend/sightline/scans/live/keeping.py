@@ -148,7 +148,7 @@ class SurveyKeeper(Keeper):
         notes: list[Said],
         moved: Callable[[], None],
     ) -> None:
-        told = False
+        warned = False
         while True:
             try:
                 if not recording.gone:
@@ -160,11 +160,11 @@ class SurveyKeeper(Keeper):
                         let_go(session, self._survey_id, keys, None)
                 break
             except (Away, NoRoom) as error:
-                if not told:
+                if not warned:
                     self._say(
                         Said("stream-vehicles-wait", message=error.said, waiting=len(recording.waiting))
                     )
-                told = True
+                warned = True
                 time.sleep(AGAIN_S)
             except NotFound:
                 self._forget(recording)

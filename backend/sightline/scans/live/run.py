@@ -25,15 +25,15 @@ from sightline.scans.live.journal import (
     Before,
     Told,
     append,
-    interrupted,
+    interrupted_segment,
     journal_path,
     last_number,
     spool_paths,
     told_line,
-    unmoved,
+    unmoved_segments,
 )
 from sightline.scans.live.records import Keeper, LiveHealth, LiveVehicle, SegmentFacts
-from sightline.scans.live.segment import LEAD_S, Remainder, Segment, trimmed
+from sightline.scans.live.segment import LEAD_S, Remainder, Segment, trim_to_common_lines
 
 TICK_S = 1.0
 JUMP_S = 0.5
@@ -97,8 +97,8 @@ class LiveRun:
 
     def vehicles(self) -> Iterator[LiveVehicle]:
         """Every vehicle as soon as it is measured; first those that a killed run had not told."""
-        left = interrupted(self.folder) if self.folder else None
-        for closed in unmoved(self.folder) if self.folder else ():
+        left = interrupted_segment(self.folder) if self.folder else None
+        for closed in unmoved_segments(self.folder) if self.folder else ():
             self._hand_on(closed)
         if left is not None:
             yield from self._taken_up(left)
@@ -121,14 +121,14 @@ class LiveRun:
         for sentence in self.source.notes:
             self._say(sentence)
 
-    def told(self, one: LiveVehicle) -> None:
+    def told(self, live_vehicle: LiveVehicle) -> None:
         """After a vehicle was told: it is kept, and no later run tells it again."""
         if self._segment is not None:
-            self._segment.told(one)
+            self._segment.told(live_vehicle)
         elif self.folder is not None:
-            self._append(one.segment, told_line(one))
-        self._keeper.add(one)
-        self.found += one.vehicle.motion.status == "ok"
+            self._append(live_vehicle.segment, told_line(live_vehicle))
+        self._keeper.add(live_vehicle)
+        self.found += live_vehicle.vehicle.motion.status == "ok"
 
     def _take(self, piece: Piece) -> Iterator[LiveVehicle]:
         segment = self._segment or self._first_segment(piece)
@@ -197,18 +197,18 @@ class LiveRun:
             lead=self._lead,
         )
         try:
-            made = make(self.folder)
+            segment = make(self.folder)
         except OSError as error:
             if not self._number:
                 raise BadInput("commands-not-writable", path=self.folder, strerror=error.strerror) from None
             # The disk is full by now: that ends the keeping, not the stream.
             self._say(Said("stream-lines-not-stored", strerror=error.strerror))
-            made = make(None)
+            segment = make(None)
         self._number = number
-        self._segment, self._began = made, self._clock.steady() - since_s
+        self._segment, self._began = segment, self._clock.steady() - since_s
         self._before, self._lead = Before(), 0
-        self._keeper.begin(facts, made.belongs_to)
-        return made
+        self._keeper.begin(facts, segment.belongs_to)
+        return segment
 
     def _is_over(self, segment: Segment) -> bool:
         if segment.crowded:
@@ -333,7 +333,7 @@ class LiveRun:
         """
         assert self.folder is not None
         paths = spool_paths(self.folder, left.number)
-        if all(path.is_file() for path in paths) and not trimmed(paths, self._stop):
+        if all(path.is_file() for path in paths) and not trim_to_common_lines(paths, self._stop):
             for path in paths:
                 path.unlink()
         self._say(Said("stream-resumed", begin=self._begin, name=self._name))

@@ -115,30 +115,30 @@ class Segment:
             except OSError as error:
                 self._stop_keeping(error)
         self.lines += len(piece.first)
-        yield from self._told(self.finder.push(piece.first, piece.second))
+        yield from self._tell_passages(self.finder.push(piece.first, piece.second))
 
     def finish(self) -> Iterator[LiveVehicle]:
         """What is complete at the end of the lines."""
         if self.lines > 0:
-            yield from self._told(self.finder.finish())
-            yield from self._told(self.finder.stood_throughout(), always=True)
+            yield from self._tell_passages(self.finder.finish())
+            yield from self._tell_passages(self.finder.stood_throughout(), always=True)
 
     def give_up(self) -> Iterator[LiveVehicle]:
         """What still stands, where another segment goes on; what has stood all the time is told of this one
         too.
         """
-        yield from self._told(self.finder.give_up())
-        yield from self._told(self.finder.stood_throughout(), always=True)
+        yield from self._tell_passages(self.finder.give_up())
+        yield from self._tell_passages(self.finder.stood_throughout(), always=True)
 
     def note(self, at: datetime) -> None:
         """Say in the journal how far everything is told."""
         settled, stand = self._settled_before, self._stand()
         self._write({"settled": settled, "stand": stand, "lines": self.lines, "at": at.isoformat()})
 
-    def told(self, one: LiveVehicle) -> None:
+    def told(self, live_vehicle: LiveVehicle) -> None:
         """Say in the journal that a vehicle has been told."""
         settled = {} if self._more else {"settled": self._settled_before}
-        self._write({**told_line(one), **settled, "stand": self._stand()})
+        self._write({**told_line(live_vehicle), **settled, "stand": self._stand()})
 
     def belongs_to(self, scan_id: int | None) -> None:
         self._write({"scan_id": scan_id})
@@ -147,22 +147,22 @@ class Segment:
         """Close the files, both with the same lines (`stop`: only so many); what is to be said of them.
         `notes`: of the segment, for whoever moves its strips after a kill.
         """
-        said = []
+        sayings = []
         for camera in self.cameras:
             if camera.spool is not None:
                 camera.spool.close()
         if self.paths:
-            kept = trimmed(self.paths, stop)
+            kept = trim_to_common_lines(self.paths, stop)
             for path in self.paths:
                 if kept:
-                    said.append(Said("stream-lines-stored", kept=kept, path=path))
+                    sayings.append(Said("stream-lines-stored", kept=kept, path=path))
                 else:
                     path.unlink(missing_ok=True)
             self.paths = self.paths if kept else None
         if self.journal is not None:
             self._write({"closed": [one.document for one in notes]})
             self.journal.close()
-        return said + ([self.full] if self.full else [])
+        return sayings + ([self.full] if self.full else [])
 
     @property
     def settled_line(self) -> int:
@@ -182,10 +182,10 @@ class Segment:
     def time_of(self, line: float) -> datetime:
         return self.facts.began_at + timedelta(seconds=line / self.rig.line_rate_hz)
 
-    def _told(self, passages: Sequence[Passage], *, always: bool = False) -> Iterator[LiveVehicle]:
+    def _tell_passages(self, passages: Sequence[Passage], *, always: bool = False) -> Iterator[LiveVehicle]:
         for left, found in zip(range(len(passages) - 1, -1, -1), passages, strict=True):
             self._more = left > 0
-            passage = _moved(found, -self._lead, 0.0 if always else -inf)
+            passage = _move_passage(found, -self._lead, 0.0 if always else -inf)
             counted = always or not self._before.has(passage.crossings.front_line_1, self.finder.spans.guard)
             dropped = (self.cameras[0].dropped, self.cameras[1].dropped)
             vehicle = self._follower.next(without_losses(passage, dropped), counted=counted)
@@ -228,7 +228,7 @@ class Remainder:
     def __init__(
         self, paths: tuple[Path, Path], facts: SegmentFacts, rig: Rig, method: ScanMethod, left: Told
     ) -> None:
-        self.lines = trimmed(paths)
+        self.lines = trim_to_common_lines(paths)
         self._spooled = [SpooledLines(path) for path in paths]
         self._start = max(0, int(left.before.settled - LEAD_S * rig.line_rate_hz))
         self._before, self._facts, self._rig, self._begin = left.before, facts, rig, left.begin
@@ -294,7 +294,7 @@ class Remainder:
     def _vehicles(self, passages: Sequence[Passage]) -> Iterator[LiveVehicle]:
         dropped = (self._spooled[0].dropped, self._spooled[1].dropped)
         for passage in passages:
-            moved = _moved(passage, self._start)
+            moved = _move_passage(passage, self._start)
             counted = not self._before.has(moved.crossings.front_line_1, self.finder.spans.guard)
             vehicle = self._vehicle(without_losses(moved, dropped), counted=counted)
             if counted:
@@ -325,7 +325,7 @@ class Remainder:
         return LiveVehicle(self._facts.number, self._begin, vehicle, at)
 
 
-def trimmed(paths: tuple[Path, Path], stop: int | None = None) -> int:
+def trim_to_common_lines(paths: tuple[Path, Path], stop: int | None = None) -> int:
     """The lines that both files have (`stop`: at most so many), each shortened to them."""
     both = [SpooledLines(path) for path in paths]
     common = min(one.total_lines for one in both)
@@ -336,7 +336,7 @@ def trimmed(paths: tuple[Path, Path], stop: int | None = None) -> int:
     return common
 
 
-def _moved(passage: Passage, by: int, least: float = -inf) -> Passage:
+def _move_passage(passage: Passage, by: int, least: float = -inf) -> Passage:
     crossings = Crossings(*(max(line + by, least) for line in asdict(passage.crossings).values()))
     start_1, start_2 = passage.start_1 + by, passage.start_2 + by
     return replace(passage, crossings=crossings, start_1=start_1, start_2=start_2)

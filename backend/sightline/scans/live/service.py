@@ -12,7 +12,7 @@ from sightline.scans.live.state import live_state
 from sightline.scans.live.store import fronts_of, list_live_scans
 from sightline.scans.references.store import standing_references
 from sightline.scans.store import get_scan
-from sightline.scans.vehicles.listing import ShownVehicle, shown
+from sightline.scans.vehicles.listing import ShownVehicle, shown_vehicles
 from sightline.scans.vehicles.store import last_scan_vehicles
 
 LAST = 20
@@ -74,7 +74,7 @@ def _stream(session: Session, scans: list[LiveScan]) -> LiveStream:
     flow = flow_of(fronts, [(one.began_at, _until(one)) for one in recent])
     found = last_scan_vehicles(session, newest.scan_id, LAST + 1)
     references = standing_references(session, newest.scan_id)
-    listed = shown(get_scan(session, newest.scan_id), found, references)[-LAST:]
+    listed = shown_vehicles(get_scan(session, newest.scan_id), found, references)[-LAST:]
     return filled_from(
         LiveStream,
         newest,
@@ -90,8 +90,8 @@ def _until(scan: LiveScan) -> datetime:
     return _time(scan, scan.health.lines if scan.health else 0)
 
 
-def _passing(scan: LiveScan, one: ShownVehicle) -> LivePassing:
-    vehicle = one.vehicle
+def _passing(scan: LiveScan, shown_vehicle: ShownVehicle) -> LivePassing:
+    vehicle = shown_vehicle.vehicle
     if vehicle.measurement is None:
         return LivePassing(id=vehicle.id, number=vehicle.number, front_at=scan.began_at)
     values = vehicle.measurement.values
@@ -104,7 +104,7 @@ def _passing(scan: LiveScan, one: ShownVehicle) -> LivePassing:
         axles=values.axles,
         U95_speed_mps=expanded(values.u_speed_mps),
         U95_length_m=expanded(values.u_length_m),
-        time_gap_s=one.gap and one.gap.time_gap_s,
+        time_gap_s=shown_vehicle.gap and shown_vehicle.gap.time_gap_s,
     )
 
 

@@ -2,10 +2,10 @@
 
 from sqlalchemy import Column, Float, ForeignKey, String, Text, UniqueConstraint
 
-from sightline.infra.database.types import CanonicalJson, UtcDateTime, numbered
+from sightline.infra.database.types import CanonicalJson, UtcDateTime, numbered_table
 
 # What is measured stands in the tables of scans; this says how the stream is, and is no result.
-scan_live = numbered(
+scan_live = numbered_table(
     "scan_live",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("scan_id", ForeignKey("scans.id"), nullable=False),

@@ -6,7 +6,7 @@ from typing import get_args
 
 from sightline.coverage import COVERAGE_95
 from sightline.enums import ReferenceQuantity, ReferenceSource
-from sightline.infra.csv_package.columns import flag, key, moment, number, person, text, within
+from sightline.infra.csv_package.columns import columns_within, flag, key, moment, number, person, text
 from sightline.infra.csv_package.schema import Table, ids_of
 from sightline.scans.references.records import UNITS, StoredReference
 from sightline.statistics.references import Agreement
@@ -26,8 +26,10 @@ SCAN_REFERENCES: Table[ListedReference] = Table(
     "What something else measured of scanned vehicles: every revision; the newest of a vehicle, quantity and "
     "source counts, unless it is withdrawn. Beside it how far the vehicle's own value is from it.",
     (
-        *within("reference", key("id", "revision"), key("vehicle_id", "vehicle of a line-scan recording")),
-        *within(
+        *columns_within(
+            "reference", key("id", "revision"), key("vehicle_id", "vehicle of a line-scan recording")
+        ),
+        *columns_within(
             "reference.values",
             text(
                 "quantity",
@@ -42,17 +44,19 @@ SCAN_REFERENCES: Table[ListedReference] = Table(
                 enum=get_args(ReferenceSource),
             ),
         ),
-        *within("reference", key("revision", "number of the revision, from 1")),
+        *columns_within("reference", key("revision", "number of the revision, from 1")),
         flag("current", "whether it is the newest revision", required=True),
-        *within("reference.values", flag("withdrawn", "whether it takes the value back", required=True)),
+        *columns_within(
+            "reference.values", flag("withdrawn", "whether it takes the value back", required=True)
+        ),
         text("unit", "unit of the row's figures", lambda one: UNITS[one.reference.values.quantity]),
-        *within(
+        *columns_within(
             "reference.values",
             number("value", "the reference value", required=True),
             number("u", "standard uncertainty of value (k = 1)", required=True),
             text("device", "device or instrument, in words"),
         ),
-        *within(
+        *columns_within(
             "found",
             number("difference", "measured value minus reference; empty if either is withdrawn or missing"),
             number(
@@ -66,7 +70,7 @@ SCAN_REFERENCES: Table[ListedReference] = Table(
             number("E_n", "difference over U95_difference (ISO 13528)"),
             flag("within", "whether the difference is within U95_difference"),
         ),
-        *within(
+        *columns_within(
             "reference",
             person("created_by_id", "who entered it"),
             moment("created_at", "when the revision was stored"),
@@ -80,13 +84,13 @@ FOLLOWING = ("current", "unit", "difference", "u_difference", "U95_difference", 
 
 
 def listed_references(
-    history: Iterable[StoredReference], found: Callable[[StoredReference], Agreement | None]
+    history: Iterable[StoredReference], compare: Callable[[StoredReference], Agreement | None]
 ) -> list[ListedReference]:
-    """The rows of a history, oldest first; `found` compares one that stands."""
+    """The rows of a history, oldest first; `compare` compares one that stands."""
     told = list(history)
     newest = {(one.vehicle_id, one.values.quantity, one.values.source): one.id for one in told}
     rows = []
     for one in told:
         current = newest[one.vehicle_id, one.values.quantity, one.values.source] == one.id
-        rows.append(ListedReference(one, current, found(one) if current else None))
+        rows.append(ListedReference(one, current, compare(one) if current else None))
     return rows

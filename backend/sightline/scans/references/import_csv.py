@@ -16,7 +16,13 @@ from sightline.coverage import expanded
 from sightline.enums import JsonObject, ReferenceChange, ReferenceQuantity, ReferenceSource
 from sightline.errors import BadInput
 from sightline.infra.database import Session
-from sightline.infra.given_csv import GivenRow, GivenTable, read_table, require_standard, undefused
+from sightline.infra.given_csv import (
+    GivenRow,
+    GivenTable,
+    read_table,
+    require_standard,
+    strip_formula_apostrophe,
+)
 from sightline.messages.said import Said
 from sightline.scans.records import Scan, ScanVehicle
 from sightline.scans.references.passing_times import USUAL_TOLERANCE_S, Ambiguous, Matching, PassedAt
@@ -104,21 +110,23 @@ def import_references(
     standing = _newest(session, scan_id)
     versions: dict[int, int] = {}
     values = cars = 0
-    for one in usable:
-        vehicle = cast(ScanVehicle, one.vehicle)
-        for given in one.row.given:
+    for line in usable:
+        vehicle = cast(ScanVehicle, line.vehicle)
+        for given in line.row.given:
             before = standing.get((vehicle.id, given.quantity, given.source))
             if before is not None and before.values == given:
                 continue
             seen = before.revision if before else 0
-            matched = _matched(one.row, tolerance_s)
+            matched = _matched(line.row, tolerance_s)
             append_scan_reference(
                 session, vehicle.id, given, seen_revision=seen, matched=matched, actor=actor
             )
             values += 1
-        if one.row.run_of not in (None, vehicle.run_of):
+        if line.row.run_of not in (None, vehicle.run_of):
             version = versions.get(vehicle.id, vehicle.version)
-            change_scan_vehicle(session, vehicle.id, {"run_of": one.row.run_of}, version=version, actor=actor)
+            change_scan_vehicle(
+                session, vehicle.id, {"run_of": line.row.run_of}, version=version, actor=actor
+            )
             versions[vehicle.id] = version + 1
             cars += 1
     return ReferencesImported(values, cars, plan)
@@ -177,20 +185,20 @@ def _lines(
     lines = [_line(table, row, fields, vehicles, matching) for row in table.rows]
     _refuse_repeats(lines)
     standing = _newest(session, scan_id)
-    for one in lines:
-        if one.vehicle is not None and one.row.change == "new":
-            change, words = _change(one.vehicle, one.row.given, one.row.run_of, standing)
-            one.row = replace(one.row, change=change, words=words)
+    for line in lines:
+        if line.vehicle is not None and line.row.change == "new":
+            change, words = _change(line.vehicle, line.row.given, line.row.run_of, standing)
+            line.row = replace(line.row, change=change, words=words)
     return lines, matching
 
 
-def _matching(scan: Scan, found: Sequence[ShownVehicle], name: str, tolerance_s: float) -> Matching:
+def _matching(scan: Scan, vehicles: Sequence[ShownVehicle], name: str, tolerance_s: float) -> Matching:
     """Raises BadInput where the recording's start is not confirmed, so that no vehicle has a time of day."""
     if scan.clock is None:
         raise BadInput("reference-times-need-start", name=name)
     passed = (
         PassedAt(one.vehicle.number, datetime.fromisoformat(one.passing.filmed_at))
-        for one in found
+        for one in vehicles
         if one.passing is not None
     )
     return Matching(
@@ -208,35 +216,35 @@ def _refuse_repeats(lines: Sequence[_Line]) -> None:
     """
     of_key: dict[_Key, list[_Line]] = {}
     of_vehicle: dict[int, list[_Line]] = {}
-    for one in lines:
-        for key in one.keys:
-            of_key.setdefault(key, []).append(one)
-        if one.vehicle is not None and one.row.run_of is not None:
-            of_vehicle.setdefault(one.vehicle.id, []).append(one)
+    for line in lines:
+        for key in line.keys:
+            of_key.setdefault(key, []).append(line)
+        if line.vehicle is not None and line.row.run_of is not None:
+            of_vehicle.setdefault(line.vehicle.id, []).append(line)
     for key, several in of_key.items():
-        named = [one for one in several if not one.row.by_time]
-        for one in several:
-            if one.row.by_time and len(several) > 1:
-                told = Said(
+        named = [line for line in several if not line.row.by_time]
+        for line in several:
+            if line.row.by_time and len(several) > 1:
+                problem = Said(
                     "reference-line-fits-others",
-                    number=one.row.number,
-                    lines=_others(one, several),
+                    number=line.row.number,
+                    lines=_other_lines(line, several),
                     quantity=key[1],
                     source=key[2],
                 )
-                one.row = replace(one.row, change="ambiguous", words=(told,))
-            elif not one.row.by_time and one is not named[0] and one.row.change == "new":
-                told = Said("reference-line-twice", line=named[0].row.line, quantity=key[1], source=key[2])
-                one.row = replace(one.row, change="refused", words=(told,))
+                line.row = replace(line.row, change="ambiguous", words=(problem,))
+            elif not line.row.by_time and line is not named[0] and line.row.change == "new":
+                problem = Said("reference-line-twice", line=named[0].row.line, quantity=key[1], source=key[2])
+                line.row = replace(line.row, change="refused", words=(problem,))
     for several in of_vehicle.values():
-        for one in several if len({other.row.run_of for other in several}) > 1 else ():
-            if one.row.by_time:
-                others = _others(one, several)
-                told = Said("reference-line-fits-cars", number=one.row.number, lines=others)
-                one.row = replace(one.row, change="ambiguous", words=(told,))
+        for line in several if len({other.row.run_of for other in several}) > 1 else ():
+            if line.row.by_time:
+                others = _other_lines(line, several)
+                problem = Said("reference-line-fits-cars", number=line.row.number, lines=others)
+                line.row = replace(line.row, change="ambiguous", words=(problem,))
 
 
-def _others(one: _Line, several: Sequence[_Line]) -> str:
+def _other_lines(one: _Line, several: Sequence[_Line]) -> str:
     """The lines that fit its vehicle too."""
     return ", ".join(str(other.row.line) for other in several if other is not one)
 
@@ -245,19 +253,19 @@ def _fields(header: Sequence[str], name: str) -> list[_Field | None]:
     """What each column holds, each once. Raises BadInput for a quantity without a unit or in two
     columns, an expanded uncertainty, or no number.
     """
-    found: list[_Field | None] = []
+    held: list[_Field | None] = []
     titles: dict[object, str] = {}
     for title in header:
         field = _field(title, name)
-        found.append(field)
+        held.append(field)
         of = field[:2] if isinstance(field, tuple) else field
         if of is not None and of in titles:
             raise BadInput("reference-columns-of-one", name=name, first=titles[of][:60], second=title[:60])
         titles[of] = title
-    names_vehicle = "number" in found or "time" in found
-    if not names_vehicle or not any(isinstance(one, tuple) or one == "run_of" for one in found):
+    names_vehicle = "number" in held or "time" in held
+    if not names_vehicle or not any(isinstance(one, tuple) or one == "run_of" for one in held):
         raise BadInput("reference-columns-missing", name=name)
-    return found
+    return held
 
 
 def _field(title: str, name: str) -> _Field | None:
@@ -309,7 +317,7 @@ def _line(
             raise given_row.problem
         vehicle, row = _vehicle(row, vehicles, matching)
         given = _values(table, given_row, fields, named)
-        run_of = undefused(named.get("run_of", "")) or None
+        run_of = strip_formula_apostrophe(named.get("run_of", "")) or None
         if run_of is not None and len(run_of) > 100:
             raise BadInput("reference-car-too-long")
         if not given and run_of is None:
@@ -350,7 +358,7 @@ def _values(
             read = table.size_m if in_m else table.number
             numbers[quantity, is_u] = round(read(row.line, column, cell.strip()) * unit, 9)
     source = named.get("source", "").lower()[:40]
-    found = []
+    values = []
     for quantity in get_args(ReferenceQuantity):
         value, u = numbers.get((quantity, False)), numbers.get((quantity, True))
         if value is None and u is None:
@@ -362,11 +370,11 @@ def _values(
         if source not in get_args(ReferenceSource):
             known = ", ".join(get_args(ReferenceSource))
             raise BadInput("reference-line-no-source", source=source or "–", known=known)
-        device = undefused(named.get("device", "")) or None
+        device = strip_formula_apostrophe(named.get("device", "")) or None
         one = ReferenceValues(quantity, cast(ReferenceSource, source), value=value, u=u, device=device)
         require_reference(one)
-        found.append(one)
-    return tuple(found)
+        values.append(one)
+    return tuple(values)
 
 
 def _change(
@@ -385,12 +393,12 @@ def _change(
     words = [
         Said(
             "reference-line-replaces",
-            quantity=one.values.quantity,
-            value=float(f"{one.values.value:.6g}"),
-            u=float(f"{one.values.u:.6g}"),
-            unit="m/s" if one.values.quantity == "speed" else "m",
+            quantity=reference.values.quantity,
+            value=float(f"{reference.values.value:.6g}"),
+            u=float(f"{reference.values.u:.6g}"),
+            unit="m/s" if reference.values.quantity == "speed" else "m",
         )
-        for one in replaced
+        for reference in replaced
     ]
     if renamed and vehicle.run_of:
         words.append(Said("reference-line-renames", car=vehicle.run_of))

@@ -39,15 +39,15 @@ class Matching:
         Raises BadInput for what is no time with seconds, what clocks skip or show twice, and a time of day
         that comes on several days of the recording.
         """
-        told = text.strip()
-        if _DATED.match(told):
-            shown = datetime.fromisoformat(told.replace(",", "."))
+        stripped = text.strip()
+        if _DATED.match(stripped):
+            shown = datetime.fromisoformat(stripped.replace(",", "."))
             if shown.tzinfo is not None:
                 return shown.astimezone(UTC)
             return instant_of(shown.isoformat(), self.filming.time_zone)
-        if not _TIME.match(told):
-            raise BadInput("reference-line-no-time", text=told[:40])
-        return self._of_the_day(_padded(told))
+        if not _TIME.match(stripped):
+            raise BadInput("reference-line-no-time", text=stripped[:40])
+        return self._of_the_day(_padded(stripped))
 
     def _of_the_day(self, time: str) -> datetime:
         start, end = self.filming.started_at, self._end

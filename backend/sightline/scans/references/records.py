@@ -106,25 +106,25 @@ class ReferencesImported:
     plan: ReferencePlan
 
 
-def require_reference(one: ReferenceValues) -> None:
+def require_reference(reference: ReferenceValues) -> None:
     """Raise BadInput for a value that no vehicle has, or one without an uncertainty."""
-    unit = UNITS[one.quantity]
-    if not _LEAST[one.quantity] < one.value <= _MOST[one.quantity]:
+    unit = UNITS[reference.quantity]
+    if not _LEAST[reference.quantity] < reference.value <= _MOST[reference.quantity]:
         raise BadInput(
             "reference-value-cannot-be",
-            quantity=one.quantity,
-            value=f"{one.value:.7g}",
+            quantity=reference.quantity,
+            value=f"{reference.value:.7g}",
             unit=unit,
-            least=f"{_LEAST[one.quantity]:g}",
-            most=f"{_MOST[one.quantity]:g}",
+            least=f"{_LEAST[reference.quantity]:g}",
+            most=f"{_MOST[reference.quantity]:g}",
         )
-    if not 0 < one.u <= one.value:
+    if not 0 < reference.u <= reference.value:
         raise BadInput(
             "reference-u-cannot-be",
-            quantity=one.quantity,
-            u=f"{one.u:.7g}",
-            value=f"{one.value:.7g}",
+            quantity=reference.quantity,
+            u=f"{reference.u:.7g}",
+            value=f"{reference.value:.7g}",
             unit=unit,
         )
-    if one.device is not None and len(one.device) > MOST_DEVICE:
+    if reference.device is not None and len(reference.device) > MOST_DEVICE:
         raise BadInput("reference-device-too-long", most=MOST_DEVICE)

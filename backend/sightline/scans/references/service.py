@@ -19,32 +19,34 @@ from sightline.statistics.references import Agreement, agreement
 LOOKED_AT = ("status", *(name for one in MEASURED.values() for name in (one, f"u_{one}")))
 
 
-def shown_reference(one: StoredReference, ours: ScanValues | None) -> ShownReference:
+def shown_reference(reference: StoredReference, ours: ScanValues | None) -> ShownReference:
     """A reference beside our own stored value; None where the vehicle was never measured."""
     return filled_from(
         ShownReference,
-        one,
-        one.values,
-        unit=UNITS[one.values.quantity],
-        U95=expanded(one.values.u),
-        agreement=beside_ours(ours, one.values),
+        reference,
+        reference.values,
+        unit=UNITS[reference.values.quantity],
+        U95=expanded(reference.values.u),
+        agreement=beside_ours(ours, reference.values),
     )
 
 
 def beside_ours(values: ScanValues | None, one: ReferenceValues) -> Agreement | None:
     """Our own stored value against a reference; `values` is None where the vehicle was never measured."""
-    return beside(None if values is None else {name: getattr(values, name) for name in LOOKED_AT}, one)
+    return compare_with_reference(
+        None if values is None else {name: getattr(values, name) for name in LOOKED_AT}, one
+    )
 
 
-def beside(motion: Mapping[str, Any] | None, one: ReferenceValues) -> Agreement | None:
+def compare_with_reference(motion: Mapping[str, Any] | None, reference: ReferenceValues) -> Agreement | None:
     """Our own value against a reference; None where there is no motion, or it was taken back.
 
     `motion`: its values by name, with `status`; None where the vehicle was never measured.
     """
-    if motion is None or motion["status"] != "ok" or one.withdrawn:
+    if motion is None or motion["status"] != "ok" or reference.withdrawn:
         return None
-    name = MEASURED[one.quantity]
+    name = MEASURED[reference.quantity]
     value, u = motion[name], motion[f"u_{name}"]
     if value is None or u is None:
         return None
-    return agreement(value, u, one.value, one.u)
+    return agreement(value, u, reference.value, reference.u)

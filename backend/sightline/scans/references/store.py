@@ -69,17 +69,17 @@ def withdraw_scan_reference(
 
 def standing_references(session: Session, scan_id: int) -> dict[int, tuple[StoredReference, ...]]:
     """What stands of each living vehicle of a scan that has any, by vehicle; one query."""
-    return _by_vehicle(_where(session, (scan_references.c.scan_id == scan_id) & _alive & _stands))
+    return _by_vehicle(_fetch_references(session, (scan_references.c.scan_id == scan_id) & _alive & _stands))
 
 
 def standing_references_of(session: Session, vehicle_id: int) -> tuple[StoredReference, ...]:
     """What stands of one vehicle, deleted or not."""
-    return _where(session, (scan_references.c.vehicle_id == vehicle_id) & _stands)
+    return _fetch_references(session, (scan_references.c.vehicle_id == vehicle_id) & _stands)
 
 
 def reference_history_of_scan(session: Session, scan_id: int) -> tuple[StoredReference, ...]:
     """Every revision of a scan's living vehicles, oldest first."""
-    return _where(session, (scan_references.c.scan_id == scan_id) & _alive)
+    return _fetch_references(session, (scan_references.c.scan_id == scan_id) & _alive)
 
 
 _stands: ColumnElement[bool] = _is_current & ~scan_references.c.withdrawn
@@ -96,7 +96,9 @@ def _current(
     session: Session, vehicle_id: int, quantity: ReferenceQuantity, source: ReferenceSource
 ) -> StoredReference | None:
     mine = dict(zip(_KEY, (vehicle_id, quantity, source), strict=True))
-    found = _where(session, *(scan_references.c[name] == value for name, value in mine.items()), _is_current)
+    found = _fetch_references(
+        session, *(scan_references.c[name] == value for name, value in mine.items()), _is_current
+    )
     return found[0] if found else None
 
 
@@ -124,9 +126,9 @@ def _append(
         also={} if matched is None else {"matched": matched},
         actor=actor,
     )
-    return _where(session, scan_references.c.id == row_id)[0]
+    return _fetch_references(session, scan_references.c.id == row_id)[0]
 
 
-def _where(session: Session, *conditions: ColumnElement[bool]) -> tuple[StoredReference, ...]:
+def _fetch_references(session: Session, *conditions: ColumnElement[bool]) -> tuple[StoredReference, ...]:
     rows = written_rows(session, scan_references, *conditions)
     return tuple(record_of(StoredReference, row, values=record_of(ReferenceValues, row)) for row in rows)

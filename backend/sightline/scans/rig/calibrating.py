@@ -60,7 +60,7 @@ def preview_rig_calibration(
 
 
 def store_rig_calibration(
-    session: Session, scan_id: int, data: bytes, name: str, said: Given, *, version: int, actor: int | None
+    session: Session, scan_id: int, data: bytes, name: str, stated: Given, *, version: int, actor: int | None
 ) -> StoredRigCalibration:
     """Store the calibration of these passes, and put its values in force; rows that cannot be used are left
     out.
@@ -68,10 +68,10 @@ def store_rig_calibration(
     Raises NotFound, Conflict, BadInput where the passes give no calibration, or where nobody said how far the
     vehicles are: without that their baseline would be the one at the cameras.
     """
-    rig = _at_lane(get_scan(session, scan_id).rig, said)
+    rig = _at_lane(get_scan(session, scan_id).rig, stated)
     if rig.distance_m is None and not rig.lanes:
         raise BadInput("scans-rig-needs-distance")
-    common = _common(rig, said)
+    common = _common(rig, stated)
     given = read_rig_passes(data, name, common)
     found = solve_passes(given.passes, common)
     values = calibration_values(given.passes, common, found)
@@ -85,32 +85,32 @@ def rig_calibrations_of(session: Session, scan_id: int) -> tuple[RigCalibrationS
     """Every calibration of a scan's rig, newest first; the newest whose values the rig has is in force."""
     rig = get_scan(session, scan_id).rig
     shown: list[RigCalibrationShown] = []
-    for one in reversed(rig_calibration_history(session, scan_id)):
-        same = all(getattr(one.values, name) == getattr(rig, name) for name in CALIBRATED)
+    for calibration in reversed(rig_calibration_history(session, scan_id)):
+        same = all(getattr(calibration.values, name) == getattr(rig, name) for name in CALIBRATED)
         shown.append(
             filled_from(
                 RigCalibrationShown,
-                one,
+                calibration,
                 in_force=same and not any(other.in_force for other in shown),
-                figures=_figures(found_of(one.values), rig),
+                figures=_figures(found_of(calibration.values), rig),
             )
         )
     return tuple(shown)
 
 
 def calibration_values(
-    passes: Sequence[RigPass], common: Common, found: RigCalibration
+    passes: Sequence[RigPass], common: Common, calibration: RigCalibration
 ) -> RigCalibrationValues:
     """A calibration as it is stored."""
     return filled_from(
         RigCalibrationValues,
-        found,
+        calibration,
         common,
         passes=[_document(one) for one in passes],
         line_rate_hz=common.line_rate_hz or 0.0,
-        baseline_m=round(found.baseline_m, LENGTH_DECIMALS),
-        u_baseline_m=round(found.u_baseline_m, LENGTH_DECIMALS),
-        baseline_correlation=found.correlation,
+        baseline_m=round(calibration.baseline_m, LENGTH_DECIMALS),
+        u_baseline_m=round(calibration.u_baseline_m, LENGTH_DECIMALS),
+        baseline_correlation=calibration.correlation,
         code_version=code_version(),
     )
 
@@ -128,13 +128,13 @@ def solve_passes(passes: Sequence[RigPass], common: Common) -> RigCalibration:
     return calibrate_rig([RigPass(**_document(one)) for one in passes], common)
 
 
-def _at_lane(rig: Rig, said: Given) -> Rig:
-    if said.distance_m is None:
+def _at_lane(rig: Rig, stated: Given) -> Rig:
+    if stated.distance_m is None:
         return rig
     return replace(
         rig,
-        distance_m=round(said.distance_m, LENGTH_DECIMALS),
-        u_distance_m=round(said.u_distance_m, LENGTH_DECIMALS),
+        distance_m=round(stated.distance_m, LENGTH_DECIMALS),
+        u_distance_m=round(stated.u_distance_m, LENGTH_DECIMALS),
     )
 
 
@@ -150,19 +150,21 @@ def _document(one: RigPass) -> JsonObject:
     }
 
 
-def _figures(found: RigCalibration, rig: Rig) -> CalibrationFigures:
+def _figures(calibration: RigCalibration, rig: Rig) -> CalibrationFigures:
     return filled_from(
         CalibrationFigures,
-        found,
-        U95_baseline_m=expanded(found.u_baseline_m),
-        U95_divergence_rad=expanded(found.u_divergence_rad),
-        baseline_correlation=found.correlation,
-        lane=None if rig.distance_m is None else _at(found, rig.distance_m, rig.u_distance_m),
-        lanes=tuple(_at(found, one.distance_m, one.u_distance_m, one.name) for one in rig.lanes),
+        calibration,
+        U95_baseline_m=expanded(calibration.u_baseline_m),
+        U95_divergence_rad=expanded(calibration.u_divergence_rad),
+        baseline_correlation=calibration.correlation,
+        lane=None if rig.distance_m is None else _lane_at(calibration, rig.distance_m, rig.u_distance_m),
+        lanes=tuple(_lane_at(calibration, one.distance_m, one.u_distance_m, one.name) for one in rig.lanes),
     )
 
 
-def _at(found: RigCalibration, distance_m: float, u_distance_m: float, name: str | None = None) -> LaneOfRig:
+def _lane_at(
+    found: RigCalibration, distance_m: float, u_distance_m: float, name: str | None = None
+) -> LaneOfRig:
     lane = lane_baseline(found, distance_m, u_distance_m)
     u95 = expanded(lane.u_baseline_m)
     U95_percent = 100 * u95 / lane.baseline_m

@@ -5,7 +5,16 @@ from dataclasses import dataclass, fields
 from typing import Any, get_args
 
 from sightline.enums import RigPassKind
-from sightline.infra.csv_package.columns import integer, key, metres, moment, number, person, text, within
+from sightline.infra.csv_package.columns import (
+    columns_within,
+    integer,
+    key,
+    metres,
+    moment,
+    number,
+    person,
+    text,
+)
 from sightline.infra.csv_package.files import Staging
 from sightline.infra.csv_package.schema import Column, Table, ids_of
 from sightline.infra.database import Session
@@ -49,7 +58,7 @@ def _unit(name: str) -> str:
     return next((unit for end, unit in (("_mps", "m/s"), ("_m", "m")) if name.endswith(end)), "")
 
 
-def _given(name: str) -> Column[ListedPass]:
+def _given_column(name: str) -> Column[ListedPass]:
     return number(name, _MEANINGS[name], _unit(name), lambda one: one.given.get(name))
 
 
@@ -61,7 +70,7 @@ RIG_CALIBRATIONS: Table[StoredRigCalibration] = Table(
         key("id", "calibration"),
         key("scan_id", "line-scan recording"),
         key("revision", "number of the calibration, from 1"),
-        *within(
+        *columns_within(
             "values",
             number("line_rate_hz", "lines a second, for passes of known speed", "Hz", required=True),
             number("u_line_rate_ratio", "its standard uncertainty over it (k = 1)", required=True),
@@ -92,12 +101,12 @@ RIG_PASSES: Table[ListedPass] = Table(
         key("calibration_id", "calibration, in rig_calibrations"),
         key("number", "number of the pass, from 1"),
         text("pass", "its name", lambda one: one.given["name"], required=True),
-        *within(
+        *columns_within(
             "fitted",
             text("kind", "how it determines the baseline", required=True, enum=get_args(RigPassKind)),
         ),
-        *(_given(name) for name in GIVEN),
-        *within(
+        *(_given_column(name) for name in GIVEN),
+        *columns_within(
             "fitted",
             metres("span_m", "baseline that the pass gives at its distance", required=True),
             metres("u_span_m", "standard uncertainty of span_m (k = 1)", required=True),

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 
 from sightline.errors import BadInput
-from sightline.infra.given_csv import GivenTable, read_table, undefused
+from sightline.infra.given_csv import GivenTable, read_table, strip_formula_apostrophe
 from sightline.linescan.rig_calibration import VALUES, Common, RigPass, RigPassError, span_of
 from sightline.messages.said import Said
 
@@ -44,33 +44,33 @@ def read_rig_passes(data: bytes, name: str, common: Common) -> GivenPasses:
     passes: list[RigPass] = []
     refused: list[RefusedRow] = []
     for row in table.rows:
-        named = {column: undefused(row.cells[at].strip()) for column, at in columns.items()}
+        named = {column: strip_formula_apostrophe(row.cells[at].strip()) for column, at in columns.items()}
         called = named.pop(NAME, "")[:MOST_SIGNS] or str(row.line)
         try:
             if row.problem is not None:
                 raise row.problem
             if any(one.name == called for one in passes):
                 raise RigPassError("rig-pass-twice")
-            one = _pass(table, row.line, called, named)
-            span_of(one, common)
+            rig_pass = _pass(table, row.line, called, named)
+            span_of(rig_pass, common)
         except BadInput as error:
             refused.append(RefusedRow(row.line, called, error.said))
         else:
-            passes.append(one)
+            passes.append(rig_pass)
     return GivenPasses(tuple(passes), tuple(refused))
 
 
 def _columns(header: Sequence[str], name: str) -> dict[str, int]:
     """Where each column stands that is known."""
-    found = [one.lower() for one in header]
-    twice = sorted({one for one in found if one in COLUMNS and found.count(one) > 1})
+    titles = [one.lower() for one in header]
+    twice = sorted({one for one in titles if one in COLUMNS and titles.count(one) > 1})
     if twice:
         raise BadInput("csv-column-twice", name=name, line=1, column=twice[0])
-    whole = any(set(names) <= set(found) for names in VALUES.values())
-    if "distance_m" not in found or not whole:
+    whole = any(set(names) <= set(titles) for names in VALUES.values())
+    if "distance_m" not in titles or not whole:
         ways = " | ".join(", ".join(names) for names in VALUES.values())
         raise BadInput("rig-passes-columns", name=name, ways=ways)
-    return {one: at for at, one in enumerate(found) if one in COLUMNS}
+    return {one: at for at, one in enumerate(titles) if one in COLUMNS}
 
 
 def _pass(table: GivenTable, line: int, called: str, cells: Mapping[str, str]) -> RigPass:

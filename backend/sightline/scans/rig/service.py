@@ -10,7 +10,6 @@ from sightline.enums import KnownLength
 from sightline.infra.database import Session
 from sightline.linescan.rig import (
     RigEstimate,
-    alone,
     at_lane,
     baseline_of,
     baseline_ratio,
@@ -18,6 +17,7 @@ from sightline.linescan.rig import (
     gain,
     misalignment,
     rig_from,
+    u_without_baseline_m,
 )
 from sightline.messages.said import Said
 from sightline.scans.records import Scan, ScanValues, ScanVehicle
@@ -83,16 +83,16 @@ def _implied(scan: Scan, vehicles: Sequence[ScanVehicle], of: KnownLength) -> Im
     """Sizes go with the baseline at the vehicle that they were measured with; each is brought to today's."""
     in_force = baseline_of(at_lane(scan.rig, None))[0]
     rows = []
-    for one in vehicles:
-        assert one.measurement is not None
-        values = one.measurement.values
-        size, true = getattr(values, f"{of}_m"), getattr(one, f"true_{of}_m")
+    for vehicle in vehicles:
+        assert vehicle.measurement is not None
+        values = vehicle.measurement.values
+        size, true = getattr(values, f"{of}_m"), getattr(vehicle, f"true_{of}_m")
         if size is None or true is None:
             continue
         baseline_m, u_baseline_m = common_baseline_of(rig_from(values.rig))
-        u = alone(size, getattr(values, f"u_{of}_m"), baseline_m, u_baseline_m)
+        u = u_without_baseline_m(size, getattr(values, f"u_{of}_m"), baseline_m, u_baseline_m)
         scale = baseline_of(at_lane(scan.rig, values.lane, values.direction))[0] / baseline_m
-        rows.append((scale * size, scale * u, true, getattr(one, f"u_true_{of}_m") or 0.0))
+        rows.append((scale * size, scale * u, true, getattr(vehicle, f"u_true_{of}_m") or 0.0))
     ratio = baseline_ratio(of, *([row[k] for row in rows] for k in range(4)))
     if ratio.value is None or ratio.u is None:
         return ImpliedBaseline(

@@ -26,7 +26,9 @@ def scan_statistics(
 ) -> ScanStatistics:
     """Statistics of a survey's line scans; rejected vehicles never count, unreviewed ones where asked for."""
     found = [
-        _seen(scan, one) for scan in list_scans(session, survey_id) for one in vehicles_of(session, scan.id)
+        _motion_of_vehicle(scan, one)
+        for scan in list_scans(session, survey_id)
+        for one in vehicles_of(session, scan.id)
     ]
     return statistics_of_seen(found, accepted_only=accepted_only, filmed=filmed)
 
@@ -40,39 +42,39 @@ def scan_traffic(
     filmed: FilmedWithin = FilmedWithin(),
 ) -> tuple[ScanTraffic, ...]:
     """The traffic of a survey's line scans; speeds of unreviewed vehicles count where asked for."""
-    found, watched = [], []
+    motions, watched = [], []
     for scan in list_scans(session, survey_id):
-        found += [_seen(scan, one) for one in vehicles_of(session, scan.id)]
+        motions += [_motion_of_vehicle(scan, one) for one in vehicles_of(session, scan.id)]
         watched_s = scan.lines and scan.lines / scan.rig.line_rate_hz
         clock = None if scan.clock is None else scan.clock.filming
         watched.append(Watched(scan.id, scan.name, clock, watched_s, scan.rig.line_rate_hz))
-    return traffic_of_seen(watched, found, minutes, accepted_only=accepted_only, filmed=filmed)
+    return traffic_of_seen(watched, motions, minutes, accepted_only=accepted_only, filmed=filmed)
 
 
 def scan_height_statistics(
     session: Session, survey_id: int, *, accepted_only: bool, filmed: FilmedWithin = FilmedWithin()
 ) -> tuple[ScannedHeights, ...]:
     """The heights of a survey's line scans, target by target; rejected ones never count."""
-    seen = []
+    heights = []
     for scan in list_scans(session, survey_id):
         passed = vehicles_of(session, scan.id) if filmed.limits_time else ()
         within = {one.vehicle.id for one in passed if filmed.holds(_filmed_at(one))}
-        for one in list_scan_heights(session, scan.id):
-            values, u95 = one.values, one.values.U95_height_m
-            stands = not one.withdrawn and (not filmed.limits_time or one.vehicle_id in within)
+        for height in list_scan_heights(session, scan.id):
+            values, u95 = height.values, height.values.U95_height_m
+            stands = not height.withdrawn and (not filmed.limits_time or height.vehicle_id in within)
             if stands and values.height_m is not None and u95 is not None:
-                seen.append(HeightSeen(values.target, one.review.verdict, values.height_m, u95))
-    return scanned_heights(seen, accepted_only=accepted_only)
+                heights.append(HeightSeen(values.target, height.review.verdict, values.height_m, u95))
+    return scanned_heights(heights, accepted_only=accepted_only)
 
 
 def _filmed_at(one: ShownVehicle) -> str:
     return "" if one.passing is None else one.passing.filmed_at
 
 
-def _seen(scan: Scan, one: ShownVehicle) -> VehicleMotion:
-    vehicle = one.vehicle
+def _motion_of_vehicle(scan: Scan, shown: ShownVehicle) -> VehicleMotion:
+    vehicle = shown.vehicle
     values = None if vehicle.measurement is None else vehicle.measurement.values
-    gap = {name: getattr(one.gap, name) for name in GAPS} if one.gap else {}
+    gap = {name: getattr(shown.gap, name) for name in GAPS} if shown.gap else {}
     where: dict[str, Any] = {}
     if values:
         ends = values.front_line_1, values.rear_line_1
@@ -93,10 +95,10 @@ def _seen(scan: Scan, one: ShownVehicle) -> VehicleMotion:
         },
         status=values.status if values else "not_measurable",
         reason=values.reason if values else None,
-        filmed_at=_filmed_at(one),
-        u_filmed_at_s=None if one.passing is None else one.passing.u_filmed_at_s,
+        filmed_at=_filmed_at(shown),
+        u_filmed_at_s=None if shown.passing is None else shown.passing.u_filmed_at_s,
         run_of=vehicle.run_of,
-        references=tuple(given.values for given in one.references),
+        references=tuple(given.values for given in shown.references),
         direction=None if values is None else values.direction,
         lane=None if values is None else values.lane,
         axles=None if values is None else values.axles,

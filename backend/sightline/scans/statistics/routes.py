@@ -84,14 +84,14 @@ def get_scan_statistics(
 ) -> ScanStatisticsBody:
     """Errors of length and wheelbase, distributions of speed and gaps, the paper's Table I beside it."""
     heights = scan_height_statistics(session, survey_id, accepted_only=accepted_only, filmed=filmed)
-    found = scan_statistics(session, survey_id, accepted_only=accepted_only, filmed=filmed)
+    statistics = scan_statistics(session, survey_id, accepted_only=accepted_only, filmed=filmed)
     paper = [filled_from(PaperCarBody, one, length_error_m=one.size_m - one.true_length_m) for one in TABLE_I]
     return ScanStatisticsBody.model_validate(
         {
-            **vars(found),
-            "length_errors": [error_figures(*one) for one in found.length_errors.items()],
-            "wheelbase_errors": [error_figures(*one) for one in found.wheelbase_errors.items()],
-            "spreads": [vars(one) for one in found.spreads],
+            **vars(statistics),
+            "length_errors": [error_figures(*one) for one in statistics.length_errors.items()],
+            "wheelbase_errors": [error_figures(*one) for one in statistics.wheelbase_errors.items()],
+            "spreads": [vars(one) for one in statistics.spreads],
             "heights": heights,
             "paper": paper,
         }

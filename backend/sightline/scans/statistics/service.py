@@ -20,16 +20,16 @@ from sightline.linescan.clock import since_start_s
 from sightline.linescan.parts import Rig, front_seen, rear_seen
 from sightline.linescan.rig import (
     RigEstimate,
-    alone,
     baseline_of,
     baseline_ratio,
     shared_errors_m,
     speed_ratio_of,
+    u_without_baseline_m,
 )
 from sightline.messages.said import Said
 from sightline.recordings.filming import FilmedWithin
 from sightline.scans.references.records import MEASURED, UNITS, ReferenceValues
-from sightline.scans.references.service import LOOKED_AT, beside
+from sightline.scans.references.service import LOOKED_AT, compare_with_reference
 from sightline.statistics.distributions import (
     Density,
     Ecdf,
@@ -111,7 +111,7 @@ class VehicleMotion:
     def u_alone_m(self, name: str) -> float:
         """The u of a size of it without what the rig gives to all vehicles alike."""
         size_m, u_baseline_m = self.values.get(name) or 0.0, hypot(*self.rig_errors_m)
-        return alone(size_m, self.values.get(f"u_{name}"), self.rig_baseline_m, u_baseline_m)
+        return u_without_baseline_m(size_m, self.values.get(f"u_{name}"), self.rig_baseline_m, u_baseline_m)
 
 
 def when_passed(rig: Rig, front_line_1: float, rear_line_1: float, reason: Said | None) -> dict[str, Any]:
@@ -209,24 +209,24 @@ class ScanStatistics:
 
 
 def statistics_of_seen(
-    seen: Sequence[VehicleMotion], *, accepted_only: bool, filmed: FilmedWithin = FilmedWithin()
+    vehicles: Sequence[VehicleMotion], *, accepted_only: bool, filmed: FilmedWithin = FilmedWithin()
 ) -> ScanStatistics:
     """Statistics of these vehicles; rejected ones never count, unreviewed ones where asked for, none that was
     not `filmed` within those days and hours.
 
     A gap counts where the vehicle behind it does.
     """
-    found = [one for one in seen if filmed.holds(one.filmed_at)]
-    chosen = [one for one in found if counts(one, accepted_only)]
-    states = [one.state for one in found]
+    within = [one for one in vehicles if filmed.holds(one.filmed_at)]
+    chosen = [one for one in within if counts(one, accepted_only)]
+    states = [one.state for one in within]
     counted = {
-        "vehicles": len(found),
+        "vehicles": len(within),
         "used": len(chosen),
-        "without_time": sum(not one.filmed_at for one in seen) if filmed.limits_time else 0,
+        "without_time": sum(not one.filmed_at for one in vehicles) if filmed.limits_time else 0,
         **{name: states.count(name) for name in get_args(ScanVehicleState)},
     }
     return ScanStatistics(
-        scans=len({one.scan_id for one in found}),
+        scans=len({one.scan_id for one in within}),
         counted=counted,
         length_errors=_errors(chosen, "length_m"),
         wheelbase_errors=_errors(chosen, "wheelbase_m"),
@@ -236,7 +236,7 @@ def statistics_of_seen(
             _spread(name, unit, [v for one in chosen if (v := one.values.get(of)) is not None])
             for name, (of, unit) in _QUANTITIES.items()
         ),
-        table=tuple(_row(one) for one in chosen),
+        table=tuple(_row_of_vehicle(one) for one in chosen),
         references=tuple(_references(chosen)),
         cars=tuple(_cars(chosen)),
     )
@@ -284,23 +284,24 @@ def _ratio(chosen: Sequence[VehicleMotion], of: KnownLength) -> RigEstimate:
     return baseline_ratio(of, *([row[k] for row in rows] for k in range(4)))
 
 
-def _row(one: VehicleMotion) -> ScanRow:
+def _row_of_vehicle(vehicle: VehicleMotion) -> ScanRow:
     motion = ("speed_mps", "acceleration_mps2", "length_m", "fit_error_percent")
-    values = {name: one.values.get(name) for name in motion}
-    return filled_from(ScanRow, one, true_length_m=one.known.get("length_m"), **values)
+    values = {name: vehicle.values.get(name) for name in motion}
+    return filled_from(ScanRow, vehicle, true_length_m=vehicle.known.get("length_m"), **values)
 
 
 def _references(chosen: Sequence[VehicleMotion]) -> Iterator[ReferenceGroup]:
     """Quantity by quantity: each source that says something of it, then all together."""
     for quantity in get_args(ReferenceQuantity):
-        found = [
+        agreements = [
             (given.source, apart)
             for one in chosen
             for given in one.references
-            if given.quantity == quantity and (apart := beside(_compared(one), given)) is not None
+            if given.quantity == quantity
+            and (apart := compare_with_reference(_compared(one), given)) is not None
         ]
         for source in (*get_args(ReferenceSource), None):
-            errors = reference_errors([apart for by, apart in found if source in (by, None)])
+            errors = reference_errors([apart for by, apart in agreements if source in (by, None)])
             if errors is not None:
                 yield ReferenceGroup(quantity, source, UNITS[quantity], errors)
 
@@ -320,14 +321,14 @@ def _cars(chosen: Sequence[VehicleMotion]) -> Iterator[CarRuns]:
         sizes = {size: runs_together(_runs(runs, MEASURED[size])) for size in get_args(KnownLength)}
         yield CarRuns(
             car=car,
-            runs=tuple(_row(one) for one in runs),
+            runs=tuple(_row_of_vehicle(one) for one in runs),
             speed_mean_mps=float(speeds.mean()),
             speed_sd_mps=float(speeds.std(ddof=1)) if len(runs) > 1 else None,
             sizes={size: found for size, found in sizes.items() if found is not None},
         )
 
 
-def _runs(found: Sequence[VehicleMotion], name: str) -> list[Run]:
+def _runs(vehicles: Sequence[VehicleMotion], name: str) -> list[Run]:
     """A size of each run; the errors of baseline and divergence are those of all runs with this rig, in
     whichever lane.
 
@@ -336,7 +337,7 @@ def _runs(found: Sequence[VehicleMotion], name: str) -> list[Run]:
     """
     sized = [
         (one, value)
-        for one in found
+        for one in vehicles
         if (value := one.values.get(name)) is not None and one.values.get(f"u_{name}") is not None
     ]
     middle = float(np.median([value for _, value in sized])) if sized else 0.0

@@ -116,7 +116,7 @@ class ScanTraffic:
 
 def traffic_of_seen(
     watched: Sequence[Watched],
-    found: Sequence[VehicleMotion],
+    vehicles: Sequence[VehicleMotion],
     minutes: int,
     *,
     accepted_only: bool,
@@ -132,12 +132,12 @@ def traffic_of_seen(
     within a minute, tells no occupancy, and one in view where that goes on at once is not counted again.
     """
     of_scan: dict[int, list[VehicleMotion]] = {one.scan_id: [] for one in watched}
-    for car in found:
+    for car in vehicles:
         of_scan.get(car.scan_id, []).append(car)
     streams = [streams_of(of_scan[one.scan_id]) for one in watched]
     stood = _stood_before(watched, streams)
     out = []
-    for one, by_stream, ended in zip(watched, streams, stood, strict=True):
+    for scan, by_stream, ended in zip(watched, streams, stood, strict=True):
         goes_on = any(each.later_s <= _NEXT_S and each.stream not in each.gone for each in ended)
         for stream, seen in by_stream.items():
             before = any(_may_be_of(each.stream, stream) and stream not in each.gone for each in ended)
@@ -149,7 +149,7 @@ def traffic_of_seen(
                 for car in passed
             ]
             since_s = strays_s(by_stream, stream[0])
-            whole = _traffic(one, cars, stream, minutes, accepted_only, before, strayed, since_s)
+            whole = _traffic(scan, cars, stream, minutes, accepted_only, before, strayed, since_s)
             within = tuple(each for each in whole.intervals if filmed.holds(each.begins_at))
             out.append(replace(whole, intervals=within))
     return tuple(out)
@@ -189,16 +189,16 @@ def _stood_before(
     return found
 
 
-def _may_be_of(one: Stream, lane: Stream) -> bool:
+def _may_be_of(stream: Stream, lane: Stream) -> bool:
     """Whether vehicles of one stream may be of another: those of unknown lane may be in any lane, and which
     way one that stands goes is not known.
     """
-    return one == lane or (one[1] is None and lane[1] is not None)
+    return stream == lane or (stream[1] is None and lane[1] is not None)
 
 
 def _traffic(
     scan: Watched,
-    found: Sequence[VehicleMotion],
+    vehicles: Sequence[VehicleMotion],
     stream: Stream,
     minutes: int,
     accepted_only: bool,
@@ -206,12 +206,12 @@ def _traffic(
     strayed: Sequence[VehicleMotion],
     since_s: Sequence[float],
 ) -> ScanTraffic:
-    passed = [_passed(one, accepted_only) for one in found if one.since_s is not None]
+    passed = [_make_passed(one, accepted_only) for one in vehicles if one.since_s is not None]
     unseen = [one for one in strayed if one.since_s is not None and one.occupied_s is None]
     reason = None if scan.clock else Said("scans-traffic-no-start")
     if scan.watched_s is None:
         reason = Said("scans-traffic-not-read")
-    elif any(one.line_rate_hz not in (None, scan.line_rate_hz) for one in found):
+    elif any(one.line_rate_hz not in (None, scan.line_rate_hz) for one in vehicles):
         reason = Said("scans-traffic-other-rate")
     return ScanTraffic(
         scan_id=scan.scan_id,
@@ -227,10 +227,10 @@ def _traffic(
             scan.watched_s,
             minutes,
             stood_before=stood_before,
-            strayed=[_passed(one, accepted_only) for one in unseen],
+            strayed=[_make_passed(one, accepted_only) for one in unseen],
             strays_s=since_s,
         ),
-        unplaced=len(found) - len(passed),
+        unplaced=len(vehicles) - len(passed),
         reason=reason,
     )
 
@@ -272,30 +272,30 @@ def _stands_at_end(one: VehicleMotion, watched_s: float) -> bool:
     return stands_at_end(one.reason, rear_s, watched_s)
 
 
-def _passed(one: VehicleMotion, accepted_only: bool) -> Passed:
-    assert one.since_s is not None
-    if not counts(one, accepted_only):
+def _make_passed(vehicle: VehicleMotion, accepted_only: bool) -> Passed:
+    assert vehicle.since_s is not None
+    if not counts(vehicle, accepted_only):
         return Passed(
-            one.since_s,
-            one.occupied_s,
-            one.u_filmed_at_s,
-            refused=not one.measured,
-            stands=may_still_stand(one.reason),
-            front_seen=one.front_seen,
-            told_before=one.told_before,
+            vehicle.since_s,
+            vehicle.occupied_s,
+            vehicle.u_filmed_at_s,
+            refused=not vehicle.measured,
+            stands=may_still_stand(vehicle.reason),
+            front_seen=vehicle.front_seen,
+            told_before=vehicle.told_before,
         )
     return Passed(
-        one.since_s,
-        one.occupied_s,
-        one.u_filmed_at_s,
-        speed_mps=one.values.get("speed_mps"),
-        u_speed_mps=one.values.get("u_speed_mps"),
-        length_m=one.values.get("length_m"),
-        u_length_m=one.values.get("u_length_m"),
-        rig_ratio=one.rig_ratio,
-        axles=one.axles,
-        front_seen=one.front_seen,
-        told_before=one.told_before,
+        vehicle.since_s,
+        vehicle.occupied_s,
+        vehicle.u_filmed_at_s,
+        speed_mps=vehicle.values.get("speed_mps"),
+        u_speed_mps=vehicle.values.get("u_speed_mps"),
+        length_m=vehicle.values.get("length_m"),
+        u_length_m=vehicle.values.get("u_length_m"),
+        rig_ratio=vehicle.rig_ratio,
+        axles=vehicle.axles,
+        front_seen=vehicle.front_seen,
+        told_before=vehicle.told_before,
     )
 
 

@@ -52,7 +52,7 @@ def place_boundaries(
 
     Raises NotFound, Conflict for another version, BadInput for boundaries that cannot be.
     """
-    vehicle, scan = _seen(services, vehicle_id, version)
+    vehicle, scan = _require_seen_version(services, vehicle_id, version)
     before = vehicle.measurement
     readers = open_strips(services, scan)
     _check(crossings, readers)
@@ -64,7 +64,7 @@ def place_boundaries(
         motion = measured_at(crossings, scan.rig, chosen, readers, lane)
         values = values_of(motion, scan.rig, "boundaries", placed_by=actor)
     elif back.method == chosen and _as_now(back, scan.rig, lane):
-        values = replace(_own(back), cause="back", run_id=None)
+        values = replace(_drop_wheelbase_warning(back), cause="back", run_id=None)
     else:
         motion = measured_at(crossings, scan.rig, chosen, readers, lane, back)
         values = values_of(motion, scan.rig, "back", placed_by=back.placed_by)
@@ -81,11 +81,11 @@ def place_wheels(
 
     Raises NotFound, Conflict for another version, BadInput where there can be no wheelbase.
     """
-    vehicle, scan = _seen(services, vehicle_id, version)
+    vehicle, scan = _require_seen_version(services, vehicle_id, version)
     before = vehicle.measurement
     if before is None:
         raise BadInput("scans-vehicle-not-measured")
-    values = with_wheels(_own(before.values), lines)
+    values = with_wheels(_drop_wheelbase_warning(before.values), lines)
     if lines is not None and values.wheelbase_m is None:
         raise BadInput("scan-motion-no-wheelbase", reason=values.warnings[-1].values["reason"])
     if lines is not None and not all(0 <= line < (scan.lines or 0) for line in lines):
@@ -102,7 +102,7 @@ def place_axles(
 
     Raises NotFound, Conflict for another version, BadInput for lines outside the vehicle or too many.
     """
-    vehicle, scan = _seen(services, vehicle_id, version)
+    vehicle, scan = _require_seen_version(services, vehicle_id, version)
     before = vehicle.measurement
     if before is None or before.values.status != "ok":
         raise BadInput("scans-axles-without-motion")
@@ -111,14 +111,14 @@ def place_axles(
         readers = open_strips(services, scan)
         motion = measured_again(before, scan.rig, values.method, readers)
         found = None if motion.axle_lines is None else list(motion.axle_lines)
-        made = replace(values, axle_lines=found, axles_by=None if found is None else "machine")
+        changed = replace(values, axle_lines=found, axles_by=None if found is None else "machine")
     else:
         if not all(values.front_line_1 <= line <= values.rear_line_1 for line in lines):
             raise BadInput("scans-axle-outside-vehicle")
-        made = replace(values, axle_lines=sorted(set(lines)), axles_by="person")
-    made = replace(made, cause="wheels", placed_by=actor, run_id=None, code_version=code_version())
+        changed = replace(values, axle_lines=sorted(set(lines)), axles_by="person")
+    changed = replace(changed, cause="wheels", placed_by=actor, run_id=None, code_version=code_version())
     with services.writing() as session:
-        append_scan_measurement(session, vehicle_id, made, version=version, actor=actor)
+        append_scan_measurement(session, vehicle_id, changed, version=version, actor=actor)
 
 
 def place_lane(services: Services, vehicle_id: int, lane: str | None, version: int, actor: int) -> None:
@@ -128,7 +128,7 @@ def place_lane(services: Services, vehicle_id: int, lane: str | None, version: i
 
     Raises NotFound, Conflict for another version, BadInput for a lane that the rig does not have.
     """
-    vehicle, scan = _seen(services, vehicle_id, version)
+    vehicle, scan = _require_seen_version(services, vehicle_id, version)
     before = vehicle.measurement
     if before is None:
         raise BadInput("scans-lane-needs-boundaries")
@@ -146,7 +146,7 @@ def place_lane(services: Services, vehicle_id: int, lane: str | None, version: i
         motion = measured_at(crossings, scan.rig, then.method, readers, lane, then)
         values = values_of(motion, scan.rig, "lane", placed_by=actor)
     else:
-        values = replace(_own(back), cause="back", run_id=None)
+        values = replace(_drop_wheelbase_warning(back), cause="back", run_id=None)
     values = with_people(values, then)
     with services.writing() as session:
         append_scan_measurement(session, vehicle_id, values, version=version, actor=actor)
@@ -219,7 +219,7 @@ def _as_now(values: ScanValues, rig: Rig, lane: str | None) -> bool:
     return values.rig == rig_for(rig, values.lane, values.direction) and told == lane
 
 
-def _seen(services: Services, vehicle_id: int, version: int) -> tuple[ScanVehicle, Scan]:
+def _require_seen_version(services: Services, vehicle_id: int, version: int) -> tuple[ScanVehicle, Scan]:
     """The vehicle and its scan, if nobody changed it since; looked at before the work and after it."""
     with services.reading() as session:
         require_scan_vehicle_version(session, vehicle_id, version)
@@ -227,7 +227,7 @@ def _seen(services: Services, vehicle_id: int, version: int) -> tuple[ScanVehicl
         return vehicle, get_scan(session, vehicle.scan_id)
 
 
-def _own(values: ScanValues) -> ScanValues:
+def _drop_wheelbase_warning(values: ScanValues) -> ScanValues:
     """The content without what an earlier wheelbase said."""
     kept = [one for one in values.warnings if one.code != "scan-motion-no-wheelbase"]
     return replace(values, warnings=kept)

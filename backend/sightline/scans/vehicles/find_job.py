@@ -18,7 +18,7 @@ from sightline.messages.said import Said
 from sightline.scans.records import RunSummary, Scan, ScanRunValues, ScanValues, ScanVehicle, same_motion
 from sightline.scans.service import FIND, open_strips
 from sightline.scans.store import get_scan, rig_columns
-from sightline.scans.vehicles.measure import Readers, measured, measured_again, measured_at
+from sightline.scans.vehicles.measure import Readers, measure_passage, measured_again, measured_at
 from sightline.scans.vehicles.measurement_store import append_scan_measurements
 from sightline.scans.vehicles.motion import lane_by_person, values_of, with_people
 from sightline.scans.vehicles.run_store import add_scan_run
@@ -63,14 +63,14 @@ def find_vehicles(context: JobContext) -> Finish:
         by_hand = scan_vehicles_placed_by_hand(session, scan_id)
     method: ScanMethod = context.payload["method"]
     readers = open_strips(services, scan)
-    found = Search()
+    searched = Search()
     if context.payload.get("search", True):
-        found = search(context.progress, scan.rig, method, readers)
-    plans, discarded = plan(context.progress, found, known, by_hand, scan.rig, method, readers)
+        searched = search(context.progress, scan.rig, method, readers)
+    plans, discarded = plan(context.progress, searched, known, by_hand, scan.rig, method, readers)
 
     def finish(session: Session) -> Mapping[str, Any]:
         place = {"job_id": context.job.id, "actor": context.actor}
-        return store(session, scan, method, found, plans, discarded, **place)
+        return store(session, scan, method, searched, plans, discarded, **place)
 
     return finish
 
@@ -80,7 +80,7 @@ def search(report: Report, rig: Rig, method: ScanMethod, readers: Readers) -> Se
     finder = Finder(readers[0].rows, rig, readers[0].bits)
     motions: list[Motion] = []
     for done, passages in _passages(finder, readers):
-        motions += [measured(one, rig, method, readers) for one in passages]
+        motions += [measure_passage(one, rig, method, readers) for one in passages]
         report(0.9 * done / readers[0].lines, Said("job-vehicles-found", count=len(motions)))
     motions.sort(key=lambda one: one.crossings.front_line_1)
     return Search(tuple(motions), tuple(faults.notes_of(finder)))
@@ -96,7 +96,7 @@ def _passages(finder: Finder, readers: Readers) -> Iterator[tuple[int, list[Any]
 
 def plan(
     report: Report,
-    found: Search,
+    searched: Search,
     known: Sequence[ScanVehicle],
     by_hand: frozenset[int],
     rig: Rig,
@@ -108,7 +108,7 @@ def plan(
     matched: set[int] = set()
     discarded = 0
     there_already = Known(known)
-    for motion in found.motions:
+    for motion in searched.motions:
         there = there_already.same_as(motion)
         if there is None:
             plans.append(Planned(None, motion, "found"))
@@ -121,11 +121,11 @@ def plan(
                 motion = measured_at(motion.crossings, rig, method, readers, chosen, motion)
             plans.append(Planned(there, motion, "again"))
     again = [one for one in known if not one.deleted and one.id not in matched and one.measurement]
-    for count, one in enumerate(again):
+    for count, vehicle in enumerate(again):
         report(0.9 + 0.09 * count / len(again), _AGAIN)
-        assert one.measurement is not None
-        motion = measured_again(one.measurement, rig, method, readers)
-        plans.append(Planned(one, motion, "again"))
+        assert vehicle.measurement is not None
+        motion = measured_again(vehicle.measurement, rig, method, readers)
+        plans.append(Planned(vehicle, motion, "again"))
     return plans, discarded
 
 
@@ -133,7 +133,7 @@ def store(
     session: Session,
     scan: Scan,
     method: ScanMethod,
-    found: Search,
+    searched: Search,
     plans: Sequence[Planned],
     discarded: int,
     *,
@@ -142,11 +142,11 @@ def store(
 ) -> dict[str, Any]:
     """Write the run and what it changes. What somebody changed while it ran stays as they left it."""
     rig = scan.rig
-    motions = [one.motion for one in plans]
+    motions = [planned.motion for planned in plans]
     run = add_scan_run(
         session,
         scan.id,
-        run_values(method, rig, motions, len(found.motions), found.notes),
+        run_values(method, rig, motions, len(searched.motions), searched.notes),
         job_id=job_id,
         actor=actor,
     )
@@ -155,22 +155,22 @@ def store(
     new: list[ScanValues] = []
     again: list[tuple[int, ScanValues]] = []
     overtaken = 0
-    for one in plans:
-        values = values_of(one.motion, rig, one.cause, run_id=run.id)
-        if one.vehicle is None:
-            if there_already.same_as(one.motion) is not None:
+    for planned in plans:
+        values = values_of(planned.motion, rig, planned.cause, run_id=run.id)
+        if planned.vehicle is None:
+            if there_already.same_as(planned.motion) is not None:
                 overtaken += 1
                 continue
             new.append(values)
             continue
-        current = by_id.get(one.vehicle.id)
-        before = one.vehicle.measurement
-        if current is None or current.version != one.vehicle.version or before is None:
+        current = by_id.get(planned.vehicle.id)
+        before = planned.vehicle.measurement
+        if current is None or current.version != planned.vehicle.version or before is None:
             overtaken += 1
             continue
         values = with_people(replace(values, placed_by=before.values.placed_by), before.values)
         if not same_motion(before.values, values):
-            again.append((one.vehicle.id, values))
+            again.append((planned.vehicle.id, values))
     # all at once: whoever else writes waits for the end of this
     made = create_scan_vehicles(session, scan.id, len(new), origin="found", actor=actor)
     append_scan_measurements(session, scan.id, [*zip(made, new, strict=True), *again], actor=actor)
@@ -179,9 +179,9 @@ def store(
     return {
         "scan_id": scan.id,
         "run_id": run.id,
-        "found": len(found.motions),
+        "found": len(searched.motions),
         **counts,
-        "message": _told(len(found.motions), added, revised, overtaken),
+        "message": _summarise_run(len(searched.motions), added, revised, overtaken),
     }
 
 
@@ -194,36 +194,36 @@ class Known:
         self._fronts = [front for front, _ in placed]
         self._vehicles = [one for _, one in placed]
 
-    def same_as(self, found: Motion) -> ScanVehicle | None:
+    def same_as(self, motion: Motion) -> ScanVehicle | None:
         """The vehicle with which this one shares half of the shorter span, None where there is none. Others
         pass within the span of one that stands: where either does, their fronts are as near as that.
         """
-        at = bisect_left(self._fronts, found.crossings.front_line_1)
+        at = bisect_left(self._fronts, motion.crossings.front_line_1)
         near = self._vehicles[max(0, at - NEIGHBOURS) : at + NEIGHBOURS]
         # one that stands before one that was taken out
         near.sort(key=lambda one: one.deleted)
-        return next((one for one in near if _shared(found, one)), None)
+        return next((one for one in near if _shared(motion, one)), None)
 
 
-def _shared(found: Motion, known: ScanVehicle) -> bool:
+def _shared(motion: Motion, known: ScanVehicle) -> bool:
     if known.measurement is None:
         return False
-    values, seen = known.measurement.values, found.crossings
+    values, seen = known.measurement.values, motion.crossings
     shorter = min(seen.rear_line_1 - seen.front_line_1, values.rear_line_1 - values.front_line_1)
-    if {found.reason, values.reason} & {STOPPED, STOOD}:
+    if {motion.reason, values.reason} & {STOPPED, STOOD}:
         return abs(seen.front_line_1 - values.front_line_1) <= SAME_SHARE * shorter
     shared = min(seen.rear_line_1, values.rear_line_1) - max(seen.front_line_1, values.front_line_1)
     return shared >= SAME_SHARE * shorter
 
 
 def run_values(
-    method: ScanMethod, rig: Rig, motions: Sequence[Motion], found: int, notes: Sequence[Said]
+    method: ScanMethod, rig: Rig, motions: Sequence[Motion], count: int, notes: Sequence[Said]
 ) -> ScanRunValues:
     """What a run of the finder says that measured these motions."""
     return ScanRunValues(
         method=method,
         rig=rig_columns(rig),
-        found=found,
+        found=count,
         measured=sum(one.status == "ok" for one in motions),
         summary=summary_of(motions),
         warnings=list(notes),
@@ -244,6 +244,6 @@ def summary_of(motions: Sequence[Motion]) -> RunSummary:
     )
 
 
-def _told(found: int, added: int, revised: int, overtaken: int) -> list[Said]:
+def _summarise_run(found: int, added: int, revised: int, overtaken: int) -> list[Said]:
     said = [Said("scan-vehicles-found", found=found, added=added, revised=revised)]
     return [*said, Said("scan-vehicles-left", count=overtaken)] if overtaken else said

@@ -31,10 +31,10 @@ class ShownVehicle:
     passing: Passing | None
     references: tuple[StoredReference, ...] = ()
 
-    def agreement(self, one: StoredReference) -> Agreement | None:
+    def agreement(self, reference: StoredReference) -> Agreement | None:
         """Our value against a reference; None where there is none."""
         measured = self.vehicle.measurement
-        return beside_ours(None if measured is None else measured.values, one.values)
+        return beside_ours(None if measured is None else measured.values, reference.values)
 
     @property
     def length_error_m(self) -> float | None:
@@ -61,22 +61,22 @@ class ShownDetail:
 
 def vehicles_of(session: Session, scan_id: int) -> list[ShownVehicle]:
     """The vehicles of a scan in the order in which they passed, each with the gap before it."""
-    return shown(
+    return shown_vehicles(
         get_scan(session, scan_id),
         list_scan_vehicles(session, scan_id),
         standing_references(session, scan_id),
     )
 
 
-def shown(
-    scan: Scan, found: Sequence[ScanVehicle], references: Mapping[int, tuple[StoredReference, ...]]
+def shown_vehicles(
+    scan: Scan, vehicles: Sequence[ScanVehicle], references: Mapping[int, tuple[StoredReference, ...]]
 ) -> list[ShownVehicle]:
     """The same for vehicles that are at hand, in the order in which they passed; `references` by vehicle."""
-    measured = (one.measurement for one in found)
+    measured = (one.measurement for one in vehicles)
     motions = [None if one is None else (motion_of(one.values), one.values.rig) for one in measured]
     return [
         ShownVehicle(vehicle, scan.rig, gap, _passing(scan.clock, vehicle), references.get(vehicle.id, ()))
-        for vehicle, gap in zip(found, gaps_of(scan.rig, motions), strict=True)
+        for vehicle, gap in zip(vehicles, gaps_of(scan.rig, motions), strict=True)
     ]
 
 

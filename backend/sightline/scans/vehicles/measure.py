@@ -18,7 +18,7 @@ from sightline.scans.vehicles.motion import crossings_of, lane_by_person
 Readers = tuple[StripReader, StripReader]
 
 
-def measured(passage: Passage, rig: Rig, method: ScanMethod, readers: Readers) -> Motion:
+def measure_passage(passage: Passage, rig: Rig, method: ScanMethod, readers: Readers) -> Motion:
     """The motion of a vehicle; one during which lines were lost has its reason."""
     return MEASURE[method](without_losses(passage, (readers[0].notes.dropped, readers[1].notes.dropped)), rig)
 
@@ -29,21 +29,21 @@ def measured_at(
     method: ScanMethod,
     readers: Readers,
     lane: str | None = None,
-    found: Motion | ScanValues | None = None,
+    earlier: Motion | ScanValues | None = None,
 ) -> Motion:
     """The motion of the vehicle between these crossings, its pictures read from the strips.
 
-    `lane`: what a person said; a lane that the rig does not have is not believed. `found`: what was said of
+    `lane`: what a person said; a lane that the rig does not have is not believed. `earlier`: what was said of
     these boundaries before: their doubt stays, and a rear that was not seen still is not.
     """
     first, second = readers
     passage = passage_at(crossings, rig, first.rows, (first.read, second.read), first.bits)
-    if found is not None:
-        reason = None if rear_seen(found.reason) else found.reason
-        passage = replace(passage, u_boundaries_m=found.u_boundaries_m, reason=reason)
+    if earlier is not None:
+        reason = None if rear_seen(earlier.reason) else earlier.reason
+        passage = replace(passage, u_boundaries_m=earlier.u_boundaries_m, reason=reason)
     if lane_named(rig, lane) is None:
-        return measured(passage, rig, method, readers)
-    motion = measured(passage, replace(at_lane(rig, lane), lanes=()), method, readers)
+        return measure_passage(passage, rig, method, readers)
+    motion = measure_passage(passage, replace(at_lane(rig, lane), lanes=()), method, readers)
     return replace(motion, lane=lane, lane_by="person")
 
 

@@ -40,7 +40,7 @@ def append_scan_measurement(
 
 
 def append_scan_measurements(
-    session: Session, scan_id: int, found: Sequence[tuple[int, ScanValues]], *, actor: int | None
+    session: Session, scan_id: int, measured: Sequence[tuple[int, ScanValues]], *, actor: int | None
 ) -> list[int]:
     """The ids of the next revisions of some vehicles of a scan, with an event each; a few statements.
 
@@ -48,33 +48,36 @@ def append_scan_measurements(
     Raises BadInput, NotFound for a deleted scan.
     """
     scan = get_row(session, scans, scan_id, "line-scan recording", scans.c.deleted_at.is_(None))
-    for _, values in found:
+    for _, values in measured:
         _check(values)
     made: list[int] = []
-    for start in range(0, len(found), _AT_ONCE):
-        made += _appended(session, scan, found[start : start + _AT_ONCE], actor)
+    for start in range(0, len(measured), _AT_ONCE):
+        made += _appended(session, scan, measured[start : start + _AT_ONCE], actor)
     return made
 
 
 def _appended(
-    session: Session, scan: Mapping[str, Any], found: Sequence[tuple[int, ScanValues]], actor: int | None
+    session: Session, scan: Mapping[str, Any], measured: Sequence[tuple[int, ScanValues]], actor: int | None
 ) -> list[int]:
-    vehicle_ids = [vehicle_id for vehicle_id, _ in found]
+    vehicle_ids = [vehicle_id for vehicle_id, _ in measured]
     history, moment = _history(session, vehicle_ids), now()
     before = {vehicle_id: revisions[-1] for vehicle_id, revisions in history.items()}
-    verdict_of = {one: _verdict_that_stood(history.get(one, []), values) for one, values in found}
+    verdict_of = {
+        vehicle_id: _verdict_that_stood(history.get(vehicle_id, []), values)
+        for vehicle_id, values in measured
+    }
     place = {"survey_id": scan["survey_id"], "scan_id": scan["id"]}
     stamps = {"created_at": moment, "created_by": actor}
     rows = [
         {
             **place,
-            "vehicle_id": one,
+            "vehicle_id": vehicle_id,
             **asdict(values),
-            "revision": _next(before.get(one)),
-            "verdict_of_id": verdict_of[one],
+            "revision": _next(before.get(vehicle_id)),
+            "verdict_of_id": verdict_of[vehicle_id],
             **stamps,
         }
-        for one, values in found
+        for vehicle_id, values in measured
     ]
     row_ids = add_rows(session, scan_measurements, rows)
     change = {"version": scan_vehicles.c.version + 1, "updated_at": moment, "updated_by": actor}
@@ -84,15 +87,15 @@ def _appended(
         events = [
             (
                 row_id,
-                _then(before.get(one)),
+                _event_before(before.get(vehicle_id)),
                 {
-                    **_after(one, values, before.get(one), hashes[row_id]),
-                    "verdict_of_id": verdict_of[one],
+                    **_event_after(vehicle_id, values, before.get(vehicle_id), hashes[row_id]),
+                    "verdict_of_id": verdict_of[vehicle_id],
                     "created_at": moment,
                 },
             )
-            for row_id, (one, values) in zip(row_ids, found, strict=True)
-            if (one in before) == (action == "revise")
+            for row_id, (vehicle_id, values) in zip(row_ids, measured, strict=True)
+            if (vehicle_id in before) == (action == "revise")
         ]
         trail.record_many(session, actor, action, "scan_measurement", scan["survey_id"], events)
     return row_ids
@@ -102,13 +105,13 @@ def _next(before: ScanMeasurement | None) -> int:
     return 1 if before is None else before.revision + 1
 
 
-def _then(before: ScanMeasurement | None) -> dict[str, Any] | None:
+def _event_before(before: ScanMeasurement | None) -> dict[str, Any] | None:
     if before is None:
         return None
     return {name: getattr(before.values, name) for name in _TOLD} | {"revision": before.revision}
 
 
-def _after(
+def _event_after(
     vehicle_id: int, values: ScanValues, before: ScanMeasurement | None, content_sha256: str
 ) -> dict[str, Any]:
     told: dict[str, Any] = {name: getattr(values, name) for name in (*_TOLD, *_OWN)}
@@ -134,12 +137,12 @@ def scan_measurement_history(
     return tuple(scan_measurement_of_row(row) for row in rows)
 
 
-def is_newest_scan_measurement(session: Session, one: ScanMeasurement) -> bool:
+def is_newest_scan_measurement(session: Session, measurement: ScanMeasurement) -> bool:
     """Whether no later revision of the same vehicle is there."""
     newest = select(func.max(scan_measurements.c.revision)).where(
-        scan_measurements.c.vehicle_id == one.vehicle_id
+        scan_measurements.c.vehicle_id == measurement.vehicle_id
     )
-    return bool(session.execute(newest).scalar_one() == one.revision)
+    return bool(session.execute(newest).scalar_one() == measurement.revision)
 
 
 def _history(session: Session, vehicle_ids: Sequence[int]) -> dict[int, list[ScanMeasurement]]:
@@ -155,10 +158,10 @@ def _history(session: Session, vehicle_ids: Sequence[int]) -> dict[int, list[Sca
 def _verdict_that_stood(history: Sequence[ScanMeasurement], values: ScanValues) -> int | None:
     """Of a motion that is put back; never the verdict of who placed what stands in it now."""
 
-    def same(one: ScanMeasurement) -> bool:
-        reviewer = one.review.reviewer
+    def same(measurement: ScanMeasurement) -> bool:
+        reviewer = measurement.review.reviewer
         by_placer = reviewer is not None and reviewer.id == values.placed_by
-        return not by_placer and same_motion(one.values, values)
+        return not by_placer and same_motion(measurement.values, values)
 
     return judged_alike(reversed(history), same, lambda one: one.judged_id)
 

@@ -56,12 +56,12 @@ def motion_of(values: ScanValues) -> Motion:
     return motion_told({name: getattr(values, name) for name in _OF_MOTION})
 
 
-def motion_told(told: Mapping[str, Any]) -> Motion:
+def motion_told(stored: Mapping[str, Any]) -> Motion:
     """The same of what is told of a revision by name; what is not told is None."""
     return Motion(
-        crossings=Crossings(*(told[name] for name in _LINES)),
-        budget=tuple(Entry(**entry) for entry in told.get("budget", ())),
-        **{name: told[name] for name in (*_AS_STORED, *_NUMBERS) if name in told},
+        crossings=Crossings(*(stored[name] for name in _LINES)),
+        budget=tuple(Entry(**entry) for entry in stored.get("budget", ())),
+        **{name: stored[name] for name in (*_AS_STORED, *_NUMBERS) if name in stored},
     )
 
 
@@ -78,14 +78,14 @@ def with_wheels(values: ScanValues, lines: tuple[float, float] | None) -> ScanVa
     if lines is None:
         return replace(values, **_NO_WHEELS)
     front, rear = sorted(lines)
-    found = wheelbase(motion_of(values), rig_from(values.rig), front, rear)
-    why = [Said("scan-motion-no-wheelbase", reason=found.reason)] if found.reason else []
+    measured = wheelbase(motion_of(values), rig_from(values.rig), front, rear)
+    why = [Said("scan-motion-no-wheelbase", reason=measured.reason)] if measured.reason else []
     return replace(
         values,
         front_wheel_line=front,
         rear_wheel_line=rear,
-        wheelbase_m=found.wheelbase_m,
-        u_wheelbase_m=found.u_wheelbase_m,
+        wheelbase_m=measured.wheelbase_m,
+        u_wheelbase_m=measured.u_wheelbase_m,
         warnings=[*values.warnings, *why],
     )
 

@@ -33,12 +33,12 @@ def add_scan_review(
         raise Conflict("scans-vehicle-measured-meanwhile")
     if before.values.placed_by == actor:
         raise NotAllowed("scans-own-boundaries")
-    told = require_verdict(before.review, seen, verdict, reason)
+    given_reason = require_verdict(before.review, seen, verdict, reason)
     content = {"survey_id": before.survey_id, "measurement_id": measurement_id, "verdict": verdict}
     written_once(
         session,
         scan_reviews,
-        {**content, "reason": told},
+        {**content, "reason": given_reason},
         "review",
         before={"verdict": before.review.verdict},
         also={"vehicle_id": before.vehicle_id, "revision": before.revision},

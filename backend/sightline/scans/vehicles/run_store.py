@@ -22,7 +22,7 @@ def add_scan_run(
     scan = get_row(session, scans, scan_id, "line-scan recording", scans.c.deleted_at.is_(None))
     place = {"survey_id": scan["survey_id"], "scan_id": scan_id, "job_id": job_id}
     row_id = written_once(session, scan_runs, {**place, **asdict(values)}, "run", actor=actor)
-    return _where(session, scan_runs.c.id == row_id)[0]
+    return _fetch_runs(session, scan_runs.c.id == row_id)[0]
 
 
 def latest_scan_runs(session: Session, scan_ids: Sequence[int]) -> dict[int, ScanRun]:
@@ -30,11 +30,11 @@ def latest_scan_runs(session: Session, scan_ids: Sequence[int]) -> dict[int, Sca
     if not scan_ids:
         return {}
     newest = select(func.max(scan_runs.c.id)).where(scan_runs.c.scan_id.in_(scan_ids))
-    found = _where(session, scan_runs.c.id.in_(newest.group_by(scan_runs.c.scan_id)))
+    found = _fetch_runs(session, scan_runs.c.id.in_(newest.group_by(scan_runs.c.scan_id)))
     return {run.scan_id: run for run in found}
 
 
-def _where(session: Session, condition: ColumnElement[bool]) -> tuple[ScanRun, ...]:
+def _fetch_runs(session: Session, condition: ColumnElement[bool]) -> tuple[ScanRun, ...]:
     rows = written_rows(session, scan_runs, condition)
     return tuple(record_of(ScanRun, row, summary=_summary(row["summary"])) for row in rows)
 

@@ -61,20 +61,20 @@ def last_scan_vehicles(session: Session, scan_id: int, count: int) -> tuple[Scan
     of_scan = scan_vehicles.c.scan_id == scan_id
     newest = select(func.max(scan_vehicles.c.number)).where(of_scan).scalar_subquery()
     late = scan_vehicles.c.number > newest - count
-    found = _fetch(session, of_scan & late)
-    fronts = [one.measurement.values.front_line_1 for one in found if one.measurement]
+    late_vehicles = _fetch(session, of_scan & late)
+    fronts = [one.measurement.values.front_line_1 for one in late_vehicles if one.measurement]
     if not fronts:
-        return found
+        return late_vehicles
     stood = is_current & (scan_measurements.c.rear_line_1 >= min(fronts))
     near = of_scan & (scan_vehicles.c.number > newest - count - _PASSED_BESIDE)
-    beside = (
+    standing = (
         select(scan_vehicles.c.id)
         .join(scan_measurements, scan_measurements.c.vehicle_id == scan_vehicles.c.id)
         .where(near, stood, ~late, _ALIVE)
         .limit(1)
     )
-    if session.execute(beside).first() is None:
-        return found
+    if session.execute(standing).first() is None:
+        return late_vehicles
     return _fetch(session, near & (late | stood))
 
 
@@ -135,7 +135,7 @@ def change_scan_vehicle(
 ) -> ScanVehicle:
     """Fill in what is known of a vehicle. Raises Conflict if `version` is not the current one, BadInput."""
     before = require_scan_vehicle_version(session, vehicle_id, version)
-    alter_row(session, scan_vehicles, before, _checked(changes), actor=actor)
+    alter_row(session, scan_vehicles, before, _check_fields(changes), actor=actor)
     return get_scan_vehicle(session, vehicle_id)
 
 
@@ -172,7 +172,7 @@ def require_scan_vehicle_version(session: Session, vehicle_id: int, version: int
     return row
 
 
-def _checked(given: Mapping[str, Any]) -> dict[str, Any]:
+def _check_fields(given: Mapping[str, Any]) -> dict[str, Any]:
     values = dict(given)
     unknown = set(values) - _FIELDS
     if unknown:

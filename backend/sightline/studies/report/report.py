@@ -11,7 +11,7 @@ from sightline.enums import LengthUnit
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.report import set_pdf, templates, values_json
 from sightline.export.report.results import rule_values
-from sightline.export.report.said import said, speaking, told
+from sightline.export.report.said import sentence_of_key, sentence_of_said, speaking
 from sightline.export.report.settable import Values
 from sightline.export.report.units import unit_words
 from sightline.export.report.words import GROUPINGS
@@ -37,15 +37,15 @@ def study_report(
         return set_pdf(_sources(stored, found, sha256, as_of), as_of)
 
 
-def _sources(stored: StoredStudy, found: Computed, sha256: str, as_of: datetime) -> dict[str, bytes]:
+def _sources(stored: StoredStudy, computed: Computed, sha256: str, as_of: datetime) -> dict[str, bytes]:
     """The files that Typst compiles."""
     pictures = Pictures(
         {
-            curve.target: curve_drawing(curve, standards_of(_standards(found.study), curve.target), _UNIT)
-            for curve in found.study.curves
+            curve.target: curve_drawing(curve, standards_of(_standards(computed.study), curve.target), _UNIT)
+            for curve in computed.study.curves
         }
     )
-    values = values_json(_values(stored, found, sha256, as_of, pictures))
+    values = values_json(_values(stored, computed, sha256, as_of, pictures))
     return {**templates(_FOLDER, _FIRST), "values.json": values, **pictures.files}
 
 
@@ -70,7 +70,10 @@ def _values(stored: StoredStudy, found: Computed, sha256: str, as_of: datetime, 
         "fleet": _fleet(stored),
         "code": study.surveys[0].made_with,
         "targets": [
-            {"found": one, "figures": pictures.figures([one.target]) or [said("report-no-distribution")]}
+            {
+                "found": one,
+                "figures": pictures.figures([one.target]) or [sentence_of_key("report-no-distribution")],
+            }
             for one in study.targets
             if one.n
         ],
@@ -79,7 +82,7 @@ def _values(stored: StoredStudy, found: Computed, sha256: str, as_of: datetime, 
         "years": [one for one in study.years if one.percent in (None, *_COMPARED)],
         "errors": study.errors,
         "surveys": _surveys(stored, study),
-        "notes": [told(one) for one in study.notes],
+        "notes": [sentence_of_said(one) for one in study.notes],
         "classes": [one for one in study.classes if one.group == "all"],
         "goal_m": facts.goal_m,
         "plans": study.plans,
@@ -91,7 +94,7 @@ def _fleet(stored: StoredStudy) -> str | None:
     fleet = plan_of(stored.facts).fleet
     if fleet is None:
         return None
-    return said("report-fleet-by", margins=", ".join(GROUPINGS[one] for one in fleet.margins))
+    return sentence_of_key("report-fleet-by", margins=", ".join(GROUPINGS[one] for one in fleet.margins))
 
 
 def _surveys(stored: StoredStudy, study: Study) -> list[Values]:
@@ -99,13 +102,13 @@ def _surveys(stored: StoredStudy, study: Study) -> list[Values]:
     strata = {site: one.stratum for site, one in (plan_of(stored.facts).sites or {}).items()}
     return [
         {
-            "name": one.name,
-            "site": one.site,
-            "stratum": strata.get(one.site) or None,
-            "year": None if told.year is None else str(told.year),
+            "name": survey.name,
+            "site": survey.site,
+            "stratum": strata.get(survey.site) or None,
+            "year": None if facts.year is None else str(facts.year),
             "counted": counted,
             "out_of_sample": outside,
-            "head": one.head,
+            "head": survey.head,
         }
-        for told, one, counted, outside in rows
+        for facts, survey, counted, outside in rows
     ]

@@ -66,17 +66,17 @@ def roles_by_thing(
         .outerjoin(survey_members, mine)
         .where(row.c.id.in_(ids))
     )
-    found: dict[int, ActingRole] = {}
+    roles: dict[int, ActingRole] = {}
     rows = session.execute(query).all()
     studies = seen_studies(session, person) if any(row.study_id is not None for row in rows) else None
     for id_, survey_id, open_to_all, role, study_id in rows:
         if studies is not None and study_id is not None and study_id not in studies:
             continue
         if survey_id is None or person.role == "admin" or (role is None and open_to_all):
-            found[id_] = person.role
+            roles[id_] = person.role
         elif role is not None:
-            found[id_] = role
-    return found
+            roles[id_] = role
+    return roles
 
 
 def _study_of(row: FromClause) -> ColumnElement[int | None]:

@@ -3,10 +3,10 @@
 from sqlalchemy import Column, ForeignKey, String, UniqueConstraint
 
 from sightline.enums import SurveyRole
-from sightline.infra.database.types import enum_check, numbered
+from sightline.infra.database.types import enum_check, numbered_table
 
 # What stands now; who came, changed and went is told by the survey's audit chain.
-survey_members = numbered(
+survey_members = numbered_table(
     "survey_members",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False),
     Column("person_id", ForeignKey("people.id"), nullable=False, index=True),

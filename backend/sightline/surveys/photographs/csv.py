@@ -2,8 +2,8 @@
 
 from operator import itemgetter
 
-from sightline.infra.csv_package.columns import integer, key, moment, person, text, within
-from sightline.infra.csv_package.files import Files, read_rows, read_whole, unsafe
+from sightline.infra.csv_package.columns import columns_within, integer, key, moment, person, text
+from sightline.infra.csv_package.files import Files, read_rows, read_whole, undo_safe_text
 from sightline.infra.csv_package.schema import Table, ids_of
 from sightline.surveys.photographs.records import Photograph, PhotographFile
 
@@ -22,10 +22,10 @@ PHOTOGRAPHS: Table[Placed] = Table(
     "Photographs of the set-up in the order of the report; made anew as JPEG, without what a camera wrote "
     "into the file.",
     (
-        *within(itemgetter(1), key("id", "photograph")),
+        *columns_within(itemgetter(1), key("id", "photograph")),
         integer("position", "place in the order", itemgetter(0), required=True, minimum=1),
         text("file", "the photograph, in this package", lambda p: photograph_path(p[1].id), required=True),
-        *within(
+        *columns_within(
             itemgetter(1),
             text("name", "name of the uploaded file", required=True),
             text("caption", "what it shows"),
@@ -45,6 +45,8 @@ PHOTOGRAPHS: Table[Placed] = Table(
 def photos_in(files: Files) -> tuple[PhotographFile, ...]:
     """The photographs of a package for its report."""
     return tuple(
-        PhotographFile(unsafe(row["caption"]) or unsafe(row["name"]), read_whole(files, row["file"]))
+        PhotographFile(
+            undo_safe_text(row["caption"]) or undo_safe_text(row["name"]), read_whole(files, row["file"])
+        )
         for row in read_rows(files, PHOTOGRAPHS.key)
     )

@@ -60,7 +60,7 @@ def require_photograph_room(session: Session, survey_id: int) -> None:
 
 def get_photograph(session: Session, photograph_id: int, *, deleted: bool = False) -> Photograph:
     """One photograph; a deleted one only if `deleted`. Raises NotFound."""
-    found = _where(session, photographs.c.id == photograph_id)
+    found = _fetch_photographs(session, photographs.c.id == photograph_id)
     if not found or (found[0].deleted and not deleted):
         raise missing("photograph", photograph_id)
     return found[0]
@@ -68,7 +68,9 @@ def get_photograph(session: Session, photograph_id: int, *, deleted: bool = Fals
 
 def list_photographs(session: Session, survey_id: int) -> tuple[Photograph, ...]:
     """The photographs of a survey in their order."""
-    alive = _where(session, photographs.c.survey_id == survey_id, photographs.c.deleted_at.is_(None))
+    alive = _fetch_photographs(
+        session, photographs.c.survey_id == survey_id, photographs.c.deleted_at.is_(None)
+    )
     return tuple(sorted(alive, key=lambda one: one.position))
 
 
@@ -125,6 +127,6 @@ def _caption(text: str) -> str:
     return caption
 
 
-def _where(session: Session, *conditions: ColumnElement[bool]) -> tuple[Photograph, ...]:
+def _fetch_photographs(session: Session, *conditions: ColumnElement[bool]) -> tuple[Photograph, ...]:
     rows = written_rows(session, photographs, *conditions)
     return tuple(record_of(Photograph, row, deleted=row["deleted_at"] is not None) for row in rows)

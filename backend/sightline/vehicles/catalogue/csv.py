@@ -22,15 +22,15 @@ _WORDS: dict[ModelSize, str] = {
 
 def _sizes() -> tuple[Column[CatalogueEntry], ...]:
     """Each size with its standard uncertainty and its source."""
-    found: list[Column[CatalogueEntry]] = []
+    columns: list[Column[CatalogueEntry]] = []
     for name in SIZES:
         said = _WORDS[name]
-        found += [
+        columns += [
             metres(f"{name}_m", said),
             metres(f"u_{name}_m", f"standard uncertainty of the {said} (k = 1)"),
             text(f"{name}_source", f"where the {said} comes from, if not from `source`"),
         ]
-    return tuple(found)
+    return tuple(columns)
 
 
 CATALOGUE: Table[CatalogueEntry] = Table(

@@ -20,7 +20,7 @@ from sightline.infra.given_csv import (
     given_number,
     read_table,
     require_standard,
-    undefused,
+    strip_formula_apostrophe,
 )
 from sightline.messages.said import Said, with_commas
 from sightline.vehicles.catalogue.records import (
@@ -36,9 +36,9 @@ from sightline.vehicles.catalogue.store import (
     METRES,
     UNIT_WORDS,
     Key,
-    alike,
     changes,
     import_catalogue_rows,
+    is_same_cell,
     key_of,
     known_models,
     merge,
@@ -96,13 +96,13 @@ NO_CHOICES = Choices({})
 
 def columns_chosen(given: Iterable[str]) -> dict[str, str]:
     """Fields by header of choices like "make=Hersteller". Raises BadInput."""
-    found: dict[str, str] = {}
-    for one in given:
-        field, equals, header = one.partition("=")
+    fields_by_header: dict[str, str] = {}
+    for choice in given:
+        field, equals, header = choice.partition("=")
         if not equals:
-            raise BadInput("catalogue-column-choice", column=one[:100])
-        found[header] = field
-    return found
+            raise BadInput("catalogue-column-choice", column=choice[:100])
+        fields_by_header[header] = field
+    return fields_by_header
 
 
 @dataclass(frozen=True)
@@ -192,7 +192,7 @@ class _Sorter:
         try:
             if given.problem is not None:
                 raise given.problem
-            row = _row(table, given.line, named, columns)
+            row = _read_row(table, given.line, named, columns)
         except BadInput as error:
             who = (named.get("make", ""), named.get("model", ""), None)
             refused = error.said
@@ -214,7 +214,7 @@ class _Sorter:
         before = self._known.get(key)
         if before is None:
             self.to_store.append(row)
-            return "new", _nothing
+            return "new", _say_nothing
         if differs(before, row):
             theirs = self._on_conflict == "replace"
             kept = row if theirs else merge(row, before)
@@ -229,7 +229,7 @@ class _Sorter:
             name for name in _GAINED if _empty(getattr(before, name)) and not _empty(getattr(row, name))
         ]
         if not gained:
-            return "same", _nothing
+            return "same", _say_nothing
         self.to_store.append(row)
         return "update", lambda: Said("catalogue-fills-in", columns=", ".join(gained))
 
@@ -251,14 +251,14 @@ class _Sorter:
 _GAINED = tuple(name for name in FIELDS if not name.endswith("source"))
 
 
-def _nothing() -> None:
+def _say_nothing() -> None:
     """Said of a line that needs no words."""
 
 
 def differs(before: CatalogueRow, row: CatalogueRow) -> bool:
     """Whether a size, its u, the last year or the class is known on both sides and not the same."""
     pairs = ((getattr(before, name), getattr(row, name)) for name in _COMPARED)
-    return any(not (_empty(old) or _empty(new)) and not alike(old, new) for old, new in pairs)
+    return any(not (_empty(old) or _empty(new)) and not is_same_cell(old, new) for old, new in pairs)
 
 
 _UNCERTAINTIES = tuple(f"u_{name}_m" for name in SIZES)
@@ -267,18 +267,18 @@ _COMPARED = (*(f"{name}_m" for name in SIZES), *_UNCERTAINTIES, "category", "yea
 
 def _differences(before: CatalogueRow, row: CatalogueRow) -> Said:
     """What `differs`."""
-    found = []
+    differences = []
     for name in SIZES:
         old, new = before.size(name), row.size(name)
-        if old is not None and new is not None and not alike(old, new):
+        if old is not None and new is not None and not is_same_cell(old, new):
             source = before.source_of(name)
             said = f"{name} {old:.3f} m" + (f" ({source})" if source else "")
-            found.append(Said("catalogue-differs", here=f"{new:.3f} m", there=said))
+            differences.append(Said("catalogue-differs", here=f"{new:.3f} m", there=said))
     for field in (*_UNCERTAINTIES, "category", "year_to"):
         old, new = getattr(before, field), getattr(row, field)
-        if not _empty(old) and not _empty(new) and not alike(old, new):
-            found.append(Said("catalogue-differs", here=str(new), there=f"{field} {old}"))
-    return with_commas(found)
+        if not _empty(old) and not _empty(new) and not is_same_cell(old, new):
+            differences.append(Said("catalogue-differs", here=str(new), there=f"{field} {old}"))
+    return with_commas(differences)
 
 
 def _empty(value: object) -> bool:
@@ -290,27 +290,28 @@ def _columns(table: GivenTable, choices: Choices) -> list[ImportColumn]:
     A u that names no unit has that of its size.
     """
     taken: dict[str, str] = {}
-    found: list[ImportColumn] = []
+    columns: list[ImportColumn] = []
     unnamed: set[str] = set()
     for at, title in enumerate(table.header):
         field, unit = _field(title, choices)
         problem = _expanded(title, table.name) if field is not None else None
         if problem is not None:
-            found.append(ImportColumn(header=title, field=None, unit=None, problem=problem))
+            columns.append(ImportColumn(header=title, field=None, unit=None, problem=problem))
             continue
         if field is not None and field in taken:
             twice = Said("catalogue-column-twice", field=field, first=taken[field], second=title)
-            found.append(ImportColumn(header=title, field=None, unit=None, problem=twice))
+            columns.append(ImportColumn(header=title, field=None, unit=None, problem=twice))
             continue
         if field is not None:
             taken[field] = title
             if unit is None and field.startswith("u_"):
                 unnamed.add(field)
         cells = (row.cells[at] for row in table.rows if row.problem is None)
-        found.append(_column(title, field, unit, cells, choices.unit))
-    unit_of = {f"u_{one.field}": one.unit for one in found}
+        columns.append(_column(title, field, unit, cells, choices.unit))
+    unit_of = {f"u_{one.field}": one.unit for one in columns}
     return [
-        replace(one, unit=unit_of.get(one.field, one.unit)) if one.field in unnamed else one for one in found
+        replace(one, unit=unit_of.get(one.field, one.unit)) if one.field in unnamed else one
+        for one in columns
     ]
 
 
@@ -399,7 +400,7 @@ def _doubt(title: str, size: ModelSize, unit: SizeUnit, values: Sequence[float])
     )
 
 
-def _row(
+def _read_row(
     table: GivenTable, line: int, cells: Mapping[str, str], columns: Sequence[ImportColumn]
 ) -> CatalogueRow:
     """One row, checked. Raises BadInput saying what is wrong with it."""
@@ -415,7 +416,7 @@ def _row(
         elif field == "category":
             values[field] = cell.lower() or None
         else:
-            values[field] = undefused(cell) or (None if field.endswith("_source") else "")
+            values[field] = strip_formula_apostrophe(cell) or (None if field.endswith("_source") else "")
     values["category"] = cast(Category | None, values.get("category"))
     row = CatalogueRow(**{"make": "", "model": "", **values})
     require_possible(row)

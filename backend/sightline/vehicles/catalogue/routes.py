@@ -110,7 +110,7 @@ def retire_model(entry_id: PathId, body: Retired, who: Operator, session: Writin
     )
 
 
-def _given(
+def _read_sent_file(
     file: Sent,
     column: Column = [],  # noqa: B006
     unit: Unit = None,
@@ -121,7 +121,7 @@ def _given(
 
 
 #: A file's content, its name, and how it is read.
-Given = Annotated[tuple[bytes, str, Choices], Depends(_given)]
+Given = Annotated[tuple[bytes, str, Choices], Depends(_read_sent_file)]
 
 
 @router.post("/catalogue/import/preview")

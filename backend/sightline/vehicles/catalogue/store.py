@@ -52,26 +52,26 @@ Key = tuple[str, str, int | None]
 
 def search_catalogue(session: Session, q: str) -> tuple[CatalogueEntry, ...]:
     """Models of which every word of `q` begins a word, accents and case aside ("corv li"); none retired."""
-    return _entries(session, _found(q).where(_LIVING).limit(20))
+    return _entries(session, _search_query(q).where(_LIVING).limit(20))
 
 
 def page_of_catalogue(session: Session, q: str, *, retired: bool, offset: int) -> CataloguePage:
     """A part of what a search finds, and how many there are; with `retired` those alone."""
-    query = _found(q).where(catalogue.c.retired_at.is_not(None) if retired else _LIVING)
+    query = _search_query(q).where(catalogue.c.retired_at.is_not(None) if retired else _LIVING)
     total = session.execute(select(func.count()).select_from(query.order_by(None).subquery())).scalar_one()
     return CataloguePage(total, _entries(session, query.offset(offset).limit(50)))
 
 
 def all_of_catalogue(session: Session) -> tuple[CatalogueEntry, ...]:
     """Every model that is not retired."""
-    return _entries(session, _found("").where(_LIVING))
+    return _entries(session, _search_query("").where(_LIVING))
 
 
 def catalogue_of_models(session: Session, models: Iterable[tuple[str, str]]) -> tuple[CatalogueEntry, ...]:
     """The models of these makes and names, in any case, retired ones too."""
     wanted = {(make.lower(), model.lower()) for make, model in models}
     # SQLite's lower() leaves the Š of Škoda as it is
-    every = _entries(session, _found("")) if wanted else ()
+    every = _entries(session, _search_query("")) if wanted else ()
     return tuple(one for one in every if (one.make.lower(), one.model.lower()) in wanted)
 
 
@@ -95,13 +95,13 @@ def correct_catalogue_row(
     session: Session, entry_id: int, row: CatalogueRow, *, version: int, actor: int | None
 ) -> CatalogueEntry:
     """Put other values in a model's place. Raises NotFound, Conflict for another version, BadInput."""
-    before = _seen(session, entry_id, version)
+    before = _require_version(session, entry_id, version)
     require_possible(row)
     other = known_models(session).get(key_of(row))
     if other is not None and other.id != entry_id:
         raise BadInput("catalogue-there-already", make=row.make, model=row.model, year=row.year_from or "–")
     change_row(session, catalogue, entry_id, {**_content(row), "version": version + 1})
-    what = trail.changed({name: getattr(before, name) for name in _FIELDS}, asdict(row), asdict(row))
+    what = trail.changed_fields({name: getattr(before, name) for name in _FIELDS}, asdict(row), asdict(row))
     trail.record(session, actor, "update", "catalogue", entry_id, None, *what)
     return get_catalogue_row(session, entry_id)
 
@@ -110,7 +110,7 @@ def retire_catalogue_row(
     session: Session, entry_id: int, *, version: int, retired: bool, actor: int | None
 ) -> CatalogueEntry:
     """No longer offer a model, or offer it again. Raises NotFound, Conflict for another version."""
-    before = _seen(session, entry_id, version)
+    before = _require_version(session, entry_id, version)
     moment = now() if retired else None
     change_row(session, catalogue, entry_id, {"retired_at": moment, "version": version + 1})
     then, after = ({"retired": one} for one in (before.retired_at is not None, retired))
@@ -150,14 +150,14 @@ _SMALLER: dict[ModelSize, ModelSize] = {"taillight": "height", "headlight": "hei
 def _require_together(row: CatalogueRow) -> None:
     """Raise BadInput where two sizes, each possible by itself, cannot be of one vehicle."""
     for small, large in _SMALLER.items():
-        one, other = row.size(small), row.size(large)
-        if one is not None and other is not None and one >= other:
+        smaller, larger = row.size(small), row.size(large)
+        if smaller is not None and larger is not None and smaller >= larger:
             raise BadInput(
                 "catalogue-sizes-contradict",
                 column=f"{small}_m",
-                value=f"{one:g}",
+                value=f"{smaller:g}",
                 other=f"{large}_m",
-                large=f"{other:g}",
+                large=f"{larger:g}",
             )
 
 
@@ -238,7 +238,11 @@ def merge(before: CatalogueRow, given: CatalogueRow) -> CatalogueRow:
             values[name] = value
     for name in SIZES:
         new, u_m = given.size(name), getattr(given, f"u_{name}_m")
-        known = u_m is None and getattr(before, f"u_{name}_m") is not None and alike(before.size(name), new)
+        known = (
+            u_m is None
+            and getattr(before, f"u_{name}_m") is not None
+            and is_same_cell(before.size(name), new)
+        )
         if new is not None and not known:
             values[f"u_{name}_m"] = u_m
             values[f"{name}_source"] = given.source_of(name) or None
@@ -248,7 +252,7 @@ def merge(before: CatalogueRow, given: CatalogueRow) -> CatalogueRow:
     return CatalogueRow(**values)
 
 
-def alike(old: object, new: object) -> bool:
+def is_same_cell(old: object, new: object) -> bool:
     """Whether two cells of a model say the same."""
     if isinstance(old, float) and isinstance(new, float):
         return abs(old - new) <= 5e-7  # files carry six decimals
@@ -257,10 +261,10 @@ def alike(old: object, new: object) -> bool:
 
 def changes(before: CatalogueRow, after: CatalogueRow) -> bool:
     """Whether anything is told of a model otherwise than before, wherever a size's source stands."""
-    return _told(before) != _told(after)
+    return _told_fields(before) != _told_fields(after)
 
 
-def _told(row: CatalogueRow) -> dict[str, Any]:
+def _told_fields(row: CatalogueRow) -> dict[str, Any]:
     told: dict[str, Any] = {name: getattr(row, name) for name in _FIELDS}
     sources = {
         f"{name}_source": row.source_of(name) if row.size(name) is not None else None for name in SIZES
@@ -268,7 +272,7 @@ def _told(row: CatalogueRow) -> dict[str, Any]:
     return {name: None if value == "" else value for name, value in {**told, **sources}.items()}
 
 
-def _seen(session: Session, entry_id: int, version: int) -> CatalogueEntry:
+def _require_version(session: Session, entry_id: int, version: int) -> CatalogueEntry:
     before = get_catalogue_row(session, entry_id)
     if before.version != version:
         raise Conflict("catalogue-changed-meanwhile", current=before, make=before.make, model=before.model)
@@ -293,7 +297,7 @@ def _columns() -> Select[Any]:
     return select(*columns_of(catalogue, "search_text"))
 
 
-def _found(q: str) -> Select[Any]:
+def _search_query(q: str) -> Select[Any]:
     query = _columns()
     for word in _folded(q).split():
         escaped = word.replace("\\", "\\\\").replace("%", "\\%").replace("_", "\\_")

@@ -2,10 +2,10 @@
 
 from sqlalchemy import CheckConstraint, Column, Index, Integer, Text
 
-from sightline.infra.database.types import UtcDateTime, columns_for, numbered
+from sightline.infra.database.types import UtcDateTime, columns_for, numbered_table
 from sightline.vehicles.catalogue.records import CatalogueRow
 
-catalogue = numbered(
+catalogue = numbered_table(
     "catalogue",
     *columns_for(CatalogueRow, {"make": 100, "model": 200}),
     Column("search_text", Text, nullable=False),

@@ -73,55 +73,55 @@ def look_for_passes(context: JobContext) -> Finish:
 def store(
     session: Session,
     recording_id: int,
-    found: Sequence[FoundPass],
+    passes: Sequence[FoundPass],
     actor: int | None,
     notes: Sequence[Said] = (),
 ) -> dict[str, Any]:
     """Add the passes that are not there yet, discarded ones counted as there; what was done, in words."""
     known = pass_spans(session, recording_id)
-    new = [one for one in found if not any(same_pass(one, other) for other in known)]
+    new = [one for one in passes if not any(same_pass(one, other) for other in known)]
     for one in new:
         create_vehicle(session, recording_id, fields_of(one), actor=actor)
     return {
         "recording_id": recording_id,
-        "found": len(found),
+        "found": len(passes),
         "added": len(new),
-        "known": len(found) - len(new),
-        "message": [_told(len(found), len(new)), *notes],
+        "known": len(passes) - len(new),
+        "message": [_summarise_search(len(passes), len(new)), *notes],
     }
 
 
-def fields_of(one: FoundPass) -> VehicleChanges:
+def fields_of(found_pass: FoundPass) -> VehicleChanges:
     """A found pass as a vehicle record; its lighting is proposed, for a person to confirm."""
-    proposed = "low_light" if one.luminance < LOW_LIGHT_BELOW else "daytime"
+    proposed = "low_light" if found_pass.luminance < LOW_LIGHT_BELOW else "daytime"
     detection = {
-        "score": one.score,
-        "whole": one.whole,
-        "sharpness": one.sharpness,
-        "luminance": one.luminance,
+        "score": found_pass.score,
+        "whole": found_pass.whole,
+        "sharpness": found_pass.sharpness,
+        "luminance": found_pass.luminance,
         "lighting_proposed": proposed,
-        "boxes": [list(box) for box in one.boxes],
+        "boxes": [list(box) for box in found_pass.boxes],
     }
     return {
-        "first_frame": one.first_frame,
-        "last_frame": one.last_frame,
-        "best_frame": one.best_frame,
-        "direction": one.direction,
+        "first_frame": found_pass.first_frame,
+        "last_frame": found_pass.last_frame,
+        "best_frame": found_pass.best_frame,
+        "direction": found_pass.direction,
         "origin": "found",
         "detection": detection,
     }
 
 
-def same_pass(one: FoundPass, known: PassSpan) -> bool:
+def same_pass(found_pass: FoundPass, known: PassSpan) -> bool:
     """Whether half of the shorter span lies in the other and they go the same way, as far as is known."""
-    if one.direction and known.direction and one.direction != known.direction:
+    if found_pass.direction and known.direction and found_pass.direction != known.direction:
         return False
-    shared = min(one.last_frame, known.last_frame) - max(one.first_frame, known.first_frame) + 1
-    shorter = min(one.last_frame - one.first_frame, known.last_frame - known.first_frame) + 1
+    shared = min(found_pass.last_frame, known.last_frame) - max(found_pass.first_frame, known.first_frame) + 1
+    shorter = min(found_pass.last_frame - found_pass.first_frame, known.last_frame - known.first_frame) + 1
     return shared >= SAME_SHARE * shorter
 
 
-def _told(found: int, new: int) -> Said:
+def _summarise_search(found: int, new: int) -> Said:
     if new == found:
         return Said("passes-were-found", found=found)
     return Said("passes-were-found-again", found=found, new=new, known=found - new)
@@ -149,9 +149,9 @@ def square_at(pose: RoadPose) -> float:
     return float(np.clip((camera.cx_px + camera.fx_px * x / z) / camera.width_px, 0.0, 1.0))
 
 
-def _is_board(one: FoundPass, board: tuple[int, int] | None) -> bool:
+def _is_board(found_pass: FoundPass, board: tuple[int, int] | None) -> bool:
     """Whether it lies for the most part in the span in which the board stood still on the road."""
     if board is None:
         return False
-    shared = min(one.last_frame, board[1]) - max(one.first_frame, board[0]) + 1
-    return shared > SAME_SHARE * (one.last_frame - one.first_frame + 1)
+    shared = min(found_pass.last_frame, board[1]) - max(found_pass.first_frame, board[0]) + 1
+    return shared > SAME_SHARE * (found_pass.last_frame - found_pass.first_frame + 1)

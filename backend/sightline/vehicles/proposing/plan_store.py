@@ -44,7 +44,7 @@ def drawn_free(session: Session, survey_id: int, vehicles: Iterable[int]) -> tup
     drawn by the end of the survey's audit chain, which nobody chooses.
     """
     one_in = get_free_plan(session, survey_id).free_one_in
-    seed = trail.held(session, survey_chain(survey_id)).hash
+    seed = trail.hold_chain_end(session, survey_chain(survey_id)).hash
     wanted = set(vehicles)
     before = select(proposals.c.vehicle_id, proposals.c.withheld).where(
         proposals.c.recording_id.in_(select(recordings.c.id).where(recordings.c.survey_id == survey_id))

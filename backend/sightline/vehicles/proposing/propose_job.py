@@ -54,10 +54,10 @@ def make_proposals(context: JobContext) -> Finish:
         pose_id = recording.pose_id
         pose = pose_from_dict(get_pose(session, pose_id).document, "the camera pose")
     context.progress(0.0, Said("proposals-looking"))
-    made: list[PointProposal] = []
-    found = propose_in_video(
+    proposals: list[PointProposal] = []
+    proposed = propose_in_video(
         opened.media.path,
-        [_found(one) for one in vehicles],
+        [_pass_of_vehicle(one) for one in vehicles],
         pose,
         rate_hz=mean_rate_hz(opened.time_s),
         on_progress=lambda fraction: context.progress(0.98 * fraction, Said("proposals-looking")),
@@ -65,12 +65,12 @@ def make_proposals(context: JobContext) -> Finish:
         name=recording.name,
         stream_number=opened.media.stream_number,
     )
-    for index, one in found:
-        made += proposals_of(vehicles[index].id, one)
+    for index, one in proposed:
+        proposals += proposals_of(vehicles[index].id, one)
 
     def finish(session: Session) -> Mapping[str, Any]:
-        replace_proposals(session, recording_id, pose_id, made, actor=context.actor)
-        return told(recording_id, made)
+        replace_proposals(session, recording_id, pose_id, proposals, actor=context.actor)
+        return summarise_proposals(recording_id, proposals)
 
     return finish
 
@@ -91,7 +91,7 @@ def proposals_of(vehicle_id: int, found: Proposals | str) -> list[PointProposal]
     return [_proposal(vehicle_id, frame, name, points[name]) for name in POINTS]
 
 
-def told(recording_id: int, made: Sequence[PointProposal]) -> dict[str, Any]:
+def summarise_proposals(recording_id: int, made: Sequence[PointProposal]) -> dict[str, Any]:
     """What was done, in words and numbers."""
     points = sum(one.point_px is not None for one in made)
     some = len({one.vehicle_id for one in made if one.point_px is not None})
@@ -112,19 +112,19 @@ def _proposal(vehicle_id: int, frame: int | None, name: Any, point: Any) -> Poin
     )
 
 
-def _found(one: Vehicle) -> FoundPass:
+def _pass_of_vehicle(vehicle: Vehicle) -> FoundPass:
     """The pass as it was found, with the span and direction that people gave it since."""
-    assert one.detection is not None
-    boxes = tuple((int(n), *map(float, sides)) for n, *sides in one.detection["boxes"])
-    best = one.best_frame if one.best_frame is not None else int(boxes[len(boxes) // 2][0])
+    assert vehicle.detection is not None
+    boxes = tuple((int(n), *map(float, sides)) for n, *sides in vehicle.detection["boxes"])
+    best = vehicle.best_frame if vehicle.best_frame is not None else int(boxes[len(boxes) // 2][0])
     return FoundPass(
-        first_frame=one.first_frame,
-        last_frame=one.last_frame,
+        first_frame=vehicle.first_frame,
+        last_frame=vehicle.last_frame,
         best_frame=best,
-        direction=one.direction,
-        whole=bool(one.detection.get("whole", False)),
-        score=float(one.detection.get("score", 0.0)),
-        sharpness=float(one.detection.get("sharpness", 0.0)),
-        luminance=float(one.detection.get("luminance", 0.0)),
+        direction=vehicle.direction,
+        whole=bool(vehicle.detection.get("whole", False)),
+        score=float(vehicle.detection.get("score", 0.0)),
+        sharpness=float(vehicle.detection.get("sharpness", 0.0)),
+        luminance=float(vehicle.detection.get("luminance", 0.0)),
         boxes=boxes,  # type: ignore[arg-type]
     )

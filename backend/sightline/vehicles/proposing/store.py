@@ -43,15 +43,15 @@ def replace_proposals(
 
 def proposals_of_recording(session: Session, recording_id: int) -> tuple[PointProposal, ...]:
     """What is proposed with the road pose in force, by vehicle; none of vehicles that were deleted."""
-    return _fetch(session, _rows().where(proposals.c.recording_id == recording_id))
+    return _fetch(session, _select_standing().where(proposals.c.recording_id == recording_id))
 
 
 def proposals_of_vehicle(session: Session, vehicle_id: int) -> tuple[PointProposal, ...]:
     """What is proposed of one vehicle with the road pose in force."""
-    return _fetch(session, _rows().where(proposals.c.vehicle_id == vehicle_id))
+    return _fetch(session, _select_standing().where(proposals.c.vehicle_id == vehicle_id))
 
 
-def _rows() -> Select[tuple[object, ...]]:
+def _select_standing() -> Select[tuple[object, ...]]:
     """Where a pass was cut since, only those on a frame that it still has."""
     within = proposals.c.frame.is_(None) | proposals.c.frame.between(
         vehicles.c.first_frame, vehicles.c.last_frame

@@ -2,12 +2,12 @@
 
 from sqlalchemy import CheckConstraint, Column, Float, ForeignKey, String, UniqueConstraint
 
-from sightline.infra.database.types import UtcDateTime, columns_for, numbered
+from sightline.infra.database.types import UtcDateTime, columns_for, numbered_table
 from sightline.vehicles.proposing.records import PointProposal
 
 # One row a vehicle and point: a place on a frame with its predicted error, or why there is none. Nothing in a
 # package, statistic or review reads it; a measurement that was confirmed holds its points itself.
-proposals = numbered(
+proposals = numbered_table(
     "proposals",
     Column("recording_id", ForeignKey("recordings.id"), nullable=False, index=True),
     Column("pose_id", ForeignKey("road_poses.id"), nullable=False),
