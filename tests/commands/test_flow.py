@@ -344,6 +344,9 @@ def test_an_archive_keeps_the_u_of_the_line_rate(tmp_path: Path, capsys: pytest.
     untold = as_json(tmp_path / "untold.json", 680.0)
     (note,) = json.loads(flow(capsys, untold, "--json"))["notes"]
     assert note.startswith("The uncertainties of the times of untold.json and near_edge are left out")
+    bare = written(tmp_path / "untold.csv", [{**row, "u_front_at_s": ""} for row in ROWS])
+    notes = json.loads(flow(capsys, bare, "--json"))["notes"]
+    assert any(one.startswith("The uncertainties of the times of untold.csv") for one in notes)
     told = []
     for place in (path, tmp_path / "archive"):
         cars = tmp_path / "cars.csv"

@@ -161,6 +161,7 @@ def test_with_a_start_every_vehicle_has_its_time_of_day(
         assert float(row["u_front_at_s"]) == pytest.approx((0.02**2 + own_s**2) ** 0.5, abs=5e-6)
     assert rows[0]["front_at"].startswith("2026-05-05T00:00:0")
     assert "front_at" not in rows_of(said_by(capsys, *road.files, *RIG))[0]
+    # without the start's u that of a time is not known: the front's own alone would look like it
     unsure = json.loads(said_by(capsys, *road.files, *RIG, *options[:2], "--json"))
     assert any("--u-start" in note for note in unsure["notes"]) and said["notes"] == []
     assert {one["u_front_at_s"] for one in unsure["vehicles"]} == {None}

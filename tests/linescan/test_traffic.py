@@ -165,6 +165,12 @@ def test_vehicles_near_an_edge_or_a_limit_are_counted() -> None:
     assert second.unclassed == 1
 
 
+def test_of_one_that_could_not_be_measured_the_others_tell_how_well_its_time_is_known() -> None:
+    passed = [Passed(10.0, 0.2, 0.01, 20.0, 0.1), Passed(60.01, 0.1, refused=True)]
+    assert [one.near_edge for one in intervals(passed, 120.0, clock(), 1)] == [0, 1]
+    assert [one.near_edge for one in intervals(passed[1:], 120.0, clock(), 1)] == [0, None]
+
+
 def test_the_ends_of_a_recording_are_no_edges_of_the_clock() -> None:
     """It begins 100 s into an interval and ends 100 s before another; or 3 s after an edge, which is one."""
     passed = [Passed(5.0, 0.3, 20.0), Passed(395.0, 0.3, 20.0)]

@@ -332,7 +332,8 @@ def test_commands_evaluate_the_clicks_that_the_report_evaluates(
         for row in rows(place, "statistics/errors_by_target.csv")
         if (row["heights"], row["grouping"], row["figure"]) == ("inset", "all", "bias_m")
     }
-    assert {key: len(of.height_m) for key, of in read_heights(heights)[0].items()} == told
+    (group,) = read_heights(heights, None).values()
+    assert {key: len(of.height_m) for key, of in group.rows.items()} == told
 
 
 def test_what_counts_is_held_against_the_chain_and_the_passes(

@@ -20,8 +20,10 @@ from sightline.media.strips import spool
 from sightline.media.strips.reader import open_strip
 from sightline.media.strips.sheet import Pixels
 from sightline.messages.said import Said
+from sightline.scans.live.journal import interrupted_segment, unmoved_segments
 from sightline.scans.live.records import Keeper, LiveHealth, LiveVehicle, SegmentFacts
 from sightline.scans.live.run import Clock, LiveRun
+from sightline.traffic.archive import SHARED_S
 from tests.linescan.scenes import SLOW_RIG, standing
 from tests.simulation.scan_strips import strips
 from tests.simulation.scan_traffic import ScanSite, traffic
@@ -241,14 +243,14 @@ def test_a_followed_file_taken_up_an_hour_later_tells_when_its_lines_were_taken(
     for one, same in zip(rest, clean[1:], strict=True):
         lines = same.vehicle.motion.crossings.front_line_1 - 500
         assert one.at.timestamp() == pytest.approx(1e9 + lines / RIG.line_rate_hz, abs=1e-3)
-    begun_at = begun[1] + round(0.3 * RIG.line_rate_hz)
+    begun_at = rest[0].begin
     # no line is kept twice, but for what a segment shares with the one before
     one, two = (open_strip(path, "height").lines for path in sorted(tmp_path.glob("*-camera-1.tif")))
     margin = 2 * Finder(SITE.rows, RIG).margin
-    assert (one - margin, two) == (begun_at, len(pair[0]) - begun_at) and rest[0].begin == begun_at
+    assert (one - margin, two) == (begun_at, len(pair[0]) - begun_at)
     assert all(one.vehicle.front_s > 0 for one in rest)
     # an hour has passed since line 500; the counting clock goes on by 1 s each time it is read
-    assert begun[1] > 0
+    assert 0 < begun[1] < begun_at
     assert heard[0] == pytest.approx(3600 + (500 - begun_at) / RIG.line_rate_hz + 1, abs=2)
 
 
@@ -340,18 +342,78 @@ def test_who_stands_when_a_stream_is_killed_is_told_by_the_next_once(
     assert after.vehicle.number == 3
 
 
-def test_of_two_that_were_complete_at_once_the_second_is_told_after_a_kill(tmp_path: Path) -> None:
+@pytest.mark.parametrize("can_go_back", [False, True])
+def test_of_two_that_were_complete_at_once_the_second_is_told_after_a_kill(
+    tmp_path: Path, can_go_back: bool
+) -> None:
     """One stood while the other passed beside it; as it left, the program died between the two."""
     pair, _ = standing(1.6)
+
+    def played(begin: int) -> Played:
+        begin = begin if can_go_back else len(pair[0])
+        return Played((pair[0][begin:], pair[1][begin:]))
+
     killed = live_run(lambda _: Played(pair), tmp_path, rig=SLOW_RIG, clock=stopped_at(1e9))
     found = killed.vehicles()
     stood = next(found)
     killed.told(stood)
     kill(killed)
-    nothing = Played((pair[0][:0], pair[1][:0]))
-    beside = next(live_run(lambda _: nothing, tmp_path, rig=SLOW_RIG).vehicles())
-    assert beside.vehicle.number == 2 and beside.vehicle.front_s < (stood.vehicle.rear_s or 0.0)
+    resumed = live_run(played, tmp_path, rig=SLOW_RIG, can_go_back=can_go_back)
+    beside, *rest = resumed.vehicles()
+    assert (beside.segment, beside.vehicle.number) == (1, 2)
+    assert beside.vehicle.front_s < (stood.vehicle.rear_s or 0.0)
     assert beside.vehicle.motion.speed_mps == pytest.approx(14.0, abs=0.1)
+    if can_go_back:
+        assert [one.vehicle.number for one in rest] == [3]
+        kept = [open_strip(path, "height").lines for path in sorted(tmp_path.glob("*-camera-1.tif"))]
+        # an archive takes both
+        assert 0 <= sum(kept) - len(pair[0]) <= SHARED_S * SLOW_RIG.line_rate_hz
+
+
+def test_a_stream_killed_before_anything_was_looked_at_leaves_no_pair(
+    pair: tuple[Pixels, Pixels], tmp_path: Path
+) -> None:
+    """All its lines are in the next; some lines of road were kept as a recording."""
+    few = Played((pair[0][:500], pair[1][:500]))
+    killed = live_run(lambda _: few, tmp_path, can_go_back=True)
+    killed._end = lambda: iter(())  # type: ignore[method-assign]
+    assert list(killed.vehicles()) == []
+    kill(killed)
+    assert len(list(tmp_path.glob("0001-camera-*.tif"))) == 2
+    list(
+        live_run(
+            lambda begin: Played((pair[0][begin:], pair[1][begin:])), tmp_path, can_go_back=True
+        ).vehicles()
+    )
+    assert list(tmp_path.glob("0001-camera-*.tif")) == []
+    assert open_strip(tmp_path / "0002-camera-1.tif", "height").lines == len(pair[0])
+
+
+def test_a_search_of_a_resumed_recording_sees_the_road_before_its_first_vehicle(
+    pair: tuple[Pixels, Pixels], clean: list[LiveVehicle], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first, second = (one.vehicle.motion.crossings for one in clean[:2])
+    in_view = int(second.front_line_2) + 200
+
+    def played(begin: int) -> Played:
+        return Played((pair[0][begin:], pair[1][begin:]))
+
+    cut = Played((pair[0][:in_view], pair[1][:in_view]))
+    killed = live_run(lambda _: cut, tmp_path, can_go_back=True, clock=stopped_at(1e9))
+    monkeypatch.setattr(killed, "_end", lambda: iter(()))
+    for one in killed.vehicles():
+        killed.told(one)
+    assert killed.found == 1
+    kill(killed)
+    resumed = list(live_run(played, tmp_path, can_go_back=True).vehicles())
+    # all of it since the vehicle before
+    front = resumed[0].vehicle.motion.crossings.front_line_1
+    assert front >= second.front_line_1 - first.rear_line_2
+    files = [open_strip(tmp_path / f"0002-camera-{k}.tif", "height") for k in (1, 2)]
+    finder = Finder(SITE.rows, RIG)
+    passages = finder.push(*(np.concatenate(list(one.chunks())) for one in files)) + finder.finish()
+    again = [one.motion.speed_mps for one in measure_passages(passages, RIG, "direct")]
+    assert again == pytest.approx([one.vehicle.motion.speed_mps for one in clean[1:]], rel=1e-3)
 
 
 def test_a_disk_that_is_full_where_a_killed_stream_is_taken_up_ends_no_stream(
@@ -372,13 +434,13 @@ def test_a_disk_that_is_full_where_a_killed_stream_is_taken_up_ends_no_stream(
     assert any("No space left" in one for one in said)
 
 
-@pytest.mark.parametrize("cut", [False, True])
+@pytest.mark.parametrize("then", ["rests", "cut", "replaced"])
 def test_a_killed_segment_whose_file_was_cut_or_replaced_is_handed_on_whole_once(
     pair: tuple[Pixels, Pixels],
     clean: list[LiveVehicle],
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
-    cut: bool,
+    then: str,
 ) -> None:
     """A file that merely does not grow ends no segment: its lines may come later."""
     ended, said = list[str | None](), list[object]()
@@ -398,7 +460,7 @@ def test_a_killed_segment_whose_file_was_cut_or_replaced_is_handed_on_whole_once
     monkeypatch.setattr("sightline.scans.live.run.LEAD_S", 0.3)
 
     def source(begin: int) -> LineSource:
-        return FollowedLines(path, SITE.rows, ending, begin=begin if cut else 0, idle_s=0.1)
+        return FollowedLines(path, SITE.rows, ending, begin=0 if then == "rests" else begin, idle_s=0.1)
 
     def again() -> list[LiveVehicle]:
         run = live_run(source, folder, can_go_back=True, keeper=Survey(), say=said.append)
@@ -406,6 +468,7 @@ def test_a_killed_segment_whose_file_was_cut_or_replaced_is_handed_on_whole_once
         for one in run.vehicles():
             run.told(one)
             told.append(one)
+        assert run.broken == (then != "rests")
         return told
 
     killed = live_run(lambda _: Played(pair), folder, can_go_back=True, keeper=Survey())
@@ -414,14 +477,16 @@ def test_a_killed_segment_whose_file_was_cut_or_replaced_is_handed_on_whole_once
         killed.told(next(found))
     next(found)  # the third is complete, and not told
     kill(killed)
-    path.write_bytes(b"")
+    other = np.stack([np.array(one[::-1], np.uint8) for one in pair], axis=1).tobytes()
+    path.write_bytes(other if then == "replaced" else b"")
     told = again()
     assert not any("nothing is missing" in str(one) for one in said)
-    if cut:
+    if then != "rests":
         third = clean[2].vehicle.motion.crossings.front_line_1
         assert told[0].vehicle.motion.crossings.front_line_1 == pytest.approx(third, abs=1)
         assert ended == ["0001-camera-1.tif"]
-        assert again() == [] and ended == ["0001-camera-1.tif"]
+        # answered for: the next run takes up nothing
+        assert interrupted_segment(folder) is None and unmoved_segments(folder) == []
     else:
         assert ended == []
     ending.close()

@@ -193,6 +193,20 @@ def test_who_stands_when_a_recording_ends_is_the_road_of_the_next(
     assert [one.occupancy_percent.value for one in by_flow[6:]] == told
 
 
+def test_who_stands_through_a_whole_recording_leaves_no_trace_in_it(tmp_path: Path) -> None:
+    """The third, which begins as the second ends, told 0.02; after one has driven through it is gone."""
+    stands = replace(standing_passing(1, 200.0, 200.0), rear_s=None, rear_line_1=None, reason=str(STOOD))
+    stands = replace(stands, speed_mps=None, status="not_measurable")
+    for number, cars in enumerate(((stands,), (), (standing_passing(1, 100.0, 106.0),), ())):
+        one = Recorded(f"{number}", 64 * f"{number}", 300.0, cars, ())
+        add_recorded(tmp_path, one, stood(f"2026-05-04T12:{5 * number:02}"))
+    with ArchiveTables(tmp_path) as tables:
+        rows = list(tables.intervals(Asked(minutes=5)))
+    assert [row["occupancy_ratio"] for row in rows] == [None, None, None, 0.0]
+    by_flow = [one for scan in traffic_of(results_in(tmp_path)[0], 5) for one in scan.intervals]
+    assert [one.occupancy_percent.value for one in by_flow] == [None, None, None, 0.0]
+
+
 def test_one_of_unknown_lane_that_stands_may_stand_in_any(tmp_path: Path) -> None:
     cars = [
         replace(standing_passing(n, 30.0 * n, 30.0 * n + 0.5), lane=lane) for n, lane in ((1, "a"), (2, "b"))
@@ -214,6 +228,36 @@ def test_one_of_unknown_lane_that_stands_may_stand_in_any(tmp_path: Path) -> Non
         by_flow[scan.lane or ""] += [one.occupancy_percent.value for one in scan.intervals]
     percent = pytest.approx(100 * 0.5 / 900)
     assert by_flow == {"a": [percent, None, None], "b": [percent, None, None], "": [0.0, None]}
+
+
+@pytest.mark.parametrize("leaves", [False, True])
+def test_one_of_unknown_lane_is_gone_from_each_lane_that_another_has_driven_through(
+    tmp_path: Path, leaves: bool
+) -> None:
+    """Or from all, where it was seen to leave."""
+    stands = replace(standing_passing(3, 200.0, 200.0), rear_s=None, rear_line_1=None, reason=str(STOOD))
+    stands = replace(stands, speed_mps=None, u_speed_mps=None, length_m=None, status="not_measurable")
+    left = replace(stands, front_s=0.0, front_line_1=0.0, rear_s=50.0, rear_line_1=5e4, reason=str(STOPPED))
+    a, b = (
+        replace(standing_passing(n, 100.0 * n, 100.0 * n + 6), lane=name) for n, name in ((1, "a"), (2, "b"))
+    )
+    by_recording = ((a, b, stands), (left,) if leaves else (a,), (a, b), (a, b))
+    for number, cars in enumerate(by_recording):
+        one = Recorded(f"{number}", 64 * f"{number}", 300.0, cars, ("a", "b"))
+        add_recorded(tmp_path, one, stood(f"2026-05-04T12:{5 * number:02}"))
+    with ArchiveTables(tmp_path) as tables:
+        rows = list(tables.intervals(Asked(minutes=5)))
+    shown = {lane: [row["occupancy_ratio"] for row in rows if row["lane"] == lane] for lane in ("a", "b")}
+    share, stays = pytest.approx(0.02), None if not leaves else pytest.approx(0.02)
+    assert shown == {"a": [None, None, share, share], "b": [None, None, stays, share]}
+    by_flow: dict[str, list[float | None]] = defaultdict(list)
+    for scan in traffic_of(results_in(tmp_path)[0], 5)[-4:]:
+        by_flow[scan.lane or ""] += [one.occupancy_percent.value for one in scan.intervals]
+    percent = pytest.approx(2.0)
+    assert {lane: told for lane, told in by_flow.items() if lane} == {
+        "a": [percent, percent],
+        "b": [percent if leaves else None, percent],
+    }
 
 
 def test_a_rear_that_nobody_saw_is_of_its_recording_and_goes_over_midnight(tmp_path: Path) -> None:

@@ -115,12 +115,11 @@ def stream(
             click.echo(json_text(said_of(vehicle, rig.line_rate_hz)))
             sys.stdout.flush()
             run.told(vehicle)
-    broken = run.source is not None and run.source.broken
-    if not run.lines and not broken:
+    if not run.lines and not run.broken:
         raise BadInput("commands-stream-empty", pair_bytes=2 * rows)
     for sentence in left_out(rig, run.found):
         _say(sentence)
-    if broken:
+    if run.broken:
         sys.exit(1)
 
 

@@ -10,13 +10,14 @@ is the time mean speed; their harmonic mean is the space mean speed, as a stretc
 before camera 1; vehicles beside each other are counted once. Where one stood and nobody saw it leave, it is
 not told from there to the end: who comes later may have passed beside it. Of another whose rear nobody saw it
 is not told to the first front after it was given up. Where one still stood when the recording before ended,
-this one took it for the road and does not know until when it stood: it tells none. One of unknown lane may
-stand in any.
+this one took it for the road and does not know until when it stood: it tells none, nor do those after it
+until another has driven through. One of unknown lane may stand in any.
 
 Uncertainties (k = 1) are those of measuring. A count has none of its own; `near_edge` says how many vehicles
-passed so near to an edge that the clock leaves it open on which side (95 %). `flow_low` and `flow_high` are
-the exact 95 % interval of the rate of a Poisson process that such a count comes from (Garwood 1936): what to
-expect of as long a time again, where vehicles come independently of each other.
+passed so near to an edge that the clock leaves it open on which side (95 %); of one whose time has no u of
+its own, the largest of the others' stands for it. `flow_low` and `flow_high` are the exact 95 % interval of
+the rate of a Poisson process that such a count comes from (Garwood 1936): what to expect of as long a time
+again, where vehicles come independently of each other.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -190,14 +191,13 @@ def intervals(
     stood_before: bool = False,
     strayed: Sequence[Passed] = (),
     strays_s: Sequence[float] = (),
-    u_start_told: bool = True,
 ) -> tuple[Interval, ...]:
     """The intervals of `minutes` that a recording of `watched_s` touches, in order.
 
     `passed`: rising by `since_s`. `into_hour_s`: what clocks of the place show beyond an hour, so many
     seconds after line 0. `limits_m`: rising. `stood_before`: one stood when the recording just before ended.
     `strayed`: those of unknown lane whose rear nobody saw, who may have stood in this one; `strays_s`:
-    see `headways_s`. `u_start_told`: False where nobody's time of day has a u.
+    see `headways_s`.
     Who is still in view at the end counts until then. Raises ValueError for minutes that do not divide an
     hour.
     """
@@ -213,6 +213,7 @@ def intervals(
     unsure = np.concatenate([unsure.reshape(-1, 2), *([[max(one.since_s, 0.0), end_s]] for one in strayed)])
     begins, stops = np.searchsorted(np.array(fronts_s), np.array(spans).reshape(-1, 2).T).tolist()
     still = _still_there(passed, spans)
+    largest_u_s = max((one.u_since_s for one in passed if one.u_since_s is not None), default=None)
     out = []
     for begin, before_stop, (begin_s, stop_s), before, of_clock in zip(
         begins, stops, spans, still, edges, strict=True
@@ -230,7 +231,7 @@ def intervals(
                 of_clock,
                 stop_s - begin_s < long_s,
                 limits_m,
-                u_start_told,
+                largest_u_s,
             )
         )
     return tuple(out)
@@ -268,7 +269,7 @@ def _interval(
     edges: tuple[float, float],
     partial: bool,
     limits_m: Sequence[float],
-    u_start_told: bool,
+    largest_u_s: float | None,
 ) -> Interval:
     watched_s, standing = span[1] - span[0], [*before, *inside]
     inside = [one for one in inside if not one.told_before]
@@ -292,8 +293,8 @@ def _interval(
         partial=partial,
         vehicles=len(inside),
         near_edge=None
-        if any(one.u_since_s is None for one in moving) or (inside and not u_start_told)
-        else sum(_near_edge(one, edges) for one in inside),
+        if inside and largest_u_s is None
+        else sum(_near_edge(one, edges, largest_u_s or 0.0) for one in inside),
         refused=sum(one.refused for one in inside),
         measured=len(moving),
         flow_per_hour=flow,
@@ -388,8 +389,8 @@ def _density(flow_per_hour: float, space_mean: Figure) -> Figure:
     return Figure(value, value * space_mean.u / space_mean.value)
 
 
-def _near_edge(one: Passed, edges: tuple[float, float]) -> bool:
-    reach_s = COVERAGE_95 * (one.u_since_s or 0.0)
+def _near_edge(one: Passed, edges: tuple[float, float], largest_u_s: float) -> bool:
+    reach_s = COVERAGE_95 * (largest_u_s if one.u_since_s is None else one.u_since_s)
     return any(abs(one.since_s - edge) <= reach_s for edge in edges)
 
 

@@ -70,7 +70,7 @@ _before = measurements.alias("before")
 _CLICKED = ("frame", "contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
 
 
-def _alike(of: Any, *names: str) -> ColumnElement[bool]:
+def _has_equal(of: Any, *names: str) -> ColumnElement[bool]:
     """Whether a revision of the series has these columns as the one that is read."""
     alike = (of[name].is_not_distinct_from(measurements.c[name]) for name in names)
     return and_(of.series_id == measurements.c.series_id, *alike)
@@ -80,7 +80,7 @@ def _of_first(name: str) -> ColumnElement[Any]:
     """A column of the first revision of the series with the same points."""
     first = (
         select(_earlier.c[name])
-        .where(_alike(_earlier.c, *_CLICKED))
+        .where(_has_equal(_earlier.c, *_CLICKED))
         .order_by(_earlier.c.revision)
         .limit(1)
         .correlate(measurements)
@@ -103,8 +103,8 @@ def is_own(actor: int | None) -> ColumnElement[bool]:
     m, theirs = measurements.c, _earlier.c
 
     def first(*names: str) -> ColumnElement[bool]:
-        before = exists().where(_alike(_before.c, *names), _before.c.revision < theirs.revision)
-        return and_(_alike(theirs, *names), ~before.correlate(measurements, _earlier))
+        before = exists().where(_has_equal(_before.c, *names), _before.c.revision < theirs.revision)
+        return and_(_has_equal(theirs, *names), ~before.correlate(measurements, _earlier))
 
     gave = or_(
         first(*_CLICKED),

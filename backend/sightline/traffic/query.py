@@ -9,9 +9,10 @@ of the means: what neither exceeds, whatever the vehicles share: the mean of the
 squared times the square of the space mean speed (JCGM 100:2008, 5.2.2), the larger. A vehicle that stands
 occupies every interval in which it does; where nobody saw it leave, occupancy is not told from its front to
 the end of its recording (who comes later may have passed beside it). Where one still stood when a recording
-ended, it is not told of the next one that begins within a minute, which took it for the road. Of another
-whose rear nobody saw it is not told to the first front after it was given up. One of unknown lane may stand
-in any lane. Where segments of one stream overlap, time and vehicles are those of the first.
+ended, it is not told of the next one that begins within a minute, which took it for the road, nor of those
+after it until another has driven through. Of another whose rear nobody saw it is not told to the first front
+after it was given up. One of unknown lane may stand in any lane. Where segments of one stream overlap, time
+and vehicles are those of the first.
 """
 
 from __future__ import annotations
@@ -164,7 +165,7 @@ def classes_of(limits_m: Sequence[float]) -> list[str]:
 _NOBODY = """
 SELECT NULL::DATE AS day, NULL::VARCHAR AS lane, NULL::VARCHAR AS status, NULL::DOUBLE AS since_midnight_s,
   NULL::DOUBLE AS occupied_s, NULL::DOUBLE AS speed_mps, NULL::DOUBLE AS u_speed_mps,
-  NULL::DOUBLE AS length_m, NULL::DOUBLE AS time_gap_s,
+  NULL::DOUBLE AS length_m, NULL::DOUBLE AS time_gap_s, NULL::DOUBLE AS front_line_1,
   false AS told_before, NULL::TIMESTAMPTZ AS passed_at, NULL::VARCHAR AS reason,
   NULL::VARCHAR AS recording_sha256 WHERE false
 """
@@ -197,7 +198,7 @@ def _intervals_sql(asked: Asked) -> str:
     begins = f"(day - DATE '1970-01-01') * {of_day}"
     classes = len(classes_of(asked.limits_m)) + 1
     return f"""
-    WITH days AS (
+    WITH RECURSIVE days AS (
       SELECT day, any_value(day_s) AS day_s, epoch(any_value(midnight_at)) AS begin_s
       FROM watched GROUP BY day
     ), cut AS (
@@ -249,19 +250,28 @@ def _intervals_sql(asked: Asked) -> str:
         coalesce(min(begin_s + since_midnight_s) OVER (PARTITION BY lane ORDER BY begin_s + since_midnight_s
           RANGE BETWEEN {STANDS_S} FOLLOWING AND UNBOUNDED FOLLOWING), 'inf'::DOUBLE) AS next_s
       FROM (FROM came UNION ALL FROM strays) QUALIFY occupied_s IS NULL
+    ), driven AS (
+      SELECT DISTINCT recording_sha256, ends.lane FROM came JOIN ends USING (recording_sha256)
+      WHERE (came.lane = ends.lane AND speed_mps IS NOT NULL)
+        OR (came.lane IN (ends.lane, '') AND front_line_1 <= 0)
+    ), stood_before AS (
+      SELECT next.*, length_m FROM (FROM came UNION ALL FROM strays) AS came
+      JOIN ends USING (recording_sha256, lane) JOIN ends AS next USING (lane)
+      WHERE next.first_s BETWEEN ends.end_s - 0.001 AND ends.end_s + {STANDS_S} AND (reason = '{_STOOD}'
+        OR (reason = '{_STOPPED}' AND came.begin_s + until_s > ends.end_s - {AT_END_S}))
+      UNION
+      SELECT next.*, length_m FROM stood_before AS ends ANTI JOIN driven USING (recording_sha256, lane)
+      JOIN ends AS next USING (lane)
+      WHERE next.first_s BETWEEN ends.end_s - 0.001 AND ends.end_s + {STANDS_S}
     ), rear_unseen AS (
       SELECT lane, day, length_m, greatest(since_s - begin_s, 0) AS from_s,
         least(coalesce(stands_s, next_s) - begin_s, end_s - begin_s, day_s) AS until_s
       FROM stood JOIN ends USING (recording_sha256, lane)
       JOIN days ON since_s < begin_s + day_s AND least(coalesce(stands_s, next_s), end_s) > begin_s
       UNION ALL
-      SELECT lane, days.day, length_m, greatest(next.first_s - days.begin_s, 0) AS from_s,
-        least(next.end_s - days.begin_s, days.day_s) AS until_s
-      FROM (FROM came UNION ALL FROM strays) AS came JOIN ends USING (recording_sha256, lane)
-      JOIN ends AS next USING (lane)
-      JOIN days ON next.first_s < days.begin_s + days.day_s AND next.end_s > days.begin_s
-      WHERE next.first_s BETWEEN ends.end_s - 0.001 AND ends.end_s + {STANDS_S} AND (reason = '{_STOOD}'
-        OR (reason = '{_STOPPED}' AND came.begin_s + until_s > ends.end_s - {AT_END_S}))
+      SELECT lane, days.day, length_m, greatest(first_s - days.begin_s, 0) AS from_s,
+        least(end_s - days.begin_s, days.day_s) AS until_s
+      FROM stood_before JOIN days ON first_s < days.begin_s + days.day_s AND end_s > days.begin_s
     ), unsure_cells AS (
       SELECT *, unnest(range(floor(from_s / {step})::BIGINT, ceil(until_s / {step})::BIGINT)) AS nth
       FROM rear_unseen

@@ -87,8 +87,7 @@ class Results:
         self, number: int, clock: Clock, watched_s: float, by_s: float
     ) -> tuple[Watched, list[VehicleMotion]]:
         cars = [replace(one, scan_id=number, since_s=(one.since_s or 0.0) + by_s) for one in self.vehicles]
-        seen = Watched(number, self.name, clock, watched_s, site=self.site, u_start_told=self.u_start_told)
-        return seen, cars
+        return Watched(number, self.name, clock, watched_s, site=self.site), cars
 
 
 def traffic_of(results: Sequence[Results], minutes: int) -> tuple[ScanTraffic, ...]:

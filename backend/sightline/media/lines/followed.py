@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from sightline.errors import BadInput
-from sightline.media.lines.source import Ending, Piece, cut_short, pairs_of
+from sightline.media.lines.source import Ending, Piece, cut_short, describe_replaced, pairs_of
 
 _POLL_S = 0.05
 _QUIET_S = 0.5
@@ -60,7 +60,7 @@ class FollowedLines:
                     yield pairs_of(data, self._rows)
                     continue
                 if self._replaced():
-                    self._break(f"{self.name} was replaced by another file; start again for the new one.")
+                    self._break(describe_replaced(self.name))
                     break
                 if self._idle_s is not None and time.monotonic() - grown > self._idle_s:
                     break

@@ -91,6 +91,11 @@ def pairs_of(data: bytes, rows: int) -> Piece:
     return Piece(np.ascontiguousarray(both[:, 0]), np.ascontiguousarray(both[:, 1]))
 
 
+def describe_replaced(name: str) -> str:
+    """The sentence for a file that is not the one that was read until now."""
+    return f"{name} was replaced by another file; start again for the new one."
+
+
 def cut_short(name: str, rest: int) -> str:
     """The sentence for bytes that make no whole pair."""
     return (

@@ -7,7 +7,7 @@ vehicles are told ("settled"), but for those that stand for too long ("stand"). 
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
@@ -25,11 +25,16 @@ _NAME = re.compile(r"(\d{4,})\.jsonl")
 @dataclass(frozen=True)
 class Before:
     """Which vehicles are told: all whose front came before line `settled`, and those that passed camera 1
-    from line to line (`passed`).
+    from line to line (`passed`, of those that left it later); `left`: by which all had left both cameras.
     """
 
     settled: float = -1.0
     passed: tuple[tuple[float, float], ...] = ()
+    left: float = -1.0
+
+    @classmethod
+    def of(cls, settled: float, passed: Iterable[tuple[float, float]], left: float) -> "Before":
+        return cls(settled, tuple(one for one in passed if one[1] >= settled), left)
 
     def has(self, front: float, within: float) -> bool:
         """Whether a front, known to so many lines, is of one of them; what shows until the rear of one that
@@ -42,7 +47,7 @@ class Before:
     def since(self, line: float) -> "Before":
         """The same where lines count from that one on."""
         passed = tuple((front - line, rear - line) for front, rear in self.passed)
-        return Before(self.settled - line, passed)
+        return Before(self.settled - line, passed, self.left - line)
 
 
 @dataclass(frozen=True)
@@ -137,7 +142,12 @@ def told_line(live_vehicle: LiveVehicle) -> dict[str, Any]:
     """What is said of a vehicle that was told."""
     at = live_vehicle.vehicle.motion.crossings
     lines = {"front_line": float(at.front_line_1), "rear_line": float(at.rear_line_1)}
-    return {"vehicles": live_vehicle.vehicle.number, **lines}
+    return {"vehicles": live_vehicle.vehicle.number, **lines, "left_line": left_by(at)}
+
+
+def left_by(at: Crossings) -> float:
+    """The line at which a vehicle had left both cameras."""
+    return float(max(at.rear_line_1, at.rear_line_2))
 
 
 def _read_segment(path: Path, number: int) -> Told | None:
@@ -148,7 +158,8 @@ def _read_segment(path: Path, number: int) -> Told | None:
     known: dict[str, Any] = {"vehicles": head["first_id"] - 1, "scan_id": None, "last_at": head["began_at"]}
     known |= {"kept": False, "closed": False, "notes": ()}
     stand, before = dict[float, Crossings](), Before(*head.get("before", ()))
-    settled, passed = max(0.0, before.settled), [(front, rear) for front, rear in before.passed]
+    settled, left = max(0.0, before.settled), before.left
+    passed = [(front, rear) for front, rear in before.passed]
     for entry in lines:
         if "settled" in entry:
             stand.clear()
@@ -159,6 +170,7 @@ def _read_segment(path: Path, number: int) -> Told | None:
         stand.pop(entry.get("front_line", -1.0), None)
         if "front_line" in entry:
             passed.append((entry["front_line"], entry["rear_line"]))
+            left = max(left, entry.get("left_line", entry["rear_line"]))
         if "closed" in entry:
             known |= {"closed": True, "notes": tuple(map(Said.read, entry["closed"]))}
         known |= {"kept": True} if "scan_id" in entry else {}
@@ -169,7 +181,7 @@ def _read_segment(path: Path, number: int) -> Told | None:
         began_at=datetime.fromisoformat(head["began_at"]),
         last_at=datetime.fromisoformat(known.pop("last_at")),
         **{name: head[name] for name in ("stream", "source", "rows", "rig", "begin")},
-        before=Before(settled, tuple(one for one in passed if one[1] >= settled)),
+        before=Before.of(settled, passed, left),
         stand=tuple(stand.values()),
         **known,
     )

@@ -19,7 +19,7 @@ from sightline.linescan import faults
 from sightline.linescan.finding import Behind, Finder
 from sightline.linescan.parts import Rig
 from sightline.linescan.rig import rig_from
-from sightline.media.lines.source import LineSource, Piece
+from sightline.media.lines.source import LineSource, Piece, describe_replaced
 from sightline.messages.said import Said
 from sightline.scans.live.journal import (
     Before,
@@ -57,6 +57,7 @@ class LiveRun:
 
     `source`: opens it, from a line on where it can go back (`can_go_back`); `folder`: where lines and journal
     are kept (None: nowhere); `segment_s`: how much traffic one pair of files holds; `say`: takes sentences.
+    `broken`: what went wrong with the source ended it.
     Raises BadInput where what a killed run left was recorded with another rig.
     """
 
@@ -76,13 +77,14 @@ class LiveRun:
         clock: Clock = Clock(),
     ) -> None:
         self.rows, self.rig, self.method, self.folder = rows, rig, method, folder
-        self.found = self.lines = 0
+        self.found, self.lines, self.broken = 0, 0, False
         self._keeper, self._say, self._clock, self._name = keeper, say, clock, name
         self._segment_s, self._go_back, self._open = segment_s, can_go_back, source
         self._said: set[tuple[str, object]] = set()
         self._segment: Segment | None = None
         self._stream = secrets.token_hex(8)
         self._begin, self._lead, self._before, self._first_id = 0, 0, Before(), 1
+        self._stop = 0  # of the segment that a killed run left
         self._resumed_at: datetime | None = None
         self._left: Told | None = None
         self._rest: Remainder | None = None
@@ -103,12 +105,17 @@ class LiveRun:
         self.source = self._open(self._begin - self._lead)
         for piece in self.source.pieces():
             if piece is not None and len(piece.first):
+                if self._is_other(piece):
+                    self.broken = True
+                    self._say(describe_replaced(self._name))
+                    break
                 yield from self._take(piece)
             self._tick()
             if self._segment is not None and self._is_over(self._segment):
                 yield from self._next_segment(self._segment)
         yield from self._end()
-        if self._left is not None and self.source.broken:
+        self.broken |= self.source.broken
+        if self._left is not None and self.broken:
             # its file was cut or replaced, so its lines never go on; who stood is told by now
             yield from self._end_whole(self._left, self._rest)
         for sentence in self.source.notes:
@@ -132,6 +139,15 @@ class LiveRun:
         while held - len(self._recent[0].first) > 2 * segment.finder.block:
             held -= len(self._recent.popleft().first)
         yield from segment.take(piece)
+
+    def _is_other(self, piece: Piece) -> bool:
+        """Whether the first piece is not of the file that a killed run followed, though as long."""
+        left, rest = self._left, self._rest
+        return (
+            left is not None
+            and rest is not None
+            and not rest.begins(self._begin - self._lead - left.begin, piece)
+        )
 
     def _first_segment(self, piece: Piece) -> Segment:
         """Its line 0 is older than the last line by as much as the lines since make, or what a killed run
@@ -268,25 +284,33 @@ class LiveRun:
         assert self.folder is not None
         if left.rows != self.rows or rig_from(left.rig) != self.rig:
             raise BadInput("commands-stream-other-rig", path=self.folder, number=f"{left.number:04}")
-        after = left.before.settled
         self._first_id, self._stream = left.vehicles + 1, left.stream
         paths, facts = spool_paths(self.folder, left.number), _facts_of(left)
         self._keeper.take_up(facts if left.kept else None, left.scan_id)
         again, kept = self._go_back and left.source == self._name, all(path.is_file() for path in paths)
         rest = None
         if kept or not again:
-            rest = Remainder(
-                paths, facts, self.rig, self.method, left.before, self._first_id, left.begin, left.stand
-            )
-            self._behind = rest.behind
+            rest = Remainder(paths, facts, self.rig, self.method, left)
             yield from self._numbered(rest.stood())
+            yield from self._numbered(rest.complete())
+            self._behind = rest.finder.behind
         if not again:
             yield from self._end_whole(left, rest)
             return
-        # as where a segment ends: another begins just before what is not yet told
-        start = max(0, int(after) - 2 * Finder(self.rows, self.rig).margin)
+        lead, margin = round(LEAD_S * self.rig.line_rate_hz), Finder(self.rows, self.rig).margin
+        # the road is learnt from before those who were in view when the program was killed
+        learnt_from = max(0, left.begin + int(left.before.settled) - 2 * margin - lead)
+        if rest is not None:
+            yield from self._numbered(rest.give_up())
+            self._behind, left = rest.finder.behind, replace(left, before=rest.before)
+        # another begins in the empty road before what is not yet told
+        settled, gone = int(left.before.settled), int(left.before.left)
+        left_by = gone + 2 * margin if gone > 0 else 0
+        cut = min(settled, max(left_by, settled - lead))
+        cut = cut if cut > 2 * margin else settled
+        start, self._stop = max(0, cut - 2 * margin), max(cut, left_by)
         self._begin, self._before = left.begin + start, left.before.since(start)
-        self._lead = min(self._begin, round(LEAD_S * self.rig.line_rate_hz))
+        self._lead = self._begin - learnt_from
         self._resumed_at = left.began_at + timedelta(seconds=start / self.rig.line_rate_hz)
         self._left, self._rest = left, rest
 
@@ -298,22 +322,21 @@ class LiveRun:
     def _end_whole(self, left: Told, rest: Remainder | None) -> Iterator[LiveVehicle]:
         """None of its lines come again: who was in view is told, and the strips are handed on as they are."""
         if rest is not None:
-            yield from self._numbered(rest.vehicles())
+            yield from self._numbered(rest.finish())
         self._say(self._missing(left, 0 if rest is None else rest.lines))
         self._append(left.number, {"closed": []})
         self._hand_on(left)
 
     def _end_left(self, left: Told) -> None:
-        """Lines come again from where all is told: there the killed segment ends, or after the last rear of
-        those who are told.
+        """Lines come again: the killed segment ends in the empty road before who is not yet told, or after
+        the last rear of those who are told.
         """
         assert self.folder is not None
         paths = spool_paths(self.folder, left.number)
-        stop = int(max([left.before.settled, *(rear for _, rear in left.before.passed)]))
-        if all(path.is_file() for path in paths) and not trim_to_common_lines(paths, stop):
+        if all(path.is_file() for path in paths) and not trim_to_common_lines(paths, self._stop):
             for path in paths:
                 path.unlink()
-        self._say(Said("stream-resumed", begin=left.begin + int(left.before.settled), name=self._name))
+        self._say(Said("stream-resumed", begin=self._begin, name=self._name))
         self._append(left.number, {"closed": []})
         self._hand_on(left)
 

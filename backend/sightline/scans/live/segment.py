@@ -1,7 +1,7 @@
 """One stretch of a live stream: lines in, vehicles out, both cameras' lines kept in a pair of files."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict, replace
+from dataclasses import asdict, astuple, replace
 from datetime import datetime, timedelta
 from math import inf
 from pathlib import Path
@@ -19,7 +19,15 @@ from sightline.media.lines.source import Lines, Lost, Piece
 from sightline.media.strips.notes import Dropped, columns_of
 from sightline.media.strips.spool import Spool, SpooledLines
 from sightline.messages.said import Said
-from sightline.scans.live.journal import Before, Journal, journal_path, spool_paths, told_line
+from sightline.scans.live.journal import (
+    Before,
+    Journal,
+    Told,
+    journal_path,
+    left_by,
+    spool_paths,
+    told_line,
+)
 from sightline.scans.live.records import LiveVehicle, SegmentFacts
 from sightline.scans.vehicles.measure import without_losses
 
@@ -92,7 +100,7 @@ class Segment:
         self._follower = Follower(rig, method, self._columns, first_id)
         head = {"stream": facts.stream, "source": facts.source, "rows": rows, "rig": asdict(rig)}
         head |= {"began_at": facts.began_at.isoformat(), "begin": begin, "first_id": first_id}
-        head |= {"before": [before.settled, before.passed]}
+        head |= {"before": astuple(before)}
         self.journal = Journal(journal_path(folder, facts.number), head) if folder else None
 
     def take(self, piece: Piece) -> Iterator[LiveVehicle]:
@@ -218,27 +226,22 @@ class Remainder:
     """What a killed stream had taken and not told: who stood, and its spooled lines, looked through again."""
 
     def __init__(
-        self,
-        paths: tuple[Path, Path],
-        facts: SegmentFacts,
-        rig: Rig,
-        method: ScanMethod,
-        before: Before,
-        first_id: int,
-        begin: int,
-        stand: Sequence[Crossings],
+        self, paths: tuple[Path, Path], facts: SegmentFacts, rig: Rig, method: ScanMethod, left: Told
     ) -> None:
         self.lines = trim_to_common_lines(paths)
         self._spooled = [SpooledLines(path) for path in paths]
-        self._start = max(0, int(before.settled - LEAD_S * rig.line_rate_hz))
-        self._before, self._facts, self._rig, self._begin = before, facts, rig, begin
+        self._start = max(0, int(left.before.settled - LEAD_S * rig.line_rate_hz))
+        self._before, self._facts, self._rig, self._begin = left.before, facts, rig, left.begin
+        self._told = list[Crossings]()
         dropped = (self._spooled[0].dropped, self._spooled[1].dropped)
+        first_id = left.vehicles + 1
         self._follower = Follower(rig, method, lambda crossings: columns_of(crossings, *dropped), first_id)
-        self.behind = (
-            self._roads(0, [at.front_line_1 for at in stand]),
-            self._roads(1, [at.front_line_2 for at in stand]),
+        behind = (
+            self._roads(0, [at.front_line_1 for at in left.stand]),
+            self._roads(1, [at.front_line_2 for at in left.stand]),
         )
-        self._stand = stand
+        self.finder = Finder(self._spooled[0].rows, rig, behind=behind)
+        self._stand = left.stand
 
     def stood(self) -> Iterator[LiveVehicle]:
         """Those whom nobody saw leave: all that is known of them are their lines, far before the others'."""
@@ -258,19 +261,41 @@ class Remainder:
             )
             yield self._vehicle(passage, counted=True)
 
-    def vehicles(self) -> Iterator[LiveVehicle]:
-        """The vehicles that were not told before, the last of them cut off where the lines end."""
-        first, second = self._spooled
-        finder = Finder(first.rows, self._rig, behind=self.behind)
-        for one, two in zip(first.chunks(self._start), second.chunks(self._start), strict=True):
-            yield from self._tell_passages(finder.push(one, two), finder.spans.guard)
-        yield from self._tell_passages(finder.finish(), finder.spans.guard)
+    def complete(self) -> Iterator[LiveVehicle]:
+        """The vehicles that were not told before and are complete."""
+        for one, two in zip(*(each.chunks(self._start) for each in self._spooled), strict=True):
+            yield from self._vehicles(self.finder.push(one, two))
 
-    def _tell_passages(self, passages: Sequence[Passage], within: float) -> Iterator[LiveVehicle]:
+    def give_up(self) -> Iterator[LiveVehicle]:
+        """Who still stands and is given up, where the lines go on in another finder."""
+        yield from self._vehicles(self.finder.give_up())
+
+    def finish(self) -> Iterator[LiveVehicle]:
+        """Who is in view where the lines end."""
+        yield from self._vehicles(self.finder.finish())
+
+    @property
+    def before(self) -> Before:
+        """Who is told by now."""
+        settled = max(self._before.settled, self._start + self.finder.settled_line - 1.0)
+        passed = [(at.front_line_1, at.rear_line_1) for at in self._told]
+        left = max([self._before.left, *map(left_by, self._told)])
+        return Before.of(settled, [*self._before.passed, *passed], left)
+
+    def begins(self, start: int, piece: Piece) -> bool:
+        """Whether a piece shows the lines that were taken from `start` on, as far as it goes."""
+        for spooled, lines in zip(self._spooled, (piece.first, piece.second), strict=True):
+            kept, came = next(spooled.chunks(max(0, start)), lines[:0]), lines[max(0, -start) :]
+            count = min(len(kept), len(came))
+            if not np.array_equal(kept[:count], came[:count]):
+                return False
+        return True
+
+    def _vehicles(self, passages: Sequence[Passage]) -> Iterator[LiveVehicle]:
         dropped = (self._spooled[0].dropped, self._spooled[1].dropped)
         for passage in passages:
             moved = _move_passage(passage, self._start)
-            counted = not self._before.has(moved.crossings.front_line_1, within)
+            counted = not self._before.has(moved.crossings.front_line_1, self.finder.spans.guard)
             vehicle = self._vehicle(without_losses(moved, dropped), counted=counted)
             if counted:
                 yield vehicle
@@ -294,6 +319,8 @@ class Remainder:
 
     def _vehicle(self, passage: Passage, *, counted: bool) -> LiveVehicle:
         vehicle = self._follower.next(passage, counted=counted)
+        if counted:
+            self._told.append(passage.crossings)
         at = self._facts.began_at + timedelta(seconds=vehicle.front_s)
         return LiveVehicle(self._facts.number, self._begin, vehicle, at)
 

@@ -1,10 +1,10 @@
 """Traffic of line scans by intervals, from the database or from a package: pure of where they are."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import partial
-from typing import Annotated, Any, Protocol
+from typing import Annotated, Protocol
 
 import numpy as np
 from pydantic import Field
@@ -36,8 +36,7 @@ class Clock(Protocol):
 @dataclass(frozen=True)
 class Watched:
     """A line scan as traffic sees it: its clock (None: the start is not confirmed), how long it is by its
-    line rate (None: lines are not counted), at which of several places, and whether the u of its start is
-    known.
+    line rate (None: lines are not counted), and at which of several places.
     """
 
     scan_id: int
@@ -46,7 +45,6 @@ class Watched:
     watched_s: float | None
     line_rate_hz: float | None = None
     site: str = ""
-    u_start_told: bool = True
 
     @property
     def span_s(self) -> tuple[float, float] | None:
@@ -55,6 +53,17 @@ class Watched:
             return None
         begin_s = datetime.fromisoformat(self.clock.at()).timestamp()
         return begin_s, begin_s + self.watched_s
+
+
+@dataclass(frozen=True)
+class _Stood:
+    """One who may have stood `later_s` before a recording begins; of unknown lane, in any stream that it is
+    not known to be `gone` from.
+    """
+
+    stream: Stream
+    later_s: float = 0.0
+    gone: frozenset[Stream] = frozenset()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -126,24 +135,12 @@ def traffic_of_seen(
     for car in vehicles:
         of_scan.get(car.scan_id, []).append(car)
     streams = [streams_of(of_scan[one.scan_id]) for one in watched]
-    stood = [
-        (scan.site, stream, span[1])
-        for scan, by_stream in zip(watched, streams, strict=True)
-        if (span := scan.span_s) is not None
-        for stream, cars in by_stream.items()
-        if any(_stands_at_end(car, span[1] - span[0]) for car in cars)
-    ]
+    stood = _stood_before(watched, streams)
     out = []
-    for scan, by_stream in zip(watched, streams, strict=True):
-        begin_s = (scan.span_s or (0.0,))[0]
-        ended = [
-            (other, begin_s - end_s)
-            for site, other, end_s in stood
-            if site == scan.site and -_SHARED_S <= begin_s - end_s <= STANDS_S
-        ]
-        goes_on = any(later_s <= _NEXT_S for _, later_s in ended)
+    for scan, by_stream, ended in zip(watched, streams, stood, strict=True):
+        goes_on = any(each.later_s <= _NEXT_S and each.stream not in each.gone for each in ended)
         for stream, seen in by_stream.items():
-            before = any(_may_be_of(other, stream) for other, _ in ended)
+            before = any(_may_be_of(each.stream, stream) and stream not in each.gone for each in ended)
             cars = [replace(car, told_before=True) if goes_on and not car.front_seen else car for car in seen]
             strayed = [
                 car
@@ -156,6 +153,40 @@ def traffic_of_seen(
             within = tuple(each for each in whole.intervals if filmed.holds(each.begins_at))
             out.append(replace(whole, intervals=within))
     return tuple(out)
+
+
+def _stood_before(
+    watched: Sequence[Watched], streams: Sequence[Mapping[Stream, Sequence[VehicleMotion]]]
+) -> list[list[_Stood]]:
+    """For each recording, who may have stood when one just before it ended. One that stands through a whole
+    recording leaves no trace in it: it is taken to be gone from a stream once another of that has driven
+    through, or was in view at line 0.
+    """
+    found: list[list[_Stood]] = [[] for _ in watched]
+    stood = list[tuple[str, float, _Stood]]()
+    spans = [(span, at) for at, one in enumerate(watched) if (span := one.span_s) is not None]
+    for (begin_s, end_s), at in sorted(spans):
+        site, by_stream = watched[at].site, streams[at]
+        stood = [one for one in stood if begin_s - one[1] <= STANDS_S]
+        found[at] = [
+            replace(one, later_s=begin_s - until_s)
+            for other, until_s, one in stood
+            if other == site and begin_s - until_s >= -_SHARED_S
+        ]
+        in_view = {stream for stream, cars in by_stream.items() if not all(car.front_seen for car in cars)}
+        driven = {stream for stream, cars in by_stream.items() if any(car.measured for car in cars)}
+        stand = {
+            _Stood(stream)
+            for stream, cars in by_stream.items()
+            if any(_stands_at_end(car, end_s - begin_s) for car in cars)
+        }
+        stand |= {
+            replace(one, later_s=0.0, gone=one.gone | driven)
+            for one in found[at]
+            if one.stream not in in_view
+        }
+        stood += [(site, end_s, one) for one in stand]
+    return found
 
 
 def _may_be_of(stream: Stream, lane: Stream) -> bool:
@@ -198,7 +229,6 @@ def _traffic(
             stood_before=stood_before,
             strayed=[_make_passed(one, accepted_only) for one in unseen],
             strays_s=since_s,
-            u_start_told=scan.u_start_told,
         ),
         unplaced=len(vehicles) - len(passed),
         reason=reason,
@@ -210,10 +240,22 @@ def _intervals(
     clock: Clock | None,
     watched_s: float | None,
     minutes: int,
-    **more: Any,
+    *,
+    stood_before: bool,
+    strayed: Sequence[Passed],
+    strays_s: Sequence[float],
 ) -> tuple[ShownInterval, ...]:
     if clock is None or watched_s is None:
         return ()
+    found = intervals(
+        passed,
+        watched_s,
+        partial(_into_hour_s, clock),
+        minutes,
+        stood_before=stood_before,
+        strayed=strayed,
+        strays_s=strays_s,
+    )
     return tuple(
         filled_from(
             ShownInterval,
@@ -221,7 +263,7 @@ def _intervals(
             begins_at=clock.at(interval.begin_s),
             percentiles=percentiles(np.array(interval.speeds_mps, dtype=np.float64), PERCENTS),
         )
-        for interval in intervals(passed, watched_s, partial(_into_hour_s, clock), minutes, **more)
+        for interval in found
     )
 
 
