@@ -25,7 +25,7 @@ NEED_NO_SOURCE = {
         "board_points",
         "coverage",
         "coverage_ninths",
-        "frozen",
+        "freeze_array",
         "is_covariance",
         "points",
         "polyline",

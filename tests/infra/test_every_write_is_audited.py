@@ -500,7 +500,7 @@ NO_EVENT = {
     "keep_answers": "what a request was answered, for its repeats; gone within days",
     "forget_old_keys": "requests that are not sent again any more",
     "record": "is the event",
-    "held": "begins a chain; part of record",
+    "hold_chain_end": "begins a chain; part of record",
     "record_many": "is the events",
     "add_live_scan": "beside the event of create_scan",
     "hear_live_scan": "how a stream is now, every second; what it recorded is an event at its end",
@@ -508,7 +508,7 @@ NO_EVENT = {
     "seal_package": "is the event that a package ends with",
 }
 WRITING = re.compile(
-    r"(?<![.\w])(insert|update|sql_update|delete|add_rows?|change_row|written_once|make_rows|alter_row|take_out_row|bring_back_row|_write|_note|_append|_appended|create_scan_vehicles|append_scan_measurements|_end|_back|_state|_drift_decision|choice\.choose|_PLAN\.choose)\("
+    r"(?<![.\w])(insert|update|sql_update|delete|add_rows?|change_row|written_once|make_rows|alter_row|take_out_row|bring_back_row|_write|_note|_append|_appended|create_scan_vehicles|append_scan_measurements|_end|_put_back|_state|_drift_decision|choice\.choose|_PLAN\.choose)\("
     r"|append_measurement_revision\(|trail\.record(_many)?\(|_add_decision\("
 )
 
