@@ -492,6 +492,30 @@ def test_a_killed_segment_whose_file_was_cut_or_replaced_is_handed_on_whole_once
     ending.close()
 
 
+@pytest.mark.parametrize("replaced", [False, True])
+def test_a_file_is_compared_with_the_kept_lines_though_older_ones_come_first(
+    pair: tuple[Pixels, Pixels], tmp_path: Path, replaced: bool
+) -> None:
+    """The second pair had just begun: the first piece was all of the road before it, and taken as equal."""
+    killed = live_run(lambda _: Played(pair), tmp_path, can_go_back=True, segment_s=0.1)
+    for one in killed.vehicles():
+        killed.told(one)
+        if one.segment == 2:
+            break
+    kill(killed)
+    left = interrupted_segment(tmp_path)
+    assert left is not None and left.number == 2 and left.begin > 500
+    first, second = (one[::-1] if replaced else one for one in pair)
+    said = list[object]()
+    resumed = live_run(
+        lambda begin: Played((first[begin:], second[begin:])), tmp_path, can_go_back=True, say=said.append
+    )
+    told = [(one.segment, one.vehicle.number) for one in resumed.vehicles()]
+    assert resumed.broken == replaced
+    assert any("was replaced by another file" in str(one) for one in said) == replaced
+    assert any(segment > 2 for segment, _ in told) != replaced
+
+
 def test_strips_that_were_not_moved_when_a_stream_was_killed_are_moved_by_the_next(
     pair: tuple[Pixels, Pixels], tmp_path: Path
 ) -> None:

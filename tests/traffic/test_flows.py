@@ -260,6 +260,29 @@ def test_one_of_unknown_lane_is_gone_from_each_lane_that_another_has_driven_thro
     }
 
 
+def test_one_of_unknown_lane_that_leaves_is_not_one_that_stood_in_a_known_lane(tmp_path: Path) -> None:
+    stands = replace(standing_passing(3, 200.0, 200.0), rear_s=None, rear_line_1=None, reason=str(STOOD))
+    stands = replace(stands, speed_mps=None, u_speed_mps=None, length_m=None, status="not_measurable")
+    left = replace(stands, front_s=0.0, front_line_1=0.0, rear_s=50.0, rear_line_1=5e4, reason=str(STOPPED))
+    a, b = (
+        replace(standing_passing(n, 100.0 * n, 100.0 * n + 6), lane=name) for n, name in ((1, "a"), (2, "b"))
+    )
+    by_recording = ((b, replace(stands, lane="a")), (left, b), (a, b), (a, b))
+    for number, cars in enumerate(by_recording):
+        one = Recorded(f"{number}", 64 * f"{number}", 300.0, cars, ("a", "b"))
+        add_recorded(tmp_path, one, stood(f"2026-05-04T12:{5 * number:02}"))
+    with ArchiveTables(tmp_path) as tables:
+        rows = list(tables.intervals(Asked(minutes=5)))
+    shown = {lane: [row["occupancy_ratio"] for row in rows if row["lane"] == lane] for lane in ("a", "b")}
+    share = pytest.approx(0.02)
+    assert shown == {"a": [None, None, None, share], "b": [share] * 4}
+    by_flow: dict[str | None, list[float | None]] = defaultdict(list)
+    for scan in traffic_of(results_in(tmp_path)[0], 5):
+        by_flow[scan.lane] += [one.occupancy_percent.value for one in scan.intervals]
+    percent = pytest.approx(2.0)
+    assert (by_flow["a"], by_flow["b"]) == ([None, None, percent], [percent] * 4)
+
+
 def test_a_rear_that_nobody_saw_is_of_its_recording_and_goes_over_midnight(tmp_path: Path) -> None:
     unseen = replace(standing_passing(1, 1700.0, 1700.0), rear_s=None, rear_line_1=None, length_m=None)
     cars = (unseen, standing_passing(2, 2200.0, 2206.0))

@@ -104,7 +104,8 @@ class ArchiveTables:
 
     def _query_rows(self, query: str, site: str, asked: Asked) -> list[dict[str, Any]]:
         """Rows of a query over one site's `vehicles` and `watched`, of recordings on the days asked for and
-        the day before from their beginnings on: who stands may have come days before.
+        the day before from their beginnings on: who stands may have come days before. Who stood at the end
+        of an older one is not known: to ask them all takes as long as all days.
         """
         first = asked.first_day and date.fromordinal(max(asked.first_day.toordinal() - 1, 1))
         shown = files_of(self._folder, WATCHED, site, first, asked.last_day)
@@ -215,7 +216,8 @@ def _intervals_sql(asked: Asked) -> str:
         {begins} + least(floor(since_midnight_s / {step}), ceil(day_s / {step}) - 1)::BIGINT AS cell
       FROM vehicles JOIN days USING (day)
       WHERE day >= DATE '{asked.first_day or date.min}' AND NOT told_before
-    ), came AS (SELECT *, since_midnight_s + occupied_s AS until_s FROM vehicles JOIN days USING (day)
+    ), came AS (
+      SELECT *, lane AS own_lane, since_midnight_s + occupied_s AS until_s FROM vehicles JOIN days USING (day)
     ), standing AS (
       SELECT lane, day, length_m, since_midnight_s AS from_s, least(until_s, day_s) AS until_s
       FROM came WHERE occupied_s > 0
@@ -250,17 +252,16 @@ def _intervals_sql(asked: Asked) -> str:
         coalesce(min(begin_s + since_midnight_s) OVER (PARTITION BY lane ORDER BY begin_s + since_midnight_s
           RANGE BETWEEN {STANDS_S} FOLLOWING AND UNBOUNDED FOLLOWING), 'inf'::DOUBLE) AS next_s
       FROM (FROM came UNION ALL FROM strays) QUALIFY occupied_s IS NULL
-    ), driven AS (
-      SELECT DISTINCT recording_sha256, ends.lane FROM came JOIN ends USING (recording_sha256)
-      WHERE (came.lane = ends.lane AND speed_mps IS NOT NULL)
-        OR (came.lane IN (ends.lane, '') AND front_line_1 <= 0)
     ), stood_before AS (
-      SELECT next.*, length_m FROM (FROM came UNION ALL FROM strays) AS came
+      SELECT next.*, length_m, own_lane FROM (FROM came UNION ALL FROM strays) AS came
       JOIN ends USING (recording_sha256, lane) JOIN ends AS next USING (lane)
       WHERE next.first_s BETWEEN ends.end_s - 0.001 AND ends.end_s + {STANDS_S} AND (reason = '{_STOOD}'
         OR (reason = '{_STOPPED}' AND came.begin_s + until_s > ends.end_s - {AT_END_S}))
       UNION
-      SELECT next.*, length_m FROM stood_before AS ends ANTI JOIN driven USING (recording_sha256, lane)
+      SELECT next.*, length_m, own_lane FROM stood_before AS ends ANTI JOIN came
+        ON came.recording_sha256 = ends.recording_sha256
+        AND ((came.lane = ends.lane AND speed_mps IS NOT NULL)
+          OR (came.lane = ends.own_lane AND front_line_1 <= 0))
       JOIN ends AS next USING (lane)
       WHERE next.first_s BETWEEN ends.end_s - 0.001 AND ends.end_s + {STANDS_S}
     ), rear_unseen AS (

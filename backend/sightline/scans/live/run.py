@@ -103,12 +103,8 @@ class LiveRun:
         if left is not None:
             yield from self._taken_up(left)
         self.source = self._open(self._begin - self._lead)
-        for piece in self.source.pieces():
+        for piece in self._compared(self.source.pieces()):
             if piece is not None and len(piece.first):
-                if self._is_other(piece):
-                    self.broken = True
-                    self._say(describe_replaced(self._name))
-                    break
                 yield from self._take(piece)
             self._tick()
             if self._segment is not None and self._is_over(self._segment):
@@ -140,14 +136,25 @@ class LiveRun:
             held -= len(self._recent.popleft().first)
         yield from segment.take(piece)
 
-    def _is_other(self, piece: Piece) -> bool:
-        """Whether the first piece is not of the file that a killed run followed, though as long."""
-        left, rest = self._left, self._rest
-        return (
-            left is not None
-            and rest is not None
-            and not rest.begins(self._begin - self._lead - left.begin, piece)
-        )
+    def _compared(self, pieces: Iterator[Piece | None]) -> Iterator[Piece | None]:
+        """The pieces, held back until they reach a line that a killed run kept of the file that it followed;
+        none where its lines are others, though it is as long.
+        """
+        rest, held = self._rest, list[Piece]()
+        start = 0 if self._left is None else self._begin - self._lead - self._left.begin
+        for piece in pieces:
+            if rest is None or piece is None or not len(piece.first):
+                yield piece
+                continue
+            if not rest.begins(start, piece):
+                self.broken = True
+                self._say(describe_replaced(self._name))
+                return
+            held.append(piece)
+            start += len(piece.first)
+            if start > 0 or not rest.lines:
+                yield from held
+                rest, held = None, []
 
     def _first_segment(self, piece: Piece) -> Segment:
         """Its line 0 is older than the last line by as much as the lines since make, or what a killed run
