@@ -99,14 +99,16 @@ def test_odd_views_are_left_out_by_name() -> None:
     assert result.residuals_px["0.png"].shape == (6, 9, 2)
 
 
-def test_a_picture_given_twice_counts_once() -> None:
+@pytest.mark.parametrize("named", ["copy of {}", "{}"])
+def test_a_picture_given_twice_counts_once(named: str) -> None:
     """Twice as many views that say the same would make the lens look better known by the root of two."""
     given = views(Lens(), 8, seed=3)
-    copies = [(f"copy of {name}", corners, size) for name, corners, size in given]
+    copies = [(named.format(name), corners, size) for name, corners, size in given]
     once, twice = calibrate(given, BOARD), calibrate([*given, *copies], BOARD)
     assert (twice.camera.covariance == once.camera.covariance).all()
     reasons = [one.reason for one in twice.camera.views if not one.used]
     assert reasons == [Said("calibration-image-twice", file=f"{i}.png") for i in range(8)]
+    assert [one.used for one in twice.camera.views] == [True] * 8 + [False] * 8
 
 
 def test_fewer_than_three_views_are_bad_input() -> None:

@@ -276,10 +276,48 @@ def test_errors_by_a_column_are_of_each_value_alone(tmp_path: Path) -> None:
     # the table alone is of roofs of the traffic, and says what it leaves out
     plain = told()
     assert plain["groups"]["overall"]["n"] == 2 and plain["left_out"] == 2
-    assert "driver_eye, taillight; --by target" in CliRunner().invoke(errors, [path]).output
+    said = "Rows not in the table: 1 of driver_eye, check targets; 1 of taillight. --by target covers each."
+    assert said in CliRunner().invoke(errors, [path]).output
+    assert plain["other_targets"] == {"driver_eye, check targets": 1, "taillight": 1}
     eyes = heights_csv(tmp_path, TARGETS_CSV.replace(",roof,", ",headlight,"))
     refused = CliRunner().invoke(errors, [str(eyes)]).exception
     assert isinstance(refused, BadInput) and "use --by target" in refused.message
+
+
+def test_groups_of_any_column_are_of_one_target_that_is_named(tmp_path: Path) -> None:
+    """Roofs of vans beside eyes of buses would look like vans beside buses."""
+    head = "target,category,height_m,reference_height_m,status,check_target\n"
+    bus = "driver_eye,bus,2.05,2.00,ok,false\ndriver_eye,bus,2.06,2.00,ok,false\n"
+    check = "roof,van,1.91,1.90,ok,true\ndriver_eye,van,1.81,1.80,ok,true\n"
+    path = str(heights_csv(tmp_path, head + "roof,van,1.93,1.90,ok,false\n" + bus + check))
+    told = json.loads(CliRunner().invoke(errors, [path, "--json", "--by", "category"]).output)["groups"]
+    found = {name: (one["target"], one["groups"]["overall"]["n"]) for name, one in told.items()}
+    assert found == {"van": ("roof", 1), "bus": ("roof", 0), "van, check targets": ("roof", 1)}
+    others = {name: one["other_targets"] for name, one in told.items()}
+    eye = "driver_eye, check targets"
+    assert others == {"van": {}, "bus": {"driver_eye": 2}, "van, check targets": {eye: 1}}
+    words = CliRunner().invoke(errors, [path, "--by", "category"]).output
+    assert words.count("Target: roof.\n") == 3
+    assert "Rows not in the table: 2 of driver_eye. --by target covers each.\n" in words
+    # check targets of the table's own target are told too
+    plain = json.loads(CliRunner().invoke(errors, [path, "--json"]).output)
+    assert plain["target"] == "roof"
+    assert plain["other_targets"] == {"driver_eye": 2, "roof, check targets": 1, eye: 1}
+    # several targets without roofs: no group chooses one for itself
+    path = str(heights_csv(tmp_path, head + "headlight,van,0.61,0.60,ok,false\n" + bus))
+    refused = CliRunner().invoke(errors, [path, "--by", "category"]).exception
+    assert isinstance(refused, BadInput) and "headlight, driver_eye; use --by target" in refused.message
+
+
+def test_errors_by_target_are_rounded_unless_asked_otherwise(tmp_path: Path) -> None:
+    row = "roof,1.516,1.504,ok\n"
+    path = str(heights_csv(tmp_path, "target,height_m,reference_height_m,status\n" + row))
+    found = []
+    for asked in ((), ("--round", "none")):
+        done = CliRunner().invoke(errors, [path, "--json", "--by", "target", *asked])
+        one = json.loads(done.output)["groups"]["roof"]
+        found.append((one["rounding"], round(one["groups"]["overall"]["bias_m"], 6)))
+    assert found == [("cm", 0.02), ("none", 0.012)]
 
 
 @pytest.mark.parametrize(

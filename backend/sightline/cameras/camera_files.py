@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from sightline.errors import BadInput
 from sightline.geometry.board import Board
-from sightline.geometry.calibration import NamedCorners, told_apart
+from sightline.geometry.calibration import NamedCorners
 from sightline.geometry.camera import Camera, require_size
 from sightline.geometry.corners import Corners, Gray, find_board, not_found
 from sightline.geometry.mean_picture import MeanPicture
@@ -85,8 +85,7 @@ def calibration_views(
     for path in paths:
         for name, gray in pictures_of(path, spread_frames, stream_number):
             views.append((name, find_board(gray, board), (gray.shape[1], gray.shape[0])))
-    names = told_apart(name for name, _, _ in views)
-    return [(name, corners, size) for name, (_, corners, size) in zip(names, views, strict=True)]
+    return views
 
 
 def pose_detections(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, cast, get_args
@@ -22,7 +23,7 @@ NEEDED = ("height_m", "reference_height_m", "status")
 FEET = 1 / 0.3048
 _ALL = "all"
 Key = tuple[Target, bool]
-_ROOFS: Key = ("roof", False)
+_CHECK = ", check targets"
 
 
 @click.command()
@@ -40,19 +41,20 @@ def errors(heights: Path, rounding: Rounding, by: str | None, as_json: bool) -> 
     """Compute the error table of HEIGHTS (heights.csv) against its reference heights, by lighting and
     overall.
 
-    With several targets (column target) the table covers roofs; --by target covers each target. Intervals
-    are total if these columns are present: shared_group and u_shared_m (error common to all rows of a group),
-    site (a cluster). Without them they include sampling and the errors of each height.
+    With several targets (column target) every table covers roofs, also with --by; --by target covers each.
+    Intervals are total if these columns are present: shared_group and u_shared_m (error common to all rows of
+    a group), site (a cluster). Without them they include sampling and the errors of each height.
     """
-    rows_by_target = read_heights(heights, by)
+    groups = read_heights(heights, by)
+    whole = None if by == "target" else _target_of(groups.values())
     if as_json:
-        told = {name: _json(group, rounding) for name, group in rows_by_target.items()}
+        told = {name: _json(group, whole, rounding) for name, group in groups.items()}
         print_json(told[_ALL] if by is None else {"groups": told})
         return
-    for name, group in rows_by_target.items():
+    for name, group in groups.items():
         if by is not None:
             click.echo(f"{by} {name}".strip())
-        _tell(group, rounding)
+        _tell(group, whole, rounding)
 
 
 @dataclass
@@ -66,42 +68,63 @@ class _Rows(Rows):
 @dataclass
 class _Group:
     """Rows that have both heights and count, by target and whether they are beside the traffic; how many
-    others there are.
+    others there are. `check`: all are beside the traffic.
     """
 
+    check: bool
     rows: dict[Key, _Rows] = field(default_factory=dict)
     left_out: int = 0
 
 
-def _table(group: _Group, rounding: Rounding) -> tuple[dict[str, ErrorGroup], set[Target]]:
-    """The error table of a group's roofs or only target, and which targets it leaves out. Raises BadInput."""
+def _target_of(groups: Iterable[_Group]) -> Target | None:
+    """The target that all tables of a file cover: roofs, or the only one of the traffic; None where no row
+    counts. Raises BadInput.
+    """
+    keys = dict.fromkeys(key for group in groups for key in group.rows)
+    traffic = [target for target, check in keys if not check]
+    if "roof" in traffic:
+        return "roof"
+    if keys and len(traffic) != 1:
+        targets = ", ".join(dict.fromkeys(target for target, _ in keys))
+        raise BadInput("commands-errors-several-targets", targets=targets)
+    return traffic[0] if traffic else None
+
+
+def _table(
+    group: _Group, whole: Target | None, rounding: Rounding
+) -> tuple[Target | None, dict[str, ErrorGroup], dict[str, int]]:
+    """The target that a group's table covers (the whole file's, else its own), the table, and how many rows
+    of which others it leaves out.
+    """
     from sightline.statistics.errors import error_table
 
-    traffic = [key for key in group.rows if not key[1]]
-    key = _ROOFS if _ROOFS in group.rows else next(iter(traffic)) if len(traffic) == 1 else None
-    if key is None and group.rows:
-        targets = ", ".join(target for target, _ in group.rows)
-        raise BadInput("commands-errors-several-targets", targets=targets)
-    rows = group.rows[key] if key is not None else _Rows()
+    target = whole or next((one for one, _ in group.rows), None)
+    others = dict(group.rows)
+    rows = _Rows() if target is None else others.pop((target, group.check), _Rows())
     table = error_table(rows.height_m, rows.reference_m, rows.lighting, rounding, _parts(rows))
-    return table, {target for target, _ in group.rows if target != (key or ("",))[0]}
+    left = {one + _CHECK * check: len(rows.height_m) for (one, check), rows in sorted(others.items())}
+    return target, table, left
 
 
-def _json(group: _Group, rounding: Rounding) -> dict[str, object]:
-    table, _ = _table(group, rounding)
-    groups = {name: group_json(one) for name, one in table.items()}
-    return {"rounding": rounding, "groups": groups, "left_out": group.left_out}
+def _json(group: _Group, whole: Target | None, rounding: Rounding) -> dict[str, object]:
+    target, table, others = _table(group, whole, rounding)
+    told: dict[str, object] = {"target": target, "rounding": rounding}
+    told["groups"] = {name: group_json(one) for name, one in table.items()}
+    return told | {"left_out": group.left_out, "other_targets": others}
 
 
-def _tell(group: _Group, rounding: Rounding) -> None:
-    table, others = _table(group, rounding)
+def _tell(group: _Group, whole: Target | None, rounding: Rounding) -> None:
+    target, table, others = _table(group, whole, rounding)
+    if target is not None:
+        click.echo(f"Target: {target}.")
     click.echo(as_text(table, rounding))
     if group.left_out:
         click.echo(
             f"{group.left_out} rows have no height or no reference height, or do not count: not in the table."
         )
     if others:
-        click.echo(f"Not in the table: {', '.join(sorted(others))}; --by target covers each.")
+        said = "; ".join(f"{n} of {name}" for name, n in others.items())
+        click.echo(f"Rows not in the table: {said}. --by target covers each.")
 
 
 def read_heights(path: Path, by: str | None) -> dict[str, _Group]:
@@ -111,11 +134,11 @@ def read_heights(path: Path, by: str | None) -> dict[str, _Group]:
     table = read_csv(path, (*NEEDED, *([] if by is None else [by])))
     if {"shared_group", "u_shared_m"} & set(table.header):
         table.require("shared_group", "u_shared_m")
-    groups = {_ALL: _Group()} if by is None else {}
+    groups = {_ALL: _Group(check=False)} if by is None else {}
     for line, row in table.sound_rows():
         check = row.get("check_target") == "true"
-        name = _ALL if by is None else row[by] + (", check targets" if check else "")
-        group = groups.setdefault(name, _Group())
+        name = _ALL if by is None else row[by] + _CHECK * check
+        group = groups.setdefault(name, _Group(check))
         has_both = row["height_m"] and row["reference_height_m"]
         counts = row.get("error_counts", "true" if check else row.get("counts"))
         if row["status"] != "ok" or counts == "false" or not has_both:
@@ -125,7 +148,7 @@ def read_heights(path: Path, by: str | None) -> dict[str, _Group]:
         lighting = row.get("lighting", "")
         _require_word(line, "target", target, get_args(Target))
         _require_word(line, "lighting", lighting, ("", *get_args(Lighting)))
-        rows = group.rows.setdefault((cast(Target, target), check and by is None), _Rows())
+        rows = group.rows.setdefault((cast(Target, target), check), _Rows())
         rows.height_m.append(length_in(table, line, row, "height_m"))
         rows.u_random_m.append(0.0)
         rows.reference_m.append(length_in(table, line, row, "reference_height_m"))

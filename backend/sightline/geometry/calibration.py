@@ -124,6 +124,8 @@ def calibrate(
     0.0
     """
     require_board(board)
+    names = told_apart(name for name, _, _ in views)
+    views = [(name, corners, size) for name, (_, corners, size) in zip(names, views, strict=True)]
     used, skipped = usable_views(views)
     least = LEAST_BENT_VIEWS if bent_board else LEAST_VIEWS
     if len(used) < least:
@@ -135,7 +137,7 @@ def calibrate(
     other = _try_other(used, board, size, model, bent_board)
     rms = [float(np.sqrt(pose.cost / len(pose.residuals_px))) for pose in fit.poses]
     by_file = {name: View(name, value, True) for (name, _, _), value in zip(used, rms, strict=True)} | skipped
-    camera = replace(_fitted_camera(fit), views=tuple(by_file[name] for name, _, _ in views))
+    camera = replace(_fitted_camera(fit), views=tuple(by_file[name] for name in names))
     other_size = tuple(name for name, _, its in views if its != size)
     evidence = Evidence(
         camera=camera,
@@ -206,14 +208,14 @@ def told_apart(names: Iterable[str]) -> list[str]:
 
 
 def usable_views(views: Sequence[NamedCorners]) -> tuple[list[NamedCorners], dict[str, View]]:
-    """The views to use, and those left out with their reason; names are told apart."""
+    """The views to use, and those left out with their reason, by name."""
     sizes = Counter(size for _, c, size in views if c.found) or Counter(size for _, _, size in views)
     usual = sizes.most_common(1)[0][0] if sizes else (0, 0)
     used: list[NamedCorners] = []
     skipped: dict[str, View] = {}
     seen: dict[bytes, str] = {}
     for name, corners, size in views:
-        reason = None
+        reason, points = None, corners.points_px.tobytes()
         if size != usual:
             reason = Said(
                 "calibration-image-other-size",
@@ -226,10 +228,11 @@ def usable_views(views: Sequence[NamedCorners]) -> tuple[list[NamedCorners], dic
             reason = corners.reason or Said("board-not-found")
         elif corners.sharpness > _BLURRED * spacing_px(corners.points_px):
             reason = Said("calibration-image-blurred", edge_px=round(corners.sharpness, 1))
-        elif (first := seen.setdefault(corners.points_px.tobytes(), name)) != name:
+        elif points in seen:
             # counted as another view it would make the lens look better known than it is
-            reason = Said("calibration-image-twice", file=first)
+            reason = Said("calibration-image-twice", file=seen[points])
         if reason is None:
+            seen[points] = name
             used.append((name, corners, size))
         else:
             skipped[name] = View(name, None, False, reason)
