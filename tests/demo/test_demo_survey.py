@@ -7,6 +7,7 @@ import threading
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -230,6 +231,17 @@ def check_people(nobody: Client, admin: Client) -> None:
             assert not person["active"] and not person["has_password"]
             answer = nobody.post("/session", {"email": person["email"], "password": "demonstration"})
             assert answer.status_code == 401
+
+
+def test_a_file_that_went_with_an_earlier_one_is_made_again(
+    services: Services, work: Callable[[], list[Job]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The deletion of an earlier demonstration was waiting."""
+    made_parts = SimpleNamespace(keys=["ab/cd/abcd.mp4"])
+    monkeypatch.setattr(build, "make_parts", lambda *_: made_parts)
+    request(services)
+    (job,) = work()
+    assert (job.state, job.error) == ("queued", None)
 
 
 def test_cancelled_by_somebody_it_ends_as_cancelled(

@@ -59,7 +59,7 @@ from sightline.people.store import (
 from sightline.people.token_store import create_api_token, revoke_api_token
 from sightline.quality.checks.store import add_wheel_pair, withdraw_wheel_pair
 from sightline.recordings.store import (
-    correct_duration,
+    change_fact,
     create_recording,
     decide_drift,
     note_ingest_failed,
@@ -300,9 +300,9 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
         lambda s, o: None,
         lambda s, o, _: note_ingested(s, o.recording.id, samples.facts(), frame_table(), actor=None),
     ),
-    "correct_duration": (
+    "change_fact": (
         lambda s, o: None,
-        lambda s, o, _: correct_duration(s, o.recording.id, 12.5, actor=None),
+        lambda s, o, _: change_fact(s, o.recording.id, "duration_s", 12.5, actor=None),
     ),
     "note_ingest_failed": (
         lambda s, o: None,

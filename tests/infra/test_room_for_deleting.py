@@ -112,6 +112,15 @@ def test_what_is_deleted_while_the_store_is_away_loses_its_files_when_it_is_back
     assert len({id(one) for one in asked}) == len(asked) == 5  # nobody waits for more than one to be deleted
 
 
+def test_nobody_cancels_the_deletion_of_files(admin: Client, recording_id: int, services: Services) -> None:
+    """What they are would be known by nobody else."""
+    assert admin.delete(f"/recordings/{recording_id}").status_code == 204
+    (waiting,) = admin.seen("/jobs?state=queued")
+    answer = admin.post(f"/jobs/{waiting['id']}/cancel")
+    assert (answer.status_code, answer.json()["error"]["code"]) == (409, "jobs-not-to-be-cancelled")
+    assert admin.seen(f"/jobs/{waiting['id']}")["state"] == "queued"
+
+
 def test_ready_tries_to_write(nobody: Client, services: Services, monkeypatch: pytest.MonkeyPatch) -> None:
     before = set(services.settings.data_dir.iterdir())
     assert nobody.get("/ready").json()["disk"] is None

@@ -61,6 +61,16 @@ def test_made_and_revoked_tokens_stand_in_the_chain(operator: Client, services: 
     assert text not in str(events) and token_store.token_hash(text) not in str(events)
 
 
+def test_a_form_is_one_request(app: FastAPI, operator: Client, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Who sends it is asked before it is read, and again by its route."""
+    spent = list[int]()
+    monkeypatch.setattr(bearer.Bearers, "_spend", lambda _bearers, token: spent.append(token.id))
+    token_id, text = made(operator)
+    form = {"file": ("road.jpg", b"no picture", "image/jpeg")}
+    assert program(app, text).post("/surveys/9/photographs", files=form).status_code == 404
+    assert spent == [token_id]
+
+
 def test_a_revoked_token_ends_at_once_and_in_other_processes_soon(
     app: FastAPI, services: Services, operator: Client, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -9,9 +9,11 @@ import cv2
 import numpy as np
 import pytest
 
+from sightline.errors import NoRoom
 from sightline.infra.services import Services
 from sightline.media.video.ingest import ingest
 from sightline.media.video.stated import Stated
+from sightline.recordings import ingest_job
 from sightline.recordings.filming import misfits
 from sightline.recordings.store import get_recording, recordings_of_content
 from tests.media.clips import edited, painted
@@ -229,6 +231,21 @@ def test_another_picture_of_a_file_becomes_a_recording(
     assert operator.delete(path).status_code == 204  # the file stays for the other
     run_jobs(services)
     assert operator.get(f"/recordings/{second['id']}/frames/0.jpg").status_code == 200
+
+
+def test_what_a_failed_reading_of_one_of_several_pictures_left_goes_with_the_recording(
+    operator: Client, survey_id: int, services: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def broken(*_: object) -> None:
+        raise NoRoom("database-disk-full")
+
+    file = two_pictures(tmp_path / "two.mp4", (5, 6), (False, True))
+    recording_id = upload(operator, survey_id, file)
+    monkeypatch.setattr(ingest_job, "facts_of", broken)
+    assert [job.state for job in run_jobs(services)] == ["failed"]
+    assert any("thumbs-2" in key for key, _ in services.media.listing())
+    assert operator.delete(f"/recordings/{recording_id}").status_code == 204
+    assert [job.state for job in run_jobs(services)] == ["done"] and not list(services.media.listing())
 
 
 def test_one_that_is_switched_off_is_not_to_be_had(

@@ -15,6 +15,7 @@ from sightline.infra.services import Services, open_services
 from sightline.infra.stored_bytes import suffix_of
 from sightline.infra.web.uploaded import clean_name
 from sightline.media.store import local, upload_parts
+from sightline.media.store.s3 import StorageAway
 from sightline.recordings.ingest_job import remove_recording
 from sightline.recordings.uploads import service
 from sightline.recordings.uploads.store import get_upload
@@ -199,6 +200,40 @@ def test_a_twin_deleted_while_an_upload_ends_does_not_take_its_file_along(
     assert deleted == [first]
     assert [job.state for job in work()] == ["done"]
     assert operator.get(f"/recordings/{second}/frames/3.jpg").status_code == 200
+
+
+def test_a_store_that_is_away_behind_the_last_byte_leaves_the_upload_to_be_finished(
+    operator: Client,
+    survey_id: int,
+    clip: Path,
+    services: Services,
+    work: Work,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A twin's deletion took the file along, and just then the store does not tell whether it is there."""
+    content, twin = clip.read_bytes(), upload(operator, survey_id, clip)
+    work()
+    location = announce(operator, survey_id, "b.mp4", len(content)).headers["Location"]
+    put_file = local.LocalStore.put_file
+
+    def away(_store: local.LocalStore, key: str) -> bool:
+        raise StorageAway("store-no-answer", key=key, name="Timeout")
+
+    with monkeypatch.context() as outage:
+
+        def then_away(store: local.LocalStore, key: str, path: Path, **how: bool) -> None:
+            put_file(store, key, path, **how)
+            remove_recording(services, twin, None)
+            work()
+            outage.setattr(local.LocalStore, "exists", away)
+
+        outage.setattr(local.LocalStore, "put_file", then_away)
+        assert send(operator, location, 0, content).status_code == 503
+    assert operator.seen(f"/surveys/{survey_id}/recordings") == []
+    taken = int(send(operator, location, len(content), b"").headers["Sightline-Recording"])
+    assert [job.state for job in work()] == ["done"]
+    assert operator.get(f"/recordings/{taken}/frames/3.jpg").status_code == 200
+    assert not list(service.upload_folder(services).glob("upload-*"))
 
 
 def test_a_strip_that_is_given_up_takes_its_file_along_unless_another_has_it(

@@ -19,6 +19,7 @@ from sightline.demo.repeats import click_again
 from sightline.demo.scan import store_scan
 from sightline.demo.wheels import click_wheels
 from sightline.enums import Lighting, Role
+from sightline.errors import Away
 from sightline.geometry.sides import TrafficFacts
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
@@ -84,6 +85,9 @@ def make(context: registry.JobContext) -> registry.Outcome:
     context.progress(0.95, Said("job-demo-saving"))
 
     def store(session: Session) -> Mapping[str, Any]:
+        for key in parts.keys:
+            if not services.media.exists(key):  # it went with an earlier one: all is made again
+                raise Away("store-file-lost", key=key)
         survey_id = build(session, parts)
         for recording in list_recordings(session, survey_id):
             request_if_posed(session, recording.id, actor=None)

@@ -60,6 +60,12 @@ class Parts:
     poses: tuple[SolvedPose, ...]
     scan: ScanParts
 
+    @property
+    def keys(self) -> list[str]:
+        """Of all its files in the media store."""
+        videos = [key for one in self.videos for key in (one.media_key, thumbnails_key_of(one.sha256))]
+        return [*videos, *(one.media_key for one in self.lab), *self.scan.keys]
+
 
 def make_parts(services: Services, progress: Progress) -> Parts:
     """Ingest, calibrate, pose and search, all at once, so that the transaction that stores them is short."""

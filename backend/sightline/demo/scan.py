@@ -57,6 +57,10 @@ class ScanParts:
     readers: tuple[StripReader, StripReader]
     found: Search
 
+    @property
+    def keys(self) -> tuple[str, str]:
+        return self.facts.first_key, self.facts.second_key
+
 
 class _Pictured:
     """One camera's simulated lines as a strip."""

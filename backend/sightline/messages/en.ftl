@@ -5093,6 +5093,7 @@ database-row-missing = There is no { $word }{ $number }; it may have been remove
 ## Errors: jobs
 
 jobs-not-yours = Another person started this job; ask them or an operator to cancel it.
+jobs-not-to-be-cancelled = This job deletes files that nothing needs any more and cannot be cancelled; let it run.
 jobs-kind-unknown = This worker knows no job of kind { $kind_name }; start one of this version.
 jobs-other-worker = Job { $id } went to another worker; this one stops.
 jobs-already-over = Job { $job_id } is already { $state }, so there is nothing to cancel.

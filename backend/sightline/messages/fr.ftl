@@ -5109,6 +5109,7 @@ database-row-missing = Introuvable : { $word ->
 ## Erreurs : tâches
 
 jobs-not-yours = Quelqu’un d’autre a lancé cette tâche ; demandez-lui, ou à un opérateur, de l’annuler.
+jobs-not-to-be-cancelled = Cette tâche supprime des fichiers devenus inutiles et ne s’annule pas ; laissez-la se terminer.
 jobs-kind-unknown = Ce processus ne connaît pas de tâche du type { $kind_name } ; lancez-en un de cette version.
 jobs-other-worker = La tâche { $id } est passée à un autre processus ; celui-ci s’arrête.
 jobs-already-over = La tâche { $job_id } est déjà dans l’état { $state ->

@@ -125,6 +125,11 @@ def run_ingest(context: JobContext) -> Finish:
             context, services.media.local_path(recording.media_key), recording, Path(folder)
         )
         _require_same_pictures(services, recording, found)
+        number = _number(found)
+        if number != recording.stream_number:
+            # Before files of that picture are stored: they go with the row, whatever comes of this.
+            with services.writing() as session:
+                recordings.change_fact(session, recording_id, "stream_number", number, actor=context.actor)
         working_copy = _keep_working_copy(services.media, recording, found)
         _keep_thumbnails(services.media, recording, Path(folder) / "thumbs", found)
     facts, table = facts_of(found, working_copy), table_of(found)
@@ -262,7 +267,7 @@ def correct_durations(services: Services) -> None:
         found = recordings.durations_to_correct(session)
     for recording_id, duration_s in found.items():
         with services.writing() as session:
-            recordings.correct_duration(session, recording_id, duration_s, actor=None)
+            recordings.change_fact(session, recording_id, "duration_s", duration_s, actor=None)
 
 
 def table_of(found: Ingested) -> FrameTable:

@@ -191,11 +191,13 @@ def durations_to_correct(session: Session) -> dict[int, float]:
     return corrected
 
 
-def correct_duration(session: Session, recording_id: int, duration_s: float, *, actor: int | None) -> None:
-    """Store how long a recording lasts, s, where another time stands."""
+def change_fact(
+    session: Session, recording_id: int, name: str, value: float | None, *, actor: int | None
+) -> None:
+    """Store what is known of a recording (`duration_s`, `stream_number`), where something else stands."""
     before = _get_living_row(session, recording_id)
-    if before["duration_s"] != duration_s:
-        _write(session, before, {"duration_s": duration_s}, "update", actor)
+    if before[name] != value:
+        _write(session, before, {name: value}, "update", actor)
 
 
 def note_ingest_failed(session: Session, recording_id: int, error: Said, *, actor: int | None) -> Recording:

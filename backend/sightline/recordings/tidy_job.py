@@ -11,7 +11,7 @@ from sightline.media.store.local import made_of
 from sightline.recordings.store import recordings_of_content
 
 
-@handler(TIDY)
+@handler(TIDY, cancellable=False)
 def tidy(context: JobContext) -> Mapping[str, Any]:
     """Delete those of the files that nothing needs. May be done again."""
     services = context.services

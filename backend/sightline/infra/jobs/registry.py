@@ -75,24 +75,27 @@ class Registered:
     run: Handler
     failed: Failed | None
     long: bool = False
+    cancellable: bool = True
 
 
 _handlers: dict[str, Registered] = {}
 
 
-def handler(kind: str, *, failed: Failed | None = None, long: bool = False) -> Callable[[Handler], Handler]:
+def handler(
+    kind: str, *, failed: Failed | None = None, long: bool = False, cancellable: bool = True
+) -> Callable[[Handler], Handler]:
     """Register the function that does jobs of this kind.
 
     `failed(session, job, error)` cleans up after a job that came to nothing, or was stopped before it began.
     `long`: it goes through whole videos or surveys; such jobs wait behind all others, and one place of the
-    workers is never theirs.
+    workers is never theirs. One that is not `cancellable` is the only place that tells of its work.
     """
 
     def register(function: Handler) -> Handler:
         known = _handlers.get(kind)
         if known is not None and known.run.__qualname__ != function.__qualname__:
             raise ValueError(f"two handlers for jobs of kind {kind}")
-        _handlers[kind] = Registered(function, failed, long)
+        _handlers[kind] = Registered(function, failed, long, cancellable)
         return function
 
     return register
@@ -132,7 +135,13 @@ def clean_up(session: Session, job: Job, error: Said) -> None:
 
 
 def cancel(session: Session, job: Job, actor: int) -> Job:
-    """Stop a queued job at once, a running one when it next looks. Raises Conflict for one that has ended."""
+    """Stop a queued job at once, a running one when it next looks.
+
+    Raises Conflict for one that has ended, and for a kind that nobody cancels.
+    """
+    handler = handler_of(job.kind)
+    if handler is not None and not handler.cancellable:
+        raise Conflict("jobs-not-to-be-cancelled")
     asked = request_job_cancel(session, job.id, actor=actor)
     if asked.state == "cancelled":
         clean_up(session, asked, STOPPED)

@@ -72,8 +72,8 @@ class Bearers:
         self._age = 0
         self._lock = threading.Lock()
 
-    def token_of(self, text: str, address: str) -> ApiToken | None:
-        """The token that holds.
+    def token_of(self, text: str, address: str, *, spending: bool = True) -> ApiToken | None:
+        """The token that holds; not `spending` where the same request has asked before.
 
         Raises:
             TooMany: its requests within the minute are used up, or too many wrong ones came from the address.
@@ -91,7 +91,8 @@ class Bearers:
                     self._known[text] = token
         if token.expires_at <= now():
             return None
-        self._spend(token)
+        if spending:
+            self._spend(token)
         return token
 
     def _spend(self, token: ApiToken) -> None:

@@ -124,7 +124,9 @@ def _identify_asker(request: Request) -> Asking:
             raise NotSignedIn("web-not-signed-in")
         return Asking(person)
     bearers: Bearers = request.app.state.bearers
-    token = bearers.token_of(text, address_of(request))
+    is_first = not hasattr(request.state, "spent")
+    token = bearers.token_of(text, address_of(request), spending=is_first)
+    request.state.spent = True
     owner = None if token is None else request.app.state.sign_in.person(token.person_id)
     if token is None or owner is None:
         raise NotSignedIn("web-token-invalid")

@@ -152,13 +152,12 @@ def keep_strip(services: Services, upload_id: int, actor: int | None) -> Upload:
 
 
 def _note_strip(
-    services: Services, upload_id: int, actor: int | None, key: str, whole: upload_parts.FinishedUpload
+    session: Session, upload_id: int, actor: int | None, key: str, whole: upload_parts.FinishedUpload
 ) -> Upload:
-    with services.writing() as session:
-        upload = get_upload(session, upload_id)
-        if upload.finished_at is not None:
-            return upload
-        return strip_arrived(session, upload_id, media_key=key, sha256=whole.sha256, actor=actor)
+    upload = get_upload(session, upload_id)
+    if upload.finished_at is not None:
+        return upload
+    return strip_arrived(session, upload_id, media_key=key, sha256=whole.sha256, actor=actor)
 
 
 def complete_upload(services: Services, upload_id: int, actor: int | None) -> Recording:
@@ -167,15 +166,10 @@ def complete_upload(services: Services, upload_id: int, actor: int | None) -> Re
     Raises Conflict while bytes are missing, NoRoom.
     """
     done = _recording_of(services, upload_id)
-    return _store_upload(services, upload_id, actor, _note_recording) if done is None else done
-
-
-def _note_recording(
-    services: Services, upload_id: int, actor: int | None, key: str, whole: upload_parts.FinishedUpload
-) -> Recording:
+    if done is not None:
+        return done
     try:
-        with services.writing() as session:
-            return _record(session, upload_id, actor, key, whole)
+        return _store_upload(services, upload_id, actor, _note_recording)
     except Conflict:
         # Another request, or another try of this one, was faster: its recording is the answer.
         done = _recording_of(services, upload_id)
@@ -188,7 +182,7 @@ def _store_upload(
     services: Services,
     upload_id: int,
     actor: int | None,
-    note: Callable[[Services, int, int | None, str, upload_parts.FinishedUpload], Made],
+    note: Callable[[Session, int, int | None, str, upload_parts.FinishedUpload], Made],
 ) -> Made:
     """Store the bytes by their content, note what they became, and let go of the part."""
     with services.reading() as session:
@@ -197,17 +191,19 @@ def _store_upload(
     # A strip goes when its scan is read, so it is never one file with what stays.
     word = "-strip" if upload.purpose == "strip" else ""
     key = key_of(whole.sha256, word + suffix_of(upload.filename))
-    # Linked where the store can: a copy would need the room twice. The part is discarded further down.
-    services.media.put_file(key, whole.path, link=True)
-    noted = note(services, upload_id, actor, key, whole)
-    if not services.media.exists(key):
-        # What had the same content was deleted between the two steps above, with its file.
+    noted = None
+    while noted is None:
+        # Linked where the store can: a copy would need the room twice. The part is discarded further down.
         services.media.put_file(key, whole.path, link=True)
+        with services.writing() as session:
+            # What had the same content may have been deleted since, with its file; from here on it stays.
+            if services.media.exists(key):
+                noted = note(session, upload_id, actor, key, whole)
     upload_parts.discard(upload_folder(services), part_name(upload_id))
     return noted
 
 
-def _record(
+def _note_recording(
     session: Session, upload_id: int, actor: int | None, key: str, whole: upload_parts.FinishedUpload
 ) -> Recording:
     upload = get_upload(session, upload_id)
