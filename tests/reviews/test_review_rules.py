@@ -127,6 +127,42 @@ def test_each_thing_that_was_entered_stays_its_makers_when_another_enters_more(
     assert [judge(who, changed.json(), "accepted").status_code for who in (reviewer, admin)] == [403, 403]
 
 
+def test_a_further_frame_stays_its_makers_when_another_adds_one(
+    operator: Client, reviewer: Client, admin: Client, ground: Ground
+) -> None:
+    made = measure(operator, add_vehicle(operator, ground.recording_id)["id"], inset_m=None, u_inset_m=None)
+    points = {name: made[name] for name in ("frame", "contact", "target_point")}
+    further = [
+        {"frame": n, "contact": pixel(x_m, 0.0, 0.0), "target_point": pixel(x_m + 0.4, 0.2, 1.3)}
+        for n, x_m in ((6, 0.6), (7, 0.9))
+    ]
+    path = f"/measurements/{made['id']}"
+    first = reviewer.put(path, {"revision": 1, **points, "more_frames": further[:1]})
+    assert first.status_code == 200, first.text
+    changed = admin.put(path, {"revision": 2, **points, "more_frames": further})
+    assert changed.status_code == 200, changed.text
+    queue = f"/surveys/{ground.survey_id}/review-queue"
+    assert [who.seen(queue)[0]["mine"] for who in (reviewer, admin)] == [True, True]
+    assert [judge(who, changed.json(), "accepted").status_code for who in (reviewer, admin)] == [403, 403]
+
+
+def test_further_frames_that_are_gone_are_nobodys_and_who_restored_them_gave_none(
+    operator: Client, reviewer: Client, admin: Client, ground: Ground
+) -> None:
+    made = measure(operator, add_vehicle(operator, ground.recording_id)["id"])
+    points = {name: value for name, value in clicks().items() if name != "target"}
+    further = {"frame": 7, "contact": pixel(0.9, 0.0, 0.0), "target_point": pixel(1.3, 0.2, 1.3)}
+    path = f"/measurements/{made['id']}"
+    assert reviewer.put(path, {"revision": 1, **points, "more_frames": [further]}).status_code == 200
+    assert admin.delete(f"{path}?revision=2").status_code == 200
+    assert admin.post(f"{path}/restore", {"revision": 3}).status_code == 200
+    queue = f"/surveys/{ground.survey_id}/review-queue"
+    assert [who.seen(queue)[0]["mine"] for who in (reviewer, admin)] == [True, False]
+    gone = operator.put(path, {"revision": 4, **points})
+    assert gone.status_code == 200, gone.text
+    assert [who.seen(queue)[0]["mine"] for who in (reviewer, admin)] == [False, False]
+
+
 @pytest.mark.parametrize("given", ["further frame", "inset", "sigma_px"])
 def test_what_somebody_entered_stays_theirs_when_another_moves_the_points(
     operator: Client, reviewer: Client, admin: Client, ground: Ground, given: str
