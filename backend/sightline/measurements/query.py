@@ -96,10 +96,10 @@ clicked_at: ColumnElement[datetime] = _of_first("created_at")
 
 
 def is_own(actor: int | None) -> ColumnElement[bool]:
-    """Whether a person is the operator of a revision, or was the first to give what stands beside its points,
-    each by itself, also where another moved the points since. Further frames are one list: while any stand,
-    whoever changed them and left any has a share. A target, a click sigma and a side in a line scan come with
-    every first click: they are given by who changes them.
+    """Whether a person was the first to give something that stands in a revision: one of its two points, or
+    what stands beside them, each by itself, also where another changed the rest since. Further frames are one
+    list: while any stand, whoever changed them and left any has a share. A target, a click sigma and a side
+    in a line scan come with every first click: they are given by who changes them.
     """
     m, theirs = measurements.c, _earlier.c
 
@@ -111,7 +111,7 @@ def is_own(actor: int | None) -> ColumnElement[bool]:
         return and_(_has_equal(theirs, *names), new(*names))
 
     gave = or_(
-        first(*_CLICKED),
+        *(first("frame", f"{point}_x_px", f"{point}_y_px") for point in ("contact", "target")),
         and_(m.more_frames != [], theirs.more_frames != [], new("more_frames")),
         and_(m.followed.is_not(None), first("followed")),
         *(and_(m.inset_from == "own", first("inset_from", name)) for name in ("inset_m", "u_inset_m")),
