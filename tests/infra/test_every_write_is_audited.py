@@ -508,7 +508,7 @@ NO_EVENT = {
     "seal_package": "is the event that a package ends with",
 }
 WRITING = re.compile(
-    r"(?<![.\w])(insert|update|sql_update|delete|add_rows?|change_row|written_once|make_rows|alter_row|take_out_row|bring_back_row|_write|_note|_append|_appended|create_scan_vehicles|append_scan_measurements|_end|_put_back|_state|_drift_decision|choice\.choose|_PLAN\.choose)\("
+    r"(?<![.\w])(insert|update|sql_update|delete|add_rows?|change_row|written_once|make_rows|alter_row|take_out_row|bring_back_row|_write|_note|_append|_appended|create_scan_vehicles|append_scan_measurements|_end|_put_back|_state|choice\.choose|_PLAN\.choose)\("
     r"|append_measurement_revision\(|trail\.record(_many)?\(|_add_decision\("
 )
 

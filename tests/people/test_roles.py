@@ -458,14 +458,15 @@ def tokens(app: FastAPI, clients: dict[str, Client]) -> dict[Scope, Client]:
 
 @pytest.mark.parametrize("others", [1, pytest.param(len(get_args(Scope)), marks=pytest.mark.proof)])
 def test_a_token_may_do_what_its_scopes_say(tokens: dict[Scope, Client], closed: int, others: int) -> None:
-    """Each route is asked with its own scope and with as many others. No request carries the header against
-    cross-site writes: a token needs none.
+    """Each route is asked with its own scope and, one that writes, with all others, else with as many. No
+    request carries the header against cross-site writes: a token needs none.
     """
     for n, name in enumerate(name for name, least in MATRIX.items() if least):
         own = scope_of(name)
         wrong = [scope for scope in tokens if scope != own]
         first = n % len(wrong)
-        for scope in filter(None, (own, *(wrong[first:] + wrong[:first])[:others])):
+        tried = (wrong[first:] + wrong[:first])[:others] if name.startswith(("GET ", "HEAD ")) else wrong
+        for scope in filter(None, (own, *tried)):
             answer = ask(tokens[scope], name)
             if scope == own:
                 assert answer.status_code not in (401, 403, 405, 500), (name, scope, answer.text)

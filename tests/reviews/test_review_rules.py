@@ -127,6 +127,50 @@ def test_each_thing_that_was_entered_stays_its_makers_when_another_enters_more(
     assert [judge(who, changed.json(), "accepted").status_code for who in (reviewer, admin)] == [403, 403]
 
 
+@pytest.mark.parametrize("given", ["further frame", "contact", "target_point"])
+def test_what_stands_of_ones_own_beside_anothers_of_the_same_kind_is_not_ones_own_to_review(
+    operator: Client, reviewer: Client, admin: Client, ground: Ground, given: str
+) -> None:
+    """A further frame by one and a second by another; or the points by one, of which another moved one."""
+    vehicle = add_vehicle(operator, ground.recording_id)
+    giver = operator if given == "further frame" else reviewer
+    made = measure(giver, vehicle["id"], inset_m=None, u_inset_m=None)
+    points = {name: made[name] for name in ("frame", "contact", "target_point")}
+    further = [
+        {"frame": n, "contact": pixel(x_m, 0.0, 0.0), "target_point": pixel(x_m + 0.4, 0.2, 1.3)}
+        for n, x_m in ((6, 0.6), (7, 0.9))
+    ]
+    moved = {"contact": pixel(0.25, 0.0, 0.0), "target_point": pixel(0.6, 0.0, 1.25)}
+    if given == "further frame":
+        first = {"revision": 1, **points, "more_frames": further[:1]}
+        made = reviewer.put(f"/measurements/{made['id']}", first).json()
+        then = {**points, "more_frames": further}
+    else:
+        then = {**points, given: moved[given]}
+    changed = admin.put(f"/measurements/{made['id']}", {"revision": made["revision"], **then})
+    assert changed.status_code == 200, changed.text
+    queue = f"/surveys/{ground.survey_id}/review-queue"
+    assert [who.seen(queue)[0]["mine"] for who in (reviewer, admin)] == [True, True]
+    assert [judge(who, changed.json(), "accepted").status_code for who in (reviewer, admin)] == [403, 403]
+
+
+def test_further_frames_that_are_gone_are_nobodys_and_who_restored_them_gave_none(
+    operator: Client, reviewer: Client, admin: Client, ground: Ground
+) -> None:
+    made = measure(operator, add_vehicle(operator, ground.recording_id)["id"])
+    points = {name: value for name, value in clicks().items() if name != "target"}
+    further = {"frame": 7, "contact": pixel(0.9, 0.0, 0.0), "target_point": pixel(1.3, 0.2, 1.3)}
+    path = f"/measurements/{made['id']}"
+    assert reviewer.put(path, {"revision": 1, **points, "more_frames": [further]}).status_code == 200
+    assert admin.delete(f"{path}?revision=2").status_code == 200
+    assert admin.post(f"{path}/restore", {"revision": 3}).status_code == 200
+    queue = f"/surveys/{ground.survey_id}/review-queue"
+    assert [who.seen(queue)[0]["mine"] for who in (reviewer, admin)] == [True, False]
+    gone = operator.put(path, {"revision": 4, **points})
+    assert gone.status_code == 200, gone.text
+    assert [who.seen(queue)[0]["mine"] for who in (reviewer, admin)] == [False, False]
+
+
 @pytest.mark.parametrize("given", ["further frame", "inset", "sigma_px"])
 def test_what_somebody_entered_stays_theirs_when_another_moves_the_points(
     operator: Client, reviewer: Client, admin: Client, ground: Ground, given: str
@@ -142,7 +186,7 @@ def test_what_somebody_entered_stays_theirs_when_another_moves_the_points(
     }[given]
     path = f"/measurements/{made['id']}"
     assert reviewer.put(path, {"revision": 1, **points, **more}).status_code == 200
-    moved = {**points, "target_point": pixel(0.6, 0.0, 1.25)}
+    moved = {**points, "contact": pixel(0.25, 0.0, 0.0), "target_point": pixel(0.6, 0.0, 1.25)}
     changed = admin.put(path, {"revision": 2, **moved, **more})
     assert changed.status_code == 200, changed.text
     queue = f"/surveys/{ground.survey_id}/review-queue"
@@ -280,7 +324,8 @@ def test_points_are_mine_whoever_restored_them(
     path = f"/surveys/{ground.survey_id}/review-queue"
     mine = [item["mine"] for who in (reviewer, operator, admin) for item in who.seen(path)]
     assert mine == [True, False, False]
-    assert operator.put(f"/measurements/{own['id']}", {**clicks(1.25), "revision": 3}).status_code == 200
+    others = {**clicks(1.25), "contact": pixel(0.25, 0.0, 0.0)}
+    assert operator.put(f"/measurements/{own['id']}", {**others, "revision": 3}).status_code == 200
     assert [item["mine"] for item in reviewer.seen(path)] == [False]
 
 

@@ -108,7 +108,7 @@ def test_a_height_is_reviewed_by_somebody_else(
     assert reviewer.seen(f"{scan}/heights")[0]["mine"]
     assert accept(reviewer, again).status_code == 403
 
-    made = operator.made(heights, {**clicks(height_m=1.46), "revision": 2})
+    made = operator.made(heights, {**clicks(height_m=1.46, contact_line=1401.0), "revision": 2})
     verdict = f"/measurements/{made['id']}/reviews"
     seen = {"revision": made["revision"]}
     counts = viewer.seen(scan)["counts"]

@@ -205,6 +205,22 @@ def of_another_version(tmp_path: Path, four: list[str]) -> list[str]:
     return [*four, one]
 
 
+def strange(table: str, column: str) -> Callable[[Path, list[str]], list[str]]:
+    """A package in the last of whose rows a column has a word of a later version."""
+
+    def make(tmp_path: Path, four: list[str]) -> list[str]:
+        one = str(invent(tmp_path / "new", Invented("new", "elsewhere", 20, version="9.0.0")))
+
+        def change(rows: pa.Table) -> pa.Table:
+            words = [*rows[column].to_pylist()[:-1], "hovering"]
+            return rows.set_column(rows.column_names.index(column), column, pa.array(words))
+
+        changed(one, table, change)
+        return [*four, one]
+
+    return make
+
+
 def changed(place: str, table: str, change: Callable[[pa.Table], pa.Table]) -> None:
     """Change a table of a package's Parquet and seal it as it then is."""
     path, audit = Path(place) / "parquet" / f"{table}.parquet", Path(place) / "audit.csv"
@@ -241,6 +257,16 @@ BAD: dict[str, tuple[Callable[[Path, list[str]], list[str]], str]] = {
         of_another_version,
         "(version 0.0.9) lacks the column u_inset_m of measurements.csv",
     ),
+    **{
+        f"a word of {table} that is not known: {column}": (
+            strange(table, column),
+            f"(version 9.0.0) has “hovering” in the column {column} of {table}.csv",
+        )
+        for table, column in (
+            *(("measurements", "target"), ("measurements", "verdict"), ("vehicles", "category")),
+            *(("vehicles", "lighting"), ("recordings", "lighting"), ("classes", "class_set")),
+        )
+    },
     "a fleet of nobody": (fleet("category,registrations\nsuv,0\n"), "category sums to 0 vehicles"),
     "shares and registrations": (
         fleet("category,share,registrations\nsuv,1,7\n"),

@@ -70,10 +70,10 @@ _before = measurements.alias("before")
 _CLICKED = ("frame", "contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
 
 
-def _has_equal(of: Any, *names: str) -> ColumnElement[bool]:
-    """Whether a revision of the series has these columns as the one that is read."""
-    alike = (of[name].is_not_distinct_from(measurements.c[name]) for name in names)
-    return and_(of.series_id == measurements.c.series_id, *alike)
+def _has_equal(of: Any, *names: str, to: Any = measurements.c) -> ColumnElement[bool]:
+    """Whether a revision of the series has these columns as another, usually the one that is read."""
+    alike = (of[name].is_not_distinct_from(to[name]) for name in names)
+    return and_(of.series_id == to.series_id, *alike)
 
 
 def _of_first(name: str) -> ColumnElement[Any]:
@@ -96,19 +96,23 @@ clicked_at: ColumnElement[datetime] = _of_first("created_at")
 
 
 def is_own(actor: int | None) -> ColumnElement[bool]:
-    """Whether a person is the operator of a revision, or was the first to give what stands beside its points,
-    each by itself, also where another moved the points since. A target, a click sigma and a side in a line
-    scan come with every first click: they are given by who changes them.
+    """Whether a person was the first to give something that stands in a revision: one of its two points, or
+    what stands beside them, each by itself, also where another changed the rest since. Further frames are one
+    list: while any stand, whoever changed them and left any has a share. A target, a click sigma and a side
+    in a line scan come with every first click: they are given by who changes them.
     """
     m, theirs = measurements.c, _earlier.c
 
+    def new(*names: str) -> ColumnElement[bool]:
+        before = _has_equal(_before.c, *names, to=theirs)
+        return ~exists().where(before, _before.c.revision < theirs.revision).correlate(_earlier)
+
     def first(*names: str) -> ColumnElement[bool]:
-        before = exists().where(_has_equal(_before.c, *names), _before.c.revision < theirs.revision)
-        return and_(_has_equal(theirs, *names), ~before.correlate(measurements, _earlier))
+        return and_(_has_equal(theirs, *names), new(*names))
 
     gave = or_(
-        first(*_CLICKED),
-        and_(m.more_frames != [], first("more_frames")),
+        *(first("frame", f"{point}_x_px", f"{point}_y_px") for point in ("contact", "target")),
+        and_(m.more_frames != [], theirs.more_frames != [], new("more_frames")),
         and_(m.followed.is_not(None), first("followed")),
         *(and_(m.inset_from == "own", first("inset_from", name)) for name in ("inset_m", "u_inset_m")),
         and_(theirs.revision > 1, or_(first("target"), first("sigma_px"))),
@@ -116,7 +120,8 @@ def is_own(actor: int | None) -> ColumnElement[bool]:
     )
     return (
         exists()
-        .where(theirs.series_id == m.series_id, theirs.created_by.is_not_distinct_from(actor), gave)
+        .where(theirs.series_id == m.series_id, theirs.revision <= m.revision)
+        .where(theirs.created_by.is_not_distinct_from(actor), gave)
         .correlate(measurements)
     )
 

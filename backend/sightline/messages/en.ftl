@@ -6125,6 +6125,7 @@ studies-not-an-amount = { $path }, row { $row }: { $name } is { $cell }, not a n
 studies-no-package-there = { $place } is not a package and contains none; name packages (folders or ZIPs), or a folder of them.
 studies-package-unverified = { $place } does not verify, so it cannot be used in a study: { $problem }
 studies-package-lacks-column = { $place } (version { $version }) lacks the column { $column } of { $table }, which a study needs; export its survey again.
+studies-package-word-unknown = { $place } (version { $version }) has “{ $word }” in the column { $column } of { $table }, which this version does not know; use that version or a later one.
 studies-package-without-parquet = { $place } was made by an earlier version, without Parquet; export its survey again.
 studies-survey-without-poses = { $place } has no camera pose and therefore no heights; leave it out, or compute the poses of its recordings (and export a package again).
 studies-same-survey-twice = { $first } and { $second } are packages of the same survey; keep the later one.

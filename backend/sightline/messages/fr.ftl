@@ -6180,6 +6180,7 @@ studies-not-an-amount = { $path }, ligne { $row } : { $name } vaut { $cell }, q
 studies-no-package-there = { $place } n’est pas une archive et n’en contient pas ; nommez des dossiers ou ZIP exportés, ou un dossier qui en contient.
 studies-package-unverified = { $place } échoue au contrôle et ne peut pas servir à une étude : { $problem }
 studies-package-lacks-column = { $place } (version { $version }) n’a pas la colonne { $column } de { $table }, dont une étude a besoin ; exportez à nouveau son relevé.
+studies-package-word-unknown = { $place } (version { $version }) contient, dans la colonne { $column } de { $table }, « { $word } », que cette version ne connaît pas ; utilisez la version indiquée ou une version plus récente.
 studies-package-without-parquet = { $place } a été faite par une version antérieure, sans Parquet ; exportez à nouveau son relevé.
 studies-survey-without-poses = { $place } n’a pas de pose de la caméra, donc pas de hauteur ; omettez-le, ou calculez la pose de ses enregistrements (et exportez à nouveau une archive).
 studies-same-survey-twice = { $first } et { $second } sont des archives du même relevé ; gardez la plus récente.

@@ -49,7 +49,8 @@ VERDICTS: tuple[str, ...] = get_args(Verdict)
 # What a height's total uncertainty is made of, beside its pose.
 UNCERTAINTY = ("inset_m", "u_inset_m", "u_height_m", "u_clicks_m", "u_by_inset_m")
 NONE = -1
-_WORDS: Mapping[str, Sequence[str]] = {
+#: The words of each column.
+WORDS: Mapping[str, Sequence[str]] = {
     "target": TARGETS,
     "lighting": LIGHTING,
     "lane": LANES,
@@ -158,8 +159,8 @@ def measured_of(columns: Mapping[str, Values]) -> Measured:
     arrays: dict[str, Any] = {}
     for field in fields(Measured):
         values = list(columns[field.name])
-        if field.name in _WORDS:
-            arrays[field.name] = _codes(field.name, values, _WORDS[field.name])
+        if field.name in WORDS:
+            arrays[field.name] = _codes(field.name, values, WORDS[field.name])
         elif field.name in _TRUTHS:
             arrays[field.name] = np.array(values, dtype=np.bool_)
         elif field.name.endswith("_m"):

@@ -11,7 +11,7 @@ from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.files import Files, open_package, read_rows
 from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, parquet_path
 from sightline.results.usual_standards import standards_in
-from sightline.studies.query import READ, lacking_in
+from sightline.studies.query import READ, lacking_in, unknown_word_in
 from sightline.studies.records import StudiedPackage
 
 #: Checks a package; the sentence that says what is wrong, or None.
@@ -75,6 +75,16 @@ def _read_package(place: Path, files: Files, scratch: Path) -> StudiedPackage:
         table, column = lacking
         raise BadInput(
             "studies-package-lacks-column", place=place, version=made_with, table=table, column=column
+        )
+    if unknown := unknown_word_in(tables):
+        table, column, word = unknown
+        raise BadInput(
+            "studies-package-word-unknown",
+            place=place,
+            version=made_with,
+            table=table,
+            column=column,
+            word=word,
         )
     first = next(read_rows(files, "audit.csv"))
     seal = read_seal(files)

@@ -14,7 +14,14 @@ from numpy.typing import NDArray
 from sightline.arrays import Floats, Ints
 from sightline.enums import StatisticsTarget
 from sightline.infra.csv_package.schema import parquet_path
-from sightline.results.measured_columns_query import CATEGORIES, CLASS_SETS, LIGHTING, UNCERTAINTY, Heights
+from sightline.results.measured_columns_query import (
+    CATEGORIES,
+    CLASS_SETS,
+    LIGHTING,
+    UNCERTAINTY,
+    WORDS,
+    Heights,
+)
 from sightline.studies.records import StudiedPackage
 from sightline.vehicles.records import BY_SIZE
 
@@ -159,6 +166,19 @@ def lacking_in(package: Path) -> tuple[str, str] | None:
         for column in wanted:
             if column not in there:
                 return name, column
+    return None
+
+
+def unknown_word_in(package: Path) -> tuple[str, str, str] | None:
+    """A table of a package, a column of it and a word there that is not known here; None: all are."""
+    import pyarrow.parquet as pq
+
+    for name, read in READ.items():
+        for column in filter(WORDS.__contains__, read):
+            values = pq.read_table(package / parquet_path(name), columns=[column])[column]
+            for word in values.unique().to_pylist():
+                if word is not None and word not in WORDS[column]:
+                    return name, column, str(word)
     return None
 
 
