@@ -135,6 +135,7 @@ export function vehicle(measurements: Measurement[] = [], facts: Partial<Vehicle
     headlight_not_visible: null,
     discarded: null,
     in_sample: true,
+    notes: "",
     ...facts,
   } as unknown as Vehicle;
 }
