@@ -166,6 +166,26 @@ def test_jobs_of_a_killed_server_are_taken_up_by_the_next_one(
     assert made(factory) == ["made once"] and done.result == {"survey_id": 1}
 
 
+def test_a_worker_that_puts_its_job_back_goes_on_without_a_word_of_defects(
+    factory: SessionFactory, tmp_path: Path, start: Callable[[], "subprocess.Popen[bytes]"]
+) -> None:
+    """What is away takes nothing but time: the worker's own delivery ends once."""
+    with writing(factory) as session:
+        away = registry.enqueue(session, "test_away", {"what": "storage"}, survey_id=None, actor=None)
+    worker = start()
+
+    def postponed() -> bool:
+        with reading(factory) as session:
+            return get_job(session, away.id).outages > 0
+
+    until(postponed)
+    after = enqueue(factory, tmp_path, first_s=0)
+    assert wait_for_end(factory, after).state == "done"
+    log = (tmp_path / "worker-1.log").read_text()
+    assert f"job {away.id} (test_away) waits" in log
+    assert "Traceback" not in log and worker.poll() is None
+
+
 def test_a_running_job_is_cancelled(
     factory: SessionFactory, tmp_path: Path, start: Callable[[], "subprocess.Popen[bytes]"]
 ) -> None:

@@ -28,9 +28,11 @@ def put_back(session: Session, job: Job, *, counted: bool = True, postponed: boo
     """Queue a running job again, or end it: cancelled if that was asked for, failed after three deaths.
 
     `counted` says whether the attempt counts: it does not where the worker was told to stop. A `postponed`
-    job waits for the database or the storage, and its attempt does not count either. Raises JobLost.
+    job waits for the database or the storage, and its attempt does not count either; its own worker puts it
+    back, whose delivery ends with that. Raises JobLost.
     """
-    withdraw(session, job.id)
+    if not postponed:
+        withdraw(session, job.id)
     long = is_long(job.kind)
     if job.cancel_requested:
         job_cancelled(session, job)
