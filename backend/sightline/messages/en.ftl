@@ -5199,12 +5199,8 @@ measurements-empty-without-reason = A measurement without a height needs a reaso
 measurements-no-height-reason = A measurement without a height needs a reason; compute it again.
 measurements-other-vehicle = This measurement was already stored for another vehicle; click again.
 measurements-frame-not-clicked = Frame { $frame } is not the image that was clicked on; load it again.
-measurements-row-missing = measurements.csv lacks a measurement of revisions.csv; one was removed.
 measurements-status-differs = { $name } states { $status }, its clicks give { $status_2 }; one is wrong.
 measurements-words-differ = { $name }: { $column } does not match the code beside it; one was changed.
-measurements-pose-file-differs = { $path }: { $id } names another pose file than its pose; it was changed.
-measurements-revision-without-event = { $path }: measurement { $key } has no audit event for revision { $key_2 }; it was added.
-measurements-event-differs = { $path }: measurement { $key } differs from its audit event; it was changed.
 measurements-drift-differs = { $name }: the last warning is not what the camera’s movement and the clicks give: { $computed }
 measurements-no-revisions = revisions.csv: measurement { $id } has no revisions; one was removed.
 measurements-pose-missing = { $path } is missing or is not a camera pose; get the complete package again.
@@ -5215,7 +5211,7 @@ measurements-operator-differs = measurements.csv: the operator of { $id } is not
 measurements-clicked-at-differs = measurements.csv: clicked_at of { $id } is not when the first revision with its points was stored (revisions.csv); one is wrong.
 measurements-vehicle-differs = { $path }: { $id } has another { $name } than its vehicle in vehicles.csv; one is wrong.
 measurements-vehicle-missing = { $path }: the vehicle of { $id } is not in vehicles.csv; a row was removed.
-measurements-row-misplaced = { $path } { $found } where { $name } belongs; a row was removed or added.
+measurements-row-misplaced = { $path }: { $name } is not where it belongs; a row was removed or added.
 measurements-row-added = { $path }: { $row } is not in measurements.csv; it was added.
 measurements-u95-wrong = measurements.csv: { $id } has a U95 that is not 1.96 u; one is wrong.
 measurements-budget-sum = budget.csv: the contributions to { $id } give { NUMBER($total, minimumFractionDigits: 6, maximumFractionDigits: 6) } m, measurements.csv states { NUMBER($told, minimumFractionDigits: 6, maximumFractionDigits: 6) } m; one is wrong.
@@ -5225,8 +5221,6 @@ measurements-event-another-row = audit.csv: an event of measurement { $id } cont
 measurements-events-two-frames = audit.csv: two events describe frame { $frame } of recording { $recording } differently; one was changed.
 measurements-frame-time = vehicles.csv: frame { $frame } of recording { $recording } has a time that does not fit the frames around it; it was changed.
 measurements-frame-table-differs = frames.csv: frame { $frame } of recording { $recording } differs from the audit events of its measurements; it was changed.
-measurements-budget-added = budget.csv: { $next } is not in measurements.csv; it was added.
-measurements-revision-missing = revisions.csv: revision { $revision } of measurement { $number } is missing, although it has an audit event; it was removed.
 measurements-frame-differs = { $path }: { $id } was clicked on another frame than frames.csv states; one is wrong.
 
 ## Errors: media
@@ -5444,8 +5438,6 @@ quality-pose-unused = No recording uses this camera pose any more; reload the pa
 quality-direction-changed = The travel direction is now { $turn_deg }°, not the value shown; reload the page.
 quality-frame-outside-pass = Vehicle { $number } does not appear in frame { $frame }; it passes in frames { $first_frame } to { $last_frame }. Go to one of them.
 quality-repeats-too-few = { $name } has repeated { $pairs } of their own measurements; { $least_pairs } are needed for their own click uncertainty. Repeat more of them.
-quality-repeat-missing = repeats.csv: repeat { $left } is missing, although it has an audit event.
-quality-repeat-differs = repeats.csv: { $number } differs from its audit event; it was changed.
 
 ## Errors: recordings
 

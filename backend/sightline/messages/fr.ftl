@@ -5234,12 +5234,8 @@ measurements-empty-without-reason = Une mesure sans hauteur demande un motif ;
 measurements-no-height-reason = Une mesure qui n’a pas de hauteur demande un motif ; recalculez-la.
 measurements-other-vehicle = Cette mesure a déjà été enregistrée pour un autre véhicule ; repointez.
 measurements-frame-not-clicked = L’image { $frame } n’est pas celle qui a été pointée ; rechargez-la.
-measurements-row-missing = measurements.csv : il manque une mesure que contient revisions.csv ; elle a été retirée.
 measurements-status-differs = { $name } indique { $status }, ses pointés donnent { $status_2 } ; l’un des deux est faux.
 measurements-words-differ = { $name } : { $column } ne dit pas ce que dit le code à côté ; l’un des deux a été modifié.
-measurements-pose-file-differs = { $path } : { $id } nomme un autre fichier de pose que sa pose ; il a été modifié.
-measurements-revision-without-event = { $path } : la mesure { $key } n’a pas d’événement d’audit pour la révision { $key_2 } ; ajout après coup.
-measurements-event-differs = { $path } : la mesure { $key } diffère de son événement d’audit ; elle a été modifiée.
 measurements-drift-differs = { $name } : le dernier avertissement n’est pas ce que donnent le mouvement de la caméra et les pointés : { $computed }
 measurements-no-revisions = revisions.csv : la mesure { $id } n’a pas de révision ; une a été retirée.
 measurements-pose-missing = { $path } manque ou n’est pas une pose de la caméra ; reprenez l’export complet.
@@ -5250,7 +5246,7 @@ measurements-operator-differs = measurements.csv : l’opérateur de { $id } n�
 measurements-clicked-at-differs = measurements.csv : clicked_at de { $id } n’est pas le moment de la première révision avec ses points (revisions.csv) ; l’un des deux est faux.
 measurements-vehicle-differs = { $path } : { $id } a une autre valeur de { $name } que son véhicule dans vehicles.csv ; l’un des deux est faux.
 measurements-vehicle-missing = { $path } : le véhicule de { $id } n’est pas dans vehicles.csv ; une ligne a été supprimée.
-measurements-row-misplaced = { $path } { $found } là où { $name } a sa place ; une ligne a été retirée ou ajoutée.
+measurements-row-misplaced = { $path } : { $name } n’est pas à sa place ; une ligne a été retirée ou ajoutée.
 measurements-row-added = { $path } : { $row } n’est pas dans measurements.csv ; ajout après coup.
 measurements-u95-wrong = measurements.csv : { $id } a une U95 qui n’est pas 1,96 u ; l’un des deux est faux.
 measurements-budget-sum = budget.csv : les contributions à { $id } donnent { NUMBER($total, minimumFractionDigits: 6, maximumFractionDigits: 6) } m, measurements.csv indique { NUMBER($told, minimumFractionDigits: 6, maximumFractionDigits: 6) } m ; l’un des deux est faux.
@@ -5260,8 +5256,6 @@ measurements-event-another-row = audit.csv : un événement de la mesure { $id 
 measurements-events-two-frames = audit.csv : deux événements décrivent différemment l’image { $frame } de l’enregistrement { $recording } ; l’un des deux a été modifié.
 measurements-frame-time = vehicles.csv : l’image { $frame } de l’enregistrement { $recording } a un temps qui ne s’accorde pas avec les images voisines ; il a été modifié.
 measurements-frame-table-differs = frames.csv : l’image { $frame } de l’enregistrement { $recording } diffère des événements d’audit de ses mesures ; elle a été modifiée.
-measurements-budget-added = budget.csv : { $next } n’est pas dans measurements.csv ; ajout après coup.
-measurements-revision-missing = revisions.csv : la révision { $revision } de la mesure { $number } manque, bien que son événement d’audit soit là ; elle a été retirée.
 measurements-frame-differs = { $path } : { $id } a été pointé sur une autre image que ne le dit frames.csv ; l’un des deux est faux.
 
 ## Erreurs : médias
@@ -5488,8 +5482,6 @@ quality-pose-unused = Plus aucun enregistrement n’utilise cette pose de la cam
 quality-direction-changed = La direction du trafic est maintenant de { $turn_deg }°, non la valeur affichée ; rechargez la page.
 quality-frame-outside-pass = Le véhicule { $number } n’apparaît pas dans l’image { $frame } ; il passe dans les images { $first_frame } à { $last_frame }. Allez à l’une d’elles.
 quality-repeats-too-few = { $name } a repointé { $pairs } de ses propres mesures ; il en faut { $least_pairs } pour une incertitude de pointé propre. Repointez-en d’autres.
-quality-repeat-missing = repeats.csv : la répétition { $left } manque, bien que son événement d’audit soit là.
-quality-repeat-differs = repeats.csv : { $number } diffère de son événement d’audit ; il a été modifié.
 
 ## Erreurs : enregistrements
 

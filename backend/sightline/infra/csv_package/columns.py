@@ -15,13 +15,11 @@ from sightline.errors import Damaged
 from sightline.infra.audit.hashing import canonical_json
 from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.files import Files, read_columns, undo_safe_text
-from sightline.infra.csv_package.schema import Cell, Column, Row, utc_text
+from sightline.infra.csv_package.schema import CODE, Cell, Column, Row, utc_text
 from sightline.infra.meaning import Told, fields_told
 from sightline.messages import SOURCE
 from sightline.messages.said import Said
 
-#: The end of the name of a column with the codes of the words in the column without it.
-CODE = "_code"
 R = TypeVar("R", default=Row)
 Getter = Callable[[R], Cell]
 

@@ -31,6 +31,8 @@ Record = TypeVar("Record", contravariant=True, default=Row)
 #: by their own description. Format 1 stated no number; up to format 2 the tables of `TABLES` lay in the root.
 FORMAT = 3
 CHECKSUMS = "SHA256SUMS"
+#: The end of the name of a column with the codes of the words in the column without it.
+CODE = "_code"
 DESCRIPTION = "datapackage.json"
 TABLES, PARQUET = "tables/", "parquet/"
 _JSON_FORM = (
