@@ -250,9 +250,6 @@ MEASUREMENTS: Table[Measurement] = Table(
             pose_id="poses",
             calibration_id="calibrations",
             computing_id="computings",
-            created_by_id="people",
-            operator_id="people",
-            reviewer_id="people",
             lot_id="lots",
         ),
     ),
@@ -270,7 +267,7 @@ REVISIONS: Table[Measurement] = Table(
     foreign=(
         *ids_of(measurement_id="measurements"),
         (("recording_id", "frame"), "frames", ("recording_id", "frame")),
-        *ids_of(pose_id="poses", computing_id="computings", created_by_id="people"),
+        *ids_of(pose_id="poses", computing_id="computings"),
     ),
 )
 

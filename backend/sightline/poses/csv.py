@@ -50,5 +50,5 @@ POSES: Table[Pose] = Table(
         *columns_for(Pose, "created_by_id created_at"),
     ),
     primary=("id",),
-    foreign=ids_of(calibration_id="calibrations", created_by_id="people"),
+    foreign=ids_of(calibration_id="calibrations"),
 )

@@ -235,9 +235,7 @@ SCAN_VEHICLES: Table[ShownVehicle] = Table(
         *columns_within("vehicle.measurement", *_VERDICT, required=False),
     ),
     primary=("id",),
-    foreign=ids_of(
-        scan_id="line_scans", measurement_id="scan_measurements", created_by_id="people", reviewer_id="people"
-    ),
+    foreign=ids_of(scan_id="line_scans", measurement_id="scan_measurements"),
 )
 SCAN_MEASUREMENTS: Table[ScanMeasurement] = Table(
     "scan_measurements",
@@ -255,12 +253,7 @@ SCAN_MEASUREMENTS: Table[ScanMeasurement] = Table(
         ),
     ),
     primary=("id",),
-    foreign=ids_of(
-        vehicle_id="scan_vehicles",
-        verdict_of_id="scan_measurements",
-        created_by_id="people",
-        reviewer_id="people",
-    ),
+    foreign=ids_of(vehicle_id="scan_vehicles", verdict_of_id="scan_measurements"),
 )
 SCAN_REVIEWS: Table[ScanReview] = Table(
     "scan_reviews",
@@ -271,7 +264,7 @@ SCAN_REVIEWS: Table[ScanReview] = Table(
         *given_verdict(get_args(ScanVerdict)),
     ),
     primary=("id",),
-    foreign=ids_of(measurement_id="scan_measurements", reviewer_id="people"),
+    foreign=ids_of(measurement_id="scan_measurements"),
 )
 TABLES: tuple[Table[Any], ...] = (
     LINE_SCANS,

@@ -142,7 +142,7 @@ def person(name: str, meaning: str, of: Callable[[R], Who | None] | None = None)
         who = given(record)
         return None if who is None else who.id
 
-    return integer(name, meaning, number_of)
+    return replace(integer(name, meaning, number_of), table="people")
 
 
 def join_sentences(words: Iterable[str]) -> str:

@@ -12,7 +12,7 @@ from sightline.infra.csv_package.columns import (
     person,
     text,
 )
-from sightline.infra.csv_package.schema import Column, Table, ids_of
+from sightline.infra.csv_package.schema import Column, Table
 from sightline.measurements.again.records import Computing
 
 _CAUSES: tuple[tuple[ComputingCause, str], ...] = (
@@ -54,5 +54,4 @@ COMPUTINGS: Table[Computing] = Table(
         moment("created_at", "when"),
     ),
     primary=("id",),
-    foreign=ids_of(created_by_id="people"),
 )

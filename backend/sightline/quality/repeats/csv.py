@@ -25,10 +25,6 @@ REPEATS: Table[Measurement] = Table(
     ),
     primary=("id",),
     foreign=ids_of(
-        measurement_id="measurements",
-        vehicle_id="vehicles",
-        recording_id="recordings",
-        pose_id="poses",
-        created_by_id="people",
+        measurement_id="measurements", vehicle_id="vehicles", recording_id="recordings", pose_id="poses"
     ),
 )
