@@ -63,13 +63,13 @@ class Told:
     says: str
 
 
-def fields_told(record: type[Any]) -> dict[str, Told]:
+def read_fields(record: type[Any]) -> dict[str, Told]:
     """What the types of a record's fields tell, by name."""
     hints = get_type_hints(record, include_extras=True)
-    return {name: _told(hint) for name, hint in hints.items()}
+    return {name: _read_hint(hint) for name, hint in hints.items()}
 
 
-def _told(hint: Any) -> Told:
+def _read_hint(hint: Any) -> Told:
     plain, *said = get_args(hint) if get_origin(hint) is Annotated else (hint,)
     some = [one for one in get_args(plain) if one is not NoneType]
     optional = NoneType in get_args(plain)

@@ -16,7 +16,7 @@ from sightline.infra.audit.hashing import canonical_json
 from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.files import Files, read_columns, undo_safe_text
 from sightline.infra.csv_package.schema import CODE, Cell, Column, Row, utc_text
-from sightline.infra.meaning import Told, fields_told
+from sightline.infra.meaning import Told, read_fields
 from sightline.messages import SOURCE
 from sightline.messages.said import Said
 
@@ -48,7 +48,7 @@ def columns_for(
 
     `required`: texts are never empty; what is no text is required where the field is never None.
     """
-    told = fields_told(record)
+    told = read_fields(record)
     return tuple(one for name in names.split() for one in _columns_for(name, told, required, minimum))
 
 
