@@ -188,7 +188,12 @@ def check_measurements(
         for row in rows:
             heights.check(f"revisions.csv: {name}", row, row["code_version"])
             stored = heights.without_drift(f"revisions.csv: {name}", row, open_spans)
-            events.revisions.hold((int(name), int(row["revision"])), stored)
+            key = int(name), int(row["revision"])
+            if key not in events.revisions:
+                raise Damaged(
+                    "measurements-revision-without-event", path=REVISIONS.key, key=key[0], key_2=key[1]
+                )
+            events.revisions.hold(key, stored)
         _is_newest(current, rows[-1])
         _is_of_clicks(current, rows)
         _is_filmed(current, filmings.get(current["recording_id"]))

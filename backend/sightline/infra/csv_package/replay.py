@@ -96,6 +96,9 @@ class Digests:
         ]
         self._told: dict[tuple[int, ...], bytes] = {}
 
+    def __contains__(self, key: object) -> bool:
+        return key in self._told
+
     def tell(self, key: tuple[int, ...], *records: Any) -> None:
         """An event says a row of this key, or several; what was said of it before holds no longer."""
         cells = [cell_text(one, one.of_object(record)) for record in records for one in self._columns]
@@ -109,7 +112,7 @@ class Digests:
     def hold(self, key: tuple[int, ...], row: Mapping[str, str]) -> None:
         """A row of the package is the one that its event says. Raises Damaged."""
         said = " ".join(map(str, key))
-        if key not in self._told:
+        if key not in self:
             raise Damaged("csv_package-row-without-event", path=self._path, key=said)
         if not self.are_told(key, row):
             raise Damaged("csv_package-event-differs", path=f"{self._path}: row {said}")
