@@ -193,7 +193,8 @@ def check_measurements(
                 raise Damaged(
                     "measurements-revision-without-event", path=REVISIONS.key, key=key[0], key_2=key[1]
                 )
-            events.revisions.hold(key, stored)
+            if not events.revisions.are_told(key, stored):
+                raise Damaged("measurements-event-differs", path=REVISIONS.key, key=key[0])
         _is_newest(current, rows[-1])
         _is_of_clicks(current, rows)
         _is_filmed(current, filmings.get(current["recording_id"]))

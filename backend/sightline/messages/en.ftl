@@ -5202,6 +5202,7 @@ measurements-frame-not-clicked = Frame { $frame } is not the image that was clic
 measurements-status-differs = { $name } states { $status }, its clicks give { $status_2 }; one is wrong.
 measurements-words-differ = { $name }: { $column } does not match the code beside it; one was changed.
 measurements-revision-without-event = { $path }: measurement { $key } has no audit event for revision { $key_2 }; it was added.
+measurements-event-differs = { $path }: measurement { $key } differs from its audit event; it was changed.
 measurements-drift-differs = { $name }: the last warning is not what the camera’s movement and the clicks give: { $computed }
 measurements-no-revisions = revisions.csv: measurement { $id } has no revisions; one was removed.
 measurements-pose-missing = { $path } is missing or is not a camera pose; get the complete package again.

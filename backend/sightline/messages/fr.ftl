@@ -5237,6 +5237,7 @@ measurements-frame-not-clicked = L’image { $frame } n’est pas celle qui a é
 measurements-status-differs = { $name } indique { $status }, ses pointés donnent { $status_2 } ; l’un des deux est faux.
 measurements-words-differ = { $name } : { $column } ne dit pas ce que dit le code à côté ; l’un des deux a été modifié.
 measurements-revision-without-event = { $path } : la mesure { $key } n’a pas d’événement d’audit pour la révision { $key_2 } ; ajout après coup.
+measurements-event-differs = { $path } : la mesure { $key } diffère de son événement d’audit ; elle a été modifiée.
 measurements-drift-differs = { $name } : le dernier avertissement n’est pas ce que donnent le mouvement de la caméra et les pointés : { $computed }
 measurements-no-revisions = revisions.csv : la mesure { $id } n’a pas de révision ; une a été retirée.
 measurements-pose-missing = { $path } manque ou n’est pas une pose de la caméra ; reprenez l’export complet.
