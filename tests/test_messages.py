@@ -16,10 +16,12 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 import sightline
 from sightline import errors, messages
+from sightline.app import describe
 from sightline.export.package_tables import tables_of
 from sightline.export.page import tables_of_page
 from sightline.geometry.insets import USUAL_INSETS
 from sightline.infra.web.error_handlers import _complaint
+from sightline.measurements.again.csv import COMPUTINGS
 from sightline.messages.recognised import COLUMNS, TOLD, translate_text, translated_meaning
 from sightline.messages.said import Said
 from sightline.results.usual_standards import STANDARDS
@@ -500,9 +502,25 @@ def test_every_column_that_a_package_s_page_explains_is_explained_in_every_langu
     same = {"description", "verdict"}  # words that are the same in a language
     told = {one: translated_meaning(one, "fr") for one in meanings}
     assert {one for one, said in told.items() if one == said} <= same
+    columns = [one for table in tables_of(12) for one in table.columns]
+    assert [one.name for one in columns if not one.meaning or one.meaning.startswith(COLUMNS)] == []
     frame = "the same tyre contact on frame 11 of the measurement, x"
     assert told[frame] == "le même contact du pneu sur l’image 11 de la mesure, x"
     assert translate_text("group", "fr") == "group"  # which somebody may have typed
+
+
+def test_the_api_says_of_a_field_what_the_package_says_of_its_column() -> None:
+    described = describe()["components"]["schemas"]
+    vehicle, computing = (described[name]["properties"] for name in ("VehicleBody", "Computing"))
+    assert vehicle["roof_not_visible"]["description"] == (
+        "Why the roof cannot be measured of this vehicle; null where it can."
+    )
+    assert vehicle["model_chosen_by"]["description"].startswith("size: ")
+    meanings = {one.name: one.meaning for one in COMPUTINGS.columns}
+    assert meanings["kept"] == "of an undo: how many were changed since, and stay as they are"
+    assert (
+        computing["kept"]["description"] == "Of an undo: how many were changed since, and stay as they are."
+    )
 
 
 def test_no_french_sign_begins_a_line() -> None:

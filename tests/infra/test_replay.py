@@ -11,7 +11,7 @@ import pytest
 from sightline.errors import Damaged
 from sightline.infra.csv_package.columns import columns_within, flag, key, metres, number, text
 from sightline.infra.csv_package.files import FolderFiles, TableWriter
-from sightline.infra.csv_package.replay import Replay, Replayed, hold, hold_all, values_of
+from sightline.infra.csv_package.replay import Digests, Replay, Replayed, hold, hold_all, values_of
 from sightline.infra.csv_package.schema import Column, Table
 
 CARS: Table[Any] = Table(
@@ -80,6 +80,33 @@ def test_where_the_order_is_told_it_holds(files: Callable[..., FolderFiles]) -> 
 
 def test_a_column_that_a_package_lacks_is_not_compared(files: Callable[..., FolderFiles]) -> None:
     hold_all(files("1,'=A", header="id,name"), CARS, [FIRST])
+
+
+CAR = {"id": 1, "name": "A", "height_m": 3.0, "speed_mps": 2.0, "seen": True, "created_at": "today"}
+CELLS = {"id": "1", "name": "A", "height_m": "3.000000", "speed_mps": "2.0", "seen": "true"}
+
+
+def digests(*, header: tuple[str, ...] = tuple(CELLS)) -> Digests:
+    told = Digests(CARS, header)
+    told.tell((1, 1), SimpleNamespace(**{**CAR, "name": "B"}))
+    told.tell((1, 1), SimpleNamespace(**CAR))
+    told.tell((2, 1), SimpleNamespace(**CAR))
+    return told
+
+
+def test_a_million_rows_are_held_by_their_digests() -> None:
+    told = digests()
+    told.hold((1, 1), {**CELLS, "created_at": "another column"})
+    with pytest.raises(Damaged, match=r"cars\.csv: row 1 1 has no audit event"):
+        told.hold((1, 1), CELLS)
+    with pytest.raises(Damaged, match=r"cars\.csv: row 2 1 is missing, although"):
+        told.require_none_left(lambda number: number == 1)
+    told.require_none_left(lambda number: number == 2)
+    for name in CELLS:
+        with pytest.raises(Damaged, match=r"cars\.csv: row 1 1 differs from its audit event"):
+            digests().hold((1, 1), {**CELLS, name: "another"})
+    assert not digests().are_told((1, 1), CELLS, CELLS) and not digests().are_told((1, 1))
+    digests(header=("id",)).hold((1, 1), {"id": "1", "name": "what the package does not have"})
 
 
 def event(number: int, entity: str, entity_id: int, actor: str = "7") -> dict[str, str]:

@@ -13,11 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.errors import Away, Damaged, NoRoom, SightlineError
-from sightline.infra.csv_package.columns import integer, key, pixel, text
-from sightline.infra.csv_package.files import Staging, Tick, number
+from sightline.infra.csv_package.columns import integer, key, number, text
+from sightline.infra.csv_package.files import Staging, Tick
+from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.schema import Cell, Column, Table, ids_of, sha256_hex
 from sightline.infra.services import Services
-from sightline.measurements.csv import TARGETS, WAYS
+from sightline.measurements.csv import TARGETS
 from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues
 from sightline.media.images import jpeg
 from sightline.media.video.picture import Bgr
@@ -40,12 +41,9 @@ _RECORD = np.dtype(
 Spots = NDArray[Any]
 
 
-def _in_crop(name: str, meaning: str) -> tuple[Column, ...]:
+def _in_crop(name: str) -> tuple[Column, ...]:
     """Where a point lies in the crop."""
-    return tuple(
-        pixel(f"{name}_{axis}_px", f"{meaning}, in the crop, {way}", of_what="crop's ", required=False)
-        for axis, way in WAYS
-    )
+    return tuple(number(f"{name}_{axis}_px", f"column-crops-{name}-{axis}-px", "px") for axis in "xy")
 
 
 CROPS = Table(
@@ -65,8 +63,8 @@ CROPS = Table(
         integer("y_px", "row of the frame in which the crop begins", unit="px"),
         integer("width_px", "width of the crop", unit="px"),
         integer("height_px", "height of the crop", unit="px"),
-        *_in_crop("contact", "where the tyre meets the road"),
-        *_in_crop("target", "the target point"),
+        *_in_crop("contact"),
+        *_in_crop("target"),
         text("reason", "why there is no crop"),
     ),
     primary=("measurement_id", "k"),
@@ -218,5 +216,5 @@ def _draw_text(text: str, x: float, y: float, width: int, height: int) -> Iterat
 
 def expected_overlay(row: Mapping[str, str], measured: Mapping[str, str]) -> bytes:
     """The SVG that a row of crops.csv and one of measurements.csv give, to be compared with the one there."""
-    label = label_of(measured["target"], number(measured["height_m"]), number(measured["U95_height_m"]))
+    label = label_of(measured["target"], figure_of(measured["height_m"]), figure_of(measured["U95_height_m"]))
     return overlay(row, label)

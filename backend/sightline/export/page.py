@@ -23,9 +23,9 @@ from sightline.export.report.said import speaking
 from sightline.export.report.words import selection_words
 from sightline.export.seal import AUDIT_SCRIPT, CHECKPOINT, PAGE
 from sightline.infra.csv_package.audit import AUDIT
-from sightline.infra.csv_package.columns import CODE, said_in, words_of
+from sightline.infra.csv_package.columns import said_in, words_of
 from sightline.infra.csv_package.files import Files, Staging, read_columns, read_whole
-from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, AnyTable, Written, sha256_hex
+from sightline.infra.csv_package.schema import CHECKSUMS, CODE, DESCRIPTION, AnyTable, Written, sha256_hex
 from sightline.infra.version import code_version
 from sightline.messages import languages, name_of
 from sightline.messages.recognised import translated_meaning

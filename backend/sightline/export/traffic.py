@@ -6,7 +6,6 @@ from typing import get_args, get_type_hints
 from sightline.enums import ScanDirection
 from sightline.export.statistics_rows import Cells, statistics_table
 from sightline.infra.csv_package.columns import (
-    CODE,
     code_of,
     flag,
     integer,
@@ -18,7 +17,7 @@ from sightline.infra.csv_package.columns import (
 )
 from sightline.infra.csv_package.files import Files, read_rows, undo_safe_text
 from sightline.infra.csv_package.files import number as figure_of
-from sightline.infra.csv_package.schema import Column, ids_of
+from sightline.infra.csv_package.schema import CODE, Column, ids_of
 from sightline.linescan.traffic import MINUTES, Figure, Interval
 from sightline.results.csv import selection_in
 from sightline.scans.clock import clock_of

@@ -8,6 +8,7 @@ from pydantic import Field
 
 from sightline.enums import MadeAsSaid, Target
 from sightline.infra.by_name import filled_from
+from sightline.infra.meaning import explained_as
 from sightline.infra.web.bodies import FrameNumber, In, Point, example
 from sightline.infra.web.named import MeasurementId, VehicleId
 from sightline.infra.web.quantities import InsetM, Revision, SigmaPx, UInsetM
@@ -23,6 +24,7 @@ from sightline.statistics.plausible import Doubt, Height, doubts
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+@explained_as("measurements")
 class MeasurementBody(MeasurementValues, RevisionFacts):
     """The current revision of a measurement: its values, and what stands around them."""
 
@@ -32,13 +34,7 @@ class MeasurementBody(MeasurementValues, RevisionFacts):
         list[Said],
         Field(description="As stored, and, derived when read, that the camera had moved on this frame."),
     ]
-    filmed_at: Annotated[
-        str | None,
-        Field(
-            description="Derived: when its frame was filmed, ISO 8601 with offset; null until a person has "
-            "confirmed the start of the recording."
-        ),
-    ]
+    filmed_at: str | None
 
 
 def measurement_body(found: Measurement) -> MeasurementBody:

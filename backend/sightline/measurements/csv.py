@@ -4,25 +4,20 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from operator import attrgetter
-from typing import Any, get_args
+from typing import get_args
 
 from typing_extensions import TypeVar
 
 from sightline.enums import (
     Category,
-    DriverSide,
-    InsetSource,
     Lighting,
-    Made,
-    MeasurementStatus,
     Point,
-    ProposalKept,
-    SideBasis,
     Target,
     Verdict,
     VerdictBasis,
 )
 from sightline.infra.csv_package.columns import (
+    columns_for,
     columns_within,
     flag,
     integer,
@@ -31,7 +26,6 @@ from sightline.infra.csv_package.columns import (
     moment,
     number,
     person,
-    pixel,
     said_columns,
     text,
 )
@@ -90,84 +84,40 @@ def clicks_path(pose_id: int) -> str:
     return f"{CLICKS_FOLDER}pose-{pose_id}.csv"
 
 
-PASS: Columns = (
-    key("vehicle_id", "vehicle that was measured"),
-    key("recording_id", "recording in which the points were clicked"),
-)
-FRAME: Columns = columns_within(
-    "values",
-    integer("frame", "frame number: the n-th decoded frame, from 0", required=True, minimum=0),
-    integer("pts", "presentation time stamp of that frame, in the stream's own time base"),
-    number("time_s", "time of that frame from the start of the stream", "s"),
-)
-_WHERE: Columns = (
-    *PASS,
-    *columns_within("values", text("target", "what was measured", required=True, enum=TARGETS)),
-    *FRAME,
+WHERE: Columns = (
+    *columns_for(Measurement, "vehicle_id recording_id"),
     *columns_within(
         "values",
-        integer("frame_crc32", "CRC-32 of the decoded luma of that frame: proof of what was clicked on"),
+        *columns_for(MeasurementValues, "target"),
+        *columns_for(MeasurementValues, "frame", minimum=0),
+        *columns_for(MeasurementValues, "pts time_s frame_crc32"),
     ),
 )
-#: Along a picture's two axes.
-WAYS = (("x", "x to the right"), ("y", "y down"))
 
 
-def _clicked(name: str, meaning: str, point: Callable[[MeasurementValues], Point]) -> Columns:
+def _clicked(name: str, point: Callable[[MeasurementValues], Point]) -> Columns:
     """A point on the first frame."""
 
-    def along(at: int) -> Callable[[Any], float]:
-        return lambda m: float(point(m.values)[at])
+    def column(at: int, axis: str) -> Column[Measurement]:
+        says = f"column-measurements-{name}-{axis}-px"
+        return number(f"{name}_{axis}_px", says, "px", lambda m: float(point(m.values)[at]), required=True)
 
-    return tuple(
-        pixel(f"{name}_{axis}_px", f"{meaning}, {way}", along(at)) for at, (axis, way) in enumerate(WAYS)
-    )
+    return tuple(column(at, axis) for at, axis in enumerate("xy"))
 
 
 POINTS: Columns = (
-    *_clicked("contact", "where the tyre meets the road", lambda values: values.contact),
-    *_clicked("target", "the target point", lambda values: values.target_point),
-    number("sigma_px", "column-measurements-sigma-px", "px", lambda m: float(m.values.sigma_px), minimum=0),
+    *_clicked("contact", lambda values: values.contact),
+    *_clicked("target", lambda values: values.target_point),
+    *columns_within("values", *columns_for(MeasurementValues, "sigma_px", minimum=0)),
 )
-
-
-def _optional_point_columns(name: str, meaning: str, more: str = "") -> Columns:
-    """A point that may be told of, by both coordinates."""
-    return tuple(pixel(f"{name}_{axis}_px", f"{meaning}, {way}{more}", required=False) for axis, way in WAYS)
-
-
-def _proposed(which: str) -> Columns:
-    """Where a point was proposed; of no height."""
-    return _optional_point_columns(
-        f"proposed_{which}", f"where the {which} was proposed", "; not used for any height"
-    )
-
-
-_MADE: Columns = columns_within(
-    "values",
-    text("made", "column-measurements-made", required=True, enum=get_args(Made)),
-    *_optional_point_columns(
-        "snapped_from", "where a person clicked before the contact went to the tyre found there"
-    ),
-    text("proposal", "column-measurements-proposal", enum=get_args(ProposalKept)),
-    *_proposed("contact"),
-    *_proposed("target"),
+_MADE = columns_for(
+    MeasurementValues,
+    "made snapped_from_x_px snapped_from_y_px proposal "
+    "proposed_contact_x_px proposed_contact_y_px proposed_target_x_px proposed_target_y_px",
 )
-POSE: Columns = columns_within("values", key("pose_id", "camera pose used"))
-_INSET: Columns = columns_within(
-    "values",
-    metres("inset_m", "column-measurements-inset-m"),
-    metres("u_inset_m", "standard uncertainty of the inset (k = 1)"),
-)
-_SIDE: Columns = columns_within(
-    "values",
-    text("side", "column-measurements-side", enum=get_args(DriverSide)),
-)
-_SIDE_FROM: Columns = columns_within(
-    "values",
-    text("side_from", "column-measurements-side-from", enum=get_args(SideBasis)),
-    text("inset_from", "column-measurements-inset-from", required=True, enum=get_args(InsetSource)),
-)
+POSE: Columns = columns_within("values", *columns_for(MeasurementValues, "pose_id"))
+INSET: Columns = columns_within("values", *columns_for(MeasurementValues, "inset_m u_inset_m"))
+_SIDE: Columns = columns_within("values", *columns_for(MeasurementValues, "side"))
 
 
 def _on_frame(k: int, value: Callable[[FurtherFrame], Cell]) -> Callable[[Measurement], Cell]:
@@ -216,53 +166,30 @@ _SEVERAL: Columns = (
     integer("frames", "column-measurements-frames", _frames_used, required=True, minimum=1),
     _frame_number(2),
     *_further_points(2),
-    *columns_within(
-        "values",
-        text("followed", "column-measurements-followed"),
-        metres("solved_inset_m", "column-measurements-solved-inset-m"),
-        metres("u_solved_inset_m", "standard uncertainty of the inset found (k = 1)"),
-    ),
+    *columns_within("values", *columns_for(MeasurementValues, "followed solved_inset_m u_solved_inset_m")),
 )
 
 
-REASON: Columns = columns_within("values", *said_columns("reason", "why there is no height"))
 _FLAGS: Columns = said_columns(
     "flags", "warnings on this height, separated by semicolons", attrgetter("all_flags")
 )
 _HEIGHT: Columns = (
     *columns_within(
         "values",
-        metres("height_m", "height of the target above the road along its normal, corrected for the inset"),
-        metres("uncorrected_height_m", "column-measurements-uncorrected-height-m"),
-        metres("u_height_m", "standard uncertainty of height_m (k = 1)"),
-        metres("U95_height_m", "half-width of the 95 % interval of height_m"),
-        metres("x_m", "contact point along the road, from the pose's origin (X)"),
-        metres("y_m", "contact point across the road, away from the camera (Y)"),
-        metres("u_clicks_m", "component of u_height_m from the clicks, which no other height shares"),
-        metres("u_by_inset_m", "column-measurements-u-by-inset-m"),
-        metres("distance_m", "from the camera's centre to the contact point"),
-        text("status", "whether there is a height", required=True, enum=get_args(MeasurementStatus)),
+        *columns_for(MeasurementValues, "height_m uncorrected_height_m u_height_m U95_height_m x_m y_m"),
+        *columns_for(MeasurementValues, "u_clicks_m u_by_inset_m distance_m status reason"),
     ),
-    *REASON,
     *_FLAGS,
-    *columns_within(
-        "values", text("code_version", "version of the program that computed the height", required=True)
-    ),
-    person("created_by_id", "column-measurements-created-by-id"),
-    moment("created_at", "when the revision was stored"),
-    flag("withdrawn", "true if the measurement was withdrawn", required=True),
-    integer("computing_id", "recomputation that made this revision from the clicks of the previous one"),
-    integer("verdict_of_revision", "column-measurements-verdict-of-revision"),
+    *columns_within("values", *columns_for(MeasurementValues, "code_version", required=True)),
+    *columns_for(Measurement, "created_by_id created_at withdrawn computing_id verdict_of_revision"),
 )
 _MEASURED: Columns = (
-    *_WHERE,
+    *WHERE,
     *POINTS,
-    *_MADE,
-    *POSE,
-    *columns_within("values", key("calibration_id", "calibration behind that pose")),
-    *_INSET,
+    *columns_within("values", *_MADE, *columns_for(MeasurementValues, "pose_id calibration_id")),
+    *INSET,
     *_SIDE,
-    *_SIDE_FROM,
+    *columns_within("values", *columns_for(MeasurementValues, "side_from inset_from")),
     *_SEVERAL,
     *_HEIGHT,
 )
@@ -301,8 +228,7 @@ MEASUREMENTS: Table[Measurement] = Table(
     "measurements",
     "The current revision of every measurement, with the verdict on it. Withdrawn ones are kept and marked.",
     (
-        key("id", "measurement (a series of revisions)"),
-        key("revision", "number of the current revision, from 1"),
+        *columns_for(Measurement, "id revision"),
         *_MEASURED,
         *_FILMED,
         *columns_within("review", *standing_verdict(get_args(Verdict))),
@@ -314,8 +240,7 @@ MEASUREMENTS: Table[Measurement] = Table(
         ),
         *columns_within("review", integer("lot_id", "of a verdict by lot: the lot")),
         out_of_date("recording's road pose"),
-        person("operator_id", "column-measurements-operator-id"),
-        moment("clicked_at", "when the points that stand were clicked: the day of measuring"),
+        *columns_for(Measurement, "operator_id clicked_at"),
     ),
     primary=("id",),
     foreign=(
@@ -325,9 +250,6 @@ MEASUREMENTS: Table[Measurement] = Table(
             pose_id="poses",
             calibration_id="calibrations",
             computing_id="computings",
-            created_by_id="people",
-            operator_id="people",
-            reviewer_id="people",
             lot_id="lots",
         ),
     ),
@@ -345,7 +267,7 @@ REVISIONS: Table[Measurement] = Table(
     foreign=(
         *ids_of(measurement_id="measurements"),
         (("recording_id", "frame"), "frames", ("recording_id", "frame")),
-        *ids_of(pose_id="poses", computing_id="computings", created_by_id="people"),
+        *ids_of(pose_id="poses", computing_id="computings"),
     ),
 )
 
@@ -376,7 +298,7 @@ CLICKS: Table[Clicked] = Table(
     "alone are in clicks/pose-N.csv, to be used with poses/pose-N.json.",
     (
         text("id", "measurement the clicks belong to", lambda c: f"m{c.measurement.id}", required=True),
-        *columns_within("measurement", *POINTS, *_INSET, *_SIDE, *_further_points(2)),
+        *columns_within("measurement", *POINTS, *INSET, *_SIDE, *_further_points(2)),
         *columns_within(
             "vehicle", text("lighting", "light at the time of the pass", enum=get_args(Lighting))
         ),
@@ -385,9 +307,7 @@ CLICKS: Table[Clicked] = Table(
             "known height of the target; empty where the model was chosen by size",
             _reference_height_m,
         ),
-        *columns_within(
-            "measurement.values", text("target", "what was measured", required=True, enum=TARGETS)
-        ),
+        *columns_within("measurement.values", *columns_for(MeasurementValues, "target")),
         *columns_within(
             "vehicle",
             text("category", "body of the vehicle", enum=get_args(Category)),

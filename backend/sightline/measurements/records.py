@@ -24,6 +24,7 @@ from sightline.enums import (
     Verdict,
 )
 from sightline.infra.audit.records import Who
+from sightline.infra.meaning import explained_as
 from sightline.messages.said import Said
 from sightline.vehicles.records import Vehicle
 
@@ -63,6 +64,7 @@ class ClickedFrames:
 
 
 @dataclass(frozen=True, kw_only=True)
+@explained_as("measurements")
 class Origin:
     """How the points on the first frame came about. `snapped_from_*`: where a person clicked before the
     contact went to the tyre that Sightline found there.
@@ -72,9 +74,7 @@ class Origin:
     """
 
     made: Made = "clicked"
-    snapped_from_x_px: Annotated[
-        float | None, Field(description="Where the contact was clicked before it went to the tyre found.")
-    ] = None
+    snapped_from_x_px: float | None = None
     snapped_from_y_px: float | None = None
     # in no answer: who clicks the next target of a vehicle measured free is not to see them
     proposal: Annotated[ProposalKept | None, Field(exclude=True)] = None
@@ -134,6 +134,7 @@ class BudgetPart(TypedDict):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+@explained_as("measurements")
 class FoundHeight:
     """One height with its uncertainty and budget, or why there is none (then every number is None).
 
@@ -147,16 +148,15 @@ class FoundHeight:
     U95_height_m: float | None
     inset_m: float | None
     u_inset_m: float | None
-    inset_from: Annotated[
-        InsetSource, Field(description="The survey's usual one, or this measurement's own.")
-    ]
-    side: Annotated[DriverSide | None, Field(description="Of an eye: where the driver sits.")]
+    inset_from: InsetSource
+    side: DriverSide | None
     distance_m: float | None
     budget: list[BudgetPart]
     flags: list[Said]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+@explained_as("measurements")
 class HeightOfClicks(FoundHeight):
     """A height of clicks on frames.
 
@@ -167,9 +167,9 @@ class HeightOfClicks(FoundHeight):
     """
 
     uncorrected_height_m: float | None
-    side_from: Annotated[SideBasis | None, Field(description="What `side` follows from.")]
-    x_m: Annotated[float | None, Field(description="Contact point along the road, from the pose's origin.")]
-    y_m: Annotated[float | None, Field(description="Contact point across the road, away from the camera.")]
+    side_from: SideBasis | None
+    x_m: float | None
+    y_m: float | None
     solved_inset_m: float | None = None
     u_solved_inset_m: float | None = None
     u_clicks_m: float | None = None
@@ -217,6 +217,7 @@ class FurtherFrame(ClickedFrame):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+@explained_as("measurements")
 class MeasurementValues(HeightOfClicks, Origin, ClickedFrames):
     """The content of one revision: what was clicked, on what, and the height computed from it.
 
@@ -232,15 +233,7 @@ class MeasurementValues(HeightOfClicks, Origin, ClickedFrames):
     contact: Point
     target_point: Point
     sigma_px: float
-    made: Annotated[
-        Made,
-        Field(
-            description="Of the first frame's points. clicked: by hand, the contact perhaps a proposed one "
-            "where no target was proposed; snapped: the contact went from a click to the tyre found there, "
-            "the target by hand; confirmed: both as proposed; moved: begun from proposed or found points, at "
-            "least one of the two put by a person."
-        ),
-    ] = field()
+    made: Made = field()
     pose_id: int
     calibration_id: int
     code_version: str
@@ -248,13 +241,7 @@ class MeasurementValues(HeightOfClicks, Origin, ClickedFrames):
         tuple[FurtherFrame, ...],
         Field(description="With any, the inset is solved for; `inset_m` is what one frame would assume."),
     ] = ()
-    followed: Annotated[
-        str | None,
-        Field(
-            description="Of a whole pass: JSON of the points followed from these through its frames "
-            "(docs/formats.md); then the inset is solved for."
-        ),
-    ] = None
+    followed: str | None = None
 
     @property
     def first_clicks(self) -> tuple[int, Point, Point]:
@@ -294,23 +281,23 @@ Content = TypeVar("Content", MeasurementValues, ScanHeightValues)
 
 
 @dataclass(frozen=True, kw_only=True)
+@explained_as("measurements")
 class RevisionFacts:
     """What every revision of a measurement has beside its values, in an answer too."""
 
-    id: Annotated[int, Field(description="The measurement of a target (a series of revisions).")]
+    id: int
     revision: int
     revision_id: int
     vehicle_id: int
     withdrawn: bool
-    computing_id: Annotated[
-        int | None, Field(description="What computed this revision again; the clicks are those before it.")
-    ]
+    computing_id: int | None
     created_by: Who | None
     created_at: datetime
     review: ReviewState
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+@explained_as("measurements")
 class Revision(RevisionFacts, Generic[Content]):
     """One revision of a measurement (`id` is the series), of a frame or of a line scan.
 
@@ -337,6 +324,7 @@ class Revision(RevisionFacts, Generic[Content]):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+@explained_as("measurements")
 class Measurement(Revision[MeasurementValues]):
     """One revision of a measurement on frames; lists and lookups give the current one."""
 
@@ -392,6 +380,7 @@ class ClickSigma:
 
 
 @dataclass(frozen=True, slots=True)
+@explained_as("vehicles")
 class VehicleInState(Vehicle):
     """A record and how far one has come with it."""
 

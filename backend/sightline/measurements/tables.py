@@ -14,10 +14,11 @@ from sqlalchemy import (
     UniqueConstraint,
 )
 
-from sightline.enums import ComputingKind, ReviewVerdict, Target
+from sightline.enums import Target
 from sightline.infra.audit.vouched import WrittenOnceApart, table_written_once, vouched_info
 from sightline.infra.database.types import HOLDS, CanonicalJson, columns_for, enum_check, numbered_table
-from sightline.measurements.records import HeightOfClicks, Origin
+from sightline.measurements.again.records import Computing
+from sightline.measurements.records import HeightOfClicks, Origin, Review
 
 # What stays the same over all revisions of one measurement; append-only like them.
 measurement_series = numbered_table(
@@ -46,16 +47,12 @@ computings = table_written_once(
     "computings",
     "computing",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
-    Column("kind", String(20), nullable=False),
-    # the one whose old heights this one put back
-    Column("undoes", ForeignKey("computings.id")),
-    Column("heights", Integer, nullable=False),
-    Column("to_review", Integer, nullable=False),
-    Column("kept", Integer, nullable=False),
-    Column("largest_m", Float),
-    Column("causes", CanonicalJson, nullable=False),
-    Column("code_version", String(60), nullable=False),
-    enum_check("kind", ComputingKind),
+    *columns_for(
+        Computing,
+        {"code_version": 60},
+        {"undoes": "computings.id"},
+        only="kind undoes heights to_review kept largest_m causes code_version",
+    ),
     CheckConstraint("(kind = 'undo') = (undoes IS NOT NULL)", name="undo_names_another"),
 )
 
@@ -147,13 +144,9 @@ reviews = table_written_once(
     "reviews",
     "review",
     Column("series_id", ForeignKey("measurement_series.id"), nullable=False),
-    Column("revision", Integer, nullable=False),
-    Column("result_revision", Integer, nullable=False),
-    Column("verdict", String(20), nullable=False),
-    Column("reason", Text),
+    *columns_for(Review, only="revision result_revision verdict reason"),
     # empty for a verdict on this measurement alone
     Column("lot_id", ForeignKey("lots.id"), index=True),
-    enum_check("verdict", ReviewVerdict),
     CheckConstraint("verdict <> 'rejected' OR reason IS NOT NULL", name="rejected_has_reason"),
     CheckConstraint("lot_id IS NULL OR verdict IN ('accepted', 'reopened')", name="lot_accepts_or_reopens"),
 )

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import math
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import fields
 from datetime import datetime
 from itertools import groupby
+from operator import itemgetter
 from typing import Any, cast
 
 from sightline.coverage import COVERAGE_95
@@ -19,11 +19,11 @@ from sightline.geometry.documents import pose_from_dict
 from sightline.geometry.road_pose import RoadPose
 from sightline.infra.audit.hashing import canonical_json, content_hash
 from sightline.infra.audit.records import Who
-from sightline.infra.csv_package.columns import CODE
 from sightline.infra.csv_package.files import Files, columns_lacking, read_columns, read_rows, read_whole
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.recomputing import Recomputing
-from sightline.infra.csv_package.schema import AnyTable, Table, cell_text
+from sightline.infra.csv_package.replay import Digests
+from sightline.infra.csv_package.schema import CODE, AnyTable
 from sightline.measurements.again.differences import Facts, facts_of
 from sightline.measurements.csv import (
     BUDGET,
@@ -72,26 +72,26 @@ _VERDICT = ("verdict", "review_reason", "reviewer_id", "reviewed_at", "verdict_b
 _ONLY_CURRENT = ("id", "filmed_at", "out_of_date", "operator_id", "clicked_at", *_VERDICT)
 
 
-@dataclass(eq=False)
 class MeasurementEvents:
-    """What the events say of measurements, as digests: `revisions` by (measurement, revision), `repeats` by
-    repeat, of its newest revision (as `table_of_repeats` has it), `budgets` of newest revisions;
+    """What the events say of measurements: `revisions` by measurement and revision, `repeats` (as
+    `table_of_repeats` has them) and `budgets` of the newest revision of each.
+
     `of_vehicle`: whose each measurement or repeat is; `follows_from`: target and facts of each, newest
     revision; `programs_of_repeats`: the version that computed each; `frames`: pts, time and CRC-32 of each
     frame clicked on, by (recording, frame). Of tables that the package has with other `headers` than this
     program, what both have is compared.
     """
 
-    table_of_repeats: Table[Measurement]
-    headers: Mapping[str, Collection[str]]
-    revisions: dict[tuple[int, int], bytes] = field(default_factory=dict)
-    repeats: dict[int, bytes] = field(default_factory=dict)
-    budgets: dict[int, bytes] = field(default_factory=dict)
-    of_vehicle: dict[int, int] = field(default_factory=dict)
-    follows_from: dict[int, tuple[Target, Facts]] = field(default_factory=dict)
-    frames: dict[tuple[int, int], list[str]] = field(default_factory=dict)
-    programs_of_repeats: dict[int, str] = field(default_factory=dict)
-    known: dict[str, frozenset[str]] = field(default_factory=dict, repr=False)
+    def __init__(self, table_of_repeats: AnyTable, headers: Mapping[str, Collection[str]]) -> None:
+        self.headers = headers
+        of_revisions = with_frames(REVISIONS, count_frames(headers.get(REVISIONS.key, ())))
+        self.revisions = Digests(of_revisions, headers.get(REVISIONS.key, ()))
+        self.repeats = Digests(table_of_repeats, headers.get(table_of_repeats.key, ()))
+        self.budgets = Digests(BUDGET, BUDGET.header)
+        self.of_vehicle: dict[int, int] = {}
+        self.follows_from: dict[int, tuple[Target, Facts]] = {}
+        self.frames: dict[tuple[int, int], list[str]] = {}
+        self.programs_of_repeats: dict[int, str] = {}
 
     def add(self, number: int, after: Mapping[str, Any]) -> None:
         """An event of a measurement; `after` with the person who did it as `by`. Raises Damaged."""
@@ -111,34 +111,11 @@ class MeasurementEvents:
                 )
         self.follows_from[number] = revision.values.target, facts_of(revision.values, revision.values.pose_id)
         if revision.repeat_of is not None:
-            self.repeats[number] = self._of_record(self.table_of_repeats, revision)
+            self.repeats.tell((number,), revision)
             self.programs_of_repeats[number] = revision.values.code_version
         else:
-            most = max(2, len(revision.values.frames))
-            self.revisions[number, revision.revision] = self._of_record(
-                with_frames(REVISIONS, most), revision
-            )
-            self.budgets[number] = _digest([cells_of(BUDGET, one) for one in budget_entries(revision)])
-
-    def _of_record(self, table: Table[Measurement], made: Measurement) -> bytes:
-        header = _without_words(self.headers[table.key])
-        return _digest({name: text for name, text in cells_of(table, made).items() if name in header})
-
-    def of_row(self, table: Table[Measurement], cells: Row) -> bytes:
-        """The digest of a row's cells that are not empty, as of the record that its event tells."""
-        known = self.known.get(table.key)
-        if known is None:
-            most = count_frames(self.headers[table.key])
-            header = frozenset(with_frames(table, most).header)
-            known = self.known[table.key] = header & _without_words(self.headers[table.key])
-        return _digest({name: text for name, text in cells.items() if text and name in known})
-
-
-def _without_words(header: Collection[str]) -> frozenset[str]:
-    """The columns but for words whose codes stand beside them: an event holds the codes, and later versions
-    word them otherwise. A package that has no codes was made of events that hold its words.
-    """
-    return frozenset(name for name in header if f"{name}{CODE}" not in header)
+            self.revisions.tell((number, revision.revision), revision)
+            self.budgets.tell((number,), *budget_entries(revision))
 
 
 def _revision_of_event(number: int, after: Mapping[str, Any]) -> Measurement:
@@ -187,13 +164,6 @@ def _as_stored(name: str, value: Any) -> Any:
     return int(value) if name == "pts" else value
 
 
-def cells_of(table: AnyTable, record: object) -> dict[str, str]:
-    """The cells of a record's row that are not empty, by column."""
-    columns = cast(Table[object], table).columns
-    found = {one.name: cell_text(one, one.of_object(record)) for one in columns}
-    return {name: text for name, text in found.items() if text}
-
-
 def check_measurements(
     files: Files,
     events: MeasurementEvents,
@@ -206,36 +176,44 @@ def check_measurements(
 
     Raises Damaged.
     """
-    revisions = groupby(read_rows(files, "revisions.csv"), key=lambda row: row["measurement_id"])
-    clicks = _Lockstep(files, "clicks.csv", "id")
-    of_poses: dict[str, _Lockstep] = {}
-    budget = _Budget(files, events.budgets)
+    revisions = _Along(files, REVISIONS.key, "measurement_id")
+    budgets = _Along(files, BUDGET.key, "measurement_id")
+    clicks = {CLICKS.key: _Along(files, CLICKS.key, "id")}
     filmings, vehicles = filmings_in(files), _OfVehicles(files)
     for current in read_rows(files, "measurements.csv"):
-        name, mine = next(revisions, ("", iter(())))
-        rows = list(mine)
-        if name != current["id"]:
-            raise Damaged("measurements-no-revisions", id=current["id"])
+        name = current["id"]
+        rows = revisions.of(name)
+        if not rows:
+            raise Damaged("measurements-no-revisions", id=name)
         for row in rows:
             heights.check(f"revisions.csv: {name}", row, row["code_version"])
             stored = heights.without_drift(f"revisions.csv: {name}", row, open_spans)
-            _by_event(events, stored, "revisions.csv", (int(name), int(row["revision"])))
+            key = int(name), int(row["revision"])
+            if key not in events.revisions:
+                raise Damaged(
+                    "measurements-revision-without-event", path=REVISIONS.key, key=key[0], key_2=key[1]
+                )
+            if not events.revisions.are_told(key, stored):
+                raise Damaged("measurements-event-differs", path=REVISIONS.key, key=key[0])
         _is_newest(current, rows[-1])
         _is_of_clicks(current, rows)
         _is_filmed(current, filmings.get(current["recording_id"]))
-        budget.check(current)
+        contributions = budgets.of(name)
+        _is_sum(current, contributions)
+        if not events.budgets.are_told((int(name),), *contributions):
+            raise Damaged("measurements-budget-differs", id=name)
         if current["withdrawn"] != "true":
             path = clicks_path(int(current["pose_id"]))
-            alone = of_poses.setdefault(path, _Lockstep(files, path, "id"))
-            for at, clicked in (("clicks.csv", clicks.next(f"m{name}")), (path, alone.next(f"m{name}"))):
+            clicks.setdefault(path, _Along(files, path, "id"))
+            for at in (CLICKS.key, path):
+                clicked, *others = clicks[at].of(f"m{name}") or ({},)
+                if others or not clicked:
+                    raise Damaged("measurements-row-misplaced", path=at, name=f"m{name}")
                 _same_clicks(at, clicked, current)
                 vehicles.check(at, clicked, current)
-    if next(revisions, None) is not None:
-        raise Damaged("measurements-row-missing")
-    budget.end()
-    for left in (clicks, *of_poses.values()):
-        left.end()
-    _nothing_left(events, is_gone)
+    for along in (revisions, budgets, *clicks.values()):
+        along.require_end()
+    events.revisions.require_none_left(lambda number: is_gone(events.of_vehicle[number]))
 
 
 class Recomputed:
@@ -377,17 +355,22 @@ def _is_filmed(row: Row, filming: Filming | None) -> None:
         raise Damaged("measurements-filmed-time", id=row["id"])
 
 
+def _is_sum(current: Row, contributions: Sequence[Row]) -> None:
+    """The root sum of squares of the contributions is the u of the height, and its U95 that expanded."""
+    total = math.sqrt(sum(float(row["u_m"]) ** 2 for row in contributions))
+    u_m, u95 = (figure_of(current[name]) or 0.0 for name in ("u_height_m", "U95_height_m"))
+    if math.fabs(u95 - COVERAGE_95 * u_m) > 2e-6:
+        raise Damaged("measurements-u95-wrong", id=current["id"])
+    if math.fabs(total - u_m) > 1e-6 * max(2, len(contributions)):
+        raise Damaged("measurements-budget-sum", id=current["id"], total=total, told=u_m)
+
+
 def _same_clicks(path: str, row: Row, current: Row) -> None:
+    """What a row of clicks has in common with its measurement is the same."""
+    expected = {**current, "id": row["id"], "pose_file": pose_path(int(current["pose_id"]))}
     for name in row:
-        given = name.endswith(("x_px", "y_px", "sigma_px", "inset_m")) or name in (
-            "pose_id",
-            "target",
-            "side",
-        )
-        if given and row[name] != current[name]:
+        if (name in expected or name.endswith("_px")) and row[name] != expected.get(name, ""):
             raise Damaged("measurements-value-differs", path=path, id=row["id"], name=name)
-    if row["pose_file"] != pose_path(int(row["pose_id"])):
-        raise Damaged("measurements-pose-file-differs", path=path, id=row["id"])
 
 
 class _OfVehicles:
@@ -420,81 +403,31 @@ class _OfVehicles:
                 raise Damaged("measurements-vehicle-differs", path=path, id=row["id"], name=name)
 
 
-class _Lockstep:
-    """A table that goes along with measurements.csv, row by row."""
+class _Along:
+    """The rows of a table that goes along with measurements.csv, by what they name it by."""
 
     def __init__(self, files: Files, path: str, key: str) -> None:
-        self._path, self._key = path, key
-        self._rows = read_rows(files, path)
+        self._path = path
+        self._name: str | None = None
+        self._groups = groupby(read_rows(files, path), key=itemgetter(key))
+        self._take()
 
-    def next(self, name: str) -> Row:
-        row = next(self._rows, None)
-        if row is None or row[self._key] != name:
-            found = "ends" if row is None else f"goes on with {row[self._key]}"
-            raise Damaged("measurements-row-misplaced", path=self._path, found=found, name=name)
-        return row
+    def _take(self) -> None:
+        self._name, rows = next(self._groups, (None, iter(())))
+        self._rows = list(rows)
 
-    def end(self) -> None:
-        row = next(self._rows, None)
-        if row is not None:
-            raise Damaged("measurements-row-added", path=self._path, row=row[self._key])
+    def of(self, name: str) -> list[Row]:
+        """The rows of one; none where others come first."""
+        if name != self._name:
+            return []
+        rows: list[Row] = [*self._rows]
+        self._take()
+        return rows
 
-
-class _Budget:
-    """budget.csv along with measurements.csv."""
-
-    def __init__(self, files: Files, told: Mapping[int, bytes]) -> None:
-        self._told = told
-        rows = read_rows(files, BUDGET.key)
-        self._groups = groupby(rows, key=lambda row: row["measurement_id"])
-        self._next = self._take()
-
-    def _take(self) -> tuple[str, list[Row]] | None:
-        found = next(self._groups, None)
-        return None if found is None else (found[0], list(found[1]))
-
-    def check(self, current: Row) -> None:
-        """The contributions are the event's, and their root sum of squares is the u of the height."""
-        mine: list[Row] = []
-        if self._next is not None and self._next[0] == current["id"]:
-            mine = [dict(row) for row in self._next[1]]
-            self._next = self._take()
-        total = math.sqrt(sum(float(row["u_m"]) ** 2 for row in mine))
-        u_m, u95 = (figure_of(current[name]) or 0.0 for name in ("u_height_m", "U95_height_m"))
-        if math.fabs(u95 - COVERAGE_95 * u_m) > 2e-6:
-            raise Damaged("measurements-u95-wrong", id=current["id"])
-        if math.fabs(total - u_m) > 1e-6 * max(2, len(mine)):
-            raise Damaged(
-                "measurements-budget-sum",
-                id=current["id"],
-                total=total,
-                told=u_m,
-            )
-        if self._told.get(int(current["id"])) != _digest(mine):
-            raise Damaged("measurements-budget-differs", id=current["id"])
-
-    def end(self) -> None:
-        if self._next is not None:
-            raise Damaged("measurements-budget-added", next=self._next[0])
-
-
-def _by_event(events: MeasurementEvents, stored: Mapping[str, str], path: str, key: tuple[int, int]) -> None:
-    digest = events.revisions.pop(key, None)
-    if digest is None:
-        raise Damaged("measurements-revision-without-event", path=path, key=key[0], key_2=key[1])
-    if digest != events.of_row(REVISIONS, stored):
-        raise Damaged("measurements-event-differs", path=path, key=key[0])
-
-
-def _nothing_left(events: MeasurementEvents, is_gone: Callable[[int], bool]) -> None:
-    """Every measurement that the chain tells of is there, those of deleted vehicles excepted."""
-    for number, revision in events.revisions:
-        if not is_gone(events.of_vehicle[number]):
-            raise Damaged(
-                "measurements-revision-missing",
-                revision=revision,
-                number=number,
-            )
+    def require_end(self) -> None:
+        """No row is left. Raises Damaged."""
+        if self._name is not None:
+            raise Damaged("measurements-row-added", path=self._path, row=self._name)
 
 
 def check_frames(files: Files, events: MeasurementEvents) -> None:
@@ -514,7 +447,3 @@ def check_frames(files: Files, events: MeasurementEvents) -> None:
         for id_, recording, frame, *said in read_columns(files, path, columns):
             if known.get((recording, frame)) != said:
                 raise Damaged("measurements-frame-differs", path=path, id=id_)
-
-
-def _digest(words: Any) -> bytes:
-    return hashlib.blake2b(canonical_json(words).encode(), digest_size=12).digest()

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import get_args
 
 from sightline.enums import BoardSide
-from sightline.infra.csv_package.columns import integer, key, metres, moment, number, person, text
+from sightline.infra.csv_package.columns import columns_for, integer, metres, number, text
 from sightline.infra.csv_package.schema import Cell, Table, ids_of
 from sightline.poses.records import Pose
 
@@ -28,13 +28,9 @@ POSES: Table[Pose] = Table(
     "poses",
     "Where the camera stood with respect to the road; the whole of each is in poses/pose-N.json.",
     (
-        key("id", "camera pose"),
-        integer("recording_id", "recording in which the board stood on the road"),
-        key("calibration_id", "calibration it was solved with"),
-        integer("first_frame", "first frame of the board's segment"),
-        integer("last_frame", "last frame of the board's segment"),
+        *columns_for(Pose, "id recording_id calibration_id first_frame last_frame"),
         integer("frames_used", "frames that entered the solution", lambda p: p.document.get("frames_used")),
-        number("rms_px", "RMS reprojection error of the corners", "px"),
+        *columns_for(Pose, "rms_px"),
         metres("board_distance_m", "from the camera's centre to the board", lambda p: p.distance_m),
         integer("board_columns", "inner corners in a row of the board", _of_board("columns")),
         integer("board_rows", "rows of inner corners", _of_board("rows")),
@@ -49,13 +45,10 @@ POSES: Table[Pose] = Table(
         number("u_lean_rad", "column-poses-u-lean-rad", "rad", _of_board("u_lean_rad")),
         metres("u_square_m", "standard uncertainty of the side of a square (k = 1)", _of_board("u_square_m")),
         metres("u_bow_m", "column-poses-u-bow-m", _of_board("u_bow_m")),
-        integer("turned_from", "the pose that this one was, before it was turned to the traffic"),
-        number("turned_by_rad", "by how much it was turned about the road's normal", "rad"),
-        integer("adjusted_from", "column-poses-adjusted-from"),
+        *columns_for(Pose, "turned_from turned_by_rad adjusted_from"),
         text("document", "column-poses-document", lambda p: pose_path(p.id), required=True),
-        person("created_by_id", "who made it"),
-        moment("created_at", "when it was made"),
+        *columns_for(Pose, "created_by_id created_at"),
     ),
     primary=("id",),
-    foreign=ids_of(calibration_id="calibrations", created_by_id="people"),
+    foreign=ids_of(calibration_id="calibrations"),
 )

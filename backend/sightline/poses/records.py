@@ -9,6 +9,7 @@ from typing_extensions import TypedDict
 from sightline.enums import JsonObject
 from sightline.geometry.ruler import DrawnAxes, Polyline
 from sightline.infra.audit.records import Who
+from sightline.infra.meaning import explained_as
 from sightline.messages.said import Said
 
 
@@ -38,6 +39,7 @@ class PoseOverlay(TypedDict):
 
 
 @dataclass(frozen=True, slots=True)
+@explained_as("poses")
 class PoseSummary:
     """`turned_from`: the pose that it was before it was turned about the road's normal by `turned_by_rad`,
     `adjusted_from`: before it was adjusted by its traffic.

@@ -5,9 +5,17 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import TypeVar, get_args
 
-from sightline.enums import DriftState, Lighting, StreetLighting
+from sightline.enums import DriftState
 from sightline.infra.csv_package.chain import stamp
-from sightline.infra.csv_package.columns import columns_within, flag, integer, key, metres, number, text
+from sightline.infra.csv_package.columns import (
+    columns_for,
+    columns_within,
+    flag,
+    integer,
+    metres,
+    number,
+    text,
+)
 from sightline.infra.csv_package.files import Files, read_columns, read_integer, undo_safe_text
 from sightline.infra.csv_package.files import number as figure
 from sightline.infra.csv_package.schema import Cell, Cells, Column, Table, ids_of
@@ -113,26 +121,13 @@ def started_column(
 
 
 _FACTS: tuple[Column[Recording], ...] = (
-    key("id", "recording"),
-    text("name", "name of the file", required=True),
-    text("sha256", "SHA-256 of the file"),
-    integer("size_bytes", "size of the file", unit="byte"),
-    integer("width_px", "width of a frame", unit="px"),
-    integer("height_px", "height of a frame", unit="px"),
-    integer("frame_count", "number of decoded frames"),
-    number("duration_s", "time from the first frame to the end of the last", "s"),
-    text("codec", "codec of the video stream"),
-    text("container", "container of the file"),
+    *columns_for(Recording, "id"),
+    *columns_for(Recording, "name", required=True),
+    *columns_for(Recording, "sha256 size_bytes width_px height_px frame_count duration_s codec container"),
     flag("variable_rate", "true where the time between frames varies", lambda r: r.vfr),
-    integer("stream_number", "which of the file's pictures was read, where it has several"),
-    number("filmed_hz", "frames per second when it was filmed, where a person had to state it", "Hz"),
-    text("lighting", "light in the recording", enum=get_args(Lighting)),
+    *columns_for(Recording, "stream_number filmed_hz lighting"),
     started_column("when its first frame was filmed", lambda r: r.started_at, lambda r: r.time_zone),
-    text("time_zone", "time zone of these times (IANA)"),
-    text("weather", "weather, in words"),
-    text("street_lighting", "whether the street lamps were on", enum=get_args(StreetLighting)),
-    integer("camera_id", "camera that filmed it"),
-    integer("pose_id", "current camera pose"),
+    *columns_for(Recording, "time_zone weather street_lighting camera_id pose_id"),
 )
 
 

@@ -8,6 +8,7 @@ from pydantic import Field
 
 from sightline.enums import JsonObject, Lighting, RecordingState, StreetLighting
 from sightline.infra.jobs.records import Job
+from sightline.infra.meaning import explained_as
 from sightline.messages.said import Said
 from sightline.recordings.drift import DriftChecks, DriftDecision
 from sightline.recordings.filming import Filming
@@ -32,6 +33,7 @@ class Facts:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+@explained_as("recordings")
 class RecordingFacts:
     """What is said of a video; facts None until ready. `started_at`: as said, by the clocks of its zone."""
 
@@ -54,12 +56,8 @@ class RecordingFacts:
     pose_id: int | None
     lighting: Lighting | None
     lighting_proposed: Lighting | None
-    stream_number: Annotated[
-        int | None, Field(description="Which of `pictures` is read, from 1; null where the file has one.")
-    ]
-    filmed_hz: Annotated[
-        float | None, Field(description="Frames per second when it was filmed, as a person stated.")
-    ]
+    stream_number: int | None
+    filmed_hz: float | None
     start_proposed: Annotated[
         datetime | None, Field(description="When it was begun, as its file states; for a person to confirm.")
     ]

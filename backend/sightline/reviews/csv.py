@@ -22,5 +22,5 @@ REVIEWS: Table[Review] = Table(
         *_GIVEN[2:],
     ),
     primary=("id",),
-    foreign=ids_of(measurement_id="measurements", lot_id="lots", reviewer_id="people"),
+    foreign=ids_of(measurement_id="measurements", lot_id="lots"),
 )

@@ -12,7 +12,6 @@ from sightline.enums import (
     LaneBy,
     Lighting,
     MeasurementStatus,
-    ScanDirection,
     ScanMethod,
     ScanSource,
     ScanVerdict,
@@ -20,6 +19,7 @@ from sightline.enums import (
 )
 from sightline.infra.audit.hashing import canonical_json
 from sightline.infra.csv_package.columns import (
+    columns_for,
     columns_within,
     integer,
     join_sentences,
@@ -40,7 +40,7 @@ from sightline.recordings.csv import started_column
 from sightline.scans.clock import Passing
 from sightline.scans.heights.csv import TABLES as HEIGHT_TABLES
 from sightline.scans.heights.csv import fill_heights
-from sightline.scans.records import Scan, ScanMeasurement, ScanReview, ScanValues
+from sightline.scans.records import Scan, ScanMeasurement, ScanReview, ScanValues, ScanVehicle
 from sightline.scans.references.csv import SCAN_REFERENCES, ListedReference, listed_references
 from sightline.scans.references.store import reference_history_of_scan, standing_references
 from sightline.scans.rig.csv import TABLES as RIG_TABLES
@@ -97,12 +97,7 @@ _RIG: tuple[Column[Rig], ...] = (
 _MOTION: tuple[Column[ScanMeasurement], ...] = (
     *columns_within(
         "values",
-        text(
-            "direction",
-            "which camera it reached first; speed and gaps are those at camera 1 all the same",
-            required=True,
-            enum=get_args(ScanDirection),
-        ),
+        *columns_for(ScanValues, "direction"),
         number("front_line_1", "line of strip 1 at which the front crosses camera 1, fractional, from 0"),
         number("rear_line_1", "line of strip 1 at which the rear crosses camera 1"),
         number("front_line_2", "line of strip 2 at which the front crosses camera 2"),
@@ -120,13 +115,9 @@ _MOTION: tuple[Column[ScanMeasurement], ...] = (
             lambda v: axle_words(v.axle_lines),
         ),
         text("axles_by", "who found the wheels", enum=get_args(AxlesBy)),
-        text("lane", "of the rig's lanes; empty: not known, or it has none"),
+        *columns_for(ScanValues, "lane"),
         text("lane_by", "who assigned the lane", enum=get_args(LaneBy)),
-        number(
-            "tyres_px",
-            "row of strip 1 at which its tyres meet the road, if the lane was assigned by it",
-            "px",
-        ),
+        *columns_for(ScanValues, "tyres_px"),
         metres(
             "u_boundaries_m",
             "what the doubt about boundaries that were found brings to u_length_m; 0 for a person's",
@@ -196,7 +187,7 @@ LINE_SCANS: Table[Scan] = Table(
         text("lighting", "lighting", enum=get_args(Lighting)),
         started_column("when line 0 was taken", lambda s: s.started_at, lambda s: s.time_zone),
         text("time_zone", "time zone of these times (IANA)"),
-        number("u_start_s", "standard uncertainty of started_at (k = 1)", "s"),
+        *columns_for(Scan, "u_start_s"),
         *said_columns("notes", "notes of the import, separated by semicolons"),
         moment("created_at", "when it was made"),
         text(
@@ -228,7 +219,7 @@ SCAN_VEHICLES: Table[ShownVehicle] = Table(
             metres("true_wheelbase_m", "the manufacturer's wheelbase"),
             metres("u_true_wheelbase_m", "standard uncertainty of the manufacturer's wheelbase (k = 1)"),
             text("facts_source", "where the manufacturer's values come from"),
-            text("run_of", "name of the car of which this is one run of several"),
+            *columns_for(ScanVehicle, "run_of"),
             text("lighting", "lighting, where it differs from the recording's"),
             text("notes", "notes"),
         ),
@@ -244,9 +235,7 @@ SCAN_VEHICLES: Table[ShownVehicle] = Table(
         *columns_within("vehicle.measurement", *_VERDICT, required=False),
     ),
     primary=("id",),
-    foreign=ids_of(
-        scan_id="line_scans", measurement_id="scan_measurements", created_by_id="people", reviewer_id="people"
-    ),
+    foreign=ids_of(scan_id="line_scans", measurement_id="scan_measurements"),
 )
 SCAN_MEASUREMENTS: Table[ScanMeasurement] = Table(
     "scan_measurements",
@@ -264,12 +253,7 @@ SCAN_MEASUREMENTS: Table[ScanMeasurement] = Table(
         ),
     ),
     primary=("id",),
-    foreign=ids_of(
-        vehicle_id="scan_vehicles",
-        verdict_of_id="scan_measurements",
-        created_by_id="people",
-        reviewer_id="people",
-    ),
+    foreign=ids_of(vehicle_id="scan_vehicles", verdict_of_id="scan_measurements"),
 )
 SCAN_REVIEWS: Table[ScanReview] = Table(
     "scan_reviews",
@@ -280,7 +264,7 @@ SCAN_REVIEWS: Table[ScanReview] = Table(
         *given_verdict(get_args(ScanVerdict)),
     ),
     primary=("id",),
-    foreign=ids_of(measurement_id="scan_measurements", reviewer_id="people"),
+    foreign=ids_of(measurement_id="scan_measurements"),
 )
 TABLES: tuple[Table[Any], ...] = (
     LINE_SCANS,

@@ -136,7 +136,7 @@ class StripPair:
     ]
     started_at: Annotated[datetime | None, Field(description="When line 0 was taken, as a person confirmed.")]
     time_zone: str | None
-    u_start_s: Annotated[float | None, Field(description="Standard uncertainty of `started_at` (k = 1).")]
+    u_start_s: Annotated[float | None, Field(description="Standard uncertainty of started_at (k = 1).")]
     counts: ScanCounts
     version: int
     created_by: Who | None
@@ -212,7 +212,12 @@ class FoundMotion:
 
     cause: Cause
     method: ScanMethod
-    direction: Annotated[ScanDirection, Field(description="Which camera it reached first.")]
+    direction: Annotated[
+        ScanDirection,
+        Field(
+            description="Which camera it reached first; speed and gaps are those at camera 1 all the same."
+        ),
+    ]
     front_line_1: float
     rear_line_1: float
     front_line_2: float
@@ -235,13 +240,11 @@ class FoundMotion:
         list[float] | None, Field(description="Of strip 1, at each wheel's hub; null: not looked for.")
     ]
     axles_by: AxlesBy | None
-    lane: Annotated[
-        str | None, Field(description="Of the rig's lanes; null: not known, or the rig has none.")
-    ]
+    lane: Annotated[str | None, Field(description="Of the rig's lanes; null: not known, or it has none.")]
     lane_by: LaneBy | None
     tyres_px: Annotated[
         float | None,
-        Field(description="Row of strip 1 at which its tyres meet the road; null: not looked for."),
+        Field(description="Row of strip 1 at which its tyres meet the road, if the lane was assigned by it."),
     ]
     status: MeasurementStatus
     reason: Said | None
@@ -317,7 +320,7 @@ class KnownOfScanned:
     true_wheelbase_m: float | None
     u_true_wheelbase_m: float | None
     facts_source: str | None
-    run_of: Annotated[str | None, Field(description="The name of the car of which it is one run.")]
+    run_of: Annotated[str | None, Field(description="Name of the car of which this is one run of several.")]
     lighting: Lighting | None
     notes: str
 

@@ -4,31 +4,26 @@ from sqlalchemy import (
     BigInteger,
     CheckConstraint,
     Column,
-    Float,
     ForeignKey,
     Index,
     Integer,
     String,
-    Text,
     UniqueConstraint,
 )
 
-from sightline.enums import CutAlong, Lighting, ScanSource, ScanState, ScanVerdict, TimeAxis, VehicleOrigin
 from sightline.infra.audit.vouched import table_changed_by_events, table_written_once
 from sightline.infra.database.types import (
     KEEPS_TIMES,
     NEEDS_MEDIA,
-    Saying,
-    UtcDateTime,
     columns_for,
-    enum_check,
     needs_media,
 )
 from sightline.linescan.parts import Rig
-from sightline.scans.records import KnownOfScanned, ScanRunValues, ScanValues
+from sightline.scans.records import KnownOfScanned, Scan, ScanReview, ScanRunValues, ScanValues, ScanVehicle
 from sightline.scans.references.records import ReferenceValues
 
 _VERSION = {"code_version": 60}
+_HASHES = {f"{which}_sha256": 64 for which in ("first", "second", "first_source", "second_source")}
 _TO_READ = needs_media(lambda its: its.state != "ready")
 
 # A pair of strips and the rig that took them. `first` is the camera that a vehicle reaches first.
@@ -36,42 +31,22 @@ scans = table_changed_by_events(
     "scans",
     "scan",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
-    Column("name", String(400), nullable=False),
-    Column("state", String(20), nullable=False),
-    Column("error", Saying),
     # two strips that were uploaded, or two pixel columns or rows of a video
-    Column("source", String(20), nullable=False),
+    *columns_for(Scan, {"name": 400}, only="name state error source"),
     Column("recording_id", ForeignKey("recordings.id"), index=True, info=KEEPS_TIMES),
-    Column("cut_along", String(20)),
-    Column("cut_1_px", Integer),
-    Column("cut_2_px", Integer),
-    Column("first_name", String(400)),
-    Column("second_name", String(400)),
+    *columns_for(Scan, only="cut_along cut_1_px cut_2_px"),
+    *columns_for(Scan, {"first_name": 400, "second_name": 400}, only="first_name second_name"),
     Column("first_source_key", String(400), info=_TO_READ),
     Column("second_source_key", String(400), info=_TO_READ),
-    Column("first_source_sha256", String(64)),
-    Column("second_source_sha256", String(64)),
-    Column("time_axis", String(20), nullable=False),
+    *columns_for(Scan, _HASHES, only="first_source_sha256 second_source_sha256 time_axis"),
     # the tiled form that everything is read from
     Column("first_key", String(400), info=NEEDS_MEDIA),
     Column("second_key", String(400), info=NEEDS_MEDIA),
-    Column("first_sha256", String(64)),
-    Column("second_sha256", String(64)),
-    Column("rows_px", Integer),
+    *columns_for(Scan, _HASHES, only="first_sha256 second_sha256 rows_px"),
     Column("lines", BigInteger),
-    Column("bits", Integer),
-    Column("notes", Saying, nullable=False),
+    *columns_for(Scan, only="bits notes"),
     *columns_for(Rig),
-    Column("lighting", String(20)),
-    # when line 0 was taken, as a person said, with the zone of the clocks and the uncertainty
-    Column("started_at", UtcDateTime),
-    Column("time_zone", String(60)),
-    Column("u_start_s", Float),
-    enum_check("state", ScanState),
-    enum_check("source", ScanSource),
-    enum_check("time_axis", TimeAxis),
-    enum_check("cut_along", CutAlong),
-    enum_check("lighting", Lighting),
+    *columns_for(Scan, {"time_zone": 60}, only="lighting started_at time_zone u_start_s"),
     CheckConstraint(
         "(started_at IS NULL) = (time_zone IS NULL) AND (started_at IS NULL) = (u_start_s IS NULL)",
         name="start_whole",
@@ -98,11 +73,9 @@ scan_vehicles = table_changed_by_events(
     "scan_vehicle",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("scan_id", ForeignKey("scans.id"), nullable=False),
-    Column("number", Integer, nullable=False),
-    Column("origin", String(20), nullable=False),
+    *columns_for(ScanVehicle, only="number origin"),
     *columns_for(KnownOfScanned, {"make": 100, "model": 200, "run_of": 100}),
     UniqueConstraint("scan_id", "number"),
-    enum_check("origin", VehicleOrigin),
 )
 
 # One row a revision of a vehicle's motion, with the rig that it was computed with; written once.
@@ -133,9 +106,7 @@ scan_reviews = table_written_once(
     "scan_review",
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("measurement_id", ForeignKey("scan_measurements.id"), nullable=False),
-    Column("verdict", String(20), nullable=False),
-    Column("reason", Text),
-    enum_check("verdict", ScanVerdict),
+    *columns_for(ScanReview, only="verdict reason"),
     CheckConstraint("verdict <> 'rejected' OR reason IS NOT NULL", name="rejected_has_reason"),
 )
 Index("ix_scan_reviews_measurement_id", scan_reviews.c.measurement_id)

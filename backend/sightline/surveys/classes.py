@@ -23,7 +23,9 @@ class VehicleClass:
     """What a survey makes of one class of vehicles."""
 
     category: Category
-    class_set: Annotated[ClassSet | None, Field(description="The set that it counts in; null: in none.")]
+    class_set: Annotated[
+        ClassSet | None, Field(description="The set of classes that it counts in; null: in none.")
+    ]
     eu: Annotated[tuple[EuClass, ...], Field(description="Its classes in the EU.")] = ()
     fhwa: Annotated[tuple[int, ...], Field(description="Its classes among FHWA's 13.")] = ()
 

@@ -4,13 +4,21 @@ from operator import itemgetter
 from typing import get_args
 
 from sightline.enums import AskedTarget, Category, ClassSet, InsetName, Lighting, SamplingMethod, StreetLamps
-from sightline.infra.csv_package.columns import columns_within, flag, integer, key, metres, number, text
+from sightline.infra.csv_package.columns import (
+    columns_for,
+    columns_within,
+    flag,
+    integer,
+    metres,
+    number,
+    text,
+)
 from sightline.infra.csv_package.files import Files, read_columns, read_rows, record_in, undo_safe_text
 from sightline.infra.csv_package.files import number as figure
 from sightline.infra.csv_package.schema import Table
 from sightline.statistics.sampling import Quota, Sampling
 from sightline.surveys.classes import VehicleClass
-from sightline.surveys.place import Place
+from sightline.surveys.place import PLACE, Place
 from sightline.surveys.records import Asked, Inset, Survey, insets_of
 
 #: A target and the inset that is in force for it.
@@ -20,22 +28,10 @@ SURVEY: Table[Survey] = Table(
     "survey",
     "The survey that this package is of: one row.",
     (
-        key("id", "survey, in the database that it comes from"),
-        text("name", "name of the survey", required=True),
-        text("site", "where it was filmed; a study takes surveys of one site as one cluster"),
-        text("description", "description of the survey"),
-        flag("simulated", "true: invented; no value of it describes real roads", required=True),
-        *columns_within(
-            "place",
-            number("latitude_deg", "latitude (WGS84), north positive", "deg"),
-            number("longitude_deg", "longitude (WGS84), east positive", "deg"),
-            text("road_class", "class of the road, in words"),
-            text("lane", "measured lane, in words"),
-            text("travel_direction", "travel direction, in words"),
-            number("speed_limit_mps", "speed limit", "m/s"),
-            text("street_lamps", "whether the road has street lamps", enum=get_args(StreetLamps)),
-            text("time_zone", "time zone of the site (IANA)"),
-        ),
+        *columns_for(Survey, "id"),
+        *columns_for(Survey, "name", required=True),
+        *columns_for(Survey, "site description simulated"),
+        *columns_within("place", *columns_for(Place, " ".join(PLACE))),
     ),
     primary=("id",),
 )
@@ -80,7 +76,7 @@ CLASSES: Table[VehicleClass] = Table(
     "The classes of vehicles: the set that each counts in, and what the EU and FHWA call it.",
     (
         text("category", "class", required=True, enum=get_args(Category)),
-        text("class_set", "the set of classes that it counts in; empty: in none", enum=get_args(ClassSet)),
+        *columns_for(VehicleClass, "class_set"),
         text(
             "eu_classes", "its classes in the EU (M1, N1 ...), a space between them", lambda c: " ".join(c.eu)
         ),

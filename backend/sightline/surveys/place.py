@@ -1,29 +1,28 @@
 """The place of a survey: where it lies, what road it is, and whose clocks are told."""
 
 from dataclasses import dataclass, replace
-from typing import Annotated
-
-from pydantic import Field
 
 from sightline.enums import StreetLamps
 from sightline.errors import BadInput
 from sightline.infra.local_time import zone_of
+from sightline.infra.meaning import explained_as
 
 _FASTEST_MPS = 60.0
 
 
 @dataclass(frozen=True, slots=True)
+@explained_as("survey")
 class Place:
     """Where a survey's site lies, what road it is, and whose clocks are told; null while nobody has said."""
 
-    latitude_deg: Annotated[float | None, Field(description="WGS84, north positive.")] = None
-    longitude_deg: Annotated[float | None, Field(description="WGS84, east positive.")] = None
+    latitude_deg: float | None = None
+    longitude_deg: float | None = None
     road_class: str | None = None
-    lane: Annotated[str | None, Field(description="Which lane is measured, in words.")] = None
-    travel_direction: Annotated[str | None, Field(description="Where its traffic goes, in words.")] = None
+    lane: str | None = None
+    travel_direction: str | None = None
     speed_limit_mps: float | None = None
     street_lamps: StreetLamps | None = None
-    time_zone: Annotated[str | None, Field(description="IANA; proposed for recordings.")] = None
+    time_zone: str | None = None
 
 
 PLACE: tuple[str, ...] = tuple(Place.__dataclass_fields__)

@@ -8,6 +8,7 @@ from typing import Any, get_args
 from sightline.enums import USUALLY_ASKED, AskedTarget, Lighting
 from sightline.geometry.insets import ROOF_OF_CLASS, USUAL_INSETS
 from sightline.geometry.sides import TrafficFacts
+from sightline.infra.meaning import explained_as
 from sightline.messages import say_or
 from sightline.statistics.sampling import Sampling
 from sightline.surveys.classes import VehicleClass
@@ -66,6 +67,7 @@ class Asked:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+@explained_as("survey")
 class SurveyContent:
     """What people say of a survey, but for its insets."""
 
@@ -80,6 +82,7 @@ class SurveyContent:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+@explained_as("survey")
 class SurveyFacts(SurveyContent):
     """A survey but for its insets; its progress: `results`."""
 

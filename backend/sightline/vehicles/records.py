@@ -23,6 +23,7 @@ from sightline.enums import (
     VehicleOrigin,
 )
 from sightline.infra.audit.records import Who
+from sightline.infra.meaning import explained_as
 from sightline.statistics.agreement import U_MANUFACTURER_M
 
 # The field that says why a target is not visible, by target.
@@ -68,6 +69,7 @@ def is_reference(chosen_by: str | None) -> bool:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+@explained_as("vehicles")
 class VehicleFields:
     """What people fill in of a vehicle, or the search for passes."""
 
@@ -77,16 +79,8 @@ class VehicleFields:
     make: str | None
     model: str | None
     year: int | None
-    model_chosen_by: Annotated[
-        ModelChosenBy | None,
-        Field(
-            description="size: the model was taken because it fits what was measured, so no height known of "
-            "it is a reference; seen: then it was recognised on the vehicle; null: neither."
-        ),
-    ]
-    model_sizes: Annotated[
-        str | None, Field(description="Of a model chosen by size: by which sizes, a space between them.")
-    ]
+    model_chosen_by: ModelChosenBy | None
+    model_sizes: str | None
     category: Category | None
     manufacturer_height_m: float | None
     u_manufacturer_height_m: float | None
@@ -103,33 +97,22 @@ class VehicleFields:
     known_other_m: float | None
     u_known_other_m: float | None
     known_other_source: str | None
-    check_target: Annotated[
-        bool,
-        Field(
-            description="A staff with marks, or a car with taped heights, to check the measuring: it has its "
-            "own row among the errors and counts in no distribution, quota or response."
-        ),
-    ]
+    check_target: bool
     lighting: Lighting | None
     notes: str
     origin: VehicleOrigin
-    direction: Annotated[
-        Direction | None, Field(description="Which way it goes in the picture, where that is known.")
-    ]
-    driver_side: Annotated[
-        DriverSide | None, Field(description="Where the driver sits, if somebody said so of this vehicle.")
-    ]
+    direction: Direction | None
+    driver_side: DriverSide | None
     roof_not_visible: NotVisible | None
     driver_eye_not_visible: NotVisible | None
     taillight_not_visible: NotVisible | None
     headlight_not_visible: NotVisible | None
-    discarded: Annotated[
-        Discarded | None, Field(description="Why it is no pass of a vehicle to be measured.")
-    ]
+    discarded: Discarded | None
     detection: Annotated[JsonObject | None, Field(description="What the search for passes saw of it.")]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+@explained_as("vehicles")
 class Vehicle(VehicleFields):
     """The facts of a record; its measurements are on its sheet (`measurements`)."""
 
@@ -147,28 +130,10 @@ class Vehicle(VehicleFields):
         tuple[AskedTarget, ...], Field(description="What the survey asks for of it, by its lighting.")
     ]
 
-    in_sample: Annotated[bool, Field(description="Whether the survey's rule takes it into the sample.")]
-    counts: Annotated[
-        bool,
-        Field(
-            description="Whether its heights count in results: no check target, and in the sample, unless "
-            "the survey counts others too."
-        ),
-    ]
-    first_s: Annotated[
-        float | None,
-        Field(
-            description="Seconds from the recording's first frame to that of the pass, of the frame table; "
-            "null where the recording has none."
-        ),
-    ]
-    filmed_at: Annotated[
-        str | None,
-        Field(
-            description="When its first frame was filmed, by the clocks of the place, ISO 8601 with offset: "
-            "`first_s` after the start of the recording. Null until a person has confirmed that start."
-        ),
-    ]
+    in_sample: bool
+    counts: bool
+    first_s: float | None
+    filmed_at: str | None
 
     @property
     def reference_m(self) -> float | None:

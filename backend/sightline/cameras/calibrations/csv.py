@@ -16,7 +16,7 @@ from sightline.infra.csv_package.columns import (
     person,
     text,
 )
-from sightline.infra.csv_package.schema import Cell, Column, Table, ids_of
+from sightline.infra.csv_package.schema import Cell, Column, Table
 
 
 def calibration_path(calibration_id: int) -> str:
@@ -80,5 +80,4 @@ CALIBRATIONS: Table[NamedCalibration] = Table(
         ),
     ),
     primary=("id",),
-    foreign=ids_of(created_by_id="people"),
 )

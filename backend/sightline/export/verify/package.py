@@ -28,7 +28,7 @@ from sightline.export.verify.derived import check_drawn, check_page_again, check
 from sightline.export.verify.described import check_description, read_description
 from sightline.infra.audit.checkpoints import checkpoint_problem
 from sightline.infra.audit.records import AuditHead, survey_chain
-from sightline.infra.csv_package.columns import CODE, check_words
+from sightline.infra.csv_package.columns import check_words
 from sightline.infra.csv_package.files import (
     Files,
     InFolder,
@@ -42,7 +42,7 @@ from sightline.infra.csv_package.files import (
     sum_of,
 )
 from sightline.infra.csv_package.forms import check_forms, read_json
-from sightline.infra.csv_package.schema import CHECKSUMS, Written
+from sightline.infra.csv_package.schema import CHECKSUMS, CODE, Written
 from sightline.infra.csv_package.verify import check_keys
 from sightline.measurements.csv import CLICKS, CLICKS_FOLDER, REVISIONS
 from sightline.messages import say

@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from datetime import datetime
 from operator import attrgetter
-from typing import Any
+from typing import Any, get_args
 
 from typing_extensions import TypeVar
 
@@ -15,14 +15,58 @@ from sightline.errors import Damaged
 from sightline.infra.audit.hashing import canonical_json
 from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.files import Files, read_columns, undo_safe_text
-from sightline.infra.csv_package.schema import Cell, Column, Row, utc_text
+from sightline.infra.csv_package.schema import CODE, Cell, Column, Row, utc_text
+from sightline.infra.meaning import Told, read_fields
 from sightline.messages import SOURCE
 from sightline.messages.said import Said
 
-#: The end of the name of a column with the codes of the words in the column without it.
-CODE = "_code"
 R = TypeVar("R", default=Row)
 Getter = Callable[[R], Cell]
+
+
+#: The unit of a number by the end of its name.
+_UNITS = {
+    "m": "m",
+    "px": "px",
+    "s": "s",
+    "hz": "Hz",
+    "mps": "m/s",
+    "mps2": "m/s2",
+    "rad": "rad",
+    "deg": "deg",
+    "percent": "%",
+    "bytes": "byte",
+}
+_KINDS: dict[type, str] = {int: "integer", float: "number", str: "string", bool: "boolean"}
+
+
+def columns_for(
+    record: type[Any], names: str, *, required: bool = False, minimum: float | None = None
+) -> tuple[Column[Any], ...]:
+    """A column for each of a record's fields named here, with a blank between: type, words, unit and meaning
+    are the field's (`infra/meaning.py`).
+
+    `required`: texts are never empty; what is no text is required where the field is never None.
+    """
+    told = read_fields(record)
+    return tuple(one for name in names.split() for one in _columns_for(name, told, required, minimum))
+
+
+def _columns_for(
+    name: str, told: Mapping[str, Told], required: bool, minimum: float | None
+) -> tuple[Column[Any], ...]:
+    field = told[name.removesuffix("_id") if name not in told else name]
+    if field.kind is Who:
+        return (person(name, field.says),)
+    if field.kind is datetime:
+        return (replace(moment(name, field.says), says=field.says),)
+    if Said in (field.kind, *get_args(field.kind)):
+        return said_columns(name, field.says)
+    words = get_args(field.kind)
+    kind = "string" if words else _KINDS[field.kind]
+    unit = _UNITS.get(name.rpartition("_")[2], "") if kind in ("integer", "number") else ""
+    always = not field.optional and (required or field.kind is not str)
+    return (Column(name, kind, field.says, unit=unit, required=always, enum=words, minimum=minimum),)
 
 
 def integer(
@@ -61,12 +105,10 @@ def metres(name: str, meaning: str, of: Getter[R] | None = None, *, required: bo
     return number(name, meaning, "m", of, required=required)
 
 
-def pixel(
-    name: str, meaning: str, of: Getter[R] | None = None, *, of_what: str = "", required: bool = True
-) -> Column[R]:
-    """A coordinate in a picture; `of_what`: "crop's" where it is not the frame."""
-    words = f"{meaning}; (0, 0) is the centre of the {of_what}top-left pixel"
-    return number(name, words, "px", of, required=required)
+def pixel(name: str, meaning: str, of: Getter[R] | None = None) -> Column[R]:
+    """A coordinate in a frame."""
+    words = f"{meaning}; (0, 0) is the centre of the top-left pixel"
+    return number(name, words, "px", of, required=True)
 
 
 def text(
@@ -100,7 +142,7 @@ def person(name: str, meaning: str, of: Callable[[R], Who | None] | None = None)
         who = given(record)
         return None if who is None else who.id
 
-    return integer(name, meaning, number_of)
+    return replace(integer(name, meaning, number_of), table="people")
 
 
 def join_sentences(words: Iterable[str]) -> str:

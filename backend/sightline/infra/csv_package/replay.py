@@ -4,15 +4,17 @@ A slice declares each of its tables of rows that events make (`Replayed`); what 
 and what is computed again, it checks by itself on the rows that were held.
 """
 
+import hashlib
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, cast
 
 from sightline.errors import Damaged
+from sightline.infra.audit.hashing import canonical_json
 from sightline.infra.csv_package.chain import Event, stamp
 from sightline.infra.csv_package.files import Files, read_rows
-from sightline.infra.csv_package.schema import AnyTable, Column, Table, cell_text
+from sightline.infra.csv_package.schema import CODE, AnyTable, Column, Table, cell_text
 
 #: What the events say of one row, by their own words, with `id`, `deleted`, `created_by_id` (who did the
 #: first), and of the last `actor_id` and `event`, its number.
@@ -77,6 +79,53 @@ class Replay:
     def hold(self, files: Files, replayed: Replayed) -> Iterator[Row]:
         """The rows of a table, each as its events say (`hold`). Raises Damaged."""
         return hold(files, replayed.table, map(replayed.cells, self.standing(replayed.entity)))
+
+
+class Digests:
+    """What events say of the rows of a table of which a package may have a million: a digest of each, by its
+    key, which begins with the entity's number.
+
+    `header`: the columns that the package has. Words whose codes stand beside them are not compared: an event
+    holds the codes, and later versions word them otherwise.
+    """
+
+    def __init__(self, table: AnyTable, header: Collection[str]) -> None:
+        self._path = table.key
+        self._columns = [
+            one for one in table.columns if one.name in header and f"{one.name}{CODE}" not in header
+        ]
+        self._told: dict[tuple[int, ...], bytes] = {}
+
+    def __contains__(self, key: object) -> bool:
+        return key in self._told
+
+    def tell(self, key: tuple[int, ...], *records: Any) -> None:
+        """An event says a row of this key, or several; what was said of it before holds no longer."""
+        cells = [cell_text(one, one.of_object(record)) for record in records for one in self._columns]
+        self._told[key] = _digest(cells)
+
+    def are_told(self, key: tuple[int, ...], *rows: Mapping[str, str]) -> bool:
+        """Whether the rows of a key, which is not asked for again, are those that its event says."""
+        cells = [row.get(one.name, "") for row in rows for one in self._columns]
+        return self._told.pop(key, None) == _digest(cells)
+
+    def hold(self, key: tuple[int, ...], row: Mapping[str, str]) -> None:
+        """A row of the package is the one that its event says. Raises Damaged."""
+        said = " ".join(map(str, key))
+        if key not in self:
+            raise Damaged("csv_package-row-without-event", path=self._path, key=said)
+        if not self.are_told(key, row):
+            raise Damaged("csv_package-event-differs", path=f"{self._path}: row {said}")
+
+    def require_none_left(self, is_gone: Callable[[int], bool]) -> None:
+        """Every row that an event says was held, but for those of deleted ones. Raises Damaged."""
+        for key in self._told:
+            if not is_gone(key[0]):
+                raise Damaged("csv_package-row-missing", path=self._path, key=" ".join(map(str, key)))
+
+
+def _digest(cells: list[str]) -> bytes:
+    return hashlib.blake2b(canonical_json(cells).encode(), digest_size=12).digest()
 
 
 def hold(

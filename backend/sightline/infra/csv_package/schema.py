@@ -31,6 +31,8 @@ Record = TypeVar("Record", contravariant=True, default=Row)
 #: by their own description. Format 1 stated no number; up to format 2 the tables of `TABLES` lay in the root.
 FORMAT = 3
 CHECKSUMS = "SHA256SUMS"
+#: The end of the name of a column with the codes of the words in the column without it.
+CODE = "_code"
 DESCRIPTION = "datapackage.json"
 TABLES, PARQUET = "tables/", "parquet/"
 _JSON_FORM = (
@@ -58,6 +60,8 @@ class Column(Generic[Record]):
     enum: tuple[str, ...] = ()
     minimum: float | None = None
     of: Callable[[Record], Cell] | None = field(default=None, compare=False, kw_only=True)
+    #: The table whose `id` it holds, where its kind says that.
+    table: str = field(default="", compare=False, kw_only=True)
 
     @cached_property
     def meaning(self) -> str:
@@ -94,7 +98,9 @@ class Column(Generic[Record]):
 
 @dataclass(frozen=True)
 class Table(Generic[Record]):
-    """One CSV file of the package; `foreign` is (my columns, table, its columns)."""
+    """One CSV file of the package; `foreign` is (my columns, table, its columns), those of columns that say
+    their table too.
+    """
 
     name: str
     meaning: str
@@ -103,6 +109,11 @@ class Table(Generic[Record]):
     foreign: tuple[tuple[tuple[str, ...], str, tuple[str, ...]], ...] = ()
 
     folder: str = TABLES
+
+    def __post_init__(self) -> None:
+        held = ids_of(**{one.name: one.table for one in self.columns if one.table})
+        more = (one for one in held if one not in self.foreign)
+        object.__setattr__(self, "foreign", (*self.foreign, *more))
 
     @property
     def path(self) -> str:

@@ -167,16 +167,18 @@ def columns_for(
     lengths: Mapping[str, int] = {},
     keys: Mapping[str, str] = {},
     *,
+    only: str = "",
     left_out: Collection[str] = (),
 ) -> Iterator[Column[Any] | CheckConstraint]:
-    """A column for each field of a record, by its type, with a check for each that is one of some words.
+    """A column for each field of a record, by its type, with a check for each that is one of some words: for
+    all, or for those named in `only`, with a blank between.
 
     `lengths`: the most characters of texts by name, of others there is no limit; `keys`: which column of
     another table a field names; `left_out`: fields that are no such columns.
     """
-    for name, hint in get_type_hints(record).items():
-        if name in left_out:
-            continue
+    hints = get_type_hints(record)
+    for name in only.split() or [name for name in hints if name not in left_out]:
+        hint = hints[name]
         of = get_args(hint) if NoneType in get_args(hint) else (hint,)
         kind = next(one for one in of if one is not NoneType)
         plain = ForeignKey(keys[name]) if name in keys else _kind_for(kind, lengths.get(name))

@@ -2,9 +2,17 @@
 
 from typing import Any, get_args
 
-from sightline.enums import ComputingCause, ComputingKind
-from sightline.infra.csv_package.columns import integer, join_sentences, key, metres, moment, person, text
-from sightline.infra.csv_package.schema import Column, Table, ids_of
+from sightline.enums import ComputingCause
+from sightline.infra.csv_package.columns import (
+    columns_for,
+    integer,
+    join_sentences,
+    key,
+    moment,
+    person,
+    text,
+)
+from sightline.infra.csv_package.schema import Column, Table
 from sightline.measurements.again.records import Computing
 
 _CAUSES: tuple[tuple[ComputingCause, str], ...] = (
@@ -37,32 +45,13 @@ COMPUTINGS: Table[Computing] = Table(
     "in revisions.csv and in line_heights.csv, and the height before stands in the revision before.",
     (
         key("id", "the computing"),
-        text(
-            "kind",
-            "asked for; after the driver's side was told; after an adjustment; or an undo of another",
-            required=True,
-            enum=get_args(ComputingKind),
-        ),
-        integer("undoes", "of an undo: the computing whose earlier heights it restored"),
-        integer("heights", "how many revisions it made", required=True, minimum=0),
-        integer(
-            "to_review",
-            "how many of them moved by more than the u they had, so that their verdict no longer held",
-            required=True,
-            minimum=0,
-        ),
-        integer(
-            "kept",
-            "of an undo: how many were changed since and stayed as they were",
-            required=True,
-            minimum=0,
-        ),
-        metres("largest_m", "the largest change of a height"),
+        *columns_for(Computing, "kind undoes"),
+        *columns_for(Computing, "heights to_review kept", minimum=0),
+        *columns_for(Computing, "largest_m"),
         *(_of_cause(cause, meaning) for cause, meaning in _CAUSES),
         text("code_version", "version of the program", required=True),
         person("created_by_id", "who asked for it"),
         moment("created_at", "when"),
     ),
     primary=("id",),
-    foreign=ids_of(created_by_id="people"),
 )

@@ -17,11 +17,25 @@ class Computing:
 
     id: int
     survey_id: int
-    kind: ComputingKind
-    undoes: Annotated[int | None, Field(description="The one whose old heights this one put back.")]
+    kind: Annotated[
+        ComputingKind,
+        Field(
+            description="Asked for; after the driver's side was told; after an adjustment; or an undo of "
+            "another."
+        ),
+    ]
+    undoes: Annotated[
+        int | None, Field(description="Of an undo: the computing whose earlier heights it restored.")
+    ]
     undone_by: Annotated[int | None, Field(description="The one that put its old heights back.")]
     heights: Annotated[int, Field(description="How many revisions it made, those of repeats among them.")]
-    to_review: Annotated[int, Field(description="How many moved by more than the u they had.")]
+    to_review: Annotated[
+        int,
+        Field(
+            description="How many of them moved by more than the u they had, so that their verdict no longer "
+            "held."
+        ),
+    ]
     kept: Annotated[int, Field(description="Of an undo: how many were changed since, and stay as they are.")]
     largest_m: Annotated[float | None, Field(description="The largest change of a height.")]
     causes: Annotated[dict[ComputingCause, int], Field(description="How many followed from what.")]

@@ -28,5 +28,5 @@ WHEEL_PAIRS: Table[WheelPair] = Table(
         moment("created_at", "when it was stored"),
     ),
     primary=("id",),
-    foreign=ids_of(vehicle_id="vehicles", recording_id="recordings", created_by_id="people"),
+    foreign=ids_of(vehicle_id="vehicles", recording_id="recordings"),
 )

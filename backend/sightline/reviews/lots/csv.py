@@ -91,7 +91,6 @@ LOTS: Table[Lot] = Table(
         moment("decided_at", "when", lambda lot: lot.decision.created_at if lot.decision else None),
     ),
     primary=("id",),
-    foreign=ids_of(operator_id="people", created_by_id="people", decided_by_id="people"),
 )
 
 LOT_ITEMS: Table[ItemOfLot] = Table(

@@ -2,9 +2,9 @@
 
 from sqlalchemy import CheckConstraint, Column, ForeignKey, Integer, String, UniqueConstraint
 
-from sightline.enums import LotChoice
 from sightline.infra.audit.vouched import WrittenOnceApart, table_written_once, vouched_info
-from sightline.infra.database.types import CanonicalJson, columns_for, enum_check, numbered_table
+from sightline.infra.database.types import CanonicalJson, columns_for, numbered_table
+from sightline.reviews.lots.records import Decision, Lot
 from sightline.statistics.acceptance import RiskPoints
 
 # Heights of a survey that are judged by a sample. The audit event names its items and binds the draw.
@@ -15,9 +15,7 @@ lots = table_written_once(
     Column("number", Integer, nullable=False),
     # what its heights have in common: {target, lighting, operator_id, day}, those that were asked for
     Column("common", CanonicalJson, nullable=False),
-    Column("size", Integer, nullable=False),
-    Column("sample_size", Integer, nullable=False),
-    Column("acceptance_number", Integer, nullable=False),
+    *columns_for(Lot, only="size sample_size acceptance_number"),
     *columns_for(RiskPoints),
     Column("seed", String(64), nullable=False),
     UniqueConstraint("survey_id", "number"),
@@ -43,11 +41,5 @@ lot_decisions = table_written_once(
     "lot_decisions",
     "lot_decision",
     Column("lot_id", ForeignKey("lots.id"), nullable=False, index=True),
-    Column("choice", String(20), nullable=False),
-    Column("judged", Integer, nullable=False),
-    Column("nonconforming", Integer, nullable=False),
-    Column("rest", Integer, nullable=False),
-    Column("sample", CanonicalJson, nullable=False),
-    Column("left_out", CanonicalJson, nullable=False),
-    enum_check("choice", LotChoice),
+    *columns_for(Decision, only="choice judged nonconforming rest sample left_out"),
 )

@@ -98,7 +98,7 @@ LINE_POSES: Table[StoredLinePose] = Table(
         moment("created_at", _MADE_AT),
     ),
     primary=("id",),
-    foreign=ids_of(scan_id="line_scans", created_by_id="people"),
+    foreign=ids_of(scan_id="line_scans"),
 )
 LINE_MARKS: Table[RodMark] = Table(
     "line_marks",
@@ -189,8 +189,6 @@ LINE_HEIGHTS: Table[ListedHeight] = Table(
         pose_id="line_poses",
         computing_id="computings",
         verdict_of_id="line_heights",
-        created_by_id="people",
-        reviewer_id="people",
     ),
 )
 
@@ -204,7 +202,7 @@ LINE_HEIGHT_REVIEWS: Table[JudgedHeight] = Table(
         *columns_within("review", *given_verdict(get_args(ScanVerdict))),
     ),
     primary=("id",),
-    foreign=ids_of(height_id="line_heights", reviewer_id="people"),
+    foreign=ids_of(height_id="line_heights"),
 )
 LINE_BUDGET: Table[HeightBudgetEntry] = Table(
     "line_height_budget",

@@ -77,7 +77,7 @@ SCAN_REFERENCES: Table[ListedReference] = Table(
         ),
     ),
     primary=("id",),
-    foreign=ids_of(vehicle_id="scan_vehicles", created_by_id="people"),
+    foreign=ids_of(vehicle_id="scan_vehicles"),
 )
 #: The columns that follow from others.
 FOLLOWING = ("current", "unit", "difference", "u_difference", "U95_difference", "E_n", "within")

@@ -92,7 +92,7 @@ RIG_CALIBRATIONS: Table[StoredRigCalibration] = Table(
         moment("created_at", "when it was stored"),
     ),
     primary=("id",),
-    foreign=ids_of(scan_id="line_scans", created_by_id="people"),
+    foreign=ids_of(scan_id="line_scans"),
 )
 RIG_PASSES: Table[ListedPass] = Table(
     "rig_passes",

@@ -4,7 +4,7 @@ from operator import itemgetter
 
 from sightline.infra.csv_package.columns import columns_within, integer, key, moment, person, text
 from sightline.infra.csv_package.files import Files, read_rows, read_whole, undo_safe_text
-from sightline.infra.csv_package.schema import Table, ids_of
+from sightline.infra.csv_package.schema import Table
 from sightline.surveys.photographs.records import Photograph, PhotographFile
 
 FOLDER = "photographs/"
@@ -38,7 +38,6 @@ PHOTOGRAPHS: Table[Placed] = Table(
         ),
     ),
     primary=("id",),
-    foreign=ids_of(created_by_id="people"),
 )
 
 
