@@ -44,8 +44,8 @@ class Sampled:
         return np.asarray(student_draws(self.freedom) * np.sqrt(self.variance), dtype=np.float64)
 
     def other_draws(self) -> Floats:
-        """Draws (D,) beside `draws` of an error of the same variance, uncorrelated with it: of two normal ones
-        over the same estimate of their variance, the second given the first (Ding 2016).
+        """Draws (D,) beside `draws` of an error of the same variance, uncorrelated with it: of two normal
+        ones over the same estimate of their variance, the second given the first (Ding 2016).
         """
         first, more = student_draws(self.freedom), student_draws(self.freedom + 1.0)[OTHER]
         wider = np.sqrt((self.freedom + first**2) / (self.freedom + 1.0))

@@ -479,7 +479,7 @@ class TotalUncertainty:
         outermost, middle = float(scipy.special.ndtri(0.5 / n)), float(scipy.special.ndtri(p))
         score[low] = outermost - (scipy.special.ndtri(1.0 - LEVELS[low] ** (1.0 / n)) - middle)
         score[high] = -outermost + (middle - scipy.special.ndtri((1.0 - LEVELS[high]) ** (1.0 / n)))
-        return score
+        return np.asarray(score, dtype=np.float64)
 
     def _correction_m(self, p: float, density: SmoothDensity) -> float:
         """What is to be added for random errors at p, metres, no more than if all spread were theirs: by
