@@ -177,7 +177,7 @@ def main(worlds: list[World], samples: int, seed: int, write: bool) -> int:
 
 
 def show_gaps(samples: int, seed: int, write: bool) -> int:
-    """P50, P85, P90 and P95 with and without a gap between two kinds of vehicles, by the number of sites."""
+    """P5 to P95 with and without a gap between two kinds of vehicles, by the number of sites."""
     percents = (5.0, 50.0, 85.0, 90.0, 95.0)
     names = " | ".join(f"P{p:g}" for p in percents)
     lines = [
@@ -188,9 +188,8 @@ def show_gaps(samples: int, seed: int, write: bool) -> int:
     for world in GAPS:
         held, _, half = coverage(world, samples, seed, percents)
         *shares, wide = *(f"{one:.3f}" for one in held[: len(percents)]), f"{half[len(percents) - 1]:.0f}"
-        lines.append(
-            " | ".join([f"| {world.fleet}", f"{world.lorries_sd:g}", str(world.sites), *shares, wide, "|"])
-        )
+        cells = [world.fleet, f"{world.lorries_sd:g}", str(world.sites), *shares, wide]
+        lines.append(f"| {' | '.join(cells)} |")
         print(lines[-1], flush=True)
     if write:
         told = f"{samples} samples each, seed {seed}: a share has a standard error of {_error(samples):.3f}."
@@ -331,7 +330,8 @@ gives the share below (within sites that of p (1 - p), between them what they di
 laid off from Φ⁻¹(p) on the scale of scores and read as heights there. Every distribution is normal on that
 scale: where heights are normal the limits are those of the linear influence, and those of any other are their
 image; where sites differ in nothing, a percentile in a gap is held as often as one of normal heights. Beyond
-the outermost height the scale is that of a normal distribution through it and the median.
+the outermost height the scale is that of a normal distribution through it and the median, no wider than at
+the percentile.
 
 Errors of pose and clicks that a site shares move heights, not ranks. They make the part b² of the variance σ²
 between sites (their known u). With T and T' a pair of Student's t over one estimate of σ (Ding 2016), the

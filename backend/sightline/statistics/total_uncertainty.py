@@ -301,9 +301,9 @@ class TotalUncertainty:
         return _Confidence(at + correction, at + correction + error, sampled.variance * self.n / plain_m2)
 
     def _draws(self, by_design: Sampled, p: float, slope: float) -> Floats:
-        """Draws (D,) of percentile p of the measured heights by its design, metres (docs/proofs.md,
-        "Inversion"): errors of its rank, on the scale of normal scores, on which the distribution has neither
-        gap nor bend, are carried to heights by the sample's own quantiles (Woodruff 1952); what shared errors
+        """Draws (D,) of percentile p of the measured heights by its design, metres: errors of its rank, on the
+        scale of normal scores, on which no distribution has a gap or a bend, are carried to heights by the
+        sample's own quantiles (Woodruff 1952; docs/proofs.md, "Percentiles in a gap"); what shared errors
         move the sites by moves heights as it is.
 
         Without sites the scores are those of order statistics, as much wider as the design makes them; with
@@ -314,14 +314,14 @@ class TotalUncertainty:
         plain = np.sqrt(p * (1.0 - p) / n) / (slope * per_score)  # standard error of the score
         if not self._drawn.compares_sites:
             wider = by_design.variance * (n - 1.0) / (n * (plain * per_score) ** 2)
-            return self._height_at(place + (ranked - place) * np.sqrt(max(wider, 0.0)))
+            return self._height_at(place + (ranked - place) * np.sqrt(max(wider, 0.0)), per_score)
         low, high = ends_of(ranked - place)
         deviate, other = by_design.draws(), by_design.other_draws()
         longer = np.where(deviate < 0.0, -low, high) / (COVERAGE_95 * plain)
         deviate = deviate * np.sqrt(by_design.within * longer**2 + 1.0 - by_design.within)
         of_shift = by_design.shift
         moved = of_shift * deviate - np.sqrt(of_shift * (1.0 - of_shift)) * other
-        return self._height_at(place + (deviate - moved) / per_score) + moved
+        return self._height_at(place + (deviate - moved) / per_score, per_score) + moved
 
     def named_effects_m(self, percent: float) -> dict[int, float]:
         """What one standard uncertainty of each error that other samples know (a road pose's) moves a
@@ -450,9 +450,10 @@ class TotalUncertainty:
         rank = p + (p - 0.5) / (3.0 * self._n)
         return float(scipy.special.ndtri(np.clip(rank, self._middle[0], self._middle[-1])))
 
-    def _height_at(self, score: Floats) -> Floats:
+    def _height_at(self, score: Floats, steepest: float) -> Floats:
         """The measured heights of normal scores (D,), metres: those at the ranks of which these are scores;
-        beyond the outermost height those of a normal distribution through it and the median.
+        beyond the outermost height those of a normal distribution through it and the median, no wider than
+        `steepest`, metres per score.
         """
         heights, middle = self._height_m, self._middle
         found = np.interp(scipy.special.ndtr(score), middle, heights)
@@ -460,7 +461,7 @@ class TotalUncertainty:
         for outermost, end in ((heights[0], middle[0]), (heights[-1], middle[-1])):
             last = float(scipy.special.ndtri(end))
             beyond = (score - last) * np.sign(last) > 0.0
-            found[beyond] = outermost + (score[beyond] - last) * (outermost - median) / last
+            found[beyond] = outermost + (score[beyond] - last) * min((outermost - median) / last, steepest)
         return np.asarray(found, dtype=np.float64)
 
     def _order_scores(self, p: float) -> Floats:
