@@ -301,8 +301,8 @@ class TotalUncertainty:
         return _Confidence(at + correction, at + correction + error, sampled.variance * self.n / plain_m2)
 
     def _draws(self, by_design: Sampled, p: float, slope: float) -> Floats:
-        """Draws (D,) of percentile p of the measured heights by its design, metres: errors of its rank, on the
-        scale of normal scores, on which no distribution has a gap or a bend, are carried to heights by the
+        """Draws (D,) of percentile p of the measured heights by its design, metres: errors of its rank, on
+        the scale of normal scores, where no distribution has a gap or a bend, are carried to heights by the
         sample's own quantiles (Woodruff 1952; docs/proofs.md, "Percentiles in a gap"); what shared errors
         move the sites by moves heights as it is.
 
@@ -311,9 +311,9 @@ class TotalUncertainty:
         """
         n, ranked, place = self._n, self._order_scores(p), self._score_of(p)
         per_score = _height_per_score(p, slope)
-        plain = np.sqrt(p * (1.0 - p) / n) / (slope * per_score)  # standard error of the score
+        plain = float(np.sqrt(p * (1.0 - p) / n)) / (slope * per_score)  # standard error of the score
         if not self._drawn.compares_sites:
-            wider = by_design.variance * (n - 1.0) / (n * (plain * per_score) ** 2)
+            wider = float(by_design.variance * (n - 1.0) / (n * (plain * per_score) ** 2))
             return self._height_at(place + (ranked - place) * np.sqrt(max(wider, 0.0)), per_score)
         low, high = ends_of(ranked - place)
         deviate, other = by_design.draws(), by_design.other_draws()
@@ -321,7 +321,8 @@ class TotalUncertainty:
         deviate = deviate * np.sqrt(by_design.within * longer**2 + 1.0 - by_design.within)
         of_shift = by_design.shift
         moved = of_shift * deviate - np.sqrt(of_shift * (1.0 - of_shift)) * other
-        return self._height_at(place + (deviate - moved) / per_score, per_score) + moved
+        ranked = self._height_at(place + (deviate - moved) / per_score, per_score)
+        return np.asarray(ranked + moved, dtype=np.float64)
 
     def named_effects_m(self, percent: float) -> dict[int, float]:
         """What one standard uncertainty of each error that other samples know (a road pose's) moves a
