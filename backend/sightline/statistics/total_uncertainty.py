@@ -213,7 +213,7 @@ class TotalUncertainty:
 
         The value is the sample's (Hyndman & Fan 1996, type 8) with the correction of `deconvolution`. Its
         interval without sites is that of order statistics (David & Nagaraja 2003, 7.1), read between ranks;
-        with sites it is Student's, as much longer on one side as that of order statistics is. Percentiles
+        with sites it is Student's, of the rank (Woodruff 1952), as much longer on one side. Percentiles
         never run backwards: values and intervals are put in order from the median outwards, so that what is
         little known moves nothing that is known better. Without support there is a count in place of a value.
         """
