@@ -4,7 +4,8 @@ Fleets whose percentiles are known are drawn, measured with errors that sites sh
 the share of samples whose 95 % interval holds the truth is printed, for each percentile, the mean and the SD.
 Goal: 0.95 +- 0.01 for P2.5 to P97.5; a share of SAMPLES samples has itself a standard error of 0.22 /
 sqrt(SAMPLES). The default is a few worlds of every kind; `--full`: the whole grid, each fleet with each n,
-sites, shared and random error. `--write` puts the grid's table into docs/proofs.md. The method was made on
+sites, shared and random error; `--gap`: P95 where there is no vehicle, and beside it fleets without a gap.
+`--write` puts the table of either into docs/proofs.md. The method was made on
 other seeds than any that `--seed` gives (its worlds had the same numbers and no seed before them).
 """
 
@@ -60,7 +61,8 @@ FLEETS = {
 @dataclass(frozen=True)
 class World:
     """n heights at `sites`, whose fleets lie apart by `apart_mm` (SD); errors in mm. common: all sites share
-    one error, not each its own; said: whether the sites are named to the estimate.
+    one error, not each its own; said: whether the sites are named to the estimate. lorries_sd: of the share
+    of lorries from site to site, where the fleet is "5 % lorries".
     """
 
     fleet: str
@@ -72,6 +74,7 @@ class World:
     common: bool = False
     said: bool = True
     uneven: bool = False
+    lorries_sd: float = 0.0
 
 
 WORLDS = [
@@ -87,11 +90,17 @@ WORLDS = [
     World("5 % lorries", 2000, 10, 5, 20),
 ]
 
+GAPS = [
+    World(fleet, 1000, j, 10, 10, lorries_sd=sd)
+    for fleet, sd in (("5 % lorries", 0.0), ("5 % lorries", 0.02), ("normal", 0.0), ("skewed", 0.0))
+    for j in (1, 3, 5, 20)
+    if j > 1 or not sd
+]
 GRID = [World(*one) for one in itertools.product(FLEETS, (100, 400, 2000), (1, 2, 5, 20), (0, 15), (0, 20))]
 FACTORS = ("fleet", "n", "sites", "shared_mm", "random_mm")
 
 
-def truth_of(world: World) -> np.ndarray:
+def truth_of(world: World, percents: tuple[float, ...] = PERCENTS) -> np.ndarray:
     """Percentiles, mean and SD of the fleet over all sites that there might be."""
     fleet, apart = FLEETS[world.fleet], world.apart_mm / 1000
     nodes, weights = np.polynomial.hermite_e.hermegauss(41)
@@ -99,7 +108,7 @@ def truth_of(world: World) -> np.ndarray:
     def below(x: float) -> float:
         return float(weights @ fleet.below(x - apart * nodes) / weights.sum())
 
-    found = [optimize.brentq(lambda x, p=p: below(x) - p / 100, 0.0, 4.0) for p in PERCENTS]
+    found = [optimize.brentq(lambda x, p=p: below(x) - p / 100, 0.0, 4.0) for p in percents]
     mean = integrate.quad(lambda x: 1.0 - below(x), 0.0, 4.0, limit=400)[0]
     square = 2.0 * integrate.quad(lambda x: x * (1.0 - below(x)), 0.0, 4.0, limit=400)[0]
     return np.array([*found, mean, np.sqrt(square - mean**2)])
@@ -111,6 +120,10 @@ def sample_of(world: World, rng: Rng) -> HeightSample:
     if not world.uneven:
         site = np.sort(np.arange(world.n) % world.sites)
     true = FLEETS[world.fleet].draw(rng, world.n)
+    if world.lorries_sd:
+        sure = 0.05 * 0.95 / world.lorries_sd**2 - 1.0
+        lorry = rng.random(world.n) < rng.beta(0.05 * sure, 0.95 * sure, world.sites)[site]
+        true = np.where(lorry, rng.normal(2.3, 0.12, world.n), rng.normal(1.14, 0.05, world.n))
     true = true + rng.normal(0.0, 1.0, world.sites)[site] * world.apart_mm / 1000
     group = np.zeros_like(site) if world.common else site
     u_shared, u_random = world.shared_mm / 1000, world.random_mm / 1000
@@ -119,14 +132,16 @@ def sample_of(world: World, rng: Rng) -> HeightSample:
     return HeightSample(true + error, np.full(world.n, u_random), shared, site if world.said else None)
 
 
-def coverage(world: World, samples: int, seed: int = 1) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def coverage(
+    world: World, samples: int, seed: int = 1, percents: tuple[float, ...] = PERCENTS
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(share held, mean error of the values mm, median half width mm), each for percentiles, mean, SD."""
     rng = np.random.default_rng([seed, world.n, world.sites, int(world.shared_mm), int(world.random_mm)])
-    truth = truth_of(world)
+    truth = truth_of(world, percents)
     held, error, half = [], [], []
     for _ in range(samples):
         found = TotalUncertainty(sample_of(world, rng))
-        figures = [*(found.percentile(p) for p in PERCENTS), found.mean(), found.sd()]
+        figures = [*(found.percentile(p) for p in percents), found.mean(), found.sd()]
         value, low, high = (
             np.array([getattr(one, name) for one in figures], dtype=np.float64)  # NaN without support
             for name in ("value", "U95_low", "U95_high")
@@ -158,6 +173,27 @@ def main(worlds: list[World], samples: int, seed: int, write: bool) -> int:
     print("\n".join(lines))
     if write:
         put_section(page(worlds, found, samples, seed))
+    return 0
+
+
+def show_gaps(samples: int, seed: int, write: bool) -> int:
+    """P5 to P95 with and without a gap between two kinds of vehicles, by the number of sites."""
+    percents = (5.0, 50.0, 85.0, 90.0, 95.0)
+    names = " | ".join(f"P{p:g}" for p in percents)
+    lines = [
+        f"| fleet | SD of lorries | sites | {names} | half of P95 mm |",
+        "| --- " + "| ---: " * (3 + len(percents)) + "|",
+    ]
+    print("\n".join(lines))
+    for world in GAPS:
+        held, _, half = coverage(world, samples, seed, percents)
+        *shares, wide = *(f"{one:.3f}" for one in held[: len(percents)]), f"{half[len(percents) - 1]:.0f}"
+        cells = [world.fleet, f"{world.lorries_sd:g}", str(world.sites), *shares, wide]
+        lines.append(f"| {' | '.join(cells)} |")
+        print(lines[-1], flush=True)
+    if write:
+        told = f"{samples} samples each, seed {seed}: a share has a standard error of {_error(samples):.3f}."
+        put_section("\n".join([*_GAPS, "", told, "", *lines, ""]))
     return 0
 
 
@@ -279,12 +315,41 @@ value; the cell says how many it needs.
 """.strip("\n").splitlines()
 
 
+_GAPS = """
+# Percentiles in a gap
+
+How often the same intervals hold P95 where it lies between two kinds of vehicles (5 % lorries among cars: no
+vehicle is as high), and other percentiles of the same samples: 1,000 heights, errors of 10 mm that a site
+shares and random ones of 10 mm. Made by `python tests/bench/bench_coverage.py SAMPLES --gap --write`.
+
+**Derivation.** Let F(x) be the share of heights below x on all roads, q its percentile p, z = Φ⁻¹(F(x)) the
+normal score of a height. q lies below x exactly where p lies below F(x): limits of the rank p, carried back
+by the sample's quantiles, are limits of q whatever the distribution (Woodruff 1952; Francisco and Fuller
+1991; Särndal, Swensson and Wretman 1992, 5.11). So the error of the rank, with the variance that the design
+gives the share below (within sites that of p (1 - p), between them what they differ by) and Student's t, is
+laid off from Φ⁻¹(p) on the scale of scores and read as heights there. Every distribution is normal on that
+scale: where heights are normal the limits are those of the linear influence, and those of any other are their
+image; where sites differ in nothing, a percentile in a gap is held as often as one of normal heights. Beyond
+the outermost height the scale is that of a normal distribution through it and the median, no wider than at
+the percentile.
+
+Errors of pose and clicks that a site shares move heights, not ranks. They make the part b² of the variance σ²
+between sites (their known u). With T and T' a pair of Student's t over one estimate of σ (Ding 2016), the
+error of the rank is (1 - b²) T - b √(1 - b²) T' and the shift b² T + b √(1 - b²) T', in σ: uncorrelated, of
+variances 1 - b² and b², and their sum is T. Where the quantiles are a line nothing changes by it; at a gap
+the rank jumps and the shift is no more than it is. Errors that sites do not show are added in metres.
+""".strip("\n").splitlines()
+
+
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("samples", nargs="?", type=int, default=20)
     parser.add_argument("--full", action="store_true")
     parser.add_argument("--write", action="store_true")
+    parser.add_argument("--gap", action="store_true")
     parser.add_argument("--seed", type=int, default=1)
     given = parser.parse_args()
+    if given.gap:
+        sys.exit(show_gaps(given.samples, given.seed, given.write))
     chosen = GRID if given.full else GRID[::7] if given.write else WORLDS
     sys.exit(main(chosen, given.samples, given.seed, given.write))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy import stats
+from scipy import optimize, stats
 
 from sightline.messages.said import Said
 from sightline.statistics.deconvolution import noise_of, smooth_density
@@ -291,6 +291,23 @@ def test_a_percentile_between_two_kinds_of_vehicles_has_an_interval_and_moves_no
         assert low.U95_low > 0.9 and 1.1 < high.U95_low < 1.3 and 2.0 < high.U95_high < 8.0
         outermost_car_m, first_lorry_m = np.sort(height_m)[94:96]
         assert high.value is not None and outermost_car_m - 0.03 < high.value < first_lorry_m + 0.03
+
+
+@pytest.mark.parametrize("runs", [20, pytest.param(160, marks=pytest.mark.proof)])
+def test_intervals_hold_a_percentile_that_lies_in_a_gap(runs: int) -> None:
+    """5 % lorries, more at some sites than at others: P95 is where there is no vehicle."""
+    truth = optimize.brentq(
+        lambda x: 0.95 * stats.norm.cdf(x, 1.14, 0.05) + 0.05 * stats.norm.cdf(x, 2.3, 0.12) - 0.95, 1.1, 2.3
+    )
+    site, held = np.arange(2000) % 5, []
+    for seed in range(runs):
+        rng = np.random.default_rng([9521, seed])
+        lorry = rng.random(2000) < rng.beta(5.9, 112.1, 5)[site]  # 5 % with an SD of 2 %
+        height_m = np.where(lorry, rng.normal(2.3, 0.12, 2000), rng.normal(1.14, 0.05, 2000))
+        found = TotalUncertainty(HeightSample(height_m, np.zeros(2000), (), site)).percentile(95.0)
+        assert found.U95_low is not None and found.U95_high is not None
+        held.append(found.U95_low <= truth <= found.U95_high)
+    assert np.mean(held) >= 0.95 - 3.0 * np.sqrt(0.05 * 0.95 / runs)
 
 
 def test_the_same_design_said_as_weights_gives_the_same_digits() -> None:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from sightline.arrays import Floats, Ints
 from sightline.coverage import COVERAGE_95
 from sightline.messages.said import Said
-from sightline.statistics.draws import TAIL, ends_of, normal_draws, student_draws
+from sightline.statistics.draws import OTHER, TAIL, ends_of, normal_draws, student_draws
 from sightline.statistics.figures import TotalFigure, without_interval
 from sightline.statistics.shared_errors import SharedErrors
 from sightline.statistics.sites import NOTHING, Sites, compact, mean_variance, pooled_variance, variances
@@ -29,17 +29,27 @@ class Sampled:
     """Variance of a weighted figure by its design, its degrees of freedom, and the variance of shared errors
     that differences between sites do not show.
 
-    within: the share of the variance that comes of sampling within sites.
+    within: the share of the variance that comes of sampling within sites; shift: that of shared errors, by
+    which sites differ.
     """
 
     variance: float
     freedom: float
     unseen: float
     within: float = 1.0
+    shift: float = 0.0
 
     def draws(self) -> Floats:
         """Draws (D,) of an error of this estimated variance, ascending."""
         return np.asarray(student_draws(self.freedom) * np.sqrt(self.variance), dtype=np.float64)
+
+    def other_draws(self) -> Floats:
+        """Draws (D,) beside `draws` of an error of the same variance, uncorrelated with it: of two normal
+        ones over the same estimate of their variance, the second given the first (Ding 2016).
+        """
+        first, more = student_draws(self.freedom), student_draws(self.freedom + 1.0)[OTHER]
+        wider = np.sqrt((self.freedom + first**2) / (self.freedom + 1.0))
+        return np.asarray(more * wider * np.sqrt(self.variance), dtype=np.float64)
 
 
 def lonely_strata(design: Design) -> list[int]:
@@ -158,7 +168,9 @@ class Drawn:
             squares += (stratum.part**2 * here) ** 2 / freedom
         unseen = max(self._of_all_m2 - shared_seen, 0.0) if height else 0.0
         freedom = variance**2 / squares if squares > 0.0 else _MANY
-        return Sampled(variance, freedom, unseen, min(inside / max(variance, 1e-300), 1.0))
+        within = min(inside / max(variance, 1e-300), 1.0)
+        shift = min(shared_seen / max(variance, 1e-300), 1.0 - within)
+        return Sampled(variance, freedom, unseen, within, shift)
 
     @property
     def tells_spread(self) -> bool:

@@ -34,7 +34,7 @@ from sightline.statistics.survey_design import Design
 from sightline.statistics.wording import interval_contents
 
 _SHAPE = 0.1  # of a correction for random error: what a density of another shape may change it by (k = 1)
-_SMOOTHED = 0.5  # spreads, on either side of a percentile: heights by which sites are compared there
+_WIDEST, _IN_WINDOW = 0.5, 2.0  # scores, heights of a site about a percentile, by which sites are compared
 _WINDOW = 0.10  # of all heights, on either side of a percentile: those that say which groups it rests on
 _LEAST_IN_WINDOW = 25
 _LARGEST = 30.0  # of the logarithm of a variance's ratio, beyond which numbers end
@@ -171,9 +171,15 @@ class TotalUncertainty:
 
     @cached_property
     def _smooth_parts(self) -> tuple[Floats, Ints, Floats]:
-        """Nodes (M,), metres, the node of each height (N,), and the share of heights at each node (M,)."""
-        nodes_m, node = _nodes(self._height_m)
-        return nodes_m, node, np.bincount(node, self._share).astype(np.float64)
+        """Nodes (M,) of the heights' normal scores, equal heights having that of their middle; the node of
+        each height (N,), and the share of heights at each node (M,).
+        """
+        first = np.concatenate([[True], np.diff(self._height_m) > 0.0])
+        group = np.cumsum(first) - 1
+        share = np.bincount(group, self._share)
+        score = scipy.special.ndtri(np.cumsum(share) - 0.5 * share)
+        nodes, node = _nodes(np.asarray(score[group], dtype=np.float64))
+        return nodes, node, np.bincount(node, self._share, len(nodes)).astype(np.float64)
 
     @property
     def n(self) -> int:
@@ -207,7 +213,7 @@ class TotalUncertainty:
 
         The value is the sample's (Hyndman & Fan 1996, type 8) with the correction of `deconvolution`. Its
         interval without sites is that of order statistics (David & Nagaraja 2003, 7.1), read between ranks;
-        with sites it is Student's, as much longer on one side as that of order statistics is. Percentiles
+        with sites it is Student's, of the rank (Woodruff 1952), as much longer on one side. Percentiles
         never run backwards: values and intervals are put in order from the median outwards, so that what is
         little known moves nothing that is known better. Without support there is a count in place of a value.
         """
@@ -284,30 +290,39 @@ class TotalUncertainty:
         of_correction = self._density.correction_influence_m(p, self._least_density(p, self._density))[
             self._cell
         ]
-        smooth = self._smooth_influence(p, self._density) + of_correction
+        smooth = self._smooth_influence(p, slope) + of_correction
         sampled = self._drawn.sampled(own + of_correction, smooth)
         plain_m2 = p * (1.0 - p) / slope**2
         correction = self._correction_m(p, self._density)
         u_m2 = self._unseen(sampled, self._near(p)) + (_SHAPE * correction) ** 2
         u_m2 += (correction * self._u_spread_m2 / max(self._noise_m2, 1e-12)) ** 2
-        draws = self._draws(sampled, self._order_statistics(p, self._density) - at, plain_m2)
+        draws = self._draws(sampled, p, slope) - at
         error = np.sort(draws + np.sqrt(u_m2) * normal_draws())
         return _Confidence(at + correction, at + correction + error, sampled.variance * self.n / plain_m2)
 
-    def _draws(self, by_design: Sampled, sampled: Floats, plain_m2: float) -> Floats:
-        """Draws (D,) of a percentile's error by its design: those of order statistics, `sampled` (D,), as
-        much wider as the design makes them; what comes of sites is Student's, and longer on no side.
-        plain_m2: the variance of one height drawn by itself.
+    def _draws(self, by_design: Sampled, p: float, slope: float) -> Floats:
+        """Draws (D,) of percentile p of the measured heights by its design, metres: errors of its rank, on
+        the scale of normal scores, where no distribution has a gap or a bend, are carried to heights by the
+        sample's own quantiles (Woodruff 1952; docs/proofs.md, "Percentiles in a gap"); what shared errors
+        move the sites by moves heights as it is.
+
+        Without sites the scores are those of order statistics, as much wider as the design makes them; with
+        them they are Student's, as much longer on one side as those of order statistics are.
         """
+        n, ranked, place = self._n, self._order_scores(p), self._score_of(p)
+        per_score = _height_per_score(p, slope)
+        plain = float(np.sqrt(p * (1.0 - p) / n)) / (slope * per_score)  # standard error of the score
         if not self._drawn.compares_sites:
-            wider = by_design.variance * (self._n - 1.0) / plain_m2
-            return np.asarray(sampled * np.sqrt(max(wider, 0.0)), dtype=np.float64)
-        low, high = ends_of(sampled)
-        draws = by_design.draws()
-        longer = np.where(draws < 0.0, -low, high) / (COVERAGE_95 * np.sqrt(plain_m2 / self._n))
-        return np.asarray(
-            draws * np.sqrt(by_design.within * longer**2 + 1.0 - by_design.within), dtype=np.float64
-        )
+            wider = float(by_design.variance * (n - 1.0) / (n * (plain * per_score) ** 2))
+            return self._height_at(place + (ranked - place) * np.sqrt(max(wider, 0.0)), per_score)
+        low, high = ends_of(ranked - place)
+        deviate, other = by_design.draws(), by_design.other_draws()
+        longer = np.where(deviate < 0.0, -low, high) / (COVERAGE_95 * plain)
+        deviate = deviate * np.sqrt(by_design.within * longer**2 + 1.0 - by_design.within)
+        of_shift = by_design.shift
+        moved = of_shift * deviate - np.sqrt(of_shift * (1.0 - of_shift)) * other
+        ranked = self._height_at(place + (deviate - moved) / per_score, per_score)
+        return np.asarray(ranked + moved, dtype=np.float64)
 
     def named_effects_m(self, percent: float) -> dict[int, float]:
         """What one standard uncertainty of each error that other samples know (a road pose's) moves a
@@ -330,8 +345,9 @@ class TotalUncertainty:
         p = percent / 100.0
         if self._density is None or not self._supported(percent):
             return None
-        smooth = self._smooth_influence(p, self._density)
-        sampling = float(np.sqrt(p * (1.0 - p))) / self._slope(p, self._density)
+        slope = self._slope(p, self._density)
+        smooth = self._smooth_influence(p, slope)
+        sampling = float(np.sqrt(p * (1.0 - p))) / slope
         found = self._drawn.sampled(smooth, smooth)
         return Components(sampling, self._drawn.between(smooth), float(np.sqrt(found.unseen)))
 
@@ -430,23 +446,42 @@ class TotalUncertainty:
         place = np.array([(p * (n + more) + first) / n])
         return float(np.interp(place, self._middle, self._height_m)[0])
 
-    def _order_statistics(self, p: float, density: SmoothDensity) -> Floats:
-        """Percentile p of the measured heights by its confidence distribution, (D,).
+    def _score_of(self, p: float) -> float:
+        """The score of percentile p of the measured heights: of the rank that `_percentile_m` has."""
+        rank = p + (p - 0.5) / (3.0 * self._n)
+        return float(scipy.special.ndtri(np.clip(rank, self._middle[0], self._middle[-1])))
+
+    def _height_at(self, score: Floats, steepest: float) -> Floats:
+        """The measured heights of normal scores (D,), metres: those at the ranks of which these are scores;
+        beyond the outermost height those of a normal distribution through it and the median, no wider than
+        `steepest`, metres per score.
+        """
+        heights, middle = self._height_m, self._middle
+        found = np.interp(scipy.special.ndtr(score), middle, heights)
+        median = float(np.interp(0.5, middle, heights))
+        for outermost, end in ((heights[0], middle[0]), (heights[-1], middle[-1])):
+            last = float(scipy.special.ndtri(end))
+            beyond = (score - last) * np.sign(last) > 0.0
+            found[beyond] = outermost + (score[beyond] - last) * min((outermost - median) / last, steepest)
+        return np.asarray(found, dtype=np.float64)
+
+    def _order_scores(self, p: float) -> Floats:
+        """Scores (D,) of percentile p by its confidence distribution, of order statistics.
 
         The height of rank x lies above it with probability 1 - I_p(x, n - x + 1), which is read between whole
-        ranks too, and weighted ones. Beyond the outermost height the limit lies where, by the smooth density,
-        the outermost of n would reach the percentile with the probability wanted.
+        ranks too, and weighted ones. Beyond the outermost height the limit lies where the outermost of n
+        would reach the percentile with the probability wanted.
         """
-        n, heights = self._n, self._height_m
+        n = self._n
         reach = 5.0 * np.sqrt(n * p * (1.0 - p)) + 6.0
         rank = np.linspace(max(n * p - reach, 1.0), min(n * p + reach, n), 500)
         level = 1.0 - scipy.special.betainc(rank, n - rank + 1.0, p)
-        at = np.interp((np.interp(LEVELS, level, rank) - 0.5) / n, self._middle, heights)
+        score = np.asarray(scipy.special.ndtri((np.interp(LEVELS, level, rank) - 0.5) / n))
         low, high = (1.0 - p) ** n > LEVELS, 1.0 - p**n < LEVELS
-        middle = float(density.measured_quantile_m(p))
-        at[low] = heights[0] - (density.measured_quantile_m(1.0 - LEVELS[low] ** (1.0 / n)) - middle)
-        at[high] = heights[-1] + (middle - density.measured_quantile_m((1.0 - LEVELS[high]) ** (1.0 / n)))
-        return np.asarray(at, dtype=np.float64)
+        outermost, middle = float(scipy.special.ndtri(0.5 / n)), float(scipy.special.ndtri(p))
+        score[low] = outermost - (scipy.special.ndtri(1.0 - LEVELS[low] ** (1.0 / n)) - middle)
+        score[high] = -outermost + (middle - scipy.special.ndtri((1.0 - LEVELS[high]) ** (1.0 / n)))
+        return np.asarray(score, dtype=np.float64)
 
     def _correction_m(self, p: float, density: SmoothDensity) -> float:
         """What is to be added for random errors at p, metres, no more than if all spread were theirs: by
@@ -467,16 +502,20 @@ class TotalUncertainty:
         low, high = np.interp([p - half, p + half], self._middle, self._height_m)
         return half / max(float(high - low), 2.5 * half * density.spread_m)
 
-    def _smooth_influence(self, p: float, density: SmoothDensity) -> Floats:
-        """Influence (N,) of each height on percentile p of heights smoothed by half their spread."""
-        at = self._percentile_m(p)
-        nodes_m, node, share = self._smooth_parts
-        width = _SMOOTHED * density.spread_m
-        away = (at - nodes_m) / width
-        below = scipy.special.ndtr(away)
-        slope = float(share @ np.exp(-0.5 * away**2)) / (width * np.sqrt(2.0 * np.pi))
-        slope = max(slope, self._least_density(p, density))
-        return np.asarray(((share @ below - below) / slope)[node], dtype=np.float64)
+    def _smooth_influence(self, p: float, slope: float) -> Floats:
+        """Influence (N,) of each height, metres, on percentile p of smoothed scores, whose density is known.
+
+        Own choice of the width: as wide as `_IN_WINDOW` heights of a site lie, so that sites do not tie, and
+        no wider, so that a difference between two kinds of vehicles is not smoothed away.
+        """
+        nodes, node, share = self._smooth_parts
+        place = float(scipy.special.ndtri(p))
+        per_score = self._n / np.count_nonzero(np.bincount(self._site)) * _normal_density(place)
+        width = min(_WIDEST, _IN_WINDOW / per_score)
+        below = scipy.special.ndtr((place - nodes) / width)
+        wide = float(np.hypot(1.0, width))
+        away = (float(np.sum(share * below)) - below) * wide / _normal_density(place / wide)
+        return np.asarray((away * _height_per_score(p, slope))[node], dtype=np.float64)
 
     def _near(self, p: float) -> Ints:
         """Rows whose ranks lie about p."""
@@ -500,15 +539,24 @@ def _one_stratum(sample: HeightSample) -> Design:
     return Design(np.ones(n), nowhere, nowhere if sites is None else sites.code, np.array([np.inf]))
 
 
-def _nodes(height_m: Floats) -> tuple[Floats, Ints]:
-    """Heights (M,) at which smooth functions of sorted heights (N,) are computed, and which each has, (N,):
+def _height_per_score(p: float, slope: float) -> float:
+    """Metres of a normal score at percentile p, where the density of heights is `slope`, 1/m."""
+    return _normal_density(float(scipy.special.ndtri(p))) / slope
+
+
+def _normal_density(score: float) -> float:
+    return float(np.exp(-0.5 * score**2) / np.sqrt(2.0 * np.pi))
+
+
+def _nodes(score: Floats) -> tuple[Floats, Ints]:
+    """Scores (M,) at which smooth functions of sorted scores (N,) are computed, and which each has, (N,):
     their own of few, of many those of fine steps over their range.
     """
-    if len(height_m) <= _NODES:
-        return height_m, np.arange(len(height_m))
-    step = (height_m[-1] - height_m[0]) / _NODES
-    node = np.minimum(((height_m - height_m[0]) / max(step, 1e-12)).astype(np.int64), _NODES - 1)
-    return height_m[0] + (np.arange(_NODES) + 0.5) * step, node
+    if len(score) <= _NODES:
+        return score, np.arange(len(score))
+    step = (score[-1] - score[0]) / _NODES
+    node = np.minimum(((score - score[0]) / max(step, 1e-12)).astype(np.int64), _NODES - 1)
+    return score[0] + (np.arange(_NODES) + 0.5) * step, node
 
 
 @dataclass(frozen=True)
