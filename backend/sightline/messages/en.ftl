@@ -6799,7 +6799,16 @@ evidence-one-limit = Give one limit: --most-kmh, --least-time-gap-s or --least-d
 evidence-no-scan = The survey has no line-scan recording { $scan }; it has: { $names }.
 evidence-no-vehicle = There is no vehicle { $number } in { $scan }; check the number on the line scan page.
 evidence-not-one = This is not an evidence file as written by Sightline, or it was truncated; get the file again.
-evidence-form = The part “{ $part }” cannot be read ({ $words }); it was changed.
+evidence-form = The part “{ $part ->
+    [page] page and form
+    [signature] signature and keys
+    [pictures] images
+    [events] audit events
+    [derived] derived values
+    [numbers] measured values
+    [decision] decision
+   *[said] sentences in other languages
+  }” cannot be read ({ $words }); it was changed.
 evidence-another-page = The page’s program is not the one named by the document; it was changed.
 evidence-not-canonical = The document is not canonical JSON; it was changed.
 evidence-signature = The signature is not valid for the document.

@@ -6867,7 +6867,16 @@ evidence-one-limit = Indiquez une limite : --most-kmh, --least-time-gap-s ou --
 evidence-no-scan = Le relevé n’a pas d’enregistrement de balayage linéaire { $scan } ; il a : { $names }.
 evidence-no-vehicle = Il n’y a pas de véhicule { $number } dans { $scan } ; vérifiez le numéro sur la page du balayage.
 evidence-not-one = Ce n’est pas un dossier de preuve tel que ce programme les écrit, ou il a été tronqué ; reprenez le fichier.
-evidence-form = La partie « { $part } » est illisible ({ $words }) ; elle a été modifiée.
+evidence-form = La partie « { $part ->
+    [page] page et forme
+    [signature] signature et clés
+    [pictures] images
+    [events] événements d’audit
+    [derived] valeurs déduites
+    [numbers] valeurs mesurées
+    [decision] décision
+   *[said] phrases en d’autres langues
+  } » est illisible ({ $words }) ; elle a été modifiée.
 evidence-another-page = Le programme de la page n’est pas celui que nomme le document ; il a été modifié.
 evidence-not-canonical = Le document n’est pas un JSON canonique ; il a été modifié.
 evidence-signature = La signature n’est pas valable pour le document.
