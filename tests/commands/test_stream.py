@@ -31,7 +31,8 @@ from tests.support.waiting import until
 pytestmark = pytest.mark.once
 
 SITE = ScanSite(rows=64, misalignment_px=0.3)
-RIG = ("--baseline", str(SITE.baseline_m), "--line-rate", str(SITE.line_rate_hz), "--u-baseline", "0.0005")
+KNOWN = ("--u-baseline", "0.0005", "--u-line-rate", "1e-6")
+RIG = ("--baseline", str(SITE.baseline_m), "--line-rate", str(SITE.line_rate_hz), *KNOWN)
 STREAM = ("stream", "--rows", str(SITE.rows), *RIG)
 
 

@@ -7025,6 +7025,7 @@ pose-corners-miss-model = The corners fit the model to { NUMBER($rms_px, minimum
 pose-two-fit = Two poses fit the board almost equally well; turn the camera by some 30 degrees along the road, or bring the board closer.
 pose-squares-small = The squares are small in the image; bring the board closer.
 pose-board-rolled = The board appears rolled by { $roll_deg } degrees; check that columns and rows were not exchanged.
+pose-image-twice = { $name } is the same image as { $file }; it counts once.
 pose-one-frame = Only one frame is used, so it is not checked that the board was at rest.
 pose-road-turned = Rotated by { NUMBER($heading_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) } degrees to the travel direction.
 pose-turned-by-vehicles = Rotated by { NUMBER($turn_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° to the direction of { NUMBER($vehicles) } vehicles.

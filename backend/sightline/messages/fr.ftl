@@ -7086,6 +7086,7 @@ pose-corners-miss-model = Les coins ne suivent le modèle qu’à { NUMBER($rms_
 pose-two-fit = Deux poses s’accordent presque aussi bien à la mire ; tournez la caméra d’une trentaine de degrés le long de la route, ou approchez la mire.
 pose-squares-small = Les cases sont petites dans l’image ; approchez la mire.
 pose-board-rolled = La mire paraît tournée de { $roll_deg } degrés ; contrôlez que colonnes et rangées ne sont pas inversées.
+pose-image-twice = { $name } est la même image que { $file } ; elle compte une fois.
 pose-one-frame = Une seule image est utilisée ; l’immobilité de la mire n’est pas contrôlée.
 pose-road-turned = Pivotée de { NUMBER($heading_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) } degrés vers le sens de circulation.
 pose-turned-by-vehicles = Pivotée de { NUMBER($turn_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° vers le sens de { NUMBER($vehicles) } véhicules.
