@@ -24,6 +24,7 @@ from sightline.media.lines.piped import PipedLines
 from sightline.media.lines.source import Ending
 from sightline.media.strips.sheet import Pixels
 from sightline.media.strips.spool import SpooledLines
+from sightline.messages import write_count
 from tests.simulation.scan_strips import strips
 from tests.simulation.scan_traffic import ScanSite, traffic
 from tests.support.waiting import until
@@ -104,7 +105,7 @@ def test_vehicles_are_those_of_the_files_and_the_lines_are_kept(
     assert live == batch
     kept = sorted((tmp_path / "spool").glob("0*"))
     assert [path.name for path in kept] == ["0001-camera-1.tif", "0001-camera-2.tif", "0001.jsonl"]
-    assert f"{len(pixels[0])} lines are stored in {kept[0]}." in said
+    assert f"{write_count(len(pixels[0]))} lines are stored in {kept[0]}." in said
     kept = kept[:2]
     for path, strip in zip(kept, pixels, strict=True):
         assert np.array_equal(tifffile.imread(path), strip)
@@ -137,7 +138,7 @@ def test_each_vehicle_is_told_while_the_stream_goes_on(pixels: tuple[Pixels, Pix
         said = live.stderr.read().decode()
     assert live.returncode == 0, said
     assert [one["id"] for one in rest] == [2, 3]
-    assert f"{len(pixels[0])} lines are stored in" in said, "those that lay in the pipe too"
+    assert f"{write_count(len(pixels[0]))} lines are stored in" in said, "those that lay in the pipe too"
 
 
 def lines_at_the_end(source: int) -> int:

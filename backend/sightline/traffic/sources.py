@@ -147,9 +147,13 @@ def _on_one_clock(rows: list[Any]) -> list[Any]:
 
 
 def _begun_of(rows: Sequence[Any]) -> datetime | None:
-    """When line 0 of lines of `stream` was taken, by their times of day."""
+    """When line 0 of lines of `stream` was taken, by their times of day, which have milliseconds."""
     return min(
-        (at - timedelta(seconds=row["front_s"]) for row in rows if (at := instant_told(row.get("front_at")))),
+        (
+            at - timedelta(milliseconds=round(1000 * row["front_s"]))
+            for row in rows
+            if (at := instant_told(row.get("front_at")))
+        ),
         default=None,
     )
 
