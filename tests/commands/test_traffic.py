@@ -115,7 +115,12 @@ def test_lines_of_a_stream_tell_their_start_by_their_times(
     for hour, told in (("05", True), ("06", False)):
         path, begun = tmp_path / f"{hour}.jsonl", datetime.fromisoformat(f"2026-05-04T{hour}:00:00+02:00")
         rows = [
-            one | {"front_at": (begun + timedelta(seconds=one["front_s"])).isoformat(timespec="milliseconds")}
+            one
+            | {
+                "front_at": (begun + timedelta(milliseconds=round(1000 * one["front_s"]))).isoformat(
+                    timespec="milliseconds"
+                )
+            }
             for one in vehicles
         ]
         path.write_text("\n".join(map(json.dumps, rows)))
